@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Objective measures of one attempt: pure functions of a recording.
+// Definitions with sources: ARCHITECTURE.md, "Metrics"; every metric knows its unit and direction.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/recording.h"
+
+namespace placode::assessment {
+
+inline constexpr int kMetricSetVersion = 1;
+
+enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
+
+/// What a metric is; the same for every attempt.
+struct MetricDefinition {
+    std::string_view id;    ///< Key with unit, e.g. "path_length_mm".
+    std::string_view name;  ///< English display name; translated in ui.
+    std::string_view unit;
+    Direction direction = Direction::kLowerIsBetter;
+    std::string_view definition;  ///< One sentence.
+    std::string_view source;
+};
+[[nodiscard]] std::vector<MetricDefinition> metric_definitions();
+
+struct Metric {
+    std::string id;
+    double value = 0;
+};
+
+/// Values of one attempt, in the order of metric_definitions(); a metric that cannot be computed
+/// (no movement, no needle) is absent.
+struct MetricSet {
+    int version = kMetricSetVersion;
+    std::vector<Metric> values;
+    [[nodiscard]] std::optional<double> find(std::string_view id) const;
+};
+
+/// All metrics that the recording allows. Never throws on odd data.
+[[nodiscard]] MetricSet compute_metrics(const sim::Recording& recording);
+
+}  // namespace placode::assessment

@@ -1,0 +1,86 @@
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Compiler settings and the helper functions that the root CMakeLists.txt uses.
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+# No contraction: the same input must give the same bits whatever the optimiser does.
+add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off)
+if(PLACODE_WERROR)
+  add_compile_options(-Werror)
+endif()
+# Qt's `emit` and `signals` macros break other headers; Q_EMIT and Q_SIGNALS are used instead.
+add_compile_definitions(QT_NO_KEYWORDS)
+if(PLACODE_SANITIZER)
+  add_compile_options(-fsanitize=${PLACODE_SANITIZER} -fno-omit-frame-pointer -O1 -g)
+  add_link_options(-fsanitize=${PLACODE_SANITIZER})
+endif()
+
+# placode_library(NAME FOLDERS f... LINK l...): one static library from every .cpp of the folders.
+function(placode_library name)
+  cmake_parse_arguments(arg "" "" "FOLDERS;LINK" ${ARGN})
+  set(sources)
+  foreach(folder IN LISTS arg_FOLDERS)
+    file(GLOB found CONFIGURE_DEPENDS ${folder}/*.cpp ${folder}/*.h)
+    list(APPEND sources ${found})
+  endforeach()
+  add_library(placode_${name} STATIC ${sources})
+  set_target_properties(placode_${name} PROPERTIES LINKER_LANGUAGE CXX)
+  target_include_directories(placode_${name} PUBLIC ${PROJECT_SOURCE_DIR})
+  target_link_libraries(placode_${name} PUBLIC ${arg_LINK})
+endfunction()
+
+# placode_embed_sql(TARGET FOLDER): the numbered .sql files become one generated source that defines
+# placode::db::embedded_migrations() (declared in db/migrations.h).
+function(placode_embed_sql target folder)
+  file(GLOB sql_files CONFIGURE_DEPENDS ${folder}/*.sql)
+  set(body)
+  foreach(file IN LISTS sql_files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    get_filename_component(stem ${file} NAME)
+    file(READ ${file} text)
+    string(APPEND body "        {\"${stem}\", R\"~sql~(${text})~sql~\"},\n")
+  endforeach()
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded_migrations.cpp)
+  file(CONFIGURE OUTPUT ${out} @ONLY CONTENT
+"// Generated from ${folder} by cmake/compiler.cmake.
+#include \"db/migrations.h\"
+namespace placode::db {
+std::vector<EmbeddedSql> embedded_migrations() {
+    return {
+@body@    };
+}
+}  // namespace placode::db
+")
+  target_sources(${target} PRIVATE ${out})
+endfunction()
+
+function(placode_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${arg_SOURCES})
+  if(sources)
+    add_executable(${name} ${sources})
+    target_link_libraries(${name} PRIVATE ${arg_LINK})
+    set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+  endif()
+endfunction()
+
+# The three programs. ui/shell is a library as well, so that tests can drive the real windows.
+function(placode_ui_programs)
+  file(GLOB shell_sources CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h)
+  list(FILTER shell_sources EXCLUDE REGEX "ui/shell/main\\.cpp$")
+  add_library(placode_shell STATIC ${shell_sources})
+  set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX)
+  target_link_libraries(placode_shell PUBLIC placode_reports Qt6::Widgets Qt6::PrintSupport)
+  if(EXISTS ${PROJECT_SOURCE_DIR}/ui/shell/shell.qrc)
+    target_sources(placode_shell PRIVATE ui/shell/shell.qrc)
+  endif()
+  placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
+  placode_program(placode-sim SOURCES ui/attempt/*.cpp LINK placode_view placode_db)
+  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_reports CLI11::CLI11)
+endfunction()

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Between Start and the score: device, simulation and recording of one attempt, without a window.
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "curriculum/task.h"
+#include "haptics/servo.h"
+#include "sim/recording.h"
+#include "sim/snapshot.h"
+
+namespace placode::curriculum {
+
+struct AttemptOptions {
+    std::string device = "mouse";  ///< As on the command line; "play:FILE" is handled by replay().
+    int threads = 2;
+    bool fast = false;      ///< As fast as possible instead of real time.
+    double duration_s = 0;  ///< Stop after; 0 = the task's limit.
+    bool demonstration = false;
+    std::string started_utc;
+    sim::Latest<sim::WindowInput>* window = nullptr;
+};
+
+struct AttemptStatus {
+    double time_s = 0;
+    sim::Phase phase = sim::Phase::kInspect;
+    double physics_hz = 0;  ///< Frames per second of wall clock, last second.
+    double frame_p99_ms = 0;
+    int substeps = 0;
+    double cut_fraction = 0;
+    double servo_p999_us = 0;
+    int64_t dropped = 0;
+    bool running = true;
+    std::string warning;  ///< e.g. why the recording stopped.
+};
+
+/// Runs one attempt on its own physics and recorder threads (or on the caller's in `run_fast`).
+class AttemptRunner {
+ public:
+    /// Throws DeviceError or MeshError. `sink` may be null (nothing is recorded).
+    AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
+                  std::unique_ptr<sim::RecordingSink> sink);
+    ~AttemptRunner();
+
+    void start();                                         ///< Starts the threads.
+    void request_finish(sim::EndReason reason) noexcept;  ///< Main thread: menu, window closed.
+    void set_paused(bool paused) noexcept;
+    [[nodiscard]] bool finished() const noexcept;
+    void wait();  ///< Until finished and everything is written.
+
+    [[nodiscard]] const std::shared_ptr<const sim::Scene>& scene() const noexcept;
+    [[nodiscard]] const Task& task() const noexcept;
+    /// Newest snapshot (main thread); true in `fresh` when it changed.
+    [[nodiscard]] const sim::Snapshot& snapshot(bool* fresh = nullptr) noexcept;
+    [[nodiscard]] AttemptStatus status() const;
+    [[nodiscard]] sim::RecordingEnd end() const;  ///< After wait().
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Outcome of a replay.
+struct ReplayResult {
+    bool identical = false;
+    int64_t frames = 0;
+    double first_difference_s = -1;  ///< Time of the first state hash that differs.
+    std::string message;             ///< "replay: identical" or where and what differs.
+};
+
+/// Re-simulates a recording and compares every state hash in it. `on_frame` may be empty.
+[[nodiscard]] ReplayResult replay(
+    const sim::Recording& recording, int threads,
+    const std::function<void(const sim::Scene&, const sim::State&)>& on_frame = {});
+
+}  // namespace placode::curriculum

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A task: what to do, in which scene, with which tools, and how it is judged. Data, not code.
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "assessment/scoring.h"
+#include "curriculum/definitions.h"
+#include "sim/anatomy/operative_field.h"
+
+namespace placode::curriculum {
+
+/// Text in several languages; `en` is always there.
+struct LocalText {
+    std::string en, pl;
+    [[nodiscard]] const std::string& in(const std::string& language) const {
+        return language == "pl" && !pl.empty() ? pl : en;
+    }
+};
+
+struct Task {
+    std::string id;
+    int version = 1;
+    LocalText title, goal;
+    std::vector<LocalText> instructions;  ///< Step by step.
+    std::string scene_id;
+    sim::OperativeFieldSpec scene;  ///< Resolved.
+    double settle_s = 0.3;
+    double time_limit_s = 600;
+    bool finish_when_cut = true;  ///< Ends by itself when the ring is complete.
+    assessment::Rubric rubric;
+    std::string
+        json;  ///< Resolved text, for the recording: load_task_text(json) gives the same task.
+};
+
+/// By id of a shipped task, or by path of a JSON file. Throws DefinitionError.
+[[nodiscard]] Task load_task(const std::string& id_or_file);
+/// From the text that a recording carries. `origin` is used in messages.
+[[nodiscard]] Task load_task_text(const std::string& json, const std::string& origin);
+
+}  // namespace placode::curriculum

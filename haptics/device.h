@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Input devices, with or without force: one interface for a group of devices that share a tick.
+// Variants stand in `<name>_device.cpp` and need no header: SDK types cannot leak.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sim/exchange.h"
+#include "sim/geometry.h"
+#include "sim/scene.h"
+#include "sim/snapshot.h"
+#include "sim/tool.h"
+#include "sim/view/window_input.h"
+
+namespace placode::haptics {
+
+using sim::Mat3;
+using sim::Quat;
+using sim::Vec3;
+
+/// A device that cannot be opened or is not known. The message names it and the way out.
+class DeviceError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+enum class DeviceStatus : uint8_t { kReady, kNotCalibrated, kLost, kFault };
+
+/// What was found. Fixed after `open`.
+struct DeviceInfo {
+    std::string vendor, model, serial, driver;
+    uint8_t dof_sensed = 0, dof_force = 0, dof_torque = 0;
+    bool gripper = false, left_hand = false, owns_servo = false;
+    double max_force_n = 0, continuous_force_n = 0;
+    double max_stiffness_n_m = 0, max_damping_ns_m = 0;
+    double rate_hz = 1000;
+};
+
+/// One device in one tick. Frame D: x right, y up, z towards the operator.
+struct DeviceState {
+    uint64_t sequence = 0;
+    int64_t t_ns = 0;                ///< CLOCK_MONOTONIC at the sample.
+    Vec3 position_m = Vec3::Zero();  ///< Handle in D.
+    Vec3 velocity_m_s = Vec3::Zero();
+    Quat orientation = Quat::Identity();
+    double roll_rad = 0;  ///< About the shaft.
+    double jaw_rad = 0;
+    uint32_t buttons = 0;
+    uint8_t pedals = 0;  ///< sim::kPedalCut | sim::kPedalCoag
+    DeviceStatus status = DeviceStatus::kReady;
+    bool engaged = true;  ///< false: hand off, inkwell, clutch at start.
+    bool finish = false;  ///< The operator declares the task done.
+};
+
+/// Force for one device in one tick.
+struct DeviceCommand {
+    Vec3 force_n = Vec3::Zero();  ///< In D.
+    double roll_torque_nm = 0, grip_force_n = 0;
+    int64_t valid_until_ns = 0;  ///< A driver zeroes the force after this by itself.
+};
+
+/// What a scripted operator is allowed to see: what a person sees on the screen.
+struct Perception {
+    double time_s = 0;
+    std::span<const Vec3> contour;         ///< Planned contour where it lies now, in W [m].
+    std::span<const Vec3> contour_normal;  ///< Outward surface normals there.
+    std::span<const uint8_t> contour_cut;  ///< 1 = cut there.
+    std::span<const sim::ToolFeedback> tools;
+    float cut_fraction = 0;
+    bool in_contact = false;  ///< Needle tip touches tissue.
+    double tip_gap_m = 1;
+};
+
+/// Settings of `open_device`, from command line and task.
+struct DeviceConfig {
+    std::string name;  ///< "mouse", "keyboard", "gamepad", "script:expert", ...
+    uint64_t seed = 1;
+    std::vector<sim::ToolSpec> tools;  ///< One hand per tool.
+    sim::Latest<sim::WindowInput>* window =
+        nullptr;  ///< For mouse, keyboard and gamepad; may be null.
+    double frame_s = 1e-3;
+};
+
+/// A group: one scheduler, one tick, one state per hand (same order as the tools).
+class DeviceGroup {
+ public:
+    virtual ~DeviceGroup() = default;
+    [[nodiscard]] virtual std::vector<DeviceInfo> info() const = 0;
+    /// Reads all hands for the tick at `t_ns`. Never blocks, allocates or throws.
+    virtual void read(int64_t t_ns, std::span<DeviceState> states) noexcept = 0;
+    /// Sends the forces of this tick.
+    virtual void write(std::span<const DeviceCommand> commands) noexcept = 0;
+    /// Only scripted operators look.
+    virtual void perceive(const Perception&) noexcept {}
+    /// True when the group must run in step with the simulation (scripts, recordings): then
+    /// simulated time is its clock and no servo thread is started.
+    [[nodiscard]] virtual bool lock_step() const noexcept { return false; }
+    /// Force to zero and devices released. Called once.
+    virtual void stop() noexcept {}
+};
+
+/// Opens by name. Throws DeviceError: unknown names list the known ones, absent hardware says what
+/// is missing and how to install it.
+[[nodiscard]] std::unique_ptr<DeviceGroup> open_device(const DeviceConfig& config);
+
+/// What `--list-devices` prints: name, found or not, and why not.
+struct DeviceListing {
+    std::string name;
+    bool available = false;
+    std::string detail;
+};
+[[nodiscard]] std::vector<DeviceListing> list_devices();
+
+}  // namespace placode::haptics

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Paper and files for people: PDF, plots, CSV. Every one says when its data is a demonstration.
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "curriculum/questionnaire.h"
+#include "db/records.h"
+
+class QPainter;
+class QRectF;
+
+namespace placode::reports {
+
+/// Operation, file and way out.
+class ReportError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// PDF of one attempt: verdict, reasons, metrics, incision picture. Needs a QGuiApplication.
+void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
+                       const std::vector<db::AttemptRecord>& history, const std::string& path);
+
+/// Answers of one study, one row a participant, one column an item, UTF-8, '.' decimals; cells that
+/// a spreadsheet would run as a formula are neutralised.
+void write_answers_csv(const curriculum::Questionnaire& questionnaire,
+                       const std::vector<db::AnswerRecord>& answers, const std::string& path);
+
+/// Attempts with their metrics, one row an attempt.
+void write_attempts_csv(const std::vector<db::AttemptDetail>& attempts, const std::string& path);
+
+/// Colours and sizes of a chart, so that window (both themes) and paper share the code.
+struct ChartStyle {
+    unsigned text = 0xff1c1e21, muted = 0xff5f666e, line = 0xffe3e2dc, accent = 0xff0b6e77,
+             surface = 0xffffffff, good = 0xff2f7d4f, warn = 0xffa86400,
+             critical = 0xffb3261e;  ///< ARGB
+    double font_px = 12;
+};
+
+/// Score over attempts, oldest first, with the pass line.
+void draw_history(QPainter& painter, const QRectF& where,
+                  const std::vector<db::AttemptRecord>& attempts, double pass_points,
+                  const ChartStyle& style);
+
+/// The field from above: placode, skin edge, planned contour, what was cut, the needle's path and
+/// the ledger's events.
+void draw_incision(QPainter& painter, const QRectF& where, const sim::Recording& recording,
+                   const ChartStyle& style);
+
+}  // namespace placode::reports

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The parametric operative field: a graded 2-D Delaunay triangulation of the lesion's surroundings,
+// extruded into four layers of prisms and split into tetrahedra, conforming and deterministic.
+// Flat variant (myeloschisis). Shapes and thicknesses: ARCHITECTURE.md, "Operative field".
+
+#include <array>
+#include <cstdint>
+#include <string>
+
+#include "sim/scene.h"
+
+namespace placode::sim {
+
+/// Parameters in SI. Defaults are those of the default preset.
+struct OperativeFieldSpec {
+    std::string id = "field";
+    uint64_t seed = 1;
+    double domain_x_m = 0.040, domain_y_m = 0.030;
+    double edge_ring_m = 0.00050, edge_placode_m = 0.0008, edge_outer_m = 0.0016;
+    double edge_growth = 0.25;                            ///< Mesh size growth [m/m].
+    double skin_edge_a_m = 0.012, skin_edge_b_m = 0.008;  ///< Semi-axes of the lesion (skin edge).
+    double placode_a_m = 0.008, placode_b_m = 0.003;
+    double dome_height_m = 0.002;
+    double base_radius_x_m = 0.120, base_radius_y_m = 0.032;
+    double wobble = 0.04;  ///< Amplitude of the seeded outline [-].
+    double asymmetry_m = 0;
+    std::array<double, 4> placode_layers_m{0.0006, 0.0006, 0.0007, 0.0006};
+    std::array<double, 4> ring_layers_m{0.00025, 0.00025, 0.0010, 0.0010};
+    std::array<double, 4> skin_layers_m{0.0004, 0.0004, 0.0008, 0.0009};
+    double skin_prestretch = 1.08, zone_prestretch = 1.12;
+    double bed_normal_pa_m = 11e6, bed_tangent_pa_m = 1.3e6,
+           side_pa_m = 3e6;            ///< Winkler bed, per area.
+    double contour_offset_m = 0.0015;  ///< Planned incision: this far outside the placode edge.
+    bool isotropic = false;            ///< `paper` preset: tets of about equal edges.
+    int tethers = 0;
+    MaterialTable materials{};
+    SolverSettings solver;
+    ContactSettings contact;
+    bool heat = true;
+    HeatSettings heat_settings;
+    std::vector<ToolSpec> tools;
+};
+
+/// Builds the scene. Throws MeshError naming what cannot be meshed. Deterministic in `spec`.
+[[nodiscard]] std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spec);
+
+/// Clinically reasoned materials of the eight tissues (the defaults that scene files state again).
+[[nodiscard]] MaterialTable default_materials();
+
+}  // namespace placode::sim

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What happened: the damage ledger's entries, and bits that a step can raise.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/tissue.h"
+
+namespace placode::sim {
+
+/// Kinds are stored as numbers in recordings: append only, never renumber.
+enum class EventKind : uint16_t {
+    kPhase = 1,        ///< value = Phase
+    kEnergyOn = 2,     ///< value = nominal W
+    kEnergyOff = 3,    ///< value = seconds on, value2 = joules delivered
+    kEnergyInAir = 4,  ///< value = seconds (raised when it ends, over 1 s)
+    kDwell = 5,        ///< value = seconds with energy on one spot (raised when it ends, over 1 s)
+    kVaporised = 6,  ///< one tet removed by heat: value = rest volume [m^3], value2 = depth of its
+                     ///< centroid below the rest surface [m]
+    kTorn = 7,       ///< one tet torn: value = rest volume [m^3], value2 = stretch
+    kPlacodeContact = 8,  ///< raised when contact ends: value = seconds, value2 = peak force [N]
+    kPlacodeEnergised =
+        9,  ///< energised contact with the placode: value = seconds, value2 = peak T [C]
+    kPlacodeOverheated =
+        10,  ///< first vertex above the warning dose: value = CEM43 [min], value2 = T [C]
+    kPlacodeBurned =
+        11,  ///< first vertex above the injury dose, or 60 C: value = CEM43 [min], value2 = T [C]
+    kOverForce = 12,     ///< value = seconds, value2 = peak force [N]
+    kOverStretch = 13,   ///< value = stretch
+    kTetherBroken = 14,  ///< value = force [N]
+    kSubsteps = 15,      ///< value = new number of substeps (under load)
+    kStateHash = 16,     ///< hash = state_hash, once a second and at the end
+    kReseeded = 17,      ///< element recovered from its rest shape
+    kFinished = 18,      ///< the operator declared the task done
+};
+[[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
+
+enum class Phase : uint8_t { kInspect = 0, kIncise, kRelease, kResect, kCheck };
+[[nodiscard]] std::string_view phase_name(Phase phase) noexcept;
+
+/// One entry. Trivially copyable.
+struct Event {
+    double time_s = 0;
+    EventKind kind = EventKind::kPhase;
+    int8_t tool = -1;  ///< Index into Scene::tools, -1 = none.
+    Tissue tissue = Tissue::kSkin;
+    float value = 0, value2 = 0;             ///< See EventKind.
+    std::array<float, 3> rest_position_m{};  ///< Where, on the rest shape.
+    int32_t element = -1;                    ///< Tet or vertex.
+    uint64_t hash = 0;
+};
+
+/// Bits of StepReport::flags.
+enum StepFlag : uint32_t {
+    kNotFinite = 1u << 0,        ///< A vertex was not finite and was put back.
+    kStepLimited = 1u << 1,      ///< A vertex hit the step limit (1/4 of its shortest edge).
+    kContactsDropped = 1u << 2,  ///< More contacts than the scene's capacity.
+    kEventsDropped = 1u << 3,    ///< More events in one frame than State can hold.
+    kReseed = 1u << 4,           ///< A collapsed element was re-seeded from rest.
+};
+
+}  // namespace placode::sim

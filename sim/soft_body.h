@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The deformable tissue: one Neo-Hookean energy, solved by XPBD (coupled 2x2 block of the
+// deviatoric and hydrostatic constraint) or by vertex block descent (exact 3x3 Hessian).
+// `SoftBody` never changes during an attempt, `SoftBodyState` does. Hot data is flat arrays.
+//
+// Sources: Macklin & Mueller 2021 (energy, XPBD), Macklin et al. 2019 "Small Steps" (substeps),
+// Chen et al. 2024 "Vertex Block Descent". What was measured stands in ARCHITECTURE.md.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/mesh.h"
+#include "sim/workers.h"
+
+namespace placode::sim {
+
+enum class Method : uint8_t { kXpbd, kXpbdPair, kVbd };
+
+/// How time is stepped. One frame = `substeps` substeps of `iterations` sweeps each.
+struct SolverSettings {
+    Method method = Method::kVbd;
+    double frame_s = 1e-3;         ///< Frame [s].
+    int substeps = 4;              ///< 1 to 64.
+    int iterations = 1;            ///< Sweeps a substep, 1 to 64.
+    double over_relaxation = 1.2;  ///< VBD only; 1.3 is the edge of stability.
+    Vec3 gravity_m_s2 = Vec3(0, 0, -9.81);
+};
+
+/// Linear spring from a vertex to its anchor, with its own stiffness along and across `normal`.
+struct AnchorSpring {
+    int32_t vertex = 0;
+    Vec3 anchor = Vec3::Zero();  ///< [m]
+    Vec3 normal = Vec3::UnitZ();
+    double normal_n_m = 0;   ///< [N/m]
+    double tangent_n_m = 0;  ///< [N/m]
+};
+
+/// Breakable one-sided distance constraint (tether): pulls when longer than `rest_m`.
+struct Tether {
+    std::array<int32_t, 2> vertex{};
+    double rest_m = 0;
+    double compliance_m_n = 1e-2;  ///< [m/N]
+    double break_n = 0.020;        ///< Lagrange multiplier force at which it breaks [N].
+};
+
+/// Everything `SoftBody` is built from.
+struct SoftBodySpec {
+    TetMesh mesh;  ///< Stress-free shape unless `rest_scale` says otherwise.
+    MaterialTable materials;
+    SolverSettings solver;
+    std::vector<int32_t> fixed;  ///< Vertices held in place.
+    std::vector<AnchorSpring> springs;
+    std::vector<Tether> tethers;
+    std::vector<std::array<float, 2>>
+        rest_scale;  ///< (T) in-plane, normal scale of the rest shape; empty = 1.
+    std::vector<uint8_t> stiffness_percent;  ///< (T) of the material's modulus; empty = 100.
+};
+
+/// Position and inverse mass, or velocity and padding, in one 16-byte slot.
+struct alignas(16) Float4 {
+    float x = 0, y = 0, z = 0, w = 0;
+};
+
+struct PackedElements;  // batches and colours of the kernels, in solver order
+
+/// Constant part. Vertex numbers are those of `mesh()`.
+class SoftBody {
+ public:
+    /// Packs the body. The mesh should be in RCM order (`renumbered`). Throws MeshError.
+    explicit SoftBody(SoftBodySpec spec);
+    ~SoftBody();
+    SoftBody(SoftBody&&) noexcept;
+    SoftBody& operator=(SoftBody&&) noexcept;
+
+    [[nodiscard]] const SoftBodySpec& spec() const noexcept { return spec_; }
+    [[nodiscard]] const TetMesh& mesh() const noexcept { return spec_.mesh; }
+    [[nodiscard]] int vertex_count() const noexcept {
+        return static_cast<int>(spec_.mesh.rest.size());
+    }
+    [[nodiscard]] int tet_count() const noexcept {
+        return static_cast<int>(spec_.mesh.tets.size());
+    }
+    [[nodiscard]] std::span<const float> mass_kg() const noexcept { return mass_kg_; }      ///< (V)
+    [[nodiscard]] std::span<const float> volume_m3() const noexcept { return volume_m3_; }  ///< (T)
+    [[nodiscard]] std::span<const float> shortest_edge_m() const noexcept {
+        return shortest_edge_m_;
+    }  ///< (V)
+    /// Tets around vertex v: `tets_of(v)`.
+    [[nodiscard]] std::span<const int32_t> tets_of(int vertex) const noexcept {
+        return {vertex_tets_.data() + vertex_tets_start_[vertex],
+                static_cast<size_t>(vertex_tets_start_[vertex + 1] - vertex_tets_start_[vertex])};
+    }
+    [[nodiscard]] const PackedElements& packed() const noexcept { return *packed_; }
+    /// Largest Courant number c_p h / L of each tissue, with the solver's h [-]; 0 where absent.
+    [[nodiscard]] std::array<double, kTissueCount> courant_numbers() const;
+    /// What the loader has to say: method, Courant numbers, predicted error class.
+    [[nodiscard]] std::vector<std::string> notes() const;
+
+ private:
+    SoftBodySpec spec_;
+    std::vector<float> mass_kg_, volume_m3_, shortest_edge_m_;
+    std::vector<int32_t> vertex_tets_, vertex_tets_start_;
+    std::unique_ptr<PackedElements> packed_;
+};
+
+/// Changing part. All arrays are allocated by the constructor and never grow.
+struct SoftBodyState {
+    explicit SoftBodyState(const SoftBody& body);
+
+    std::vector<Float4> x;           ///< Position [m], w = inverse mass [1/kg], 0 when held (V).
+    std::vector<Float4> v;           ///< Velocity [m/s] (V).
+    std::vector<Float4> x_start;     ///< Position at the start of the substep [m] (V).
+    std::vector<Float4> target;      ///< Inertia target x + h v + h^2 g [m] (V).
+    std::vector<uint8_t> tet_alive;  ///< 1 while the tet carries stress (T).
+    std::vector<uint8_t>
+        contact_vertex;  ///< 1 = left out of the sweep, solved in the contact colour (V).
+    std::vector<uint8_t> free_vertex;  ///< 1 = belongs to a component that nothing holds: gravity
+                                       ///< enters the start guess (V).
+    std::vector<uint8_t> tether_alive;
+    std::vector<float> tether_lambda_n;  ///< Force of the last substep [N].
+    std::vector<float> lanes;            ///< Private to the kernels (per-lane element switches).
+    uint32_t flags = 0;                  ///< Bits of StepReport raised by the kernels.
+};
+
+/// Gradient and Hessian of the implicit-Euler objective in one vertex:
+/// m/(2h^2)|x - target|^2 + sum Psi V + springs.
+struct VertexSystem {
+    Vec3 gradient = Vec3::Zero();  ///< [N]
+    Mat3 hessian = Mat3::Zero();   ///< [N/m], symmetric positive definite
+};
+[[nodiscard]] VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state,
+                                         int vertex, double h) noexcept;
+
+/// Elastic force on a vertex, -dE/dx without inertia and springs [N].
+[[nodiscard]] Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state,
+                                 int vertex) noexcept;
+
+/// Start of a substep: x_start, target, start guess. h [s].
+void begin_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
+/// One sweep over all elements (or vertex colours), leaving out `contact_vertex`.
+void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
+/// End of a substep: velocities from positions, damping.
+void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
+
+/// Takes a tet out of the body (vaporised, torn). Its mass stays with its vertices.
+void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept;
+
+/// 64-bit FNV-1a hash over positions, velocities and alive flags, in vertex order.
+[[nodiscard]] uint64_t state_hash(const SoftBodyState& state) noexcept;
+
+/// Name of the instruction set that the kernels run on here ("AVX3", "AVX2", "SSE4", "EMU128").
+[[nodiscard]] const char* kernel_target() noexcept;
+
+}  // namespace placode::sim

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The visible and touchable skin of the tetrahedra. Faces that an element uncovers when it is
+// removed become fresh surface; nothing is allocated after construction.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/mesh.h"
+
+namespace placode::sim {
+
+/// One oriented boundary face (outward by the right-hand rule).
+struct SurfaceTriangle {
+    std::array<int32_t, 3> vertex{};
+    int32_t tet = -1;  ///< The living tet behind it.
+    Tissue tissue = Tissue::kSkin;
+    uint8_t fresh = 0;  ///< 1 = uncovered by cutting or burning during the attempt.
+    uint8_t reserved[2]{};
+};
+
+/// Constant part: who is behind each face.
+class Surface {
+ public:
+    explicit Surface(const TetMesh& mesh);
+    /// Neighbour tet over the face opposite to local vertex f (T x 4), -1 at the boundary.
+    [[nodiscard]] std::span<const std::array<int32_t, 4>> neighbours() const noexcept {
+        return neighbours_;
+    }
+    /// Boundary triangles at rest.
+    [[nodiscard]] std::span<const SurfaceTriangle> rest_triangles() const noexcept { return rest_; }
+
+ private:
+    std::vector<std::array<int32_t, 4>> neighbours_;
+    std::vector<SurfaceTriangle> rest_;
+};
+
+/// Changing part. `triangles()` is unordered but deterministic.
+class SurfaceState {
+ public:
+    explicit SurfaceState(const Surface& surface, const TetMesh& mesh);
+    [[nodiscard]] std::span<const SurfaceTriangle> triangles() const noexcept {
+        return {triangles_.data(), static_cast<size_t>(count_)};
+    }
+    /// Grows by one with every change.
+    [[nodiscard]] uint32_t version() const noexcept { return version_; }
+    /// Updates the boundary after `tet` was removed. @pre it was alive.
+    void remove_tet(const Surface& surface, const TetMesh& mesh, std::span<const uint8_t> tet_alive,
+                    int tet) noexcept;
+
+ private:
+    std::vector<SurfaceTriangle> triangles_;  // capacity for every face
+    std::vector<int32_t> slot_of_face_;  // (4 T) index into triangles_, -1 when not on the surface
+    int count_ = 0;
+    uint32_t version_ = 0;
+};
+
+}  // namespace placode::sim

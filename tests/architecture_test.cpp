@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The house rules that a compiler does not see: include order between folders, third-party headers
+// in one folder only, licence lines, no common/ or util/.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<std::string> kOrder{"sim", "haptics", "assessment", "curriculum",
+                                      "db",  "reports", "ui"};
+
+struct Include {
+    std::string file, folder, target;
+};
+
+fs::path root() { return PLACODE_SOURCE_DIR; }
+
+std::vector<fs::path> sources() {
+    std::vector<fs::path> found;
+    for (const std::string& folder : kOrder) {
+        for (const auto& entry : fs::recursive_directory_iterator(root() / folder)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension == ".h" || extension == ".cpp") found.push_back(entry.path());
+        }
+    }
+    return found;
+}
+
+std::vector<Include> includes() {
+    static const std::regex line_regex(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+    std::vector<Include> found;
+    for (const fs::path& path : sources()) {
+        std::ifstream in(path);
+        std::string line;
+        const fs::path relative = fs::relative(path, root());
+        while (std::getline(in, line)) {
+            std::smatch match;
+            if (std::regex_search(line, match, line_regex)) {
+                found.push_back({relative.string(), relative.begin()->string(), match[1]});
+            }
+        }
+    }
+    return found;
+}
+
+int rank_of(const std::string& folder) {
+    for (size_t i = 0; i < kOrder.size(); ++i) {
+        if (kOrder[i] == folder) return static_cast<int>(i);
+    }
+    return -1;
+}
+
+}  // namespace
+
+TEST(Architecture, FilesIncludeOnlyFromTheirOwnFolderAndEarlierOnes) {
+    int checked = 0;
+    for (const Include& include : includes()) {
+        const size_t slash = include.target.find('/');
+        if (slash == std::string::npos) continue;
+        const int target = rank_of(include.target.substr(0, slash));
+        if (target < 0) continue;
+        ++checked;
+        EXPECT_LE(target, rank_of(include.folder))
+            << include.file << " includes " << include.target;
+    }
+    EXPECT_GT(checked, 20) << "the scan found too few includes to prove anything";
+}
+
+TEST(Architecture, ThePhysicsDoesNotKnowTheWindow) {
+    for (const Include& include : includes()) {
+        if (include.folder != "sim" || include.file.rfind("sim/view/", 0) == 0) continue;
+        EXPECT_NE(include.target.rfind("sim/view/", 0), 0u)
+            << include.file << " includes " << include.target;
+    }
+}
+
+TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
+    // header prefix -> folders (as path prefixes) that may include it
+    const std::vector<std::pair<std::string, std::vector<std::string>>> owners{
+        {"Eigen/", {"sim/"}},
+        {"hwy/", {"sim/"}},
+        {"GLFW/", {"sim/view/"}},
+        {"epoxy/", {"sim/view/"}},
+        {"stb/", {"sim/view/"}},
+        {"boost/", {"assessment/"}},
+        {"nlohmann/", {"curriculum/", "ui/"}},
+        {"valijson/", {"curriculum/"}},
+        {"sodium", {"db/"}},
+        {"zstd", {"db/"}},
+        {"sqlite3", {"db/"}},
+        {"QSql", {"db/"}},
+        {"qcustomplot", {"reports/"}},
+        {"CLI/", {"ui/cli/", "ui/attempt/"}},
+        {"readstat", {"reports/"}},
+    };
+    for (const Include& include : includes()) {
+        for (const auto& [prefix, folders] : owners) {
+            if (include.target.rfind(prefix, 0) != 0) continue;
+            bool allowed = false;
+            for (const std::string& folder : folders)
+                allowed = allowed || include.file.rfind(folder, 0) == 0;
+            EXPECT_TRUE(allowed) << include.file << " includes " << include.target;
+        }
+    }
+}
+
+TEST(Architecture, QtEntersOnlyFromDbOn) {
+    for (const Include& include : includes()) {
+        const bool qt = include.target.size() > 1 && include.target[0] == 'Q' &&
+                        std::isupper(include.target[1]) &&
+                        include.target.find('/') == std::string::npos;
+        if (!qt) continue;
+        EXPECT_GE(rank_of(include.folder), rank_of("db"))
+            << include.file << " includes " << include.target;
+    }
+}
+
+TEST(Architecture, EveryFileCarriesTheLicence) {
+    for (const fs::path& path : sources()) {
+        std::ifstream in(path);
+        std::string first, second;
+        std::getline(in, first);
+        std::getline(in, second);
+        EXPECT_NE(first.find("SPDX-FileCopyrightText"), std::string::npos) << path;
+        EXPECT_NE(second.find("SPDX-License-Identifier: GPL-3.0-or-later"), std::string::npos)
+            << path;
+    }
+}
+
+TEST(Architecture, NoCatchAllFolders) {
+    for (const auto& entry : fs::recursive_directory_iterator(root())) {
+        const std::string name = entry.path().filename().string();
+        if (!entry.is_directory() || entry.path().string().find("/build") != std::string::npos)
+            continue;
+        EXPECT_NE(name, "common") << entry.path();
+        EXPECT_NE(name, "util") << entry.path();
+        EXPECT_NE(name, "utils") << entry.path();
+    }
+}
