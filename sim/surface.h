@@ -22,9 +22,14 @@ struct SurfaceTriangle {
     uint8_t reserved[2]{};
 };
 
+/// Local vertices of the face opposite to local vertex f, outward for a positive tet.
+inline constexpr std::array<std::array<int, 3>, 4> kTetFaces{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
 /// Constant part: who is behind each face.
 class Surface {
  public:
+    /// Throws MeshError when more than two tets share a face.
     explicit Surface(const TetMesh& mesh);
     /// Neighbour tet over the face opposite to local vertex f (T x 4), -1 at the boundary.
     [[nodiscard]] std::span<const std::array<int32_t, 4>> neighbours() const noexcept {
@@ -54,6 +59,9 @@ class SurfaceState {
  private:
     std::vector<SurfaceTriangle> triangles_;  // capacity for every face
     std::vector<int32_t> slot_of_face_;  // (4 T) index into triangles_, -1 when not on the surface
+    std::vector<int32_t> face_of_slot_;  // the way back: 4 * tet + local vertex opposite
+    void put(int face, const SurfaceTriangle& triangle) noexcept;
+    void take(int face) noexcept;
     int count_ = 0;
     uint32_t version_ = 0;
 };

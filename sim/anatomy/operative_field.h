@@ -13,6 +13,9 @@
 
 namespace placode::sim {
 
+/// Clinically reasoned materials of the eight tissues (the defaults that scene files state again).
+[[nodiscard]] MaterialTable default_materials();
+
 /// Parameters in SI. Defaults are those of the default preset.
 struct OperativeFieldSpec {
     std::string id = "field";
@@ -24,8 +27,17 @@ struct OperativeFieldSpec {
     double placode_a_m = 0.008, placode_b_m = 0.003;
     double dome_height_m = 0.002;
     double base_radius_x_m = 0.120, base_radius_y_m = 0.032;
-    double wobble = 0.04;  ///< Amplitude of the seeded outline [-].
-    double asymmetry_m = 0;
+    double wobble = 0.04;           ///< Amplitude of the seeded outline [-].
+    double asymmetry_m = 0;         ///< Placode's centre lies this far to the left (+y).
+    double band_outside_m = 0.001;  ///< The finest triangles reach this far outside the skin edge.
+    double groove_depth_m = 0.00035, groove_width_m = 0.0006;    ///< Midline groove of the placode.
+    double rim_height_m = 0.00025, rim_width_m = 0.0007;         ///< Rolled skin edge.
+    double relief_skin_m = 0.00006, relief_placode_m = 0.00003;  ///< Amplitude of the fine relief.
+    double relief_frequency_per_m = 900;                         ///< Its lowest frequency.
+    double thin_skin_width_m = 0.0025;                           ///< Atrophic skin at the edge.
+    double thin_skin_factor = 0.5;    ///< Its thickness, as a share of the skin's [-].
+    double blend_placode_m = 0.0005;  ///< Layers blend over twice this width at the placode edge.
+    double blend_skin_m = 0.00075;    ///< The same at the skin edge.
     std::array<double, 4> placode_layers_m{0.0006, 0.0006, 0.0007, 0.0006};
     std::array<double, 4> ring_layers_m{0.00025, 0.00025, 0.0010, 0.0010};
     std::array<double, 4> skin_layers_m{0.0004, 0.0004, 0.0008, 0.0009};
@@ -33,9 +45,12 @@ struct OperativeFieldSpec {
     double bed_normal_pa_m = 11e6, bed_tangent_pa_m = 1.3e6,
            side_pa_m = 3e6;            ///< Winkler bed, per area.
     double contour_offset_m = 0.0015;  ///< Planned incision: this far outside the placode edge.
-    bool isotropic = false;            ///< `paper` preset: tets of about equal edges.
-    int tethers = 0;
-    MaterialTable materials{};
+    bool isotropic = false;  ///< `paper` preset: triangles of `edge_ring_m` everywhere, skin not
+                             ///< thinned; with equal layers the tets have about equal edges.
+    int tethers = 0;         ///< Breakable strands between placode and canal floor.
+    double tether_break_n = 0.020;
+    double tether_compliance_m_n = 1e-2;
+    MaterialTable materials = default_materials();
     SolverSettings solver;
     ContactSettings contact;
     bool heat = true;
@@ -45,8 +60,5 @@ struct OperativeFieldSpec {
 
 /// Builds the scene. Throws MeshError naming what cannot be meshed. Deterministic in `spec`.
 [[nodiscard]] std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spec);
-
-/// Clinically reasoned materials of the eight tissues (the defaults that scene files state again).
-[[nodiscard]] MaterialTable default_materials();
 
 }  // namespace placode::sim
