@@ -25,22 +25,21 @@ Material tissue(double youngs_modulus_pa, double poissons_ratio, double density_
 }  // namespace
 
 // No test of fetal skin or meninges at 24 to 26 weeks is published: these are adult and animal
-// values scaled down by judgement, to be confirmed by a fetal surgeon. Only the placode has an
-// injury stretch of its own (1.3); elsewhere it stands half way between rest and tearing or above
-// the pre-tension, whichever is more.
+// values scaled down by judgement, to be confirmed by a fetal surgeon. The injury stretch of the
+// placode is 1.3; that of the others is half way between rest and tearing.
 MaterialTable default_materials() {
     MaterialTable table;
     const auto at = [&table](Tissue t) -> Material& { return table[static_cast<size_t>(t)]; };
     at(Tissue::kSkin) = tissue(60e3, 0.45, 1050, 1.6, 1.3);
-    at(Tissue::kThinSkin) = tissue(35e3, 0.45, 1050, 1.5, 1.3);
+    at(Tissue::kThinSkin) = tissue(35e3, 0.45, 1050, 1.5, 1.25);
     at(Tissue::kSubcutis) = tissue(3e3, 0.45, 1000, 1.8, 1.4);
     at(Tissue::kMuscle) = tissue(15e3, 0.45, 1060, 1.6, 1.3);
-    at(Tissue::kZone) = tissue(25e3, 0.45, 1030, 1.5, 1.3);
+    at(Tissue::kZone) = tissue(25e3, 0.45, 1030, 1.5, 1.25);
     at(Tissue::kPlacode) = tissue(3e3, 0.45, 1040, 1.5, 1.3);
     at(Tissue::kGel) = tissue(0.5e3, 0.40, 1000, 2.0, 1.5);
     // Reflected dura is a shell of 0.1 mm and 500 kPa; the floor is a layer of about 1 mm of tets,
     // which has the same membrane stiffness (50 N/m) at a tenth of the modulus.
-    at(Tissue::kDura) = tissue(50e3, 0.45, 1100, 1.25, 1.2);
+    at(Tissue::kDura) = tissue(50e3, 0.45, 1100, 1.25, 1.125);
     return table;
 }
 

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <charconv>
+#include <cmath>
+
+#include "sim/anatomy/field_shape.h"
+
+namespace placode::sim {
+
+namespace {
+
+std::string number(double value) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
+    return {text.data(), end.ptr};
+}
+
+class Checker {
+ public:
+    explicit Checker(const OperativeFieldSpec& spec) : spec_(spec) {}
+
+    void range(const std::string& field, double value, double low, double high) const {
+        // Written so that NaN fails as well.
+        if (value >= low && value <= high) return;
+        throw MeshError("operative field '" + spec_.id + "': " + field + " = " + number(value) +
+                        ", allowed " + number(low) + " to " + number(high));
+    }
+
+    void layers(const std::string& field, const std::array<double, 4>& value) const {
+        for (size_t l = 0; l < value.size(); ++l) {
+            range(field + "[" + std::to_string(l) + "]", value[l], 0.00005, 0.01);
+        }
+    }
+
+    void mesh_and_layers() const {
+        range("edge_ring_m", spec_.edge_ring_m, 0.0001, 0.005);
+        range("edge_placode_m", spec_.edge_placode_m, 0.0001, 0.005);
+        range("edge_outer_m", spec_.edge_outer_m, 0.0001, 0.01);
+        range("edge_growth", spec_.edge_growth, 0.01, 1);
+        range("band_outside_m", spec_.band_outside_m, 0, 0.02);
+        layers("placode_layers_m", spec_.placode_layers_m);
+        layers("ring_layers_m", spec_.ring_layers_m);
+        layers("skin_layers_m", spec_.skin_layers_m);
+        range("thin_skin_factor", spec_.thin_skin_factor, 0.1, 1);
+        range("thin_skin_width_m", spec_.thin_skin_width_m, 0.0001, 0.02);
+        range("blend_placode_m", spec_.blend_placode_m, 0.00001, 0.005);
+        range("blend_skin_m", spec_.blend_skin_m, 0.00001, 0.005);
+    }
+
+    void outlines() const {
+        range("wobble", spec_.wobble, 0, 0.08);
+        // All three harmonics may add up.
+        const double swing = 3 * spec_.wobble, edge = spec_.edge_ring_m;
+        range("domain_x_m", spec_.domain_x_m, 0.005, 0.2);
+        range("domain_y_m", spec_.domain_y_m, 0.005, 0.2);
+        range("skin_edge_a_m", spec_.skin_edge_a_m, 0.002,
+              (spec_.domain_x_m / 2 - 2 * edge) / (1 + swing));
+        range("skin_edge_b_m", spec_.skin_edge_b_m, 0.002,
+              (spec_.domain_y_m / 2 - 2 * edge) / (1 + swing));
+        range("contour_offset_m", spec_.contour_offset_m, 0.0005, 0.02);
+        // Between the outlines there is room for the contour and one edge behind it.
+        const double gap = (spec_.contour_offset_m + edge) / (1 - swing);
+        range("placode_a_m", spec_.placode_a_m, 0.0005, spec_.skin_edge_a_m - gap);
+        range("placode_b_m", spec_.placode_b_m, 0.0005, spec_.skin_edge_b_m - gap);
+        const double aside = spec_.skin_edge_b_m - gap - spec_.placode_b_m;
+        range("asymmetry_m", spec_.asymmetry_m, -aside, aside);
+    }
+
+    void heights() const {
+        // Higher domes are the cystic variant, which needs shells instead of tets.
+        range("dome_height_m", spec_.dome_height_m, 0, 0.0035);
+        range("base_radius_x_m", spec_.base_radius_x_m, spec_.domain_x_m / 2, 1e6);
+        range("base_radius_y_m", spec_.base_radius_y_m, spec_.domain_y_m / 2, 1e6);
+        range("groove_depth_m", spec_.groove_depth_m, 0, 0.001);
+        range("groove_width_m", spec_.groove_width_m, 0.0001, 0.01);
+        range("rim_height_m", spec_.rim_height_m, 0, 0.001);
+        range("rim_width_m", spec_.rim_width_m, 0.0001, 0.01);
+        range("relief_skin_m", spec_.relief_skin_m, 0, 0.0003);
+        range("relief_placode_m", spec_.relief_placode_m, 0, 0.0003);
+        range("relief_frequency_per_m", spec_.relief_frequency_per_m, 0, 1e5);
+    }
+
+    void mechanics() const {
+        range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
+        range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
+        range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
+        range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
+        range("side_pa_m", spec_.side_pa_m, 0, 1e12);
+        range("tethers", spec_.tethers, 0, 200);
+        range("tether_break_n", spec_.tether_break_n, 1e-6, 10);
+        range("tether_compliance_m_n", spec_.tether_compliance_m_n, 0, 10);
+        range("tools", static_cast<double>(spec_.tools.size()), 0, kMaxTools);
+        for (int i = 0; i < kTissueCount; ++i) {
+            const Material& m = spec_.materials[i];
+            const std::string name =
+                "materials." + std::string(tissue_name(static_cast<Tissue>(i))) + ".";
+            range(name + "youngs_modulus_pa", m.youngs_modulus_pa, 1, 1e9);
+            range(name + "poissons_ratio", m.poissons_ratio, 0, 0.4999);
+            range(name + "density_kg_m3", m.density_kg_m3, 100, 20000);
+        }
+    }
+
+ private:
+    const OperativeFieldSpec& spec_;
+};
+
+}  // namespace
+
+void check_field_spec(const OperativeFieldSpec& spec) {
+    const Checker check(spec);
+    check.mesh_and_layers();
+    check.outlines();
+    check.heights();
+    check.mechanics();
+}
+
+}  // namespace placode::sim

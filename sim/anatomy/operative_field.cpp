@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/anatomy/operative_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/anatomy/field_mesh.h"
+
+namespace placode::sim {
+
+namespace {
+
+constexpr int kLandmarkPoints = 240;  // about 0.2 mm on the default contour
+
+// Linear RGB, converted from the sRGB palette of the interface.
+constexpr std::array<std::array<float, 3>, kTissueCount> kColourLinear{{
+    {0.694F, 0.258F, 0.238F},  // skin at 25 weeks #d98b86
+    {0.584F, 0.130F, 0.144F},  // thin skin edge #c9656a
+    {0.791F, 0.571F, 0.275F},  // subcutis #e6c78f
+    {0.270F, 0.028F, 0.025F},  // muscle #8e2f2c
+    {0.807F, 0.479F, 0.423F},  // junctional zone #e8b8ae
+    {0.479F, 0.060F, 0.050F},  // placode #b8453f
+    {0.392F, 0.144F, 0.122F},  // CSF and gel #a86a62
+    {0.791F, 0.716F, 0.631F},  // dura #e6dcd0
+}};
+
+bool on_side(const OperativeFieldSpec& spec, const Vec3& p) {
+    // Points on the sides are rounded to 1 nm.
+    return std::abs(p.x()) > spec.domain_x_m / 2 - 2e-9 ||
+           std::abs(p.y()) > spec.domain_y_m / 2 - 2e-9;
+}
+
+// Outward area vector (a third of every triangle) of the surface vertices at one level.
+std::vector<Vec3> area_vectors(const FieldMesh& field, int level) {
+    std::vector<Vec3> area(field.mesh.rest.size(), Vec3::Zero());
+    for (const auto& t : field.plane.triangles) {
+        std::array<int32_t, 3> v{};
+        for (int i = 0; i < 3; ++i) v[i] = field.vertices[t[i]][level];
+        const auto& x = field.mesh.rest;
+        const Vec3 third = (x[v[1]] - x[v[0]]).cross(x[v[2]] - x[v[0]]) / 6;
+        for (const int32_t i : v) area[i] += third;
+    }
+    return area;
+}
+
+// Muscle and bone below the field: springs by area. The canal's floor rests on bone and is held.
+void lay_on_bed(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
+    const std::vector<Vec3> area = area_vectors(field, kFieldLayers);
+    for (size_t v = 0; v < field.mesh.rest.size(); ++v) {
+        const Vec3& p = field.mesh.rest[v];
+        const bool bottom = field.level[v] == kFieldLayers;
+        if (on_side(spec, p) || (bottom && field.columns[field.column[v]].to_placode_m < 0)) {
+            body.fixed.push_back(static_cast<int32_t>(v));
+        } else if (bottom) {
+            const double a = area[v].norm();
+            body.springs.push_back({static_cast<int32_t>(v), p, area[v] / a,
+                                    spec.bed_normal_pa_m * a, spec.bed_tangent_pa_m * a});
+        }
+    }
+}
+
+// Columns that share a triangle with a side of the domain without lying on it.
+std::vector<int32_t> columns_next_to_sides(const OperativeFieldSpec& spec, const FieldMesh& field) {
+    const auto side = [&](int32_t c) {
+        return on_side(spec, field.mesh.rest[field.vertices[c][0]]);
+    };
+    std::vector<int32_t> next;
+    for (const auto& t : field.plane.triangles) {
+        if (!side(t[0]) && !side(t[1]) && !side(t[2])) continue;
+        std::copy_if(t.begin(), t.end(), std::back_inserter(next),
+                     [&](int32_t c) { return !side(c); });
+    }
+    std::sort(next.begin(), next.end());
+    next.erase(std::unique(next.begin(), next.end()), next.end());
+    return next;
+}
+
+// The tissue beyond the domain yields in the plane: the row next to the held one hangs on springs.
+// Each of its columns takes the side area of its share of the outline.
+void hang_on_sides(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
+    const std::vector<int32_t> next = columns_next_to_sides(spec, field);
+    if (next.empty() || spec.side_pa_m == 0) return;
+    const double share = 2 * (spec.domain_x_m + spec.domain_y_m) / static_cast<double>(next.size());
+    for (const int32_t c : next) {
+        for (int level = 0; level < kFieldLayers; ++level) {
+            const auto& thick = field.columns[c].thickness_m;
+            const double height = (level > 0 ? thick[level - 1] / 2 : 0) + thick[level] / 2;
+            const int32_t v = field.vertices[c][level];
+            body.springs.push_back(
+                {v, field.mesh.rest[v], Vec3::UnitZ(), 0, spec.side_pa_m * share * height});
+        }
+    }
+}
+
+// In-plane and normal scale of the rest shape of a layer that is stretched in its plane by `a` and
+// free to thin: c = (lambda + mu) a^2 / (mu + lambda a^4) is the equibiaxial closed form in which
+// the stress along the normal vanishes, so that the built thickness is the strained one.
+std::array<float, 2> rest_scale_of(const Material& material, double a) {
+    const NeoHookean m = neo_hookean(material.youngs_modulus_pa, material.poissons_ratio);
+    const double c = (m.lambda_pa + m.mu_pa) * a * a / (m.mu_pa + m.lambda_pa * a * a * a * a);
+    return {static_cast<float>(1 / a), static_cast<float>(1 / c)};
+}
+
+void pre_tension(const OperativeFieldSpec& spec, const TetMesh& mesh, SoftBodySpec& body) {
+    if (spec.skin_prestretch == 1 && spec.zone_prestretch == 1) return;
+    for (const Tissue tissue : mesh.tissue) {
+        double stretch = 1;
+        if (tissue == Tissue::kSkin || tissue == Tissue::kThinSkin) stretch = spec.skin_prestretch;
+        if (tissue == Tissue::kZone) stretch = spec.zone_prestretch;
+        body.rest_scale.push_back(
+            rest_scale_of(spec.materials[static_cast<size_t>(tissue)], stretch));
+    }
+}
+
+// Strands through the gel, from the underside of the placode to the canal's floor, spread evenly
+// over the placode's columns. Slack until the placode is lifted.
+void tie_tethers(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
+    std::vector<int32_t> below;
+    for (size_t c = 0; c < field.columns.size(); ++c) {
+        if (field.columns[c].to_placode_m < -spec.blend_placode_m) {
+            below.push_back(static_cast<int32_t>(c));
+        }
+    }
+    const int count = std::min<int>(spec.tethers, static_cast<int>(below.size()));
+    for (int i = 0; i < count; ++i) {
+        const auto& v = field.vertices[below[i * below.size() / count]];
+        Tether tether;
+        tether.vertex = {v[2], v[3]};
+        tether.rest_m = (field.mesh.rest[v[2]] - field.mesh.rest[v[3]]).norm();
+        tether.compliance_m_n = spec.tether_compliance_m_n;
+        tether.break_n = spec.tether_break_n;
+        body.tethers.push_back(tether);
+    }
+}
+
+void add_landmarks(const OperativeFieldSpec& spec, const FieldShape& shape, const FieldMesh& field,
+                   Scene& scene) {
+    SurfaceLine contour = laid_on_surface(field, shape.contour(), kLandmarkPoints);
+    scene.geometry.planned_contour = std::move(contour.points);
+    scene.contour_anchors = std::move(contour.anchors);
+    scene.geometry.placode_edge =
+        laid_on_surface(field, shape.placode().points(), kLandmarkPoints).points;
+    scene.geometry.skin_edge =
+        laid_on_surface(field, shape.skin().points(), kLandmarkPoints).points;
+    // Both upper layers of the ring are zone: through them is through.
+    scene.geometry.target_depth_m = spec.ring_layers_m[0] + spec.ring_layers_m[1];
+    for (size_t t = 0; t < field.mesh.tets.size(); ++t) {
+        if (field.mesh.tissue[t] != Tissue::kPlacode) continue;
+        scene.geometry.placode_volume_m3 += rest_volume(field.mesh, static_cast<int>(t));
+    }
+    for (size_t v = 0; v < field.mesh.rest.size(); ++v) {
+        const FieldColumn& column = field.columns[field.column[v]];
+        scene.field.to_placode_m.push_back(static_cast<float>(column.to_placode_m));
+        scene.field.to_skin_m.push_back(static_cast<float>(column.to_skin_m));
+        scene.field.depth_m.push_back(static_cast<float>(column.top_m - field.mesh.rest[v].z()));
+    }
+}
+
+std::vector<std::string> mesh_notes(const TetMesh& mesh, int most_tethers) {
+    double least = 1, sum = 0;
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        const double q = tet_quality(mesh, static_cast<int>(t));
+        least = std::min(least, q);
+        sum += q;
+    }
+    std::array<char, 160> text{};
+    std::snprintf(text.data(), text.size(), "mesh: %zu vertices, %zu tets, %d tethers",
+                  mesh.rest.size(), mesh.tets.size(), most_tethers);
+    std::vector<std::string> notes{text.data()};
+    std::snprintf(text.data(), text.size(), "quality: least %d/1000, mean %d/1000",
+                  static_cast<int>(1000 * least), static_cast<int>(1000 * sum / mesh.tets.size()));
+    notes.emplace_back(text.data());
+    return notes;
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spec) {
+    const FieldShape shape(spec);
+    const FieldMesh field = build_field_mesh(spec, shape);
+    SoftBodySpec body;
+    body.mesh = field.mesh;
+    body.materials = spec.materials;
+    body.solver = spec.solver;
+    lay_on_bed(spec, field, body);
+    hang_on_sides(spec, field, body);
+    pre_tension(spec, field.mesh, body);
+    tie_tethers(spec, field, body);
+    const int tethers = static_cast<int>(body.tethers.size());
+
+    auto scene = std::make_shared<Scene>(SoftBody(std::move(body)));
+    scene->id = spec.id;
+    if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
+    scene->contact = spec.contact;
+    scene->tools = spec.tools;
+    scene->colour_linear = kColourLinear;
+    add_landmarks(spec, shape, field, *scene);
+    scene->notes = mesh_notes(field.mesh, tethers);
+    const std::vector<std::string> body_notes = scene->body.notes();
+    scene->notes.insert(scene->notes.end(), body_notes.begin(), body_notes.end());
+    return scene;
+}
+
+}  // namespace placode::sim
