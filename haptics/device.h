@@ -10,6 +10,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/exchange.h"
@@ -117,5 +118,15 @@ struct DeviceListing {
     std::string detail;
 };
 [[nodiscard]] std::vector<DeviceListing> list_devices();
+
+/// One line of the help: what happens, and what the hand does for it.
+struct ControlHelp {
+    std::string action;  ///< English, e.g. "Cut (yellow pedal)"; translated in ui.
+    std::string input;   ///< e.g. "hold the left mouse button"
+};
+
+/// Controls of a device by name, in the order in which a beginner needs them. Empty for scripts and
+/// unknown names.
+[[nodiscard]] std::vector<ControlHelp> controls(std::string_view device);
 
 }  // namespace placode::haptics

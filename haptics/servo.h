@@ -23,7 +23,14 @@ struct CouplingSettings {
     double slew_n_s = 200, slew_ramping_n_s = 30;
     double ramp_s = 0.5;
     double fade_after_s = 0.010, zero_after_s = 0.050;  ///< Age of the tool state.
-    double jump_m = 0.005;                              ///< Per tick; more is a fault.
+    double jump_m = 0.005;                              ///< Per ms; more is a fault.
+    double continuous_force_n = 0.88;                   ///< Allowed rms over `thermal_window_s`.
+    double thermal_window_s = 60, thermal_floor_n = 0.8;
+    double extrapolate_s = 0.004;      ///< Longest extrapolation of the tool state.
+    double recover_s = 0.1;            ///< Good ticks needed after a fault.
+    double servo_gap_s = 0.005;        ///< A longer gap between ticks ramps in again.
+    double passivity_ns_m = 20;        ///< Largest damping that the passivity controller adds.
+    double passivity_store_j = 0.005;  ///< Cap of the observed surplus, so that it is forgotten.
 };
 
 /// Counters of the loop, stored with the attempt as its haptic certificate.
@@ -44,8 +51,10 @@ class Servo {
     /// One tick at `t_ns`: read, map, couple, limit, write. noexcept, no lock, no allocation.
     void tick(int64_t t_ns, std::span<sim::ToolInput> inputs,
               std::span<const sim::ToolFeedback> feedback) noexcept;
-    /// Starts the 1 kHz thread; inputs and feedback then go through `exchange()`.
+    /// Starts the 1 kHz thread; inputs and feedback then go through `exchange()`. Does nothing for
+    /// a group in lock step: there the caller ticks.
     void start();
+    /// Ramps the force down (50 ms in the thread), ends the thread and releases the devices.
     void stop() noexcept;
 
     struct Exchange {

@@ -4,6 +4,10 @@
 // Kinematics of a rigid shaft through a port (fulcrum): from hand to tip and back. The maps of
 // motion and force are transposes of each other, otherwise energy would be created.
 
+#include <span>
+#include <string_view>
+#include <vector>
+
 #include "haptics/device.h"
 
 namespace placode::haptics {
@@ -42,6 +46,26 @@ class Trocar {
     TrocarSettings settings_;
     sim::Pose last_;
     Vec3 home_handle_m_;
+    Vec3 home_shaft_;     // unit, port to tip, at home
+    Quat home_q_;         // tool axes at home: +y points down in the image
+    Mat3 tip_from_hand_;  // d tip / d hand in W at the last pose; its transpose carries the force
+
+    [[nodiscard]] Quat shaft_orientation(const Vec3& shaft, double roll_rad) const noexcept;
+    void map_handle(const Vec3& hand_m, Vec3& tip_m, Vec3& shaft) noexcept;
+    void map_tip(const Vec3& hand_m, Vec3& tip_m, Vec3& shaft) noexcept;
 };
+
+/// Axes of the endoscope's picture in W, as columns: right, up, towards the viewer. The camera
+/// looks from the scope's port at the lesion's centre, cranial up (which puts the fetus' right side
+/// right).
+[[nodiscard]] Mat3 camera_basis(const Vec3& scope_pivot_m);
+
+/// Distance of the scope's tip from the lesion's centre at home [m].
+inline constexpr double kScopeDistanceM = 0.030;
+
+/// Mapping and home pose of every tool for a device: mouse, keyboard and gamepad move the tip in
+/// the image plane; scripts and haptic arms hold the handle outside, so that the port inverts.
+[[nodiscard]] std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
+                                                          std::string_view device);
 
 }  // namespace placode::haptics

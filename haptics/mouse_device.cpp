@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mouse: the pointer's motion is the tip's motion in the picture, at constant gain.
+#include "haptics/window_hands.h"
+
+namespace placode::haptics {
+
+namespace {
+
+// 0.25 mm at the tip for 1 mm on the desk, for a mouse of 800 counts per inch (31.5 per mm).
+constexpr double kGainM = 0.25e-3 / 31.5;
+constexpr double kWheelM = 0.001;   // One notch of the wheel.
+constexpr double kPrecision = 0.2;  // With Ctrl.
+constexpr double kRollRadPerCount = 0.004;
+
+class MouseDevice final : public WindowHands {
+ public:
+    explicit MouseDevice(const DeviceConfig& config) : WindowHands(config, "mouse") {}
+
+ protected:
+    void move(const sim::WindowInput& now, const sim::WindowInput& before, double,
+              WindowHand& active, WindowHand* scope) noexcept override {
+        const double gain = now.is_down(sim::Key::kControl) ? kPrecision : 1.0;
+        const double dx = now.mouse_x - before.mouse_x, dy = now.mouse_y - before.mouse_y;
+        // Wheel away from the user goes into the picture, away from the viewer (-z in D).
+        const Vec3 step(kGainM * dx, -kGainM * dy, -kWheelM * (now.wheel - before.wheel));
+        if (now.middle && scope != nullptr)
+            scope->target_m += gain * step;
+        else if (now.is_down(sim::Key::kShift))
+            active.roll_rad += gain * kRollRadPerCount * dx;
+        else
+            active.target_m += gain * step;
+    }
+
+    [[nodiscard]] uint8_t buttons(const sim::WindowInput& now) const noexcept override {
+        const bool cut = now.left || now.is_down(sim::Key::kX);
+        const bool coag = now.right || now.is_down(sim::Key::kC);
+        return static_cast<uint8_t>((cut ? sim::kPedalCut : 0) | (coag ? sim::kPedalCoag : 0));
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<DeviceGroup> open_mouse(const DeviceConfig& config) {
+    return std::make_unique<MouseDevice>(config);
+}
+
+}  // namespace placode::haptics

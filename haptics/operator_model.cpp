@@ -1,0 +1,493 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/operator_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace placode::haptics {
+
+namespace {
+
+constexpr double kHoverM = 0.004;       // Height of free motion over the contour.
+constexpr double kWatchBehindM = 4e-4;  // Where the eye checks the cut: behind the needle's width.
+constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
+constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
+constexpr double kSlipS = 0.7;          // A slip, out and back.
+constexpr double kForgetContourS = 4;   // Nothing to do is noticed after this.
+
+constexpr std::array kLevels{OperatorLevel::kExpert, OperatorLevel::kIntermediate,
+                             OperatorLevel::kNovice};
+
+double minimum_jerk(double x) noexcept {
+    x = std::clamp(x, 0.0, 1.0);
+    return x * x * x * (10 + x * (-15 + 6 * x));
+}
+
+OperatorProfile expert() {
+    OperatorProfile p;
+    p.look_s = 0.8;
+    p.free_speed_m_s = 0.025;
+    p.wander_m = 7e-5;
+    p.patience_s = 70;
+    return p;
+}
+
+OperatorProfile intermediate() {
+    OperatorProfile p;
+    p.look_s = 2;
+    p.free_speed_m_s = 0.018;
+    p.descend_m_s = 0.004;
+    p.cut_speed_m_s = 0.0022;
+    p.speed_noise = 0.25;
+    p.tremor_m = 1.7e-4;
+    p.wander_m = 3e-4;
+    p.watch = 0.6;
+    p.wait_s = 0.6;
+    p.burst_s = 2.5;
+    p.pause_s = 0.5;
+    p.settle_s = 0.25;
+    p.early_chance = 0.4;
+    p.early_s = 0.5;
+    p.hesitate_hz = 0.12;
+    p.hesitate_s = {0.5, 0.9};
+    p.skip_per_m = 40;
+    p.skip_m = {0.8e-3, 1.4e-3};
+    p.submovements = 2;
+    p.aim_error_m = 1e-3;
+    p.notice_gap_m = 6e-4;
+    p.tries = 4;
+    p.patience_s = 75;
+    return p;
+}
+
+OperatorProfile novice() {
+    OperatorProfile p;
+    p.look_s = 3;
+    p.free_speed_m_s = 0.014;
+    p.descend_m_s = 0.004;
+    p.cut_speed_m_s = 0.002;
+    p.speed_noise = 0.6;
+    p.tremor_m = 3e-4;
+    p.wander_m = 6e-4;
+    p.wander_s = 0.6;
+    p.wander_inward_m = 4e-4;
+    p.press_m = 4e-4;
+    p.press_limit_m = 1.4e-3;
+    p.force_limit_n = 0.12;
+    p.watch = 0.2;
+    p.wait_s = 0.3;
+    p.burst_s = 3;
+    p.pause_s = 0.9;
+    p.settle_s = 0.1;
+    p.early_chance = 0.9;
+    p.early_s = 1.3;
+    p.hesitate_hz = 0.14;
+    p.hesitate_s = {1.1, 2.0};
+    p.skip_per_m = 120;
+    p.skip_m = {1e-3, 3e-3};
+    p.overshoots = 2;
+    p.overshoot_m = 3.2e-3;
+    p.overshoot_notice_s = 0.25;
+    p.submovements = 3;
+    p.aim_error_m = 2.5e-3;
+    p.notice_gap_m = 2.5e-3;
+    p.tries = 2;
+    p.patience_s = 80;
+    return p;
+}
+
+}  // namespace
+
+std::span<const OperatorLevel> operator_levels() noexcept { return kLevels; }
+
+std::string_view operator_name(OperatorLevel level) noexcept {
+    switch (level) {
+        case OperatorLevel::kExpert:
+            return "expert";
+        case OperatorLevel::kIntermediate:
+            return "intermediate";
+        case OperatorLevel::kNovice:
+            return "novice";
+    }
+    return "";
+}
+
+std::optional<OperatorLevel> operator_level(std::string_view name) noexcept {
+    for (const auto level : kLevels)
+        if (operator_name(level) == name) return level;
+    return std::nullopt;
+}
+
+const OperatorProfile& operator_profile(OperatorLevel level) noexcept {
+    static const std::array profiles{expert(), intermediate(), novice()};
+    return profiles[static_cast<size_t>(level)];
+}
+
+OperatorRandom::OperatorRandom(uint64_t seed) noexcept {
+    for (auto& word : state_) {  // splitmix64 spreads a small seed over the state
+        seed += 0x9e3779b97f4a7c15u;
+        uint64_t z = seed;
+        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+        word = z ^ (z >> 31);
+    }
+}
+
+double OperatorRandom::uniform() noexcept {
+    const auto rotated = [](uint64_t x, int k) { return (x << k) | (x >> (64 - k)); };
+    const uint64_t result = rotated(state_[1] * 5, 7) * 9, t = state_[1] << 17;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= t;
+    state_[3] = rotated(state_[3], 45);
+    return static_cast<double>(result >> 11) * 0x1.0p-53;
+}
+
+double OperatorRandom::uniform(const std::array<double, 2>& range) noexcept {
+    return range[0] + (range[1] - range[0]) * uniform();
+}
+
+double OperatorRandom::normal() noexcept {
+    double sum = -6;
+    for (int i = 0; i < 12; ++i) sum += uniform();
+    return sum;
+}
+
+OperatorModel::OperatorModel(const OperatorProfile& profile, uint64_t seed, const Vec3& home_tip_m)
+    : profile_(profile), random_(seed), home_m_(home_tip_m), tip_m_(home_tip_m) {
+    for (auto& phase : tremor_phase_) phase = 2 * std::numbers::pi * random_.uniform();
+    for (auto& hz : tremor_hz_) hz = random_.uniform({8, 12});
+    slips_left_ = profile_.overshoots;
+    press_ = profile_.press_m;
+}
+
+// --- what is seen -----------------------------------------------------------------------------
+
+void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
+    const size_t n = seen.contour.size();
+    contour_.assign(seen.contour.begin(), seen.contour.end());
+    normal_.assign(n, Vec3::UnitZ());
+    for (size_t i = 0; i < std::min(n, seen.contour_normal.size()); ++i)
+        if (seen.contour_normal[i].allFinite() && seen.contour_normal[i].norm() > 0.5)
+            normal_[i] = seen.contour_normal[i].normalized();
+    cut_.assign(n, 0);
+    std::copy_n(seen.contour_cut.begin(), std::min(n, seen.contour_cut.size()), cut_.begin());
+    tries_.resize(n, 0);
+    arc_.resize(n + 1);
+    arc_[0] = 0;
+    centre_.setZero();
+    for (size_t i = 0; i < n; ++i) {
+        arc_[i + 1] = arc_[i] + (contour_[(i + 1) % n] - contour_[i]).norm();
+        centre_ += contour_[i] / static_cast<double>(n);
+    }
+    contact_ = seen.in_contact;
+    gap_m_ = seen.tip_gap_m;
+    force_n_ = own.force_n.allFinite() ? own.force_n.norm() : 0;
+    if (start_m_ < 0 && n > 2) {  // Caudal start: the end of the ring nearest to the operator.
+        size_t first = 0;
+        for (size_t i = 1; i < n; ++i)
+            if (contour_[i].x() < contour_[first].x()) first = i;
+        start_m_ = arc_[first];
+    }
+}
+
+double OperatorModel::wrapped(double s_m) const noexcept {
+    const double length = arc_.back();
+    s_m = std::fmod(s_m, length);
+    return s_m < 0 ? s_m + length : s_m;
+}
+
+size_t OperatorModel::index(double s_m) const noexcept {
+    const auto next = std::upper_bound(arc_.begin(), arc_.end() - 1, wrapped(s_m));
+    return static_cast<size_t>(std::max<std::ptrdiff_t>(0, next - arc_.begin() - 1));
+}
+
+OperatorModel::Frame OperatorModel::frame(double s_m) const noexcept {
+    const size_t n = contour_.size(), i = index(s_m), j = (i + 1) % n;
+    const double length = arc_[i + 1] - arc_[i];
+    const double w = length > 0 ? std::clamp((wrapped(s_m) - arc_[i]) / length, 0.0, 1.0) : 0;
+    Frame f;
+    f.point = (1 - w) * contour_[i] + w * contour_[j];
+    f.normal = ((1 - w) * normal_[i] + w * normal_[j]).normalized();
+    // The tangent over a few points: single segments of a deformed contour are noisy.
+    const Vec3 along = contour_[(i + 3) % n] - contour_[(i + n - 2) % n];
+    Vec3 inward = f.normal.cross(along);
+    inward = inward.norm() > 0 ? Vec3(inward.normalized()) : Vec3(Vec3::UnitY());
+    f.inward = inward.dot(centre_ - f.point) < 0 ? Vec3(-inward) : inward;
+    return f;
+}
+
+// Next piece that is still uncut, seen from `from_m` along the contour. Pieces shorter than the
+// operator notices, or given up, are passed over.
+bool OperatorModel::plan_run(double from_m) noexcept {
+    const size_t n = contour_.size();
+    if (n < 3) return false;
+    const size_t first = index(from_m);
+    const auto open = [this](size_t i) { return cut_[i] == 0 && tries_[i] < profile_.tries; };
+    for (size_t k = 0; k < n; ++k) {
+        if (!open((first + k) % n)) continue;
+        size_t m = k;
+        while (m < k + n && open((first + m) % n)) ++m;
+        const double length = arc_.back() / static_cast<double>(n) * static_cast<double>(m - k);
+        if (length < profile_.notice_gap_m) {
+            k = m;
+            continue;
+        }
+        run_.begin_m = arc_[(first + k) % n];
+        run_.end_m = run_.begin_m + length;
+        return true;
+    }
+    return false;
+}
+
+// --- what is done -----------------------------------------------------------------------------
+
+void OperatorModel::stage(Stage next) noexcept {
+    stage_ = next;
+    stage_s_ = 0;
+}
+
+void OperatorModel::begin_move(const Vec3& from_m) noexcept {
+    move_from_ = from_m;
+    s_m_ = run_.begin_m - (passes_ > 0 ? kOverrunM : 0);
+    const Frame f = frame(s_m_);
+    const double distance = (f.point + kHoverM * f.normal - from_m).norm();
+    if (stage_ != Stage::kMove) pieces_left_ = profile_.submovements;
+    --pieces_left_;
+    move_s_ = std::max(0.35, distance / profile_.free_speed_m_s);
+    move_error_.setZero();
+    if (pieces_left_ > 0)
+        for (int i = 0; i < 3; ++i) move_error_[i] = profile_.aim_error_m * random_.normal() / 1.7;
+    lift_m_ = kHoverM;
+    stage(Stage::kMove);
+}
+
+void OperatorModel::do_move(double) noexcept {
+    const Frame f = frame(s_m_);
+    const Vec3 goal = f.point + kHoverM * f.normal + move_error_;
+    const double x = minimum_jerk(stage_s_ / move_s_);
+    // A small arc: the tip is carried over the tissue, not through it.
+    const double arc = 0.15 * (goal - move_from_).norm() * 4 * x * (1 - x);
+    tip_m_ = move_from_ + x * (goal - move_from_) + arc * f.normal;
+    if (stage_s_ < move_s_ + (pieces_left_ > 0 ? 0.25 : 0.05)) return;
+    if (pieces_left_ > 0) {
+        begin_move(tip_m_);
+        return;
+    }
+    wander_ = wander_smooth_ = 0;
+    // Who energises too early does so at a height from which the descent takes that long.
+    early_lift_m_ =
+        random_.uniform() < profile_.early_chance ? profile_.early_s * profile_.descend_m_s : -1;
+    stage(Stage::kDescend);
+}
+
+void OperatorModel::do_descend(double dt_s) noexcept {
+    // Slower near the tissue; stops at contact.
+    const double speed = std::min(profile_.descend_m_s * 2,
+                                  profile_.descend_m_s * (0.4 + 300 * std::max(0.0, lift_m_)));
+    lift_m_ = std::max(lift_m_ - speed * dt_s, -profile_.press_limit_m);
+    pedal_ = lift_m_ < early_lift_m_;
+    contact_s_ = contact_ ? contact_s_ + dt_s : 0;
+    const bool bottom = lift_m_ <= -profile_.press_limit_m;
+    const Frame f = frame(s_m_);
+    tip_m_ = f.point + lift_m_ * f.normal;
+    if (contact_s_ < 0.02 && !bottom) return;
+    press_ = -lift_m_;
+    burst_s_ = 0;
+    pause_s_ = profile_.settle_s;
+    speed_ = waited_s_ = hold_s_ = skip_m_ = 0;
+    stage(Stage::kCut);
+}
+
+// Depth by touch: deeper where there is no contact, back where the force is too high.
+void OperatorModel::press(double dt_s) noexcept {
+    if (force_n_ > profile_.force_limit_n)
+        press_ -= 0.004 * dt_s;
+    else if (!contact_)
+        press_ += 0.0015 * dt_s;
+    else
+        press_ += std::clamp(profile_.press_m - press_, -0.001 * dt_s, 0.001 * dt_s);
+    press_ = std::clamp(press_, -0.0005, profile_.press_limit_m);
+    lift_m_ = -press_;
+}
+
+void OperatorModel::pedal_habits(double dt_s) noexcept {
+    contact_s_ = contact_ ? contact_s_ + dt_s : 0;
+    if (pause_s_ > 0) {
+        pause_s_ -= dt_s;
+        pedal_ = pedal_ && stage_s_ < profile_.settle_s;  // Energised early: stays on.
+        burst_s_ = 0;
+        return;
+    }
+    pedal_ = skip_m_ <= 0;
+    burst_s_ += dt_s;
+    if (burst_s_ > profile_.burst_s) pause_s_ = profile_.pause_s;
+    if (hold_s_ <= 0 && random_.uniform() < profile_.hesitate_hz * dt_s)
+        hold_s_ = random_.uniform(profile_.hesitate_s);
+}
+
+void OperatorModel::advance(double dt_s) noexcept {
+    double goal = profile_.cut_speed_m_s * std::max(0.0, 1 + speed_noise_);
+    if (pause_s_ > 0) goal = 0;
+    if (hold_s_ > 0) {
+        hold_s_ -= dt_s;
+        goal = 0;
+    }
+    // The eye behind the tip: slower where the tissue has not parted, but not for ever.
+    const bool first_bit = s_m_ - run_.begin_m < kWatchBehindM && passes_ == 0;
+    const bool parted = first_bit || cut_[index(s_m_ - kWatchBehindM)] != 0;
+    if (!parted && waited_s_ < profile_.wait_s) {
+        goal *= 1 - profile_.watch;
+        waited_s_ += pedal_ ? dt_s : 0;
+    }
+    if (parted) waited_s_ = 0;
+    speed_ += (goal - speed_) * std::min(1.0, dt_s / 0.12);
+    const size_t before = index(s_m_);
+    const double step = speed_ * dt_s;
+    s_m_ += step;
+    const size_t after = index(s_m_);
+    if (after != before) {
+        if (pedal_ && tries_[before] < 255) ++tries_[before];
+        if (skip_m_ <= 0 && waited_s_ >= profile_.wait_s) waited_s_ = 0;
+    }
+    skip_m_ -= step;
+    if (skip_m_ <= 0 && random_.uniform() < profile_.skip_per_m * step)
+        skip_m_ = random_.uniform(profile_.skip_m);
+}
+
+// A slip towards the placode: out and back in a bell, with the pedal released too late.
+void OperatorModel::slip(double dt_s) noexcept {
+    if (slip_s_ < 0 && slips_left_ > 0 && passes_ == 0) {
+        if (slip_at_m_ < 0)
+            slip_at_m_ =
+                s_m_ + arc_.back() / (profile_.overshoots + 1) * random_.uniform({0.6, 1.1});
+        if (s_m_ >= slip_at_m_) {
+            slip_s_ = 0;
+            slip_at_m_ = -1;
+            --slips_left_;
+        }
+    }
+    slip_offset_ = 0;
+    if (slip_s_ < 0) return;
+    slip_s_ += dt_s;
+    slip_offset_ =
+        profile_.overshoot_m * std::pow(std::sin(std::numbers::pi * slip_s_ / kSlipS), 2);
+    if (slip_s_ > profile_.overshoot_notice_s) pedal_ = false;
+    if (slip_s_ >= kSlipS) {
+        slip_s_ = -1;
+        slip_offset_ = 0;
+        pause_s_ = profile_.pause_s;
+    }
+}
+
+void OperatorModel::do_cut(double dt_s) noexcept {
+    press(dt_s);
+    pedal_habits(dt_s);
+    slip(dt_s);
+    if (slip_s_ < 0) advance(dt_s);
+    const Frame f = frame(s_m_);
+    const double offset = wander_smooth_ + slip_offset_;
+    tip_m_ = f.point + lift_m_ * f.normal + offset * f.inward;
+    if (s_m_ < run_.end_m + kOverrunM) return;
+    // End of the piece: the next one may be near enough to go on.
+    const double here = s_m_;
+    ++passes_;
+    if (plan_run(here - kOverrunM) && passes_ > 1) {
+        const double ahead = wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
+        if (ahead < kNearM) {
+            const double length = run_.end_m - run_.begin_m;
+            run_.begin_m = here + ahead;
+            run_.end_m = run_.begin_m + length;
+            return;
+        }
+    }
+    stage(Stage::kLift);
+}
+
+void OperatorModel::do_lift(double dt_s) noexcept {
+    pedal_ = false;
+    lift_m_ += std::min(0.03, 0.1 * stage_s_) * dt_s;
+    const Frame f = frame(s_m_);
+    tip_m_ = f.point + lift_m_ * f.normal + wander_smooth_ * f.inward;
+    if (lift_m_ < kHoverM) return;
+    const bool patient = time_s_ < profile_.patience_s;
+    if (patient && plan_run(s_m_)) {
+        begin_move(tip_m_);
+        return;
+    }
+    move_from_ = tip_m_;
+    move_s_ = std::max(0.5, (home_m_ - tip_m_).norm() / profile_.free_speed_m_s);
+    stage(Stage::kLeave);
+}
+
+void OperatorModel::noise(double dt_s) noexcept {
+    // Ornstein-Uhlenbeck, smoothed once, so that a hand never jumps.
+    const auto walk = [&](double x, double sigma, double tau) {
+        return x - x * dt_s / tau + sigma * std::sqrt(2 * dt_s / tau) * random_.normal();
+    };
+    wander_ = walk(wander_, profile_.wander_m * 1.2, profile_.wander_s);
+    wander_smooth_ += (wander_ + profile_.wander_inward_m - wander_smooth_) *
+                      std::min(1.0, dt_s / (0.4 * profile_.wander_s));
+    speed_noise_ = walk(speed_noise_, profile_.speed_noise, 0.2);
+}
+
+Vec3 OperatorModel::tremor() const noexcept {
+    Vec3 shake;
+    for (size_t i = 0; i < 3; ++i) {
+        const auto wave = [&](size_t k) {
+            return std::sin(2 * std::numbers::pi * tremor_hz_[k] * time_s_ + tremor_phase_[k]);
+        };
+        shake[static_cast<Eigen::Index>(i)] = 0.5 * (wave(i) + wave(i + 3));
+    }
+    // Across the tissue less than along it: the tip leans on it.
+    return profile_.tremor_m *
+           (stage_ == Stage::kCut ? Vec3(shake.cwiseProduct(Vec3(1, 1, 0.4))) : shake);
+}
+
+OperatorAction OperatorModel::act(double dt_s) noexcept {
+    dt_s = std::clamp(dt_s, 0.0, 0.01);
+    time_s_ += dt_s;
+    stage_s_ += dt_s;
+    noise(dt_s);
+    const bool work = stage_ == Stage::kMove || stage_ == Stage::kDescend || stage_ == Stage::kCut;
+    if (work && time_s_ > profile_.patience_s) stage(Stage::kLift);
+    if (contour_.size() < 3 && stage_ != Stage::kLook) stage(Stage::kDone);
+    switch (stage_) {
+        case Stage::kLook:
+            if (stage_s_ > profile_.look_s && start_m_ >= 0 && plan_run(start_m_))
+                begin_move(tip_m_);
+            else if (stage_s_ > profile_.look_s + kForgetContourS)
+                stage(Stage::kDone);
+            break;
+        case Stage::kMove:
+            do_move(dt_s);
+            break;
+        case Stage::kDescend:
+            do_descend(dt_s);
+            break;
+        case Stage::kCut:
+            do_cut(dt_s);
+            break;
+        case Stage::kLift:
+            do_lift(dt_s);
+            break;
+        case Stage::kLeave:
+            tip_m_ = move_from_ + minimum_jerk(stage_s_ / move_s_) * (home_m_ - move_from_);
+            if (stage_s_ > move_s_ + 0.3) stage(Stage::kDone);
+            break;
+        case Stage::kDone:
+            break;
+    }
+    OperatorAction action;
+    action.tip_m = tip_m_ + tremor();
+    const bool energy = stage_ == Stage::kDescend || stage_ == Stage::kCut;
+    action.pedals = energy && pedal_ ? sim::kPedalCut : 0;
+    action.finish = stage_ == Stage::kDone;
+    return action;
+}
+
+}  // namespace placode::haptics

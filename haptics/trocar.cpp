@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/trocar.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placode::haptics {
+
+namespace {
+
+constexpr double kMinOutsideM = 0.010;  // The handle never enters the port.
+constexpr double kTinyM = 1e-6;         // Below this a direction means nothing.
+
+}  // namespace
+
+Trocar::Trocar(const sim::ToolSpec& tool, const TrocarSettings& settings)
+    : tool_(tool), settings_(settings), tip_from_hand_(Mat3::Identity()) {
+    const Vec3 inside = settings_.home_tip_m - tool_.pivot_m;
+    const double depth = inside.norm();
+    home_shaft_ = depth > kTinyM ? Vec3(inside / depth) : Vec3(0, 0, -1);
+    home_handle_m_ = tool_.pivot_m - (tool_.length_m - depth) * home_shaft_;
+    // Tool axes at home: z along the shaft, y away from cranial (down in the picture).
+    Vec3 up = Vec3::UnitX() - Vec3::UnitX().dot(home_shaft_) * home_shaft_;
+    if (up.norm() < 0.1) up = Vec3::UnitZ() - Vec3::UnitZ().dot(home_shaft_) * home_shaft_;
+    Mat3 axes;
+    axes.col(2) = home_shaft_;
+    axes.col(1) = -up.normalized();
+    axes.col(0) = axes.col(1).cross(axes.col(2));
+    home_q_ = Quat(axes);
+    last_ = {settings_.home_tip_m, home_q_};
+    DeviceState home;
+    last_ = tip_pose(home);
+}
+
+Quat Trocar::shaft_orientation(const Vec3& shaft, double roll_rad) const noexcept {
+    // The shortest turn from home adds no roll and has no singular direction inside the body.
+    const Quat turn = Quat::FromTwoVectors(home_shaft_, shaft);
+    const Quat roll(Eigen::AngleAxisd(roll_rad, Vec3::UnitZ()));
+    return (turn * home_q_ * roll).normalized();
+}
+
+// H outside, r = |P - H|, u = (P - H)/r, tip = P + (L - r) u. With dr = -u.dH and
+// du = -(I - u u^T) dH / r follows d tip = [u u^T - (d/r)(I - u u^T)] dH, d = L - r: symmetric.
+// At the stops of r the axial part of the motion vanishes, and with it the axial force.
+void Trocar::map_handle(const Vec3& hand_m, Vec3& tip_m, Vec3& shaft) noexcept {
+    const Vec3 to_port = tool_.pivot_m - hand_m;
+    const double r = to_port.norm();
+    if (r > kTinyM) shaft = to_port / r;
+    const double r_max = tool_.length_m - settings_.min_depth_m;
+    const double outside = std::clamp(r, kMinOutsideM, std::max(r_max, kMinOutsideM));
+    const double depth = tool_.length_m - outside;
+    tip_m = tool_.pivot_m + depth * shaft;
+    const Mat3 axial = shaft * shaft.transpose();
+    const double ratio = depth / std::max(r, kMinOutsideM);
+    tip_from_hand_ = -ratio * (Mat3::Identity() - axial);
+    if (outside == r) tip_from_hand_ += axial;
+}
+
+void Trocar::map_tip(const Vec3& hand_m, Vec3& tip_m, Vec3& shaft) noexcept {
+    const Vec3 inside = hand_m - tool_.pivot_m;
+    const double reach = inside.norm();
+    if (reach > kTinyM) shaft = inside / reach;
+    const double depth = std::clamp(reach, settings_.min_depth_m, tool_.length_m - kMinOutsideM);
+    tip_m = tool_.pivot_m + depth * shaft;
+    if (depth == reach) {
+        tip_from_hand_ = Mat3::Identity();
+        tip_m = hand_m;  // Bit for bit what was asked.
+    } else {
+        tip_from_hand_ =
+            depth / std::max(reach, kMinOutsideM) * (Mat3::Identity() - shaft * shaft.transpose());
+    }
+}
+
+sim::Pose Trocar::tip_pose(const DeviceState& state) noexcept {
+    if (!state.position_m.allFinite() || !std::isfinite(state.roll_rad)) return last_;
+    const Vec3 moved = settings_.scale * (settings_.R_WD * state.position_m);
+    Vec3 shaft = last_.q * Vec3::UnitZ();
+    Vec3 tip;
+    if (settings_.mapping == Mapping::kHandle)
+        map_handle(home_handle_m_ + moved, tip, shaft);
+    else
+        map_tip(settings_.home_tip_m + moved, tip, shaft);
+    const sim::Pose pose{tip, shaft_orientation(shaft, state.roll_rad)};
+    if (pose.p.allFinite() && pose.q.coeffs().allFinite()) last_ = pose;
+    return last_;
+}
+
+Vec3 Trocar::device_position(const Vec3& tip_m) const noexcept {
+    Vec3 moved = tip_m - settings_.home_tip_m;
+    if (settings_.mapping == Mapping::kHandle) {
+        const Vec3 inside = tip_m - tool_.pivot_m;
+        const double depth = inside.norm();
+        const Vec3 shaft = depth > kTinyM ? Vec3(inside / depth) : Vec3(last_.q * Vec3::UnitZ());
+        moved = tool_.pivot_m - (tool_.length_m - depth) * shaft - home_handle_m_;
+    }
+    return settings_.R_WD.transpose() * moved / settings_.scale;
+}
+
+Vec3 Trocar::device_force(const Vec3& tip_force_n) const noexcept {
+    Mat3 map = tip_from_hand_;
+    if (settings_.mapping == Mapping::kHandle) {
+        // Near the port's inside end the lever grows without bound: the lateral part is limited.
+        const Vec3 shaft = last_.q * Vec3::UnitZ();
+        const Vec3 axial = shaft * shaft.dot(map.transpose() * tip_force_n);
+        const Vec3 lateral = map.transpose() * tip_force_n - axial;
+        const double limit = settings_.max_lateral_gain * tip_force_n.norm();
+        const double size = lateral.norm();
+        const Vec3 hand = axial + (size > limit ? Vec3(lateral * (limit / size)) : lateral);
+        return settings_.scale * (settings_.R_WD.transpose() * hand);
+    }
+    return settings_.scale * (settings_.R_WD.transpose() * (map.transpose() * tip_force_n));
+}
+
+double Trocar::insertion_depth_m() const noexcept { return (last_.p - tool_.pivot_m).norm(); }
+
+Mat3 camera_basis(const Vec3& scope_pivot_m) {
+    const Vec3 towards = scope_pivot_m.normalized();
+    Vec3 up = Vec3::UnitX() - Vec3::UnitX().dot(towards) * towards;
+    if (up.norm() < 0.1) up = Vec3::UnitZ() - Vec3::UnitZ().dot(towards) * towards;
+    Mat3 basis;
+    basis.col(2) = towards;
+    basis.col(1) = up.normalized();
+    basis.col(0) = basis.col(1).cross(basis.col(2));
+    return basis;
+}
+
+std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
+                                            std::string_view device) {
+    const bool tip = device == "mouse" || device == "keyboard" || device == "gamepad";
+    Vec3 scope_pivot(-0.045, 0, 0.075);
+    for (const auto& tool : tools)
+        if (tool.kind == sim::ToolKind::kScope) scope_pivot = tool.pivot_m;
+    const Mat3 camera = camera_basis(scope_pivot);
+    // An arm on the desk is level with the operator, who stands at the caudal side.
+    Mat3 desk;
+    desk.col(0) = -Vec3::UnitY();
+    desk.col(1) = Vec3::UnitZ();
+    desk.col(2) = -Vec3::UnitX();
+
+    std::vector<TrocarSettings> out;
+    for (const auto& tool : tools) {
+        TrocarSettings settings;
+        settings.mapping = tip ? Mapping::kTip : Mapping::kHandle;
+        settings.R_WD = tip ? camera : desk;
+        if (tool.kind == sim::ToolKind::kScope) {
+            settings.home_tip_m = kScopeDistanceM * tool.pivot_m.normalized();
+        } else {
+            // Above the lesion's edge on the instrument's own side, inside the picture.
+            const double side = tool.pivot_m.y() < 0 ? -1 : 1;
+            settings.home_tip_m = Vec3(-0.003, 0.007 * side, 0.014);
+        }
+        out.push_back(settings);
+    }
+    return out;
+}
+
+}  // namespace placode::haptics

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/window_hands.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placode::haptics {
+
+namespace {
+
+constexpr int64_t kPedalTimeoutNs = 10'000'000'000;
+constexpr double kSpeedCapMS = 0.150;
+constexpr double kLagLimitM = 0.020;     // A flick is not stored as motion to come.
+constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1 kHz.
+constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
+constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
+constexpr double kJawS = 0.150, kJawOpenRad = 0.96;
+const Vec3 kReachLow(-0.045, -0.045, -0.025), kReachHigh(0.045, 0.045, 0.040);
+const Vec3 kScopeReach(0.020, 0.020, 0.015);
+
+}  // namespace
+
+uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed) noexcept {
+    if (pressed == 0) spent_ = false;
+    if (pressed != 0 && before_ == 0) since_ns_ = t_ns;
+    before_ = pressed;
+    if (pressed != 0 && (!allowed || t_ns - since_ns_ > kPedalTimeoutNs)) spent_ = true;
+    return spent_ ? 0 : pressed;
+}
+
+WindowHands::WindowHands(const DeviceConfig& config, std::string model)
+    : model_(std::move(model)), window_(config.window), hands_(config.tools.size()) {
+    bool found = false;
+    for (size_t i = 0; i < hands_.size(); ++i) {
+        const auto kind = config.tools[i].kind;
+        hands_[i].scope = kind == sim::ToolKind::kScope;
+        hands_[i].energy = kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
+        if (!hands_[i].scope && !found) {
+            active_ = i;
+            found = true;
+        }
+    }
+}
+
+std::vector<DeviceInfo> WindowHands::info() const {
+    DeviceInfo device;
+    device.vendor = "Placode";
+    device.model = model_;
+    device.driver = "window";
+    device.dof_sensed = 4;
+    return std::vector<DeviceInfo>(hands_.size(), device);
+}
+
+void WindowHands::ease(WindowHand& hand, const Vec3& wished_m_s, double dt_s) noexcept {
+    hand.rate_m_s += (wished_m_s - hand.rate_m_s) * (1 - std::exp(-dt_s / kEaseS));
+    if (hand.rate_m_s.norm() < 1e-7) hand.rate_m_s.setZero();
+    hand.target_m += hand.rate_m_s * dt_s;
+}
+
+void WindowHands::follow(WindowHand& hand, double dt_s) noexcept {
+    const Vec3 low = hand.scope ? Vec3(-kScopeReach) : kReachLow;
+    const Vec3 high = hand.scope ? kScopeReach : kReachHigh;
+    hand.target_m = hand.target_m.cwiseMax(low).cwiseMin(high);
+    Vec3 gap = hand.target_m - hand.position_m;
+    if (gap.norm() > kLagLimitM) {
+        gap *= kLagLimitM / gap.norm();
+        hand.target_m = hand.position_m + gap;
+    }
+    const double plane = 1 - std::exp(-dt_s / kFollowS);
+    const double depth = 1 - std::exp(-dt_s / kFollowDepthS);
+    Vec3 step = gap.cwiseProduct(Vec3(plane, plane, depth));
+    const double cap = kSpeedCapMS * dt_s;
+    if (step.norm() > cap) step *= cap / step.norm();
+    hand.position_m += step;
+    hand.velocity_m_s = dt_s > 0 ? Vec3(step / dt_s) : Vec3(Vec3::Zero());
+}
+
+void WindowHands::next_hand(uint32_t presses) noexcept {
+    for (uint32_t k = 0; k < presses % (hands_.size() + 1); ++k) {
+        size_t i = active_;
+        do i = (i + 1) % hands_.size();
+        while (hands_[i].scope && i != active_);
+        active_ = i;
+    }
+}
+
+void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
+    if (hands_.empty()) return;
+    if (window_ != nullptr) window_->refresh();
+    const sim::WindowInput& now = window_ != nullptr ? window_->front() : idle_;
+    if (!seen_) before_ = now;  // Totals from before the attempt do not count.
+    const double dt =
+        seen_ ? std::clamp(static_cast<double>(t_ns - last_ns_) * 1e-9, 0.0, 0.010) : 0.0;
+    seen_ = true;
+    last_ns_ = t_ns;
+
+    const auto key = [](sim::Key k) { return static_cast<size_t>(k); };
+    const bool there = present(now);
+    const bool allowed = now.focused && there;
+    if (allowed) {
+        next_hand(now.presses[key(sim::Key::kTab)] - before_.presses[key(sim::Key::kTab)]);
+        WindowHand* scope = nullptr;
+        for (auto& hand : hands_)
+            if (hand.scope) scope = &hand;
+        const bool clutch = now.is_down(sim::Key::kSpace);
+        if (clutch)
+            hands_[active_].rate_m_s.setZero();
+        else
+            move(now, before_, dt, hands_[active_], scope);
+        if (now.presses[key(sim::Key::kEnter)] != before_.presses[key(sim::Key::kEnter)] ||
+            finish(now))
+            finished_ = true;
+    } else {
+        for (auto& hand : hands_) {
+            hand.target_m = hand.position_m;
+            hand.rate_m_s.setZero();
+        }
+    }
+    uint8_t pressed = buttons(now);
+    if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
+    if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
+    const uint8_t held = pedals_.update(pressed, t_ns, allowed);
+    before_ = now;
+
+    ++sequence_;
+    for (size_t i = 0; i < std::min(states.size(), hands_.size()); ++i) {
+        WindowHand& hand = hands_[i];
+        follow(hand, dt);
+        const bool jaw = i == active_ && !hand.energy && (held & sim::kPedalCut) != 0;
+        const double step = kJawOpenRad * dt / kJawS;
+        if (i == active_)
+            hand.jaw_rad = std::clamp(hand.jaw_rad + (jaw ? -step : step), 0.0, kJawOpenRad);
+        DeviceState& out = states[i];
+        out = {};
+        out.sequence = sequence_;
+        out.t_ns = t_ns;
+        out.position_m = hand.position_m;
+        out.velocity_m_s = hand.velocity_m_s;
+        out.roll_rad = hand.roll_rad;
+        out.jaw_rad = hand.energy || hand.scope ? 0 : hand.jaw_rad;
+        out.pedals = i == active_ && hand.energy ? held : 0;
+        out.finish = finished_;
+        out.status = there ? DeviceStatus::kReady : DeviceStatus::kLost;
+    }
+}
+
+}  // namespace placode::haptics

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What mouse, keyboard and gamepad share: hands that move in the picture's plane and keep still
+// when the window loses focus, pedals that let go by themselves, clutch and finish key. A variant
+// only says how far the hand wants to go.
+
+#include <string>
+#include <vector>
+
+#include "haptics/device.h"
+
+namespace placode::haptics {
+
+/// Pedals from buttons: released after 10 s without a break, and when motion is not allowed.
+class PedalGuard {
+ public:
+    /// `pressed`: what is held now. Returns what counts.
+    [[nodiscard]] uint8_t update(uint8_t pressed, int64_t t_ns, bool allowed) noexcept;
+
+ private:
+    uint8_t before_ = 0;
+    bool spent_ = false;  // timed out or lost focus: wait for the release
+    int64_t since_ns_ = 0;
+};
+
+/// One hand at a virtual device, in D.
+struct WindowHand {
+    Vec3 target_m = Vec3::Zero();  ///< Where it wants to go; followed smoothly.
+    Vec3 rate_m_s = Vec3::Zero();  ///< Eased velocity of rate-controlled variants.
+    Vec3 position_m = Vec3::Zero(), velocity_m_s = Vec3::Zero();
+    double roll_rad = 0, jaw_rad = 0;
+    bool scope = false, energy = false;
+};
+
+/// Group of virtual hands driven from the window. Servo thread only.
+class WindowHands : public DeviceGroup {
+ public:
+    WindowHands(const DeviceConfig& config, std::string model);
+    [[nodiscard]] std::vector<DeviceInfo> info() const override;
+    void read(int64_t t_ns, std::span<DeviceState> states) noexcept final;
+    void write(std::span<const DeviceCommand>) noexcept override {}
+
+ protected:
+    /// Moves `target_m` (and roll) of the active hand or the scope for this tick.
+    virtual void move(const sim::WindowInput& now, const sim::WindowInput& before, double dt_s,
+                      WindowHand& active, WindowHand* scope) noexcept = 0;
+    /// Buttons that stand for pedals or, for tools without energy, for closing the jaw (kPedalCut).
+    [[nodiscard]] virtual uint8_t buttons(const sim::WindowInput& now) const noexcept = 0;
+    [[nodiscard]] virtual bool finish(const sim::WindowInput&) const noexcept { return false; }
+    /// False while the hardware behind the window is absent: the hand is lost and lets go.
+    [[nodiscard]] virtual bool present(const sim::WindowInput&) const noexcept { return true; }
+    /// Velocity of a rate-controlled hand, eased over 150 ms, then integrated into the target.
+    static void ease(WindowHand& hand, const Vec3& wished_m_s, double dt_s) noexcept;
+
+ private:
+    void follow(WindowHand& hand, double dt_s) noexcept;
+    void next_hand(uint32_t presses) noexcept;
+
+    std::string model_;
+    sim::Latest<sim::WindowInput>* window_;
+    sim::WindowInput before_, idle_;
+    bool seen_ = false;
+    std::vector<WindowHand> hands_;
+    size_t active_ = 0;
+    PedalGuard pedals_;
+    int64_t last_ns_ = 0;
+    uint64_t sequence_ = 0;
+    bool finished_ = false;
+};
+
+}  // namespace placode::haptics

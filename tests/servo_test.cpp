@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/servo.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+namespace placode::haptics {
+namespace {
+
+// A hand that does what the test says and remembers what it was sent.
+struct Script {
+    DeviceState state;
+    Vec3 force = Vec3::Ones();
+    int64_t valid_until_ns = 0;
+    std::atomic<int> reads{0}, stops{0};
+};
+
+class TestDevice final : public DeviceGroup {
+ public:
+    TestDevice(Script& script, bool lock_step) : script_(script), lock_step_(lock_step) {}
+    [[nodiscard]] std::vector<DeviceInfo> info() const override { return {DeviceInfo{}}; }
+    void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
+        for (auto& state : states) {
+            state = script_.state;
+            state.t_ns = t_ns;
+        }
+        ++script_.reads;
+    }
+    void write(std::span<const DeviceCommand> commands) noexcept override {
+        script_.force = commands[0].force_n;
+        script_.valid_until_ns = commands[0].valid_until_ns;
+    }
+    [[nodiscard]] bool lock_step() const noexcept override { return lock_step_; }
+    void stop() noexcept override { ++script_.stops; }
+
+ private:
+    Script& script_;
+    bool lock_step_;
+};
+
+constexpr int64_t kMs = 1'000'000;
+
+struct Bench {
+    explicit Bench(bool lock_step = true)
+        : servo(std::make_unique<TestDevice>(script, lock_step), tools, trocars(), {}) {
+        feedback[0].proxy.p = TrocarSettings{}.home_tip_m;
+    }
+    static std::vector<TrocarSettings> trocars() {
+        TrocarSettings settings;
+        settings.mapping = Mapping::kTip;
+        return {settings};
+    }
+    const sim::ToolInput& tick() {
+        t_ns += kMs;
+        feedback[0].time_s = static_cast<double>(t_ns) * 1e-9;
+        servo.tick(t_ns, inputs, feedback);
+        return inputs[0];
+    }
+
+    Script script;
+    std::vector<sim::ToolSpec> tools{sim::ToolSpec{}};
+    Servo servo;
+    std::array<sim::ToolInput, 1> inputs{};
+    std::array<sim::ToolFeedback, 1> feedback{};
+    int64_t t_ns = 0;
+};
+
+TEST(Servo, TurnsTheHandIntoAToolInput) {
+    Bench bench;
+    bench.script.state.position_m = Vec3(0.001, 0.002, 0.003);
+    bench.script.state.jaw_rad = 0.25;
+    bench.script.state.pedals = sim::kPedalCut;
+    const auto& input = bench.tick();
+    EXPECT_NEAR(input.position_m[0], 0.001, 1e-9);
+    EXPECT_NEAR(input.position_m[2], 0.018, 1e-8);  // float
+    EXPECT_EQ(input.jaw_rad, 0.25f);
+    EXPECT_EQ(input.pedals, sim::kPedalCut);
+    EXPECT_EQ(input.engaged, 1);
+    EXPECT_EQ(bench.script.valid_until_ns, bench.t_ns + 10 * kMs);
+    EXPECT_EQ(bench.servo.health().ticks, 1u);
+}
+
+TEST(Servo, SwitchesTheGeneratorOffForBothPedals) {
+    Bench bench;
+    bench.script.state.pedals = sim::kPedalCut | sim::kPedalCoag;
+    EXPECT_EQ(bench.tick().pedals, 0);
+}
+
+TEST(Servo, LetsTheToolGoWithoutForceWhenTheDeviceIsLost) {
+    Bench bench;
+    bench.script.state.pedals = sim::kPedalCut;
+    for (int i = 0; i < 700; ++i) bench.tick();
+    bench.feedback[0].proxy.p.z() += 0.001;
+    for (int i = 0; i < 50; ++i) bench.tick();
+    ASSERT_GT(bench.script.force.norm(), 0.2) << "there was a force to lose";
+    const auto before = bench.inputs[0].position_m;
+    bench.script.state.status = DeviceStatus::kLost;
+    bench.script.state.position_m = Vec3(0.02, 0, 0);
+    const auto& input = bench.tick();
+    EXPECT_EQ(bench.script.force, Vec3::Zero());
+    EXPECT_EQ(input.engaged, 0);
+    EXPECT_EQ(input.pedals, 0);
+    EXPECT_EQ(input.position_m, before) << "the tool stays where the hand was last believed";
+    EXPECT_EQ(bench.servo.health().faults, 1u);
+}
+
+TEST(Servo, DropsPedalsAndForceForNumbersThatAreNone) {
+    Bench bench;
+    bench.script.state.pedals = sim::kPedalCut;
+    for (int i = 0; i < 20; ++i) bench.tick();
+    EXPECT_EQ(bench.inputs[0].engaged, 1);
+    bench.script.state.position_m.x() = std::nan("");
+    const auto& input = bench.tick();
+    EXPECT_EQ(input.engaged, 0);
+    EXPECT_EQ(input.pedals, 0);
+    EXPECT_TRUE(std::isfinite(input.position_m[0]));
+    EXPECT_EQ(bench.script.force, Vec3::Zero());
+    bench.script.state.position_m.x() = 0;
+    for (int i = 0; i < 110; ++i) bench.tick();
+    EXPECT_EQ(bench.inputs[0].engaged, 1) << "and takes the tool up again";
+}
+
+TEST(Servo, RemembersThatTheOperatorIsDone) {
+    Bench bench;
+    bench.tick();
+    EXPECT_FALSE(bench.servo.finish_requested());
+    bench.script.state.finish = true;
+    bench.tick();
+    bench.script.state.finish = false;
+    bench.tick();
+    EXPECT_TRUE(bench.servo.finish_requested());
+}
+
+TEST(Servo, GivesTheSameBitsForTheSameHand) {
+    const auto run = [] {
+        Bench bench;
+        std::array<double, 3> sum{};
+        for (int i = 0; i < 1000; ++i) {
+            bench.script.state.position_m = Vec3(0.001 * std::sin(0.01 * i), 0, -2e-6 * i);
+            bench.tick();
+            for (size_t k = 0; k < 3; ++k)
+                sum[k] += bench.script.force[static_cast<int>(k)] * (i + 1);
+        }
+        return sum;
+    };
+    EXPECT_EQ(run(), run());
+}
+
+TEST(Servo, StopsTheDevicesOnceWithoutForce) {
+    Bench bench;
+    bench.tick();
+    bench.servo.stop();
+    bench.servo.stop();
+    EXPECT_EQ(bench.script.stops, 1);
+    EXPECT_EQ(bench.script.force, Vec3::Zero());
+}
+
+TEST(Servo, StartsNoThreadForAGroupInLockStep) {
+    Bench bench;
+    bench.servo.start();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_EQ(bench.script.reads, 0);
+}
+
+TEST(Servo, RunsInItsOwnThreadAndReportsItsHealth) {
+    Bench bench(false);
+    bench.script.state.position_m = Vec3(0.001, 0, 0);
+    bench.script.state.pedals = sim::kPedalCoag;
+    bench.servo.start();
+    // Waits for the event, not for a time; the limit only keeps a broken build from hanging.
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    auto& exchange = bench.servo.exchange();
+    int64_t published = 0;
+    while (published < 50 && std::chrono::steady_clock::now() < limit) {
+        published += exchange.inputs.refresh() ? 1 : 0;
+        exchange.feedback.back()[0].proxy.p = TrocarSettings{}.home_tip_m;
+        exchange.feedback.back()[0].time_s += 1e-3;
+        exchange.feedback.publish();
+        std::this_thread::sleep_for(std::chrono::microseconds(500));
+    }
+    bench.servo.stop();
+    ASSERT_GE(published, 50);
+    EXPECT_NEAR(exchange.inputs.front()[0].position_m[0], 0.001, 1e-8);
+    EXPECT_EQ(exchange.inputs.front()[0].pedals, sim::kPedalCoag);
+    const ServoHealth health = bench.servo.health();
+    EXPECT_GE(health.ticks, 50u);
+    // Whatever the machine did: the order of the percentiles is a matter of logic.
+    EXPECT_GT(health.period_p50_us, 0);
+    EXPECT_LE(health.period_p50_us, health.period_p99_us);
+    EXPECT_LE(health.period_p99_us, health.period_p999_us);
+    EXPECT_LE(health.period_p999_us, health.period_max_us);
+    if (!health.real_time) {
+        EXPECT_NE(health.remark.find("rtprio"), std::string::npos);
+    }
+    EXPECT_EQ(bench.script.stops, 1);
+    EXPECT_EQ(bench.script.force, Vec3::Zero()) << "released at the end";
+}
+
+TEST(Servo, RefusesToolsWithoutTrocars) {
+    Script script;
+    const std::vector<sim::ToolSpec> tools(2);
+    EXPECT_THROW(Servo(std::make_unique<TestDevice>(script, true), tools, Bench::trocars(), {}),
+                 DeviceError);
+}
+
+}  // namespace
+}  // namespace placode::haptics
