@@ -16,10 +16,22 @@ namespace placode::db {
 [[nodiscard]] std::unique_ptr<sim::RecordingSink> create_recording_file(const std::string& path);
 
 /// Reads a whole file. A file without an end (crash) comes back with EndReason::kInterrupted and
-/// the duration of what was committed. Throws StoreError(kDamaged) naming the chunk, or kTooNew.
+/// the duration of what was committed. Throws StoreError: kNotFound, kDamaged naming the chunk and
+/// saying how much before it is whole, or kTooNew. Any thread.
 [[nodiscard]] sim::Recording read_recording_file(const std::string& path);
 
-/// Recording files in `folder` that nobody is writing to: left over from a crash. Sorted by name.
+struct RecoveredRecording {
+    sim::Recording recording;  ///< Everything before the damage; end as of a crash if it was lost.
+    std::string damage;        ///< What is damaged and how much is whole; empty = nothing is.
+};
+
+/// As read_recording_file, but keeps what stands before a damaged chunk. Throws when not even the
+/// header can be read.
+[[nodiscard]] RecoveredRecording recover_recording_file(const std::string& path);
+
+/// Recording files (*.placode) in `folder` that no living program is writing to: the shell removes
+/// a file once it is in the store, so these are left over from a crash. One that cannot be read is
+/// listed as well: reading it says why. Sorted by name.
 [[nodiscard]] std::vector<std::string> leftover_recordings(const std::string& folder);
 
 }  // namespace placode::db

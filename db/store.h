@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "db/migrations.h"
 #include "db/records.h"
 
 namespace placode::db {
@@ -53,17 +54,26 @@ class Store {
  public:
     virtual ~Store() = default;
 
+    /// Every change below is written into the audit trail in its own transaction, under this name.
+    /// A successful sign_in() sets it to the login. Before: "unknown".
+    virtual void act_as(const std::string& actor) = 0;
+
     // --- accounts
     virtual int64_t create_user(
         const NewUser& user) = 0;  ///< Throws kConflict, kRefused (weak password).
+    /// After 5 wrong passwords in a row the login has to wait: 5 s, then twice as long each time,
+    /// at most 15 min. What is not an account waits and takes as long as what is one.
     virtual SignIn sign_in(const std::string& login, const std::string& password) = 0;
     virtual void set_password(int64_t user_id, const std::string& password) = 0;
+    /// Throws kRefused when it would leave no active administrator.
     virtual void set_active(int64_t user_id, bool active) = 0;
     [[nodiscard]] virtual std::vector<UserRecord> users() = 0;
     [[nodiscard]] virtual std::optional<UserRecord> user(int64_t id) = 0;
     [[nodiscard]] virtual std::optional<UserRecord> user_by_login(const std::string& login) = 0;
 
     // --- attempts
+    /// Attempt, metrics, reasons, events and the recording's bytes, all or nothing. Vaporised
+    /// elements and hashes are left out of the events: the recording has them.
     virtual int64_t save_attempt(int64_t user_id, const AttemptResult& result) = 0;
     /// Oldest first; user_id 0 = everybody; task_id empty = all.
     [[nodiscard]] virtual std::vector<AttemptRecord> attempts(int64_t user_id,
@@ -71,6 +81,11 @@ class Store {
     [[nodiscard]] virtual AttemptDetail attempt(int64_t id) = 0;  ///< Throws kNotFound.
     /// Writes the recording file of an attempt to `path`.
     virtual void extract_recording(int64_t attempt_id, const std::string& path) = 0;
+
+    /// The attempt that holds exactly this recording file, if any: a file left over from a crash
+    /// between saving and removing is not saved twice.
+    [[nodiscard]] virtual std::optional<int64_t> attempt_of_recording(
+        const std::string& recording_file) = 0;
 
     // --- studies (thin): answers of participants
     virtual std::string new_participant(
@@ -82,16 +97,32 @@ class Store {
     virtual void audit(const std::string& actor, const std::string& action,
                        const std::string& object, const std::string& detail) = 0;
     [[nodiscard]] virtual std::vector<AuditRecord> audit_trail(int limit) = 0;
-    virtual std::vector<std::string> check() = 0;      ///< Problems found; empty = sound.
-    virtual void backup(const std::string& path) = 0;  ///< SQLite: a consistent copy.
-    [[nodiscard]] virtual std::string url() const = 0;
+    virtual std::vector<std::string> check() = 0;       ///< Problems found; empty = sound.
+    virtual void backup(const std::string& path) = 0;   ///< SQLite: a consistent copy.
+    [[nodiscard]] virtual std::string url() const = 0;  ///< For people: without the password.
 };
 
-/// "sqlite:PATH", "sqlite::memory:" or "postgresql://user:password@host:port/name". Creates and
-/// migrates. Throws StoreError.
-[[nodiscard]] std::unique_ptr<Store> open_store(const std::string& url);
+/// What only tests and special programs set.
+struct StoreOptions {
+    bool cheap_passwords = false;     ///< Tests: weakest Argon2id, because hashing takes 50 ms.
+    std::function<int64_t()> now_ms;  ///< Clock of the sign-in waits [ms]; empty = the system's.
+    std::vector<EmbeddedSql> migrations;  ///< Empty = embedded_migrations().
+};
 
-/// "sqlite:" + the user's data folder + "/placode.db" (folder is created).
+/// "sqlite:PATH", "sqlite::memory:" or "postgresql://user:password@host:port/name", each with
+/// "?timeout_ms=5000" behind it if wanted: how long to wait for a lock. Creates (folder 0700, file
+/// 0600) and migrates; an existing SQLite file is checked and copied before it is migrated. A file
+/// that is not a Placode store, or is damaged, is not touched. Throws StoreError.
+/// @pre A QCoreApplication exists: Qt finds its database drivers through it.
+[[nodiscard]] std::unique_ptr<Store> open_store(const std::string& url,
+                                                const StoreOptions& options = {});
+
+/// Puts a backup in the place of an embedded store; the old file is kept beside it. Returns where
+/// ("" when there was none). Throws kLocked when a program uses the store, kDamaged or kTooNew for
+/// the backup; the store is then as it was.
+std::string restore_store(const std::string& url, const std::string& backup_path);
+
+/// "sqlite:" + the user's data folder + "/placode.db" (the folder is created by open_store).
 [[nodiscard]] std::string default_store_url();
 
 }  // namespace placode::db

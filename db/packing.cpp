@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/packing.h"
+
+#include <sodium.h>
+#include <zstd.h>
+
+#include <array>
+
+#include "db/password.h"
+#include "db/store.h"
+
+namespace placode::db {
+
+Bytes compress(std::span<const std::byte> bytes) {
+    constexpr int kLevel = 3;
+    Bytes packed(ZSTD_compressBound(bytes.size()));
+    const size_t size =
+        ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), kLevel);
+    if (ZSTD_isError(size) != 0)
+        throw StoreError(StoreError::Kind::kOther,
+                         std::string("compress: ") + ZSTD_getErrorName(size));
+    packed.resize(size);
+    return packed;
+}
+
+Bytes decompress(std::span<const std::byte> packed, size_t size) {
+    // The frame says its size itself: never allocate what only a damaged number asks for.
+    const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());
+    if (stated != size)
+        throw StoreError(StoreError::Kind::kDamaged,
+                         "decompress: the compressed bytes are damaged");
+    Bytes bytes(size);
+    const size_t got = ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
+    if (ZSTD_isError(got) != 0 || got != size)
+        throw StoreError(StoreError::Kind::kDamaged,
+                         "decompress: the compressed bytes are damaged");
+    return bytes;
+}
+
+std::string checksum_hex(std::span<const std::byte> bytes) {
+    need_sodium();
+    std::array<unsigned char, 32> sum{};
+    crypto_generichash(sum.data(), sum.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
+                       bytes.size(), nullptr, 0);
+    std::array<char, 65> hex{};
+    sodium_bin2hex(hex.data(), hex.size(), sum.data(), sum.size());
+    return hex.data();
+}
+
+std::string checksum_hex(const std::string& text) {
+    return checksum_hex(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+}  // namespace placode::db

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/password.h"
+
+#include <sodium.h>
+
+#include <QList>
+#include <QString>
+#include <array>
+
+#include "db/store.h"
+
+namespace placode::db {
+namespace {
+
+// Long enough for every passphrase, short enough that hashing cannot be made to read megabytes.
+constexpr int kMostPasswordLength = 1000;
+
+// The same password typed on another keyboard may arrive decomposed. RFC 8265, OpaqueString.
+std::string composed(const std::string& password) {
+    return QString::fromStdString(password).normalized(QString::NormalizationForm_C).toStdString();
+}
+
+}  // namespace
+
+void need_sodium() {
+    static const bool ready = sodium_init() >= 0;
+    if (!ready)
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "start libsodium: no random numbers on this machine");
+}
+
+std::string login_key(const std::string& login) {
+    return QString::fromStdString(login)
+        .trimmed()
+        .normalized(QString::NormalizationForm_KC)
+        .toCaseFolded()
+        .toStdString();
+}
+
+std::optional<std::string> password_problem(const std::string& login, const std::string& password) {
+    const auto length = QString::fromStdString(password).toUcs4().size();
+    if (length < kLeastPasswordLength)
+        return "the password has " + std::to_string(length) + " characters; it needs at least " +
+               std::to_string(kLeastPasswordLength);
+    if (length > kMostPasswordLength)
+        return "the password is longer than " + std::to_string(kMostPasswordLength) + " characters";
+    if (login_key(password) == login_key(login))
+        return std::string("the password is the login; choose another one");
+    return std::nullopt;
+}
+
+std::string hash_password(const std::string& password, bool cheap) {
+    need_sodium();
+    const std::string text = composed(password);
+    std::array<char, crypto_pwhash_STRBYTES> hash{};
+    const auto passes = cheap ? crypto_pwhash_OPSLIMIT_MIN : crypto_pwhash_OPSLIMIT_INTERACTIVE;
+    const auto memory = cheap ? crypto_pwhash_MEMLIMIT_MIN : crypto_pwhash_MEMLIMIT_INTERACTIVE;
+    if (crypto_pwhash_str(hash.data(), text.data(), text.size(), passes, memory) != 0)
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "hash a password: 64 MiB of memory are not free; close other programs");
+    return hash.data();
+}
+
+bool verify_password(const std::string& hash, const std::string& password) {
+    need_sodium();
+    const std::string text = composed(password);
+    return crypto_pwhash_str_verify(hash.c_str(), text.data(), text.size()) == 0;
+}
+
+bool password_needs_rehash(const std::string& hash) {
+    need_sodium();
+    return crypto_pwhash_str_needs_rehash(hash.c_str(), crypto_pwhash_OPSLIMIT_INTERACTIVE,
+                                          crypto_pwhash_MEMLIMIT_INTERACTIVE) != 0;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Passwords: the rule, Argon2id, and how a login is compared. Libsodium's
+// crypto_pwhash_str with its "interactive" limits (2 passes, 64 MiB); Source: RFC 9106.
+
+#include <optional>
+#include <string>
+
+namespace placode::db {
+
+inline constexpr int kLeastPasswordLength = 10;  ///< Characters.
+
+/// What is wrong with a password in plain words, or nothing.
+[[nodiscard]] std::optional<std::string> password_problem(const std::string& login,
+                                                          const std::string& password);
+
+/// Throws StoreError when memory for hashing is missing. @param cheap tests only.
+[[nodiscard]] std::string hash_password(const std::string& password, bool cheap);
+[[nodiscard]] bool verify_password(const std::string& hash, const std::string& password);
+/// True when the hash was made with other limits than today's.
+[[nodiscard]] bool password_needs_rehash(const std::string& hash);
+
+/// Starts libsodium once. Throws StoreError.
+void need_sodium();
+
+/// Key by which logins are compared: trimmed, compatibility-composed, without case.
+[[nodiscard]] std::string login_key(const std::string& login);
+
+}  // namespace placode::db

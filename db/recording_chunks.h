@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What stands inside a recording file: header and end as JSON, and chunks of inputs, samples and
+// events. A chunk is written field by field (no padding), every record XORed with the one before,
+// bytes of equal place together, then zstd: smooth movement leaves mostly zeros.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "db/packing.h"
+#include "sim/recording.h"
+
+namespace placode::db {
+
+/// "PLRC" in the file's header says that it is a recording.
+inline constexpr int kRecordingApplicationId = 0x504c5243;
+
+/// Bytes of one record in a chunk.
+[[nodiscard]] size_t record_size(const sim::Input& record);
+[[nodiscard]] size_t record_size(const sim::Sample& record);
+[[nodiscard]] size_t record_size(const sim::Event& record);
+
+[[nodiscard]] Bytes encode_chunk(std::span<const sim::Input> records);
+[[nodiscard]] Bytes encode_chunk(std::span<const sim::Sample> records);
+[[nodiscard]] Bytes encode_chunk(std::span<const sim::Event> records);
+
+/// Appends `count` records. Throws StoreError(kDamaged) when the bytes are not that.
+void decode_chunk(std::span<const std::byte> packed, size_t count, std::vector<sim::Input>& out);
+void decode_chunk(std::span<const std::byte> packed, size_t count, std::vector<sim::Sample>& out);
+void decode_chunk(std::span<const std::byte> packed, size_t count, std::vector<sim::Event>& out);
+
+/// JSON with exact doubles; 64-bit unsigned numbers as decimal text.
+[[nodiscard]] std::string header_to_json(const sim::RecordingHeader& header);
+[[nodiscard]] std::string end_to_json(const sim::RecordingEnd& end);
+/// Throw StoreError(kDamaged) naming the key.
+[[nodiscard]] sim::RecordingHeader header_from_json(const std::string& json);
+[[nodiscard]] sim::RecordingEnd end_from_json(const std::string& json);
+
+/// Rolls back what a killed writer left half done, so that the bytes of the file are the recording.
+/// Does nothing for a file that is no recording. Never throws.
+void settle_recording_file(const std::string& path) noexcept;
+
+}  // namespace placode::db

@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reading a recording file.
+
+#include "db/recording_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+
+#include "db/raw_sqlite.h"
+#include "db/recording_chunks.h"
+
+namespace placode::db {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = StoreError::Kind;
+
+const std::string kRead = "read the recording";
+
+std::string seconds(double time_s) {
+    std::array<char, 40> text{};
+    std::snprintf(text.data(), text.size(), "%lld.%02lld s", static_cast<long long>(time_s),
+                  static_cast<long long>(time_s * 100) % 100);
+    return text.data();
+}
+
+class FileReader {
+ public:
+    explicit FileReader(const std::string& path) : path_(path) { open(); }
+
+    RecoveredRecording read() {
+        RecoveredRecording result;
+        const auto header = meta("header");
+        if (!header)
+            fail(Kind::kDamaged, "it has no header: the attempt never began; nothing can be saved");
+        try {
+            result.recording.header = header_from_json(*header);
+        } catch (const StoreError& error) {
+            fail(error.kind(), std::string("chunk 0: ") + error.what());
+        }
+        result.damage = read_chunks(result.recording);
+        if (result.damage.empty()) result.damage = read_end(result.recording);
+        finish(result.recording);
+        if (!result.damage.empty())
+            result.damage += "; " + seconds(time_of(result.recording)) + " before it are whole (" +
+                             std::to_string(result.recording.inputs.size()) + " inputs, " +
+                             std::to_string(result.recording.samples.size()) + " samples)";
+        return result;
+    }
+
+ private:
+    [[noreturn]] void fail(Kind kind, const std::string& problem) const {
+        throw StoreError(kind, kRead + " " + path_ + ": " + problem);
+    }
+
+    void open() {
+        if (!fs::is_regular_file(path_)) fail(Kind::kNotFound, "there is no such file");
+        if (fs::file_size(path_) == 0)
+            fail(Kind::kDamaged, "the file is empty: the attempt never began; it can be removed");
+        sqlite3* database = nullptr;
+        // Read and write, because a killed writer's half transaction is rolled back first.
+        int code = sqlite3_open_v2(path_.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
+        database_.reset(database);
+        if (code != SQLITE_OK) fail_sqlite(code, kRead, path_, "check that it may be read by you");
+        sqlite3_busy_timeout(database, 5000);
+        if (pragma("application_id") != kRecordingApplicationId)
+            fail(Kind::kDamaged, "it is the database of another program, not a recording");
+        const int64_t format = pragma("user_version");
+        if (format > sim::kRecordingFormat)
+            fail(Kind::kTooNew, "its format is " + std::to_string(format) +
+                                    ", this program knows " +
+                                    std::to_string(sim::kRecordingFormat) + "; update Placode");
+    }
+
+    int64_t pragma(const std::string& name) {
+        RawStatement query(database_.get(), ("PRAGMA " + name).c_str());
+        const int code = query.prepared() == SQLITE_OK ? query.step() : query.prepared();
+        if ((code & 0xff) == SQLITE_NOTADB) fail(Kind::kDamaged, "the file is not a recording");
+        if (code != SQLITE_ROW) fail_sqlite(code, kRead, path_, "the file may be damaged");
+        return query.integer(0);
+    }
+
+    // Throws when the page cannot be read; nullopt when there is no such row.
+    std::optional<std::string> meta(const std::string& key) {
+        RawStatement query(database_.get(), "SELECT value, checksum FROM meta WHERE key = ?");
+        int code = query.prepared();
+        if (code == SQLITE_OK) code = query.bind(key).step();
+        if (code == SQLITE_DONE) return std::nullopt;
+        if (code != SQLITE_ROW)
+            fail_sqlite(code, kRead, path_, "its \"" + key + "\" cannot be read");
+        const std::string value = query.text(0);
+        if (checksum_hex(key + value) != query.text(1))
+            fail(Kind::kDamaged, "its \"" + key + "\" is damaged (checksum)");
+        return value;
+    }
+
+    // Empty, or what is damaged.
+    std::string read_chunks(sim::Recording& recording) {
+        RawStatement query(database_.get(),
+                           "SELECT id, kind, first, count, checksum, content FROM chunks ORDER BY "
+                           "id");
+        if (query.prepared() != SQLITE_OK)
+            return std::string("chunk 1: ") + sqlite3_errstr(query.prepared());
+        for (int64_t expected = 1;; ++expected) {
+            const int code = query.step();
+            if (code == SQLITE_DONE) return {};
+            const std::string name = "chunk " + std::to_string(expected);
+            if (code != SQLITE_ROW) return name + ": " + sqlite3_errstr(code);
+            if (query.integer(0) != expected) return name + ": is missing";
+            const std::string problem = read_chunk(query, recording);
+            if (!problem.empty()) return name + ": " + problem;
+        }
+    }
+
+    static std::string read_chunk(const RawStatement& row, sim::Recording& recording) {
+        const auto content = row.bytes(5);
+        if (checksum_hex(content) != row.text(4)) return "is damaged (checksum)";
+        const std::string kind = row.text(1);
+        const auto into = [&](auto& records) -> std::string {
+            const size_t before = records.size();
+            const int64_t count = row.integer(3);
+            if (row.integer(2) != static_cast<int64_t>(before) || count < 1 || count > 100'000'000)
+                return "does not follow the one before it";
+            try {
+                decode_chunk(content, static_cast<size_t>(count), records);
+            } catch (const StoreError& error) {
+                records.resize(before);
+                return error.what();
+            }
+            return {};
+        };
+        if (kind == "inputs") return into(recording.inputs);
+        if (kind == "samples") return into(recording.samples);
+        if (kind == "events") return into(recording.events);
+        return "is of an unknown kind";
+    }
+
+    std::string read_end(sim::Recording& recording) {
+        try {
+            if (const auto end = meta("end")) recording.end = end_from_json(*end);
+        } catch (const StoreError& error) {
+            return std::string("the end: ") + error.what();
+        }
+        return {};
+    }
+
+    static double time_of(const sim::Recording& recording) {
+        double time_s = 0;
+        if (!recording.samples.empty()) time_s = recording.samples.back().time_s;
+        if (!recording.inputs.empty())
+            time_s = std::max(time_s, static_cast<double>(recording.inputs.back().frame + 1) *
+                                          recording.header.frame_s);
+        return time_s;
+    }
+
+    // No end was written: a crash.
+    static void finish(sim::Recording& recording) {
+        if (recording.end.reason != sim::EndReason::kRunning) return;
+        recording.end.reason = sim::EndReason::kInterrupted;
+        recording.end.duration_s = time_of(recording);
+    }
+
+    std::string path_;
+    SqlitePointer database_;
+};
+
+}  // namespace
+
+RecoveredRecording recover_recording_file(const std::string& path) {
+    return FileReader(path).read();
+}
+
+sim::Recording read_recording_file(const std::string& path) {
+    RecoveredRecording result = recover_recording_file(path);
+    if (!result.damage.empty())
+        throw StoreError(Kind::kDamaged, kRead + " " + path + ": " + result.damage);
+    return std::move(result.recording);
+}
+
+void settle_recording_file(const std::string& path) noexcept {
+    try {
+        (void)FileReader(path);
+    } catch (const std::exception&) {
+        // Not a recording that could be settled: its bytes are taken as they are.
+    }
+}
+
+}  // namespace placode::db

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Brings the tables of a store up to this program.
+
+#include <string>
+#include <vector>
+
+#include "db/migrations.h"
+#include "db/sql_connection.h"
+
+namespace placode::db {
+
+/// Applies what is missing, each file in a transaction of its own. `before_change` runs first when
+/// a store that already has tables is about to change (the place for a copy). Throws
+/// StoreError(kTooNew) for a store of a newer program, kDamaged when an applied file is not the one
+/// known here.
+void migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
+             const std::function<void()>& before_change);
+
+/// Statements of one file in the engine's own words.
+[[nodiscard]] std::vector<std::string> statements_of(const EmbeddedSql& migration, Engine engine);
+
+}  // namespace placode::db

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/sql_connection.h"
+
+#include <sqlite3.h>
+
+#include <QDateTime>
+#include <QSqlDriver>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+struct Diagnosis {
+    Kind kind;
+    const char* way_out;
+};
+
+// The low byte of SQLite's extended code names the family.
+Diagnosis diagnose_sqlite(int code) {
+    switch (code & 0xff) {
+        case SQLITE_BUSY:
+        case SQLITE_LOCKED:
+            return {Kind::kLocked,
+                    "another program holds the store; close it, or wait and try again"};
+        case SQLITE_CORRUPT:
+        case SQLITE_NOTADB:
+            return {Kind::kDamaged,
+                    "the file is damaged; leave it as it is and restore a backup with `placodectl "
+                    "restore FILE`"};
+        case SQLITE_READONLY:
+        case SQLITE_CANTOPEN:
+        case SQLITE_PERM:
+        case SQLITE_AUTH:
+            return {Kind::kUnavailable, "check that folder and file may be written by you"};
+        case SQLITE_FULL:
+            return {Kind::kUnavailable, "the disk is full; make room and try again"};
+        case SQLITE_IOERR:
+            return {Kind::kUnavailable, "the disk answers with errors; check it"};
+        case SQLITE_CONSTRAINT:
+            if (code == SQLITE_CONSTRAINT_TRIGGER) return {Kind::kRefused, "nothing was changed"};
+            return {Kind::kConflict, "nothing was changed"};
+        default:
+            return {Kind::kOther, "nothing was changed"};
+    }
+}
+
+// SQLSTATE classes: PostgreSQL manual, appendix A.
+Diagnosis diagnose_postgresql(const std::string& state, QSqlError::ErrorType type) {
+    const std::string family = state.substr(0, 2);
+    if (family == "23") return {Kind::kConflict, "nothing was changed"};
+    if (state == "P0001") return {Kind::kRefused, "nothing was changed"};
+    if (state == "55P03" || family == "40")
+        return {Kind::kLocked, "another program holds the data; wait and try again"};
+    if (family == "08" || family == "57" || family == "28" || family == "53" || state.empty() ||
+        type == QSqlError::ConnectionError)
+        return {
+            Kind::kUnavailable,
+            "check that the server runs and that host, port, name, user and password are right"};
+    return {Kind::kOther, "nothing was changed"};
+}
+
+std::string first_line(const QString& text) {
+    return text.section('\n', 0, 0).trimmed().toStdString();
+}
+
+}  // namespace
+
+Connection::Connection(const StoreUrl& url) : url_(url) {
+    static std::atomic<int> counter{0};
+    name_ = QStringLiteral("placode-%1").arg(++counter);
+    const QString driver = is_sqlite() ? QStringLiteral("QSQLITE") : QStringLiteral("QPSQL");
+    database_ = QSqlDatabase::addDatabase(driver, name_);
+    if (!database_.isValid()) {
+        database_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(name_);
+        fail(Kind::kUnavailable, "Qt's database driver " + driver.toStdString() +
+                                     " is missing; install libqt6sql6-" +
+                                     (is_sqlite() ? "sqlite" : "psql"));
+    }
+    try {
+        open();
+    } catch (...) {
+        database_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(name_);
+        throw;
+    }
+}
+
+Connection::~Connection() {
+    // The last connection to a SQLite file that closes also folds the write-ahead log back in.
+    database_.close();
+    database_ = QSqlDatabase();
+    QSqlDatabase::removeDatabase(name_);
+}
+
+void Connection::open() {
+    if (is_sqlite()) {
+        database_.setDatabaseName(QString::fromStdString(url_.path));
+        database_.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(url_.timeout_ms));
+    } else {
+        database_.setHostName(QString::fromStdString(url_.host));
+        database_.setPort(url_.port);
+        database_.setUserName(QString::fromStdString(url_.user));
+        database_.setPassword(QString::fromStdString(url_.password));
+        database_.setDatabaseName(QString::fromStdString(url_.name));
+        database_.setConnectOptions(QStringLiteral("connect_timeout=5"));
+    }
+    if (!database_.open()) fail(database_.lastError());
+    if (is_sqlite()) {
+        execute("PRAGMA foreign_keys = ON");
+        execute("PRAGMA synchronous = FULL");
+    } else {
+        execute("SET lock_timeout = " + std::to_string(url_.timeout_ms));
+        execute("SET client_min_messages = warning");
+    }
+}
+
+void Connection::begin_operation(const std::string& operation) {
+    operation_ = operation;
+    if (!database_.isOpen()) open();
+}
+
+void Connection::execute(const std::string& sql) {
+    QSqlQuery query(database_);
+    if (!query.exec(QString::fromStdString(sql))) fail(query.lastError());
+}
+
+void Connection::lock_table(const std::string& table) {
+    if (!is_sqlite()) execute("LOCK TABLE " + table + " IN EXCLUSIVE MODE");
+}
+
+sqlite3* Connection::sqlite_handle() const {
+    if (!is_sqlite()) return nullptr;
+    const QVariant handle = database_.driver()->handle();
+    return *static_cast<sqlite3* const*>(handle.data());
+}
+
+void Connection::fail(StoreError::Kind kind, const std::string& problem) const {
+    throw StoreError(kind, operation_ + " " + url_.shown + ": " + problem);
+}
+
+void Connection::fail(const QSqlError& error) {
+    const QString code = error.nativeErrorCode();
+    const Diagnosis diagnosis = is_sqlite() ? diagnose_sqlite(code.toInt())
+                                            : diagnose_postgresql(code.toStdString(), error.type());
+    std::string said = first_line(error.databaseText());
+    if (said.empty()) said = first_line(error.driverText());
+    // A server connection that broke is opened again by the next operation.
+    if (!is_sqlite() && diagnosis.kind == Kind::kUnavailable) database_.close();
+    fail(diagnosis.kind, said + "; " + diagnosis.way_out);
+}
+
+Statement::Statement(Connection& connection, const std::string& sql)
+    : connection_(connection), query_(connection.handle()) {
+    query_.setForwardOnly(true);
+    // A failed prepare would otherwise show up later as "Parameter count mismatch".
+    if (!query_.prepare(QString::fromStdString(sql))) connection_.fail(query_.lastError());
+}
+
+void Statement::execute() {
+    if (!query_.exec()) connection_.fail(query_.lastError());
+}
+
+int64_t Statement::returned_id() {
+    if (!next()) connection_.fail(Kind::kOther, "the engine gave no id");
+    const int64_t id = integer(0);
+    query_.finish();
+    return id;
+}
+
+int64_t Statement::integer(int column) const { return query_.value(column).toLongLong(); }
+
+double Statement::real(int column) const {
+    const QVariant value = query_.value(column);
+    return value.isNull() ? std::numeric_limits<double>::quiet_NaN() : value.toDouble();
+}
+
+std::string Statement::text(int column) const {
+    return query_.value(column).toString().toStdString();
+}
+
+QByteArray Statement::bytes(int column) const { return query_.value(column).toByteArray(); }
+
+QVariant Statement::to_variant(const std::string& text) {
+    // An empty string is not NULL.
+    return text.empty() ? QVariant(QStringLiteral("")) : QVariant(QString::fromStdString(text));
+}
+
+QVariant Statement::to_variant(double number) {
+    return std::isfinite(number) ? QVariant(number) : QVariant(QMetaType(QMetaType::Double));
+}
+
+UnitOfWork::UnitOfWork(Connection& connection) : connection_(connection) {
+    // IMMEDIATE: take the write lock now and wait for it. A deferred transaction that reads first
+    // is refused at its first write when another one has written meanwhile.
+    connection_.execute(connection_.is_sqlite() ? "BEGIN IMMEDIATE" : "BEGIN");
+}
+
+UnitOfWork::~UnitOfWork() {
+    if (!open_ || !connection_.handle().isOpen()) return;
+    QSqlQuery query(connection_.handle());
+    query.exec(QStringLiteral("ROLLBACK"));  // Fails only if there is nothing left to roll back.
+}
+
+void UnitOfWork::commit() {
+    connection_.execute("COMMIT");
+    open_ = false;
+}
+
+std::string utc_now() {
+    return QDateTime::currentDateTimeUtc().toString(Qt::ISODateWithMs).toStdString();
+}
+
+}  // namespace placode::db

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Qt Sql with exceptions: a connection, a statement, a transaction. Only db/ includes this.
+
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <QVariant>
+#include <string>
+
+#include "db/store.h"
+#include "db/store_url.h"
+
+struct sqlite3;
+
+namespace placode::db {
+
+/// One connection of one thread, under a name of its own in Qt's register.
+class Connection {
+ public:
+    explicit Connection(const StoreUrl& url);
+    ~Connection();
+    Connection(const Connection&) = delete;
+    Connection& operator=(const Connection&) = delete;
+
+    /// Says what is being done, for messages, and opens again what a server had dropped.
+    void begin_operation(const std::string& operation);
+    void execute(const std::string& sql);  ///< One statement, no parameters, no result.
+    /// Keeps other writers away from a table until the transaction ends. SQLite has done so
+    /// already.
+    void lock_table(const std::string& table);
+    [[nodiscard]] QSqlDatabase& handle() { return database_; }
+    [[nodiscard]] sqlite3* sqlite_handle() const;  ///< nullptr on PostgreSQL.
+    [[nodiscard]] const StoreUrl& url() const { return url_; }
+    [[nodiscard]] bool is_sqlite() const { return url_.engine == Engine::kSqlite; }
+
+    [[noreturn]] void fail(StoreError::Kind kind, const std::string& problem) const;
+    [[noreturn]] void fail(const QSqlError& error);
+
+ private:
+    void open();
+
+    StoreUrl url_;
+    QString name_;
+    QSqlDatabase database_;
+    std::string operation_ = "open";
+};
+
+/// A prepared statement with `?` places.
+class Statement {
+ public:
+    Statement(Connection& connection, const std::string& sql);
+
+    /// Binds all values in order and runs.
+    template <class... Values>
+    Statement& run(const Values&... values) {
+        int place = 0;
+        (query_.bindValue(place++, to_variant(values)), ...);
+        execute();
+        return *this;
+    }
+    [[nodiscard]] bool next() { return query_.next(); }
+    /// The id that `INSERT ... RETURNING id` answers. Ends the statement: an open one would keep
+    /// the transaction from committing.
+    [[nodiscard]] int64_t returned_id();
+    [[nodiscard]] int64_t integer(int column) const;
+    [[nodiscard]] double real(int column) const;  ///< NULL = not a number.
+    [[nodiscard]] std::string text(int column) const;
+    [[nodiscard]] QByteArray bytes(int column) const;
+    [[nodiscard]] int64_t affected() const { return query_.numRowsAffected(); }
+
+ private:
+    void execute();
+    static QVariant to_variant(const std::string& text);
+    static QVariant to_variant(const char* text) { return to_variant(std::string(text)); }
+    static QVariant to_variant(int64_t number) { return QVariant(qlonglong(number)); }
+    static QVariant to_variant(int number) { return QVariant(number); }
+    static QVariant to_variant(bool truth) { return QVariant(truth ? 1 : 0); }
+    static QVariant to_variant(double number);  ///< Not finite = NULL.
+    static QVariant to_variant(const QByteArray& bytes) { return QVariant(bytes); }
+
+    Connection& connection_;
+    QSqlQuery query_;
+};
+
+/// A write transaction: all or nothing. Rolls back unless commit() was reached.
+class UnitOfWork {
+ public:
+    explicit UnitOfWork(Connection& connection);
+    ~UnitOfWork();
+    UnitOfWork(const UnitOfWork&) = delete;
+    UnitOfWork& operator=(const UnitOfWork&) = delete;
+    void commit();
+
+ private:
+    Connection& connection_;
+    bool open_ = true;
+};
+
+/// Now, ISO 8601 with milliseconds, UTC.
+[[nodiscard]] std::string utc_now();
+
+}  // namespace placode::db

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The one implementation of Store, for both engines. Only db/sql_store_*.cpp include this.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/sql_connection.h"
+#include "db/store.h"
+
+namespace placode::db {
+
+class SqlStore final : public Store {
+ public:
+    SqlStore(const StoreUrl& url, StoreOptions options);
+
+    void act_as(const std::string& actor) override { actor_ = actor; }
+
+    // sql_store_accounts.cpp
+    int64_t create_user(const NewUser& user) override;
+    SignIn sign_in(const std::string& login, const std::string& password) override;
+    void set_password(int64_t user_id, const std::string& password) override;
+    void set_active(int64_t user_id, bool active) override;
+    std::vector<UserRecord> users() override;
+    std::optional<UserRecord> user(int64_t id) override;
+    std::optional<UserRecord> user_by_login(const std::string& login) override;
+
+    // sql_store_attempts.cpp
+    int64_t save_attempt(int64_t user_id, const AttemptResult& result) override;
+    std::vector<AttemptRecord> attempts(int64_t user_id, const std::string& task_id) override;
+    AttemptDetail attempt(int64_t id) override;
+    void extract_recording(int64_t attempt_id, const std::string& path) override;
+    std::optional<int64_t> attempt_of_recording(const std::string& recording_file) override;
+
+    // sql_store_studies.cpp
+    std::string new_participant(const std::string& study_id) override;
+    int64_t save_answers(const AnswerRecord& answers) override;
+    std::vector<AnswerRecord> answers(const std::string& study_id) override;
+
+    // sql_store.cpp
+    void audit(const std::string& actor, const std::string& action, const std::string& object,
+               const std::string& detail) override;
+    std::vector<AuditRecord> audit_trail(int limit) override;
+    std::vector<std::string> check() override;
+    void backup(const std::string& path) override;
+    std::string url() const override { return connection_.url().shown; }
+
+ private:
+    [[nodiscard]] int64_t now_ms() const;
+    /// Inside a transaction, so that a change and its trace are one.
+    void append_audit(const std::string& actor, const std::string& action,
+                      const std::string& object, const std::string& detail);
+    [[nodiscard]] int wait_before_sign_in(const std::string& key);
+    [[nodiscard]] UserRecord need_user(int64_t id);
+    void check_audit_chain(std::vector<std::string>& problems);
+    void check_recordings(std::vector<std::string>& problems);
+
+    Connection connection_;
+    StoreOptions options_;
+    std::vector<EmbeddedSql> migrations_;
+    std::string actor_ = "unknown";
+};
+
+}  // namespace placode::db

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Accounts, passwords and the wait after wrong ones.
+
+#include <algorithm>
+
+#include "db/password.h"
+#include "db/sql_store.h"
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+constexpr int kFreeTries = 5;
+constexpr int kFirstWaitS = 5;
+constexpr int kLongestWaitS = 900;
+constexpr int64_t kForgetMs = int64_t{24} * 3600 * 1000;
+
+const std::string kUserColumns =
+    "SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc "
+    "FROM accounts a JOIN persons p ON p.account_id = a.id ";
+
+UserRecord read_user(const Statement& row) {
+    UserRecord user;
+    user.id = row.integer(0);
+    user.login = row.text(1);
+    user.display_name = row.text(2);
+    user.roles = static_cast<Roles>(row.integer(3));
+    user.active = row.integer(4) != 0;
+    user.demonstration = row.integer(5) != 0;
+    user.created_utc = row.text(6);
+    return user;
+}
+
+int wait_s(int64_t failures) {
+    if (failures < kFreeTries) return 0;
+    const auto doublings = std::min<int64_t>(failures - kFreeTries, 10);
+    return std::min(kLongestWaitS, kFirstWaitS << doublings);
+}
+
+std::string name_of(int64_t id) { return "user " + std::to_string(id); }
+
+}  // namespace
+
+int64_t SqlStore::create_user(const NewUser& user) {
+    connection_.begin_operation("create the user \"" + user.login + "\" in");
+    const std::string key = login_key(user.login);
+    if (key.empty()) connection_.fail(Kind::kRefused, "the login is empty");
+    if (user.display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
+    if (user.roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
+    if (const auto problem = password_problem(user.login, user.password))
+        connection_.fail(Kind::kRefused, *problem);
+    const std::string hash = hash_password(user.password, options_.cheap_passwords);
+    UnitOfWork work(connection_);
+    Statement taken(connection_, "SELECT account_id FROM persons WHERE login_key = ?");
+    if (taken.run(key).next())
+        connection_.fail(Kind::kConflict, "the login is taken; choose another one");
+    Statement insert(connection_,
+                     "INSERT INTO accounts (password_hash, roles, active, demonstration, "
+                     "created_utc) VALUES (?, ?, 1, ?, ?) RETURNING id");
+    insert.run(hash, int{user.roles}, user.demonstration, utc_now());
+    const int64_t id = insert.returned_id();
+    Statement(connection_,
+              "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, ?, "
+              "?)")
+        .run(id, user.login, key, user.display_name);
+    // No name in the trail: it is kept longer than the person may be.
+    append_audit(actor_, "user.create", name_of(id), "roles " + std::to_string(user.roles));
+    work.commit();
+    return id;
+}
+
+int SqlStore::wait_before_sign_in(const std::string& key) {
+    const int64_t now = now_ms();
+    Statement query(connection_,
+                    "SELECT failures, last_ms FROM sign_in_failures WHERE login_key = ?");
+    query.run(key);
+    if (query.next()) {
+        // A clock that was set back must not lock anybody out for longer than one wait.
+        const int64_t since = std::max<int64_t>(0, now - query.integer(1));
+        const int64_t left = int64_t{1000} * wait_s(query.integer(0)) - since;
+        if (left > 0) return static_cast<int>((left + 999) / 1000);
+    }
+    return 0;
+}
+
+SignIn SqlStore::sign_in(const std::string& login, const std::string& password) {
+    connection_.begin_operation("sign in to");
+    const std::string key = login_key(login);
+    int64_t id = 0;
+    std::string hash;
+    {
+        // The try is counted before the password is looked at, so that tries in parallel count too.
+        UnitOfWork work(connection_);
+        if (const int wait = wait_before_sign_in(key); wait > 0)
+            return {SignInOutcome::kThrottled, std::nullopt, wait};
+        const int64_t now = now_ms();
+        Statement(connection_, "DELETE FROM sign_in_failures WHERE last_ms < ?")
+            .run(now - kForgetMs);
+        Statement(connection_,
+                  "INSERT INTO sign_in_failures (login_key, failures, last_ms) VALUES (?, 1, ?) ON "
+                  "CONFLICT (login_key) DO UPDATE SET failures = sign_in_failures.failures + 1, "
+                  "last_ms = excluded.last_ms")
+            .run(key, now);
+        Statement account(connection_,
+                          "SELECT a.id, a.password_hash FROM accounts a JOIN persons p ON "
+                          "p.account_id = a.id WHERE p.login_key = ?");
+        account.run(key);
+        if (account.next()) {
+            id = account.integer(0);
+            hash = account.text(1);
+        }
+        work.commit();
+    }
+    if (id == 0) {
+        // The same work as for a real account, so that time does not tell which logins exist.
+        (void)hash_password(password, options_.cheap_passwords);
+        return {};
+    }
+    if (!verify_password(hash, password)) {
+        audit("unknown", "sign_in.wrong_password", name_of(id), "");
+        return {};
+    }
+    const UserRecord user = need_user(id);
+    UnitOfWork work(connection_);
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(key);
+    if (user.active && !options_.cheap_passwords && password_needs_rehash(hash))
+        Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?")
+            .run(hash_password(password, false), id);
+    append_audit(user.login, user.active ? "sign_in" : "sign_in.deactivated", name_of(id), "");
+    work.commit();
+    if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
+    actor_ = user.login;
+    return {SignInOutcome::kOk, user, 0};
+}
+
+UserRecord SqlStore::need_user(int64_t id) {
+    Statement query(connection_, kUserColumns + "WHERE a.id = ?");
+    query.run(id);
+    if (!query.next()) connection_.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
+    return read_user(query);
+}
+
+void SqlStore::set_password(int64_t user_id, const std::string& password) {
+    connection_.begin_operation("set a password in");
+    const UserRecord user = need_user(user_id);
+    if (const auto problem = password_problem(user.login, password))
+        connection_.fail(Kind::kRefused, *problem);
+    const std::string hash = hash_password(password, options_.cheap_passwords);
+    UnitOfWork work(connection_);
+    Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?").run(hash, user_id);
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
+        .run(login_key(user.login));
+    append_audit(actor_, "user.password", name_of(user_id), "");
+    work.commit();
+}
+
+void SqlStore::set_active(int64_t user_id, bool active) {
+    connection_.begin_operation(active ? "activate a user in" : "deactivate a user in");
+    UnitOfWork work(connection_);
+    connection_.lock_table("accounts");
+    const UserRecord user = need_user(user_id);
+    if (!active && has_role(user.roles, Role::kAdministrator)) {
+        Statement others(connection_,
+                         "SELECT id, roles FROM accounts WHERE active = 1 AND id <> ?");
+        others.run(user_id);
+        bool another = false;
+        while (others.next())
+            another =
+                another || has_role(static_cast<Roles>(others.integer(1)), Role::kAdministrator);
+        if (!another)
+            connection_.fail(
+                Kind::kRefused,
+                "\"" + user.login + "\" is the last active administrator; make another one first");
+    }
+    Statement(connection_, "UPDATE accounts SET active = ? WHERE id = ?").run(active, user_id);
+    append_audit(actor_, active ? "user.activate" : "user.deactivate", name_of(user_id), "");
+    work.commit();
+}
+
+std::vector<UserRecord> SqlStore::users() {
+    connection_.begin_operation("list the users of");
+    Statement query(connection_, kUserColumns + "ORDER BY p.login_key");
+    query.run();
+    std::vector<UserRecord> users;
+    while (query.next()) users.push_back(read_user(query));
+    return users;
+}
+
+std::optional<UserRecord> SqlStore::user(int64_t id) {
+    connection_.begin_operation("look up a user in");
+    Statement query(connection_, kUserColumns + "WHERE a.id = ?");
+    query.run(id);
+    if (!query.next()) return std::nullopt;
+    return read_user(query);
+}
+
+std::optional<UserRecord> SqlStore::user_by_login(const std::string& login) {
+    connection_.begin_operation("look up a user in");
+    Statement query(connection_, kUserColumns + "WHERE p.login_key = ?");
+    query.run(login_key(login));
+    if (!query.next()) return std::nullopt;
+    return read_user(query);
+}
+
+}  // namespace placode::db

@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attempts: one transaction from result to recording.
+
+#include <QFile>
+#include <QSaveFile>
+#include <charconv>
+
+#include "db/packing.h"
+#include "db/recording_chunks.h"
+#include "db/sql_store.h"
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+const std::string kAttemptColumns =
+    "SELECT t.id, t.account_id, COALESCE(p.display_name, ''), t.task_id, t.task_version, "
+    "t.started_utc, t.duration_s, t.device, t.seed, t.build, t.end_reason, t.demonstration, "
+    "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version FROM attempts t LEFT "
+    "JOIN persons p ON p.account_id = t.account_id ";
+
+uint64_t unsigned_of(const std::string& text) {
+    uint64_t value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+AttemptRecord read_attempt(const Statement& row) {
+    AttemptRecord record;
+    record.id = row.integer(0);
+    record.user_id = row.integer(1);
+    record.user_name = row.text(2);
+    record.task_id = row.text(3);
+    record.task_version = static_cast<int>(row.integer(4));
+    record.started_utc = row.text(5);
+    record.duration_s = row.real(6);
+    record.device = row.text(7);
+    record.seed = unsigned_of(row.text(8));
+    record.build = row.text(9);
+    record.end = static_cast<sim::EndReason>(row.integer(10));
+    record.demonstration = row.integer(11) != 0;
+    record.points = row.real(12);
+    record.verdict = static_cast<assessment::Verdict>(row.integer(13));
+    record.rubric_id = row.text(14);
+    record.rubric_version = static_cast<int>(row.integer(15));
+    record.metric_set_version = static_cast<int>(row.integer(16));
+    return record;
+}
+
+bool belongs_in_ledger(const sim::Event& event) {
+    return event.kind != sim::EventKind::kVaporised && event.kind != sim::EventKind::kStateHash;
+}
+
+int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result) {
+    Statement insert(
+        connection,
+        "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
+        "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
+        "demonstration, points, verdict, rubric_id, rubric_version, "
+        "metric_set_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?) RETURNING id");
+    insert.run(user_id, result.header.task_id, result.header.task_version,
+               result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
+               result.end.duration_s, result.header.device, std::to_string(result.header.seed),
+               result.header.build, static_cast<int>(result.end.reason),
+               std::to_string(result.end.final_hash), result.end.dropped,
+               result.header.demonstration, result.score.points,
+               static_cast<int>(result.score.verdict), result.score.rubric_id,
+               result.score.rubric_version, result.metrics.version);
+    return insert.returned_id();
+}
+
+void insert_lists(Connection& connection, int64_t id, const AttemptResult& result) {
+    Statement metric(connection,
+                     "INSERT INTO attempt_metrics (attempt_id, position, metric_id, value) VALUES "
+                     "(?, ?, ?, ?)");
+    int position = 0;
+    for (const auto& value : result.metrics.values)
+        metric.run(id, position++, value.id, value.value);
+    Statement reason(connection,
+                     "INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, "
+                     "time_s, critical) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    position = 0;
+    for (const auto& one : result.score.reasons)
+        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical);
+    Statement event(
+        connection,
+        "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, "
+        "value, value2, rest_x_m, rest_y_m, rest_z_m, element) VALUES (?, ?, ?, ?, ?, ?, "
+        "?, ?, ?, ?, ?, ?)");
+    position = 0;
+    for (const auto& one : result.events) {
+        if (!belongs_in_ledger(one)) continue;
+        event.run(id, position++, one.time_s, static_cast<int>(one.kind), int{one.tool},
+                  static_cast<int>(one.tissue), double{one.value}, double{one.value2},
+                  double{one.rest_position_m[0]}, double{one.rest_position_m[1]},
+                  double{one.rest_position_m[2]}, int{one.element});
+    }
+}
+
+Bytes read_bytes(Connection& connection, const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly))
+        connection.fail(Kind::kNotFound, "the recording " + path + " cannot be read (" +
+                                             file.errorString().toStdString() + ")");
+    const QByteArray content = file.readAll();
+    const auto* first = reinterpret_cast<const std::byte*>(content.constData());
+    return {first, first + content.size()};
+}
+
+}  // namespace
+
+int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
+    connection_.begin_operation("save an attempt in");
+    Bytes packed;
+    std::string checksum;
+    size_t size = 0;
+    // Everything slow comes before the transaction: the store is locked for milliseconds only.
+    if (!result.recording_file.empty()) {
+        settle_recording_file(result.recording_file);
+        const Bytes file = read_bytes(connection_, result.recording_file);
+        size = file.size();
+        checksum = checksum_hex(file);
+        packed = compress(file);
+    }
+    UnitOfWork work(connection_);
+    (void)need_user(user_id);
+    const int64_t id = insert_attempt(connection_, user_id, result);
+    insert_lists(connection_, id, result);
+    if (!result.recording_file.empty())
+        Statement(
+            connection_,
+            "INSERT INTO recordings (attempt_id, size_bytes, checksum, content) VALUES (?, ?, "
+            "?, ?)")
+            .run(id, static_cast<int64_t>(size), checksum,
+                 QByteArray::fromRawData(reinterpret_cast<const char*>(packed.data()),
+                                         static_cast<qsizetype>(packed.size())));
+    append_audit(actor_, "attempt.save", "attempt " + std::to_string(id),
+                 "user " + std::to_string(user_id));
+    work.commit();
+    return id;
+}
+
+std::vector<AttemptRecord> SqlStore::attempts(int64_t user_id, const std::string& task_id) {
+    connection_.begin_operation("list the attempts of");
+    Statement query(connection_, kAttemptColumns +
+                                     "WHERE (? = 0 OR t.account_id = ?) AND (? = '' OR t.task_id = "
+                                     "?) ORDER BY t.started_utc, t.id");
+    query.run(static_cast<int>(user_id != 0), user_id, task_id, task_id);
+    std::vector<AttemptRecord> found;
+    while (query.next()) found.push_back(read_attempt(query));
+    return found;
+}
+
+AttemptDetail SqlStore::attempt(int64_t id) {
+    connection_.begin_operation("read an attempt from");
+    AttemptDetail detail;
+    Statement head(connection_, kAttemptColumns + "WHERE t.id = ?");
+    head.run(id);
+    if (!head.next())
+        connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
+    detail.record = read_attempt(head);
+    detail.metrics.version = detail.record.metric_set_version;
+    Statement metric(connection_,
+                     "SELECT metric_id, value FROM attempt_metrics WHERE attempt_id = ? ORDER BY "
+                     "position");
+    metric.run(id);
+    while (metric.next()) detail.metrics.values.push_back({metric.text(0), metric.real(1)});
+    detail.score.points = detail.record.points;
+    detail.score.verdict = detail.record.verdict;
+    detail.score.rubric_id = detail.record.rubric_id;
+    detail.score.rubric_version = detail.record.rubric_version;
+    detail.score.metric_set_version = detail.record.metric_set_version;
+    Statement reason(connection_,
+                     "SELECT item, reason, points, time_s, critical FROM attempt_reasons WHERE "
+                     "attempt_id = ? ORDER BY position");
+    reason.run(id);
+    while (reason.next())
+        detail.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
+                                        reason.real(3), reason.integer(4) != 0});
+    Statement event(connection_,
+                    "SELECT time_s, kind, tool, tissue, value, value2, rest_x_m, rest_y_m, "
+                    "rest_z_m, element FROM attempt_events WHERE attempt_id = ? ORDER BY position");
+    event.run(id);
+    while (event.next()) {
+        sim::Event one;
+        one.time_s = event.real(0);
+        one.kind = static_cast<sim::EventKind>(event.integer(1));
+        one.tool = static_cast<int8_t>(event.integer(2));
+        one.tissue = static_cast<sim::Tissue>(event.integer(3));
+        one.value = static_cast<float>(event.real(4));
+        one.value2 = static_cast<float>(event.real(5));
+        for (int axis = 0; axis < 3; ++axis)
+            one.rest_position_m[static_cast<size_t>(axis)] =
+                static_cast<float>(event.real(6 + axis));
+        one.element = static_cast<int32_t>(event.integer(9));
+        detail.events.push_back(one);
+    }
+    return detail;
+}
+
+void SqlStore::extract_recording(int64_t attempt_id, const std::string& path) {
+    connection_.begin_operation("extract the recording of attempt " + std::to_string(attempt_id) +
+                                " from");
+    Statement query(connection_,
+                    "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = ?");
+    query.run(attempt_id);
+    if (!query.next()) connection_.fail(Kind::kNotFound, "the attempt has no recording");
+    const QByteArray content = query.bytes(2);
+    Bytes file;
+    try {
+        file = decompress(std::as_bytes(std::span(content.data(), content.size())),
+                          static_cast<size_t>(query.integer(0)));
+    } catch (const StoreError&) {
+        file.clear();
+    }
+    if (checksum_hex(file) != query.text(1))
+        connection_.fail(Kind::kDamaged,
+                         "the recording in the store is damaged; a backup may still have it");
+    // Written beside and renamed: never half a file.
+    QSaveFile out(QString::fromStdString(path));
+    if (!out.open(QIODevice::WriteOnly) ||
+        out.write(reinterpret_cast<const char*>(file.data()), static_cast<qint64>(file.size())) !=
+            static_cast<qint64>(file.size()) ||
+        !out.commit())
+        connection_.fail(Kind::kUnavailable, "cannot write " + path + " (" +
+                                                 out.errorString().toStdString() +
+                                                 "); choose another place");
+}
+
+std::optional<int64_t> SqlStore::attempt_of_recording(const std::string& recording_file) {
+    connection_.begin_operation("look for a recording in");
+    settle_recording_file(recording_file);
+    const std::string checksum = checksum_hex(read_bytes(connection_, recording_file));
+    Statement query(connection_,
+                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
+    query.run(checksum);
+    if (!query.next()) return std::nullopt;
+    return query.integer(0);
+}
+
+}  // namespace placode::db

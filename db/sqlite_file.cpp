@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/sqlite_file.h"
+
+#include <fcntl.h>
+#include <sqlite3.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <filesystem>
+#include <thread>
+
+namespace placode::db {
+namespace {
+
+namespace fs = std::filesystem;
+using Kind = StoreError::Kind;
+
+constexpr const char* kRestore =
+    "; leave it as it is and restore a backup with `placodectl restore FILE`";
+
+[[noreturn]] void fail(Kind kind, const std::string& operation, const std::string& path,
+                       const std::string& problem) {
+    throw StoreError(kind, operation + " sqlite:" + path + ": " + problem);
+}
+
+void create_folders(const fs::path& folder, const std::string& operation, const std::string& path) {
+    if (folder.empty() || fs::exists(folder)) return;
+    create_folders(folder.parent_path(), operation, path);
+    if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+        fail(Kind::kUnavailable, operation, path,
+             "cannot create the folder " + folder.string() + " (" + std::strerror(errno) +
+                 "); choose another place with --store");
+}
+
+// Reads the first bytes through SQLite's own file layer: opening and closing the file any other way
+// would drop the locks that this process holds on it (https://www.sqlite.org/howtocorrupt.html).
+// Returns the number of bytes read, -1 when the file cannot be opened.
+int read_header(const std::string& path, std::array<unsigned char, 100>& header, int64_t& size) {
+    sqlite3* database = nullptr;
+    int got = -1;
+    if (sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr) == SQLITE_OK) {
+        sqlite3_file* file = nullptr;
+        sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, &file);
+        sqlite3_int64 bytes = 0;
+        if (file != nullptr && file->pMethods != nullptr &&
+            file->pMethods->xFileSize(file, &bytes) == SQLITE_OK) {
+            size = bytes;
+            got = static_cast<int>(std::min<sqlite3_int64>(bytes, header.size()));
+            if (got > 0 && file->pMethods->xRead(file, header.data(), got, 0) != SQLITE_OK)
+                got = -1;
+        }
+    }
+    sqlite3_close(database);
+    return got;
+}
+
+// Layout of the first page: https://www.sqlite.org/fileformat2.html#the_database_header
+void check_header(const std::string& path, const std::string& operation) {
+    std::array<unsigned char, 100> header{};
+    int64_t size = 0;
+    const int got = read_header(path, header, size);
+    if (got < 0)
+        fail(Kind::kUnavailable, operation, path,
+             "cannot be read; check that folder and file may be read by you");
+    if (got == 0) return;  // Just created, perhaps by a program that is about to fill it.
+    if (got < static_cast<int>(header.size()) ||
+        std::memcmp(header.data(), "SQLite format 3", 16) != 0)
+        fail(Kind::kDamaged, operation, path, std::string("the file is not a database") + kRestore);
+    const auto big_endian = [&](int at) {
+        return (uint64_t{header[at]} << 24) | (uint64_t{header[at + 1]} << 16) |
+               (uint64_t{header[at + 2]} << 8) | uint64_t{header[at + 3]};
+    };
+    int64_t page = (int64_t{header[16]} << 8) | header[17];
+    if (page == 1) page = 65536;
+    const auto pages = static_cast<int64_t>(big_endian(28));
+    // The page count is valid only when both change counters agree; pages may still be in the log.
+    const bool count_is_valid = big_endian(24) == big_endian(92);
+    if (count_is_valid && !fs::exists(path + "-wal") && size < page * pages)
+        fail(Kind::kDamaged, operation, path,
+             "the file is cut short: " + std::to_string(size) + " of " +
+                 std::to_string(page * pages) + " bytes" + kRestore);
+}
+
+int64_t pragma(Connection& connection, const std::string& name) {
+    Statement query(connection, "PRAGMA " + name);
+    query.run();
+    return query.next() ? query.integer(0) : 0;
+}
+
+}  // namespace
+
+void prepare_sqlite_file(const std::string& path, const std::string& operation) {
+    if (path == ":memory:") return;
+    create_folders(fs::path(path).parent_path(), operation, path);
+    if (fs::is_directory(path)) fail(Kind::kUnavailable, operation, path, "this is a folder");
+    const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
+    if (file >= 0) {
+        ::close(file);
+        return;
+    }
+    if (errno != EEXIST)
+        fail(Kind::kUnavailable, operation, path,
+             std::string("cannot create the file (") + std::strerror(errno) +
+                 "); choose another place with --store");
+    check_header(path, operation);
+}
+
+void claim_sqlite_file(Connection& connection) {
+    const int64_t id = pragma(connection, "application_id");
+    if (id != kStoreApplicationId) {
+        if (id != 0 || pragma(connection, "schema_version") != 0)
+            connection.fail(Kind::kDamaged,
+                            "this is the database of another program, not a Placode store; give "
+                            "the right file with --store");
+        connection.execute("PRAGMA application_id = " + std::to_string(kStoreApplicationId));
+    }
+    // Changing the journal needs the file alone and does not wait for it by itself.
+    const auto give_up =
+        std::chrono::steady_clock::now() + std::chrono::milliseconds(connection.url().timeout_ms);
+    for (;;) {
+        try {
+            connection.execute("PRAGMA journal_mode = WAL");
+            return;
+        } catch (const StoreError& error) {
+            if (error.kind() != Kind::kLocked || std::chrono::steady_clock::now() > give_up) throw;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+}
+
+std::string sqlite_integrity_problem(Connection& connection) {
+    Statement query(connection, "PRAGMA integrity_check(1)");
+    query.run();
+    const std::string answer = query.next() ? query.text(0) : "no answer";
+    return answer == "ok" ? "" : answer;
+}
+
+void copy_sqlite_store(Connection& connection, const std::string& path) {
+    const int file = ::open(path.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0600);
+    if (file < 0)
+        connection.fail(Kind::kUnavailable, "cannot create " + path + " (" + std::strerror(errno) +
+                                                "); nothing was written, give another name");
+    ::close(file);
+    sqlite3* copy = nullptr;
+    int code = sqlite3_open_v2(path.c_str(), &copy, SQLITE_OPEN_READWRITE, nullptr);
+    if (code == SQLITE_OK) {
+        sqlite3_backup* backup =
+            sqlite3_backup_init(copy, "main", connection.sqlite_handle(), "main");
+        if (backup != nullptr) {
+            sqlite3_backup_step(backup, -1);
+            sqlite3_backup_finish(backup);
+        }
+        code = sqlite3_errcode(copy);
+        // One file, complete in itself.
+        if (code == SQLITE_OK)
+            code = sqlite3_exec(copy, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+    }
+    const std::string problem = code == SQLITE_OK ? "" : sqlite3_errstr(code);
+    sqlite3_close(copy);
+    if (!problem.empty()) {
+        ::unlink(path.c_str());
+        connection.fail(Kind::kUnavailable, "cannot write " + path + " (" + problem +
+                                                "); the store is unchanged, give another place");
+    }
+}
+
+}  // namespace placode::db
