@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/metrics.h"
+
+#include <cmath>
+
+#include "assessment/motion_metrics.h"
+#include "assessment/tissue_metrics.h"
+
+namespace placode::assessment {
+
+std::vector<MetricDefinition> metric_definitions() {
+    using enum Direction;
+    return {
+        {"task_time_s", "Time", "s", kLowerIsBetter,
+         "From the first instrument in view to the end.", "universal"},
+        {"ring_completeness_percent", "Ring completeness", "%", kHigherIsBetter,
+         "Share of the planned contour that is cut to the target depth within 1 mm.", "Placode"},
+        {"largest_gap_mm", "Largest gap", "mm", kLowerIsBetter,
+         "Longest uncut stretch of the planned contour.", "Placode"},
+        {"contour_deviation_mm", "Deviation from the plan", "mm", kLowerIsBetter,
+         "Mean distance of the kerf's centre from the planned contour.", "Placode"},
+        {"contour_deviation_p95_mm", "Deviation, 95th percentile", "mm", kLowerIsBetter,
+         "95th percentile of the distance of the kerf's centre from the planned contour.",
+         "Placode"},
+        {"contour_deviation_max_mm", "Deviation, largest", "mm", kLowerIsBetter,
+         "Largest distance of the kerf's centre from the planned contour.", "Placode"},
+        {"contour_signed_mm", "Deviation, signed", "mm", kNeutral,
+         "Mean signed distance: negative towards the placode, positive outwards.", "Placode"},
+        {"kerf_width_mm", "Width of the kerf", "mm", kLowerIsBetter,
+         "Mean width of what was removed along the contour.", "Placode"},
+        {"off_line_mm", "Length off the planned line", "mm", kLowerIsBetter,
+         "Length of the incision whose centre is more than 0.5 mm off the plan.", "Placode"},
+        {"outside_band_mm", "Length in healthy skin", "mm", kLowerIsBetter,
+         "Length of the contour beside which tissue over 1 mm outside the skin edge was removed.",
+         "Placode"},
+        {"toward_placode_mm", "Length too near the placode", "mm", kLowerIsBetter,
+         "Length of the contour beside which tissue within 0.5 mm of the placode was removed.",
+         "Placode"},
+        {"placode_contacts", "Placode contacts", "", kLowerIsBetter,
+         "Times an instrument touched the placode.", "Placode"},
+        {"placode_contact_s", "Placode contact time", "s", kLowerIsBetter,
+         "Total time an instrument touched the placode.", "Placode"},
+        {"placode_peak_force_mn", "Peak force on the placode", "mN", kLowerIsBetter,
+         "Largest contact force on the placode.", "Placode"},
+        {"placode_energised_s", "Energised placode contact", "s", kLowerIsBetter,
+         "Time an energised instrument touched the placode.", "Placode"},
+        {"placode_peak_cem43_min", "Placode thermal dose", "min", kLowerIsBetter,
+         "Largest thermal dose in the placode, equivalent minutes at 43 C.",
+         "Sapareto & Dewey 1984"},
+        {"placode_peak_c", "Placode peak temperature", "C", kLowerIsBetter,
+         "Highest temperature in the placode.", "Placode"},
+        {"placode_overheated", "Placode overheated", "", kLowerIsBetter,
+         "Times a part of the placode passed the warning dose.", "Placode"},
+        {"placode_burned_percent", "Placode burned", "%", kLowerIsBetter,
+         "Share of the placode's volume beyond the injury dose or temperature.", "Placode"},
+        {"placode_cut_mm3", "Placode cut", "mm3", kLowerIsBetter,
+         "Volume of the placode that was removed or torn.", "Placode"},
+        {"energy_activations", "Activations", "", kNeutral, "Times the energy was switched on.",
+         "Placode"},
+        {"energy_on_s", "Energy on", "s", kLowerIsBetter, "Time with the pedal down.", "Placode"},
+        {"energy_in_air_s", "Energy in the air", "s", kLowerIsBetter,
+         "Time with the pedal down and no contact with tissue.", "Placode"},
+        {"energy_in_air_count", "Activations in the air", "", kLowerIsBetter,
+         "Times the pedal was down in the air for over 1 s.", "Placode"},
+        {"energy_near_placode_s", "Energy near the placode", "s", kLowerIsBetter,
+         "Time with the pedal down and the tip within 1 mm of the placode, or over it.", "Placode"},
+        {"energy_j", "Energy delivered", "J", kLowerIsBetter, "Energy that reached tissue.",
+         "Placode"},
+        {"dwell_s", "Resting on one spot", "s", kLowerIsBetter,
+         "Time of those activations that stayed on one spot for over 1 s.", "Placode"},
+        {"peak_force_mn", "Peak force", "mN", kLowerIsBetter,
+         "Largest force of an instrument on tissue.", "Placode"},
+        {"over_force_count", "Too much force", "", kLowerIsBetter,
+         "Times the force was above the scene's limit.", "Placode"},
+        {"over_force_s", "Time with too much force", "s", kLowerIsBetter,
+         "Time with the force above the scene's limit.", "Placode"},
+        {"torn_volume_mm3", "Torn tissue", "mm3", kLowerIsBetter,
+         "Rest volume of elements torn by stretch.", "Placode"},
+        {"torn_skin_mm3", "Torn skin", "mm3", kLowerIsBetter,
+         "Rest volume of skin elements torn by stretch.", "Placode"},
+        {"path_length_mm", "Path length", "mm", kLowerIsBetter,
+         "Way of the instrument tips, filtered at 10 Hz, 100 Hz.", "Chmarra et al. 2008"},
+        {"depth_path_mm", "Depth path", "mm", kLowerIsBetter,
+         "Way of the tips along their own shafts.", "Cotin et al. 2002"},
+        {"angular_path_deg", "Angular path", "deg", kLowerIsBetter,
+         "Total rotation of the instruments.", "PerkTutor"},
+        {"mean_speed_mm_s", "Mean speed", "mm/s", kNeutral, "Path length over time.",
+         "Chmarra et al. 2008"},
+        {"movements", "Movements", "", kLowerIsBetter,
+         "Times a tip's speed rose through 20 mm/s after having been below 10 mm/s.",
+         "after ICSAD"},
+        {"idle_time_s", "Idle time", "s", kLowerIsBetter,
+         "Time with all instruments below 1 mm/s and no pedal down.", "after Oropesa et al. 2013"},
+        {"sparc", "Smoothness (SPARC)", "", kHigherIsBetter,
+         "Spectral arc length, median over movements above 5 mm/s that last 0.3 s or more.",
+         "Balasubramanian et al. 2015"},
+        {"ldlj_vector", "Smoothness (LDLJ-V)", "", kHigherIsBetter,
+         "Log dimensionless jerk of the vector velocity, median over the same movements.",
+         "Balasubramanian et al. 2015"},
+        {"out_of_view_s", "Out of view", "s", kLowerIsBetter,
+         "Time that instrument tips were outside the picture.", "Placode"},
+    };
+}
+
+std::optional<double> MetricSet::find(std::string_view id) const {
+    for (const Metric& metric : values) {
+        if (metric.id == id) return metric.value;
+    }
+    return std::nullopt;
+}
+
+MetricSet compute_metrics(const sim::Recording& recording) {
+    std::vector<Metric> found;
+    add_motion_metrics(recording, found);
+    add_tissue_metrics(recording, found);
+    // In the order of the definitions; what is not finite is not known.
+    MetricSet set;
+    for (const MetricDefinition& definition : metric_definitions()) {
+        for (const Metric& metric : found) {
+            if (metric.id == definition.id && std::isfinite(metric.value))
+                set.values.push_back(metric);
+        }
+    }
+    return set;
+}
+
+}  // namespace placode::assessment

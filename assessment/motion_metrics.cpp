@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/motion_metrics.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace placode::assessment {
+
+namespace {
+
+constexpr double kSparcCutoffHz = 10, kSparcAmplitude = 0.05;
+constexpr int kSparcPadLevel = 4;
+constexpr double kMovementMmS = 20;  // ICSAD-like counting
+constexpr double kSegmentMmS = 5;    // smoothness is only defined for discrete movements
+constexpr double kSegmentShortestS = 0.3;
+constexpr double kIdleMmS = 1;  // the incision itself runs at about 3 mm/s
+
+/// In-place radix-2 transform. @pre the size is a power of two.
+void fourier_transform(std::vector<std::complex<double>>& x) {
+    const size_t n = x.size();
+    for (size_t i = 1, j = 0; i < n; ++i) {
+        size_t bit = n >> 1;
+        for (; j & bit; bit >>= 1) j ^= bit;
+        j ^= bit;
+        if (i < j) std::swap(x[i], x[j]);
+    }
+    for (size_t length = 2; length <= n; length *= 2) {
+        // Twiddles from the angle each time: a running product loses digits on long signals.
+        std::vector<std::complex<double>> w(length / 2);
+        for (size_t k = 0; k < w.size(); ++k) {
+            w[k] = std::polar(
+                1.0, -2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(length));
+        }
+        for (size_t i = 0; i < n; i += length) {
+            for (size_t k = 0; k < length / 2; ++k) {
+                const std::complex<double> u = x[i + k], v = x[i + k + length / 2] * w[k];
+                x[i + k] = u + v;
+                x[i + k + length / 2] = u - v;
+            }
+        }
+    }
+}
+
+double median(std::vector<double> values) {
+    std::sort(values.begin(), values.end());
+    const size_t n = values.size();
+    return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
+}
+
+/// Shared tail of both LDLJ forms: sum of squared jerk, peak speed and sample count.
+std::optional<double> ldlj(double jerk_squared_sum, double peak, size_t n, double rate_hz) {
+    const double dt = 1 / rate_hz, duration = static_cast<double>(n) * dt;
+    const double dimensionless =
+        duration * duration * duration / (peak * peak) * jerk_squared_sum * dt;
+    if (!(dimensionless > 0) || !std::isfinite(dimensionless)) return std::nullopt;
+    return -std::log(dimensionless);
+}
+
+std::vector<size_t> instruments(const sim::Recording& recording) {
+    std::vector<size_t> tools;
+    for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+        if (recording.header.tools[i].kind != sim::ToolKind::kScope) tools.push_back(i);
+    }
+    return tools;
+}
+
+/// First sample at which an instrument is in view; the start when none ever is.
+double first_in_view_s(const sim::Recording& recording, const std::vector<size_t>& tools) {
+    for (const sim::Sample& sample : recording.samples) {
+        for (const size_t tool : tools) {
+            if (sample.tools[tool].in_view != 0) return sample.time_s;
+        }
+    }
+    return recording.samples.empty() ? 0 : recording.samples.front().time_s;
+}
+
+struct Smoothness {
+    std::vector<double> sparc, ldlj;
+};
+
+void add_smoothness(const Track& track, Smoothness& out) {
+    const double rate_hz = 1 / track.dt_s;
+    const std::span<const double> speed = track.speed_m_s;
+    const std::span<const Vec3> velocity = track.velocity_m_s;
+    for (const auto& [first, last] :
+         movement_segments(speed, track.dt_s, kSegmentMmS * 1e-3, kSegmentShortestS)) {
+        if (const auto s = sparc(speed.subspan(first, last - first), rate_hz))
+            out.sparc.push_back(*s);
+        if (const auto l = ldlj_vector(velocity.subspan(first, last - first), rate_hz))
+            out.ldlj.push_back(*l);
+    }
+}
+
+/// All instruments below the idle speed and no pedal down [s].
+double idle_seconds(const sim::Recording& recording, const std::vector<Track>& tracks,
+                    const std::vector<size_t>& tools) {
+    size_t n = SIZE_MAX;
+    for (const Track& track : tracks) n = std::min(n, track.speed_m_s.size());
+    if (n == SIZE_MAX || n < 2) return 0;
+    double idle = 0;
+    size_t sample = 0;
+    for (size_t k = 0; k + 1 < n; ++k) {
+        const double t = tracks.front().time_s(k);
+        while (sample + 1 < recording.samples.size() && recording.samples[sample].time_s < t)
+            ++sample;
+        bool still = true;
+        for (size_t i = 0; i < tools.size(); ++i) {
+            still = still && tracks[i].speed_m_s[k] < kIdleMmS * 1e-3 &&
+                    recording.samples[sample].tools[tools[i]].pedals == 0;
+        }
+        if (still) idle += tracks.front().dt_s;
+    }
+    return idle;
+}
+
+}  // namespace
+
+double path_length(std::span<const Vec3> positions) noexcept {
+    double length = 0;
+    for (size_t k = 1; k < positions.size(); ++k)
+        length += (positions[k] - positions[k - 1]).norm();
+    return length;
+}
+
+double depth_path(std::span<const Vec3> positions, std::span<const Quat> orientations) noexcept {
+    double length = 0;
+    for (size_t k = 1; k < std::min(positions.size(), orientations.size()); ++k) {
+        const Vec3 shaft = orientations[k - 1] * Vec3::UnitZ();
+        length += std::abs((positions[k] - positions[k - 1]).dot(shaft));
+    }
+    return length;
+}
+
+double angular_path(std::span<const Quat> orientations) noexcept {
+    double angle = 0;
+    for (size_t k = 1; k < orientations.size(); ++k) {
+        const Quat d = orientations[k] * orientations[k - 1].conjugate();
+        angle += 2 * std::atan2(d.vec().norm(), std::abs(d.w()));
+    }
+    return angle;
+}
+
+std::optional<double> sparc(std::span<const double> speed, double rate_hz) {
+    if (speed.size() < 3) return std::nullopt;
+    const size_t nfft = std::bit_ceil(speed.size()) << kSparcPadLevel;
+    std::vector<std::complex<double>> spectrum(nfft);
+    std::copy(speed.begin(), speed.end(), spectrum.begin());
+    fourier_transform(spectrum);
+    std::vector<double> magnitude(nfft);
+    for (size_t i = 0; i < nfft; ++i) magnitude[i] = std::abs(spectrum[i]);
+    const double peak = *std::max_element(magnitude.begin(), magnitude.end());
+    if (!(peak > 0) || !std::isfinite(peak)) return std::nullopt;
+    // Keep up to the cut-off, then from the first to the last bin above the amplitude threshold.
+    const double df = rate_hz / static_cast<double>(nfft);
+    size_t first = nfft, last = 0;
+    for (size_t i = 0; i < nfft && static_cast<double>(i) * df <= kSparcCutoffHz; ++i) {
+        if (magnitude[i] / peak < kSparcAmplitude) continue;
+        if (first == nfft) first = i;
+        last = i;
+    }
+    if (first >= last) return std::nullopt;
+    double arc = 0;
+    for (size_t i = first + 1; i <= last; ++i) {
+        arc += std::hypot(1 / static_cast<double>(last - first),
+                          (magnitude[i] - magnitude[i - 1]) / peak);
+    }
+    return -arc;
+}
+
+std::optional<double> ldlj_speed(std::span<const double> speed, double rate_hz) {
+    if (speed.size() < 3) return std::nullopt;
+    double peak = 0, sum = 0;
+    for (const double v : speed) peak = std::max(peak, std::abs(v));
+    for (size_t k = 2; k < speed.size(); ++k) {
+        const double jerk = (speed[k] - 2 * speed[k - 1] + speed[k - 2]) * rate_hz * rate_hz;
+        sum += jerk * jerk;
+    }
+    return ldlj(sum, peak, speed.size(), rate_hz);
+}
+
+std::optional<double> ldlj_vector(std::span<const Vec3> velocity, double rate_hz) {
+    if (velocity.size() < 3) return std::nullopt;
+    double peak = 0, sum = 0;
+    for (const Vec3& v : velocity) peak = std::max(peak, v.norm());
+    for (size_t k = 2; k < velocity.size(); ++k) {
+        sum += ((velocity[k] - 2 * velocity[k - 1] + velocity[k - 2]) * rate_hz * rate_hz)
+                   .squaredNorm();
+    }
+    return ldlj(sum, peak, velocity.size(), rate_hz);
+}
+
+int movement_count(std::span<const double> speed, double threshold) noexcept {
+    int count = 0;
+    bool armed = true;
+    for (const double v : speed) {
+        if (armed && v >= threshold) {
+            ++count;
+            armed = false;
+        } else if (v < threshold / 2) {
+            armed = true;
+        }
+    }
+    return count;
+}
+
+double idle_time(std::span<const double> speed, double dt_s, double threshold) noexcept {
+    double idle = 0;
+    for (size_t k = 0; k + 1 < speed.size(); ++k) {
+        if (speed[k] < threshold) idle += dt_s;
+    }
+    return idle;
+}
+
+std::vector<std::pair<size_t, size_t>> movement_segments(std::span<const double> speed, double dt_s,
+                                                         double threshold, double shortest_s) {
+    std::vector<std::pair<size_t, size_t>> segments;
+    for (size_t k = 0; k < speed.size();) {
+        if (speed[k] < threshold) {
+            ++k;
+            continue;
+        }
+        size_t end = k;
+        while (end < speed.size() && speed[end] >= threshold) ++end;
+        if (static_cast<double>(end - k) * dt_s >= shortest_s) segments.emplace_back(k, end);
+        k = end;
+    }
+    return segments;
+}
+
+Track tool_track(const sim::Recording& recording, size_t tool) {
+    std::vector<double> time;
+    std::vector<Vec3> position;
+    std::vector<Quat> orientation;
+    for (const sim::Sample& sample : recording.samples) {
+        const sim::ToolSample& s = sample.tools[tool];
+        time.push_back(sample.time_s);
+        position.emplace_back(s.tip_m[0], s.tip_m[1], s.tip_m[2]);
+        orientation.emplace_back(s.orientation[0], s.orientation[1], s.orientation[2],
+                                 s.orientation[3]);
+    }
+    return make_track(time, position, orientation);
+}
+
+void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+    if (recording.samples.empty()) return;
+    const std::vector<size_t> tools = instruments(recording);
+    const double end_s = std::max(recording.end.duration_s, recording.samples.back().time_s);
+    const double time_s = std::max(0.0, end_s - first_in_view_s(recording, tools));
+    out.push_back({"task_time_s", time_s});
+
+    std::vector<Track> tracks;
+    for (const size_t tool : tools) tracks.push_back(tool_track(recording, tool));
+    std::erase_if(tracks, [](const Track& track) { return track.empty(); });
+    if (tracks.empty() || tracks.size() != tools.size()) return;
+
+    double path_m = 0, depth_m = 0, turn_rad = 0;
+    int movements = 0;
+    Smoothness smoothness;
+    for (const Track& track : tracks) {
+        path_m += path_length(track.position_m);
+        depth_m += depth_path(track.position_m, track.orientation);
+        turn_rad += angular_path(track.orientation);
+        movements += movement_count(track.speed_m_s, kMovementMmS * 1e-3);
+        add_smoothness(track, smoothness);
+    }
+    out.push_back({"path_length_mm", path_m * 1e3});
+    out.push_back({"depth_path_mm", depth_m * 1e3});
+    out.push_back({"angular_path_deg", turn_rad * 180 / std::numbers::pi});
+    if (time_s > 0) out.push_back({"mean_speed_mm_s", path_m * 1e3 / time_s});
+    out.push_back({"movements", static_cast<double>(movements)});
+    out.push_back({"idle_time_s", idle_seconds(recording, tracks, tools)});
+    if (!smoothness.sparc.empty()) out.push_back({"sparc", median(smoothness.sparc)});
+    if (!smoothness.ldlj.empty()) out.push_back({"ldlj_vector", median(smoothness.ldlj)});
+
+    double hidden_s = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (const size_t tool : tools) {
+            if (sample.tools[tool].in_view == 0) hidden_s += recording.header.sample_s;
+        }
+    }
+    out.push_back({"out_of_view_s", hidden_s});
+}
+
+}  // namespace placode::assessment

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/tissue_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/statistics.h"
+
+namespace placode::assessment {
+
+namespace {
+
+constexpr double kGasConstant = 8.314462618, kKelvin = 273.15;
+constexpr double kNearPlacodeM = 0.001;
+
+double dose_rate(double temperature_c) {
+    return std::pow(temperature_c >= 43 ? 0.5 : 0.25, 43 - temperature_c);
+}
+
+struct Sum {
+    int count = 0;
+    double value = 0, peak = 0;
+};
+
+/// Count, sum of `value`, largest `value2` of one kind of event.
+Sum total(const sim::Recording& recording, sim::EventKind kind) {
+    Sum sum;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != kind) continue;
+        ++sum.count;
+        sum.value += event.value;
+        sum.peak = std::max(sum.peak, static_cast<double>(event.value2));
+    }
+    return sum;
+}
+
+bool is_skin(sim::Tissue tissue) {
+    return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
+}
+
+void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
+    const std::optional<Incision> incision = analyse_incision(recording);
+    if (!incision) return;
+    out.push_back({"ring_completeness_percent", incision->cover.covered * 100});
+    out.push_back({"largest_gap_mm", incision->cover.largest_gap * 1e3});
+    std::vector<double> distance;
+    double mean_signed = 0, width = 0;
+    double outside_m = 0, toward_m = 0, off_m = 0;
+    for (const KerfBin& bin : incision->bins) {
+        if (!(bin.volume_m3 > 0)) continue;
+        distance.push_back(std::abs(bin.offset_m));
+        mean_signed += bin.offset_m;
+        width += bin.width_m;
+        if (bin.outside_band) outside_m += incision->bin_m;
+        if (bin.toward_placode) toward_m += incision->bin_m;
+        if (distance.back() > kOffLineM) off_m += incision->bin_m;
+    }
+    if (!distance.empty()) {
+        const double n = static_cast<double>(distance.size());
+        double mean = 0;
+        for (const double d : distance) mean += d / n;
+        std::sort(distance.begin(), distance.end());
+        out.push_back({"contour_deviation_mm", mean * 1e3});
+        out.push_back({"contour_deviation_p95_mm", quantile(distance, 0.95) * 1e3});
+        out.push_back({"contour_deviation_max_mm", distance.back() * 1e3});
+        out.push_back({"contour_signed_mm", mean_signed / n * 1e3});
+        out.push_back({"kerf_width_mm", width / n * 1e3});
+    }
+    out.push_back({"off_line_mm", off_m * 1e3});
+    out.push_back({"outside_band_mm", outside_m * 1e3});
+    out.push_back({"toward_placode_mm", toward_m * 1e3});
+}
+
+void add_placode(const sim::Recording& recording, std::vector<Metric>& out) {
+    const Sum contact = total(recording, sim::EventKind::kPlacodeContact);
+    out.push_back({"placode_contacts", static_cast<double>(contact.count)});
+    out.push_back({"placode_contact_s", contact.value});
+    out.push_back({"placode_peak_force_mn", contact.peak * 1e3});
+    out.push_back(
+        {"placode_energised_s", total(recording, sim::EventKind::kPlacodeEnergised).value});
+    double dose = 0, burned_m3 = 0, cut_m3 = 0;
+    std::optional<double> temperature;
+    for (const sim::Sample& sample : recording.samples) {
+        dose = std::max(dose, static_cast<double>(sample.placode_peak_cem43_min));
+        burned_m3 = std::max(burned_m3, static_cast<double>(sample.placode_burned_m3));
+        temperature =
+            std::max(temperature.value_or(-INFINITY), static_cast<double>(sample.placode_peak_c));
+    }
+    for (const sim::Event& event : recording.events) {
+        const bool removed =
+            event.kind == sim::EventKind::kVaporised || event.kind == sim::EventKind::kTorn;
+        if (removed && event.tissue == sim::Tissue::kPlacode) cut_m3 += event.value;
+    }
+    if (temperature) {
+        out.push_back({"placode_peak_cem43_min", dose});
+        out.push_back({"placode_peak_c", *temperature});
+    }
+    out.push_back(
+        {"placode_overheated",
+         static_cast<double>(total(recording, sim::EventKind::kPlacodeOverheated).count)});
+    const double volume_m3 = recording.header.geometry.placode_volume_m3;
+    if (volume_m3 > 0) out.push_back({"placode_burned_percent", burned_m3 / volume_m3 * 100});
+    out.push_back({"placode_cut_mm3", cut_m3 * 1e9});
+}
+
+/// On-time, time in air and near the placode from the samples; joules from the ledger, and from the
+/// samples for an activation that was still running at the end.
+void add_energy(const sim::Recording& recording, std::vector<Metric>& out) {
+    const double dt = recording.header.sample_s;
+    std::optional<ClosedContour> placode;
+    if (recording.header.geometry.placode_edge.size() >= 3)
+        placode.emplace(recording.header.geometry.placode_edge);
+    double joules = 0, open_since = -1;
+    int activations = 0;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind == sim::EventKind::kEnergyOn) {
+            ++activations;
+            open_since = event.time_s;
+        } else if (event.kind == sim::EventKind::kEnergyOff) {
+            joules += event.value2;
+            open_since = -1;
+        }
+    }
+    double on_s = 0, air_s = 0, near_s = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+            const sim::ToolSample& tool = sample.tools[i];
+            const sim::ToolKind kind = recording.header.tools[i].kind;
+            const bool electric = kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
+            if (!electric || tool.pedals == 0) continue;
+            on_s += dt;
+            if (tool.in_contact == 0) air_s += dt;
+            if (placode &&
+                placode->nearest(Vec2(tool.tip_m[0], tool.tip_m[1])).offset < kNearPlacodeM)
+                near_s += dt;
+            if (open_since >= 0 && sample.time_s > open_since) joules += tool.power_w * dt;
+        }
+    }
+    out.push_back({"energy_activations", static_cast<double>(activations)});
+    out.push_back({"energy_on_s", on_s});
+    out.push_back({"energy_in_air_s", air_s});
+    out.push_back({"energy_in_air_count",
+                   static_cast<double>(total(recording, sim::EventKind::kEnergyInAir).count)});
+    out.push_back({"energy_near_placode_s", near_s});
+    out.push_back({"energy_j", joules});
+    out.push_back({"dwell_s", total(recording, sim::EventKind::kDwell).value});
+}
+
+void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
+    double peak = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+            const auto& f = sample.tools[i].force_n;
+            peak = std::max(peak, static_cast<double>(std::hypot(f[0], f[1], f[2])));
+        }
+    }
+    const Sum over = total(recording, sim::EventKind::kOverForce);
+    double torn_m3 = 0, torn_skin_m3 = 0;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::EventKind::kTorn) continue;
+        torn_m3 += event.value;
+        if (is_skin(event.tissue)) torn_skin_m3 += event.value;
+    }
+    out.push_back({"peak_force_mn", std::max(peak, over.peak) * 1e3});
+    out.push_back({"over_force_count", static_cast<double>(over.count)});
+    out.push_back({"over_force_s", over.value});
+    out.push_back({"torn_volume_mm3", torn_m3 * 1e9});
+    out.push_back({"torn_skin_mm3", torn_skin_m3 * 1e9});
+}
+
+}  // namespace
+
+double cem43_min(std::span<const double> time_s, std::span<const double> temperature_c) {
+    double dose = 0;
+    for (size_t k = 1; k < std::min(time_s.size(), temperature_c.size()); ++k) {
+        const double rate = (dose_rate(temperature_c[k - 1]) + dose_rate(temperature_c[k])) / 2;
+        dose += (time_s[k] - time_s[k - 1]) / 60 * rate;
+    }
+    return dose;
+}
+
+double arrhenius_damage(std::span<const double> time_s, std::span<const double> temperature_c,
+                        double a_per_s, double ea_j_mol) {
+    const auto rate = [&](double celsius) {
+        return a_per_s * std::exp(-ea_j_mol / (kGasConstant * (celsius + kKelvin)));
+    };
+    double omega = 0;
+    for (size_t k = 1; k < std::min(time_s.size(), temperature_c.size()); ++k) {
+        omega +=
+            (time_s[k] - time_s[k - 1]) * (rate(temperature_c[k - 1]) + rate(temperature_c[k])) / 2;
+    }
+    return omega;
+}
+
+ForceSummary summarise_force(std::span<const double> time_s, std::span<const double> force_n,
+                             double threshold_n) {
+    ForceSummary f;
+    const size_t n = std::min(time_s.size(), force_n.size());
+    if (n == 0) return f;
+    double square = 0;
+    f.peak_n = *std::max_element(force_n.begin(), force_n.begin() + static_cast<long>(n));
+    for (size_t k = 1; k < n; ++k) {
+        const double dt = time_s[k] - time_s[k - 1], a = force_n[k - 1], b = force_n[k];
+        f.impulse_n_s += dt * (a + b) / 2;
+        square += dt * (a * a + b * b) / 2;
+        f.excess_impulse_n_s +=
+            dt * (std::max(0.0, a - threshold_n) + std::max(0.0, b - threshold_n)) / 2;
+        // The crossing inside a step is taken from the line between its ends.
+        const double high = std::max(a, b), low = std::min(a, b);
+        if (low > threshold_n)
+            f.over_s += dt;
+        else if (high > threshold_n)
+            f.over_s += dt * (high - threshold_n) / (high - low);
+    }
+    const double duration = time_s[n - 1] - time_s[0];
+    if (duration > 0) {
+        f.mean_n = f.impulse_n_s / duration;
+        f.rms_n = std::sqrt(square / duration);
+    }
+    return f;
+}
+
+void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+    add_incision(recording, out);
+    if (recording.samples.empty()) return;
+    add_placode(recording, out);
+    add_energy(recording, out);
+    add_force(recording, out);
+}
+
+}  // namespace placode::assessment

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/json_reader.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace placode::curriculum {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// "line 3, column 14" of a byte offset, both from 1.
+std::string place_of(const std::string& text, size_t byte) {
+    const size_t end = std::min(byte == 0 ? 0 : byte - 1, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(end), '\n');
+    const size_t start = text.rfind('\n', end == 0 ? 0 : end - 1);
+    const size_t column = start == std::string::npos || line == 1 ? end + 1 : end - start;
+    return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+}  // namespace
+
+std::string read_definition(const fs::path& file) {
+    std::error_code error;
+    if (fs::is_directory(file, error))
+        throw DefinitionError(file.string(), "", "is a folder; expected a JSON file");
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throw DefinitionError(file.string(), "", "cannot be opened; check path and rights");
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+fs::path find_definition(const std::string& kind, const std::string& id_or_file) {
+    const bool is_path = id_or_file.find('/') != std::string::npos ||
+                         (id_or_file.size() > 5 && id_or_file.ends_with(".json"));
+    if (is_path) return id_or_file;
+    const std::vector<std::string> known = list_definitions(kind);
+    if (std::find(known.begin(), known.end(), id_or_file) != known.end())
+        return data_folder() / kind / (id_or_file + ".json");
+    std::string list;
+    for (const std::string& id : known) list += (list.empty() ? "" : ", ") + id;
+    throw DefinitionError((data_folder() / kind).string(), "",
+                          "no definition \"" + id_or_file +
+                              "\"; expected one of: " + (list.empty() ? "(none installed)" : list) +
+                              ", or the path of a .json file");
+}
+
+Json parse_json(const std::string& text, const std::string& origin) {
+    try {
+        return Json::parse(text);
+    } catch (const Json::parse_error& error) {
+        std::string what = error.what();
+        // The library's own prefix repeats the place in bytes; keep what follows.
+        if (const size_t at = what.find("syntax error"); at != std::string::npos)
+            what = what.substr(at);
+        throw DefinitionError(origin, "", place_of(text, error.byte) + ": not JSON: " + what);
+    } catch (const Json::exception& error) {
+        throw DefinitionError(origin, "", std::string("not JSON: ") + error.what());
+    }
+}
+
+LocalText local_text(const Json& value) {
+    if (value.is_string()) return {value.get<std::string>(), {}};
+    return {value.value("en", std::string()), value.value("pl", std::string())};
+}
+
+}  // namespace placode::curriculum

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scene JSON: one list of fields for reading and writing, so that neither can forget one. Keys are
+// the C++ field names.
+
+#include <string_view>
+
+#include "curriculum/json_reader.h"
+
+namespace placode::curriculum {
+
+namespace {
+
+using sim::ContactSettings;
+using sim::Hand;
+using sim::HeatSettings;
+using sim::Material;
+using sim::Method;
+using sim::OperativeFieldSpec;
+using sim::SolverSettings;
+using sim::ToolKind;
+using sim::ToolSpec;
+using sim::Vec3;
+
+template <class E>
+struct EnumName {
+    E value;
+    const char* name;
+};
+constexpr EnumName<Method> kMethods[]{
+    {Method::kXpbd, "xpbd"}, {Method::kXpbdPair, "xpbd_pair"}, {Method::kVbd, "vbd"}};
+constexpr EnumName<ToolKind> kKinds[]{
+    {ToolKind::kScope, "scope"},       {ToolKind::kNeedle, "needle"},
+    {ToolKind::kHook, "hook"},         {ToolKind::kGrasper, "grasper"},
+    {ToolKind::kScissors, "scissors"}, {ToolKind::kProbe, "probe"}};
+constexpr EnumName<Hand> kHands[]{
+    {Hand::kRight, "right"}, {Hand::kLeft, "left"}, {Hand::kCamera, "camera"}};
+
+/// Takes what the JSON has and leaves the rest at its default.
+struct Reader {
+    const Json& json;
+
+    template <class T>
+    void operator()(const char* key, T& value) const {
+        if (json.contains(key)) value = json[key].get<T>();
+    }
+    void operator()(const char* key, Vec3& value) const {
+        if (!json.contains(key)) return;
+        for (size_t i = 0; i < 3; ++i) value[static_cast<int>(i)] = json[key][i].get<double>();
+    }
+    template <class E, size_t N>
+    void choice(const char* key, E& value, const EnumName<E> (&names)[N]) const {
+        if (!json.contains(key)) return;
+        for (const auto& entry : names) {
+            if (json[key] == entry.name) value = entry.value;
+        }
+    }
+};
+
+struct Writer {
+    Json& json;
+
+    template <class T>
+    void operator()(const char* key, const T& value) const {
+        json[key] = value;
+    }
+    void operator()(const char* key, const Vec3& value) const {
+        json[key] = {value[0], value[1], value[2]};
+    }
+    template <class E, size_t N>
+    void choice(const char* key, const E& value, const EnumName<E> (&names)[N]) const {
+        for (const auto& entry : names) {
+            if (entry.value == value) json[key] = entry.name;
+        }
+    }
+};
+
+template <class V, class M>
+void visit_material(const V& v, M& m) {
+    v("youngs_modulus_pa", m.youngs_modulus_pa);
+    v("poissons_ratio", m.poissons_ratio);
+    v("density_kg_m3", m.density_kg_m3);
+    v("damping_per_s", m.damping_per_s);
+    v("fail_stretch", m.fail_stretch);
+    v("injury_stretch", m.injury_stretch);
+    v("friction", m.friction);
+    v("friction_static_ratio", m.friction_static_ratio);
+    v("heat_conductivity_w_mk", m.heat_conductivity_w_mk);
+    v("heat_capacity_j_kgk", m.heat_capacity_j_kgk);
+    v("water_fraction", m.water_fraction);
+}
+
+template <class V, class S>
+void visit_solver(const V& v, S& s) {
+    v.choice("method", s.method, kMethods);
+    v("frame_s", s.frame_s);
+    v("substeps", s.substeps);
+    v("iterations", s.iterations);
+    v("over_relaxation", s.over_relaxation);
+    v("gravity_m_s2", s.gravity_m_s2);
+}
+
+template <class V, class C>
+void visit_contact(const V& v, C& c) {
+    v("stiffness_n_m", c.stiffness_n_m);
+    v("margin_m", c.margin_m);
+    v("placode_warn_force_n", c.placode_warn_force_n);
+    v("over_force_n", c.over_force_n);
+    v("warn_dose_cem43_min", c.warn_dose_cem43_min);
+    v("injury_dose_cem43_min", c.injury_dose_cem43_min);
+    v("injury_temperature_c", c.injury_temperature_c);
+}
+
+template <class V, class H>
+void visit_heat(const V& v, H& h) {
+    v("body_temperature_c", h.body_temperature_c);
+    v("gas_temperature_c", h.gas_temperature_c);
+    v("surface_cooling_w_m2k", h.surface_cooling_w_m2k);
+    v("latent_heat_j_kg", h.latent_heat_j_kg);
+    v("char_start_c", h.char_start_c);
+    v("char_full_c", h.char_full_c);
+    v("arrhenius_a_per_s", h.arrhenius_a_per_s);
+    v("arrhenius_ea_j_mol", h.arrhenius_ea_j_mol);
+    v("arrhenius_gate_c", h.arrhenius_gate_c);
+    v("dwell_radius_m", h.dwell_radius_m);
+}
+
+template <class V, class T>
+void visit_tool(const V& v, T& t) {
+    v.choice("kind", t.kind, kKinds);
+    v.choice("hand", t.hand, kHands);
+    v("pivot_m", t.pivot_m);
+    v("shaft_radius_m", t.shaft_radius_m);
+    v("length_m", t.length_m);
+    v("tip_radius_m", t.tip_radius_m);
+    v("tip_length_m", t.tip_length_m);
+    v("scope_angle_deg", t.scope_angle_deg);
+    v("field_of_view_deg", t.field_of_view_deg);
+    v("cut_power_w", t.cut_power_w);
+    v("coag_power_w", t.coag_power_w);
+    v("efficiency", t.efficiency);
+    v("grip_n_m", t.grip_n_m);
+}
+
+template <class V, class S>
+void visit_field(const V& v, S& s) {
+    v("id", s.id);
+    v("seed", s.seed);
+    v("domain_x_m", s.domain_x_m);
+    v("domain_y_m", s.domain_y_m);
+    v("edge_ring_m", s.edge_ring_m);
+    v("edge_placode_m", s.edge_placode_m);
+    v("edge_outer_m", s.edge_outer_m);
+    v("edge_growth", s.edge_growth);
+    v("skin_edge_a_m", s.skin_edge_a_m);
+    v("skin_edge_b_m", s.skin_edge_b_m);
+    v("placode_a_m", s.placode_a_m);
+    v("placode_b_m", s.placode_b_m);
+    v("dome_height_m", s.dome_height_m);
+    v("base_radius_x_m", s.base_radius_x_m);
+    v("base_radius_y_m", s.base_radius_y_m);
+    v("wobble", s.wobble);
+    v("asymmetry_m", s.asymmetry_m);
+    v("placode_layers_m", s.placode_layers_m);
+    v("ring_layers_m", s.ring_layers_m);
+    v("skin_layers_m", s.skin_layers_m);
+    v("skin_prestretch", s.skin_prestretch);
+    v("zone_prestretch", s.zone_prestretch);
+    v("bed_normal_pa_m", s.bed_normal_pa_m);
+    v("bed_tangent_pa_m", s.bed_tangent_pa_m);
+    v("side_pa_m", s.side_pa_m);
+    v("contour_offset_m", s.contour_offset_m);
+    v("isotropic", s.isotropic);
+    v("tethers", s.tethers);
+}
+
+}  // namespace
+
+OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
+                                   const std::string& prefix) {
+    OperativeFieldSpec spec;
+    try {
+        visit_field(Reader{scene}, spec);
+        spec.materials = sim::default_materials();
+        if (scene.contains("materials")) {
+            for (int i = 0; i < sim::kTissueCount; ++i) {
+                const std::string name(sim::tissue_name(static_cast<sim::Tissue>(i)));
+                if (scene["materials"].contains(name))
+                    visit_material(Reader{scene["materials"][name]},
+                                   spec.materials[static_cast<size_t>(i)]);
+            }
+        }
+        if (scene.contains("solver")) visit_solver(Reader{scene["solver"]}, spec.solver);
+        if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
+        spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
+        if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
+        for (const Json& tool : scene.value("tools", Json::array()))
+            visit_tool(Reader{tool}, spec.tools.emplace_back());
+    } catch (const Json::exception& error) {
+        // Only reachable when schema and code disagree.
+        throw DefinitionError(origin, prefix, error.what());
+    }
+    return spec;
+}
+
+Json scene_to_json(const OperativeFieldSpec& spec) {
+    Json scene;
+    visit_field(Writer{scene}, spec);
+    for (int i = 0; i < sim::kTissueCount; ++i) {
+        const std::string name(sim::tissue_name(static_cast<sim::Tissue>(i)));
+        visit_material(Writer{scene["materials"][name]}, spec.materials[static_cast<size_t>(i)]);
+    }
+    visit_solver(Writer{scene["solver"]}, spec.solver);
+    visit_contact(Writer{scene["contact"]}, spec.contact);
+    scene["heat"]["enabled"] = spec.heat;
+    visit_heat(Writer{scene["heat"]}, spec.heat_settings);
+    scene["tools"] = Json::array();
+    for (const ToolSpec& tool : spec.tools) {
+        Json& entry = scene["tools"].emplace_back(Json::object());
+        visit_tool(Writer{entry}, tool);
+    }
+    return scene;
+}
+
+}  // namespace placode::curriculum

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/task.h"
+
+#include <algorithm>
+#include <set>
+
+#include "curriculum/json_reader.h"
+
+namespace placode::curriculum {
+
+namespace {
+
+assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
+    assessment::Rubric rubric;
+    rubric.id = json["id"];
+    rubric.version = json["version"];
+    rubric.start_points = json.value("start_points", rubric.start_points);
+    rubric.pass_points = json.value("pass_points", rubric.pass_points);
+    std::set<std::string> metrics;
+    for (const assessment::MetricDefinition& metric : assessment::metric_definitions())
+        metrics.insert(std::string(metric.id));
+    for (size_t i = 0; i < json["items"].size(); ++i) {
+        const Json& entry = json["items"][i];
+        assessment::RubricItem item;
+        item.id = entry["id"];
+        item.metric = entry["metric"];
+        item.reason = entry["reason"];
+        item.threshold = entry.value("threshold", item.threshold);
+        item.points_per_unit = entry.value("points_per_unit", item.points_per_unit);
+        item.points_fixed = entry.value("points_fixed", item.points_fixed);
+        item.max_points = entry.value("max_points", item.max_points);
+        item.critical = entry.value("critical", item.critical);
+        item.below = entry.value("below", item.below);
+        if (!metrics.contains(item.metric)) {
+            std::string known;
+            for (const std::string& name : metrics) known += (known.empty() ? "" : ", ") + name;
+            throw DefinitionError(
+                origin, "/rubric/items/" + std::to_string(i) + "/metric",
+                "unknown metric \"" + item.metric + "\"; expected one of: " + known);
+        }
+        rubric.items.push_back(std::move(item));
+    }
+    return rubric;
+}
+
+/// The scene as one complete object: named file or own object, with the task's changes on top.
+Json resolve_scene(const Json& task, const std::string& origin) {
+    Json scene;
+    if (task["scene"].is_string()) {
+        const std::filesystem::path file = find_definition("scenes", task["scene"]);
+        scene = parse_json(read_definition(file), file.string());
+        check_schema(scene, "scene", file.string());
+    } else {
+        scene = task["scene"];
+        check_schema(scene, "scene", origin, "/scene");
+    }
+    if (task.contains("scene_overrides")) {
+        check_schema(task["scene_overrides"], "scene", origin, "/scene_overrides",
+                     Completeness::kPartial);
+        scene.merge_patch(task["scene_overrides"]);
+        check_schema(scene, "scene", origin, "/scene_overrides");
+    }
+    return scene;
+}
+
+Task read_task(const Json& json, const std::string& origin) {
+    check_schema(json, "task", origin);
+    Task task;
+    task.id = json["id"];
+    task.version = json["version"];
+    task.title = local_text(json["title"]);
+    task.goal = local_text(json["goal"]);
+    for (const Json& step : json["instructions"]) task.instructions.push_back(local_text(step));
+    task.settle_s = json.value("settle_s", task.settle_s);
+    task.time_limit_s = json.value("time_limit_s", task.time_limit_s);
+    task.finish_when_cut = json.value("finish_when_cut", task.finish_when_cut);
+    task.rubric = read_rubric(json["rubric"], origin);
+
+    const Json scene = resolve_scene(json, origin);
+    task.scene = scene_from_json(scene, origin, "/scene");
+    task.scene_id = task.scene.id;
+    if (task.scene.tools.empty() || task.scene.tools.size() > sim::kMaxTools) {
+        throw DefinitionError(origin, "/scene/tools",
+                              "found " + std::to_string(task.scene.tools.size()) +
+                                  " tools; expected 1 to " + std::to_string(sim::kMaxTools));
+    }
+
+    // What a recording carries: every number spelled out, so that a later default changes nothing.
+    Json resolved = json;
+    resolved.erase("scene_overrides");
+    resolved["settle_s"] = task.settle_s;
+    resolved["time_limit_s"] = task.time_limit_s;
+    resolved["finish_when_cut"] = task.finish_when_cut;
+    Json full_scene = scene_to_json(task.scene);
+    for (const char* key : {"version", "title"}) {
+        if (scene.contains(key)) full_scene[key] = scene[key];
+    }
+    resolved["scene"] = std::move(full_scene);
+    task.json = resolved.dump();
+    return task;
+}
+
+}  // namespace
+
+Task load_task(const std::string& id_or_file) {
+    const std::filesystem::path file = find_definition("tasks", id_or_file);
+    return load_task_text(read_definition(file), file.string());
+}
+
+Task load_task_text(const std::string& json, const std::string& origin) {
+    return read_task(parse_json(json, origin), origin);
+}
+
+}  // namespace placode::curriculum
