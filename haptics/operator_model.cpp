@@ -39,7 +39,7 @@ OperatorProfile intermediate() {
     p.look_s = 2;
     p.free_speed_m_s = 0.018;
     p.descend_m_s = 0.004;
-    p.cut_speed_m_s = 0.0022;
+    p.cut_speed_m_s = 0.0024;
     p.speed_noise = 0.25;
     p.tremor_m = 1.7e-4;
     p.wander_m = 3e-4;
@@ -57,6 +57,7 @@ OperatorProfile intermediate() {
     p.submovements = 2;
     p.aim_error_m = 1e-3;
     p.notice_gap_m = 6e-4;
+    p.second_care = 0.5;
     p.tries = 4;
     p.patience_s = 75;
     return p;
@@ -93,6 +94,7 @@ OperatorProfile novice() {
     p.submovements = 3;
     p.aim_error_m = 2.5e-3;
     p.notice_gap_m = 2.5e-3;
+    p.second_care = 0.9;
     p.tries = 2;
     p.patience_s = 80;
     return p;
@@ -425,13 +427,16 @@ void OperatorModel::do_lift(double dt_s) noexcept {
 }
 
 void OperatorModel::noise(double dt_s) noexcept {
-    // Ornstein-Uhlenbeck, smoothed once, so that a hand never jumps.
+    // Ornstein-Uhlenbeck, smoothed once, so that a hand never jumps. A hand that hesitates stands
+    // nearly still, and who goes over a place again takes more care.
+    const double care = passes_ > 0 ? profile_.second_care : 1;
+    const double pace = hold_s_ > 0 && stage_ == Stage::kCut ? 0.1 : 1;
     const auto walk = [&](double x, double sigma, double tau) {
         return x - x * dt_s / tau + sigma * std::sqrt(2 * dt_s / tau) * random_.normal();
     };
-    wander_ = walk(wander_, profile_.wander_m * 1.2, profile_.wander_s);
-    wander_smooth_ += (wander_ + profile_.wander_inward_m - wander_smooth_) *
-                      std::min(1.0, dt_s / (0.4 * profile_.wander_s));
+    wander_ = walk(wander_, profile_.wander_m * 1.2, profile_.wander_s / pace);
+    wander_smooth_ += (care * (wander_ + profile_.wander_inward_m) - wander_smooth_) *
+                      std::min(1.0, pace * dt_s / (0.4 * profile_.wander_s));
     speed_noise_ = walk(speed_noise_, profile_.speed_noise, 0.2);
 }
 

@@ -53,6 +53,7 @@ struct OperatorProfile {
     int submovements = 1;           ///< Free motion in that many pieces.
     double aim_error_m = 0;         ///< Error of all pieces but the last.
     double notice_gap_m = 0;        ///< Shorter gaps are not seen.
+    double second_care = 1;         ///< Share of the wandering that is left on a second pass.
     int tries = 6;                  ///< Passes over one place before giving it up.
     double patience_s = 60;         ///< Gives up after.
 };

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/device.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "haptics/trocar.h"
+
+namespace placode::haptics {
+namespace {
+
+using sim::Key;
+using ::testing::HasSubstr;
+
+constexpr int64_t kMs = 1'000'000;
+
+std::vector<sim::ToolSpec> needle_and_scope() {
+    std::vector<sim::ToolSpec> tools(2);
+    tools[1].kind = sim::ToolKind::kScope;
+    tools[1].pivot_m = Vec3(-0.045, 0, 0.075);
+    return tools;
+}
+
+// A window whose totals the test changes, and the device that reads it at 1 kHz.
+struct Bench {
+    explicit Bench(const std::string& name) {
+        DeviceConfig config;
+        config.name = name;
+        config.tools = needle_and_scope();
+        config.window = &window;
+        input.mouse_x = 12'345;  // Totals from before the attempt must not count.
+        input.wheel = 7;
+        input.presses[static_cast<size_t>(Key::kEnter)] = 3;
+        window.publish(input);
+        device = open_device(config);
+        read(10);
+    }
+    const DeviceState& read(int ms) {
+        window.publish(input);
+        for (int i = 0; i < ms; ++i) device->read(t_ns += kMs, states);
+        return states[0];
+    }
+    void hold(Key key, bool down = true) { input.down[static_cast<size_t>(key)] = down; }
+    void press(Key key) { ++input.presses[static_cast<size_t>(key)]; }
+
+    sim::WindowInput input;
+    sim::Latest<sim::WindowInput> window;
+    std::unique_ptr<DeviceGroup> device;
+    std::array<DeviceState, 2> states{};
+    int64_t t_ns = 0;
+};
+
+std::string error_of(const std::string& name) {
+    DeviceConfig config;
+    config.name = name;
+    config.tools = needle_and_scope();
+    try {
+        static_cast<void>(open_device(config));
+    } catch (const DeviceError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(OpenDevice, NamesAnUnknownDeviceAndTheKnownOnes) {
+    for (const char* name : {"mice", "", "script:", "script:surgeon", "MOUSE"}) {
+        const std::string error = error_of(name);
+        EXPECT_THAT(error, HasSubstr("unknown device \"" + std::string(name) + "\""));
+        EXPECT_THAT(error, HasSubstr("mouse, keyboard, gamepad, script:expert"));
+    }
+}
+
+TEST(OpenDevice, SaysPlainlyWhatThisVersionDoesNotDrive) {
+    for (const char* name : {"spacemouse", "openhaptics", "haply", "avatar", "forcedimension"}) {
+        const std::string error = error_of(name);
+        EXPECT_THAT(error, HasSubstr(name));
+        EXPECT_THAT(error, HasSubstr("not supported by this version"));
+        EXPECT_THAT(error, HasSubstr("mouse, keyboard"));
+    }
+}
+
+TEST(OpenDevice, RefusesWithoutTools) {
+    DeviceConfig config;
+    config.name = "mouse";
+    EXPECT_THROW(static_cast<void>(open_device(config)), DeviceError);
+    config.tools.resize(sim::kMaxTools + 1);
+    EXPECT_THROW(static_cast<void>(open_device(config)), DeviceError);
+}
+
+TEST(ListDevices, OffersExactlyWhatOpens) {
+    for (const auto& listing : list_devices()) {
+        EXPECT_EQ(error_of(listing.name) == "no error", listing.available) << listing.name;
+        EXPECT_FALSE(listing.detail.empty());
+    }
+}
+
+TEST(Controls, ExplainEveryHandDevice) {
+    for (const char* name : {"mouse", "keyboard", "gamepad"}) {
+        const auto help = controls(name);
+        ASSERT_GE(help.size(), 6u);
+        for (const auto& line : help) {
+            EXPECT_FALSE(line.action.empty());
+            EXPECT_FALSE(line.input.empty());
+        }
+    }
+    EXPECT_TRUE(controls("script:expert").empty());
+}
+
+TEST(Mouse, MovesRightAndUpInThePictureByItsGain) {
+    Bench bench("mouse");
+    EXPECT_EQ(bench.read(10).position_m, Vec3::Zero());
+    bench.input.mouse_x += 315;  // 10 mm on the desk
+    bench.input.mouse_y -= 630;  // y grows downwards
+    const Vec3 moved = bench.read(1000).position_m;
+    EXPECT_LT((moved - Vec3(0.0025, 0.005, 0)).norm(), 1e-6);
+    // Frame D is the picture: x right, y up. That the tip follows is shown in trocar_test.
+    EXPECT_EQ(bench.states[1].position_m, Vec3::Zero()) << "the scope stays";
+}
+
+TEST(Mouse, GoesDeeperWithTheWheelAwayFromTheUser) {
+    Bench bench("mouse");
+    bench.input.wheel += 2;
+    EXPECT_NEAR(bench.read(1000).position_m.z(), -0.002, 1e-6);
+}
+
+TEST(Mouse, IsFiveTimesFinerWithControl) {
+    Bench bench("mouse");
+    bench.hold(Key::kControl);
+    bench.input.mouse_x += 3150;
+    EXPECT_NEAR(bench.read(1000).position_m.x(), 0.005, 1e-6);
+}
+
+TEST(Mouse, DoesNotMoveTheTipWithTheClutch) {
+    Bench bench("mouse");
+    bench.hold(Key::kSpace);
+    bench.input.mouse_x += 1000;
+    EXPECT_EQ(bench.read(500).position_m, Vec3::Zero());
+    bench.hold(Key::kSpace, false);
+    EXPECT_EQ(bench.read(500).position_m, Vec3::Zero()) << "nor afterwards";
+}
+
+TEST(Mouse, MovesSmoothlyAndNeverFasterThanItsCap) {
+    Bench bench("mouse");
+    bench.input.mouse_x += 100'000;  // a flick of three metres
+    Vec3 before = Vec3::Zero();
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 now = bench.read(1).position_m;
+        EXPECT_LE((now - before).norm(), 0.150e-3 + 1e-12);
+        before = now;
+    }
+    EXPECT_LE(before.x(), 0.045 + 1e-12) << "and stays within reach";
+}
+
+TEST(Mouse, SteersTheScopeWithTheMiddleButton) {
+    Bench bench("mouse");
+    bench.input.middle = true;
+    bench.input.mouse_x += 315;
+    EXPECT_EQ(bench.read(1000).position_m, Vec3::Zero());
+    EXPECT_NEAR(bench.states[1].position_m.x(), 0.0025, 1e-6);
+}
+
+TEST(Mouse, PressesThePedalsOfTheNeedleOnly) {
+    Bench bench("mouse");
+    bench.input.left = true;
+    EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+    EXPECT_EQ(bench.states[1].pedals, 0);
+    bench.input.left = false;
+    bench.input.right = true;
+    EXPECT_EQ(bench.read(1).pedals, sim::kPedalCoag);
+    bench.input.right = false;
+    EXPECT_EQ(bench.read(1).pedals, 0);
+    bench.hold(Key::kCut);  // a foot pedal
+    EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+}
+
+TEST(Mouse, ReleasesThePedalAfterTenSeconds) {
+    Bench bench("mouse");
+    bench.input.left = true;
+    EXPECT_EQ(bench.read(9'990).pedals, sim::kPedalCut);
+    EXPECT_EQ(bench.read(30).pedals, 0);
+    EXPECT_EQ(bench.read(5'000).pedals, 0) << "until it was let go";
+    bench.input.left = false;
+    bench.read(1);
+    bench.input.left = true;
+    EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+}
+
+TEST(Mouse, StopsWithoutTheFocus) {
+    Bench bench("mouse");
+    bench.input.left = true;
+    bench.input.mouse_x += 3000;
+    const Vec3 here = bench.read(5).position_m;
+    EXPECT_EQ(bench.states[0].pedals, sim::kPedalCut);
+    bench.input.focused = false;
+    bench.input.mouse_x += 3000;
+    EXPECT_EQ(bench.read(1000).pedals, 0);
+    EXPECT_EQ(bench.states[0].position_m, here);
+    bench.input.focused = true;
+    EXPECT_EQ(bench.read(1000).pedals, 0) << "a button held meanwhile must be pressed again";
+    EXPECT_EQ(bench.states[0].position_m, here) << "motion from meanwhile is not made up for";
+}
+
+TEST(Mouse, FinishesOnEnter) {
+    Bench bench("mouse");
+    EXPECT_FALSE(bench.read(100).finish);
+    bench.press(Key::kEnter);
+    EXPECT_TRUE(bench.read(1).finish);
+}
+
+TEST(Mouse, WorksWithoutAWindow) {
+    DeviceConfig config;
+    config.name = "mouse";
+    config.tools = needle_and_scope();
+    const auto device = open_device(config);
+    std::array<DeviceState, 2> states;
+    for (int i = 1; i < 100; ++i) device->read(i * kMs, states);
+    EXPECT_EQ(states[0].position_m, Vec3::Zero());
+    EXPECT_EQ(states[0].pedals, 0);
+    EXPECT_EQ(device->info().size(), 2u);
+}
+
+TEST(Keyboard, MovesAtItsSpeedAndStopsWhenReleased) {
+    Bench bench("keyboard");
+    bench.hold(Key::kD);
+    bench.hold(Key::kW);
+    bench.read(300);
+    const Vec3 start = bench.states[0].position_m;
+    const Vec3 moved = bench.read(200).position_m - start;
+    EXPECT_NEAR(moved.x(), 0.040 * 0.2, 4e-4);
+    EXPECT_NEAR(moved.y(), 0.040 * 0.2, 4e-4);
+    bench.hold(Key::kD, false);
+    bench.hold(Key::kW, false);
+    bench.read(600);
+    const Vec3 rest = bench.states[0].position_m;
+    EXPECT_LT((bench.read(200).position_m - rest).norm(), 1e-7);
+}
+
+TEST(Keyboard, GoesDeeperWithFAndBackWithR) {
+    Bench bench("keyboard");
+    bench.hold(Key::kF);
+    const double deep = bench.read(300).position_m.z();
+    EXPECT_LT(deep, -0.005);
+    bench.hold(Key::kF, false);
+    bench.hold(Key::kR);
+    EXPECT_GT(bench.read(500).position_m.z(), deep + 0.005);
+}
+
+TEST(Keyboard, CutsWithXSlowly) {
+    Bench bench("keyboard");
+    bench.hold(Key::kX);
+    bench.hold(Key::kD);
+    bench.read(300);
+    const double start = bench.states[0].position_m.x();
+    EXPECT_EQ(bench.states[0].pedals, sim::kPedalCut);
+    EXPECT_NEAR(bench.read(1000).position_m.x() - start, 0.004, 2e-4) << "4 mm/s under the pedal";
+}
+
+TEST(Gamepad, IsLostUntilAPadIsThere) {
+    Bench bench("gamepad");
+    EXPECT_EQ(bench.read(1).status, DeviceStatus::kLost);
+    bench.input.gamepad = true;
+    bench.input.gamepad_axis = {1.0f, 0.0f, 0.0f, 0.0f, -1.0f, -1.0f};
+    EXPECT_EQ(bench.read(1).status, DeviceStatus::kReady);
+    bench.read(300);
+    const Vec3 start = bench.states[0].position_m;
+    const Vec3 moved = bench.read(100).position_m - start;
+    EXPECT_NEAR(moved.x(), 0.006, 3e-4);
+    EXPECT_NEAR(moved.z(), 0, 1e-9);
+    bench.input.gamepad_axis[0] = 0.1f;  // a worn stick inside the dead zone
+    bench.input.gamepad_buttons = 1;
+    bench.read(600);
+    const Vec3 rest = bench.states[0].position_m;
+    EXPECT_LT((bench.read(200).position_m - rest).norm(), 1e-7);
+    EXPECT_EQ(bench.states[0].pedals, sim::kPedalCut);
+    bench.input.gamepad = false;
+    EXPECT_EQ(bench.read(1).pedals, 0) << "unplugged";
+}
+
+TEST(Script, RunsInStepAndPutsTheTipWhereItWants) {
+    DeviceConfig config;
+    config.name = "script:expert";
+    config.tools = needle_and_scope();
+    const auto device = open_device(config);
+    EXPECT_TRUE(device->lock_step());
+    std::array<DeviceState, 2> states;
+    device->read(kMs, states);
+    // Before there is anything to see, the needle is at home, but for its tremor.
+    const auto trocars = default_trocars(config.tools, config.name);
+    Trocar trocar(config.tools[0], trocars[0]);
+    EXPECT_LT((trocar.tip_pose(states[0]).p - trocars[0].home_tip_m).norm(), 2e-4);
+    EXPECT_EQ(states[1].position_m, Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace placode::haptics

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scripted operators in a kinematic world: a flat ring that parts where an energised tip passes
+// slowly. No tissue mechanics, so that only behaviour is tested.
+#include "haptics/operator_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "haptics/servo.h"
+
+namespace placode::haptics {
+namespace {
+
+constexpr int kPoints = 100;
+constexpr double kFrameS = 1e-3;
+
+struct FlatWorld {
+    FlatWorld() {
+        for (int i = 0; i < kPoints; ++i) {
+            const double a = 2 * std::numbers::pi * i / kPoints;
+            contour.emplace_back(0.0095 * std::cos(a), 0.0045 * std::sin(a), 0.001);
+        }
+        normal.assign(kPoints, Vec3::UnitZ());
+        cut.assign(kPoints, 0);
+        energy.assign(kPoints, 0);
+    }
+    // Distance of a point in the plane to the contour, negative inside (towards the placode).
+    [[nodiscard]] double deviation(const Vec3& p) const {
+        double nearest = 1;
+        for (int i = 0; i < kPoints; ++i) {
+            const Vec3 a = contour[i], b = contour[(i + 1) % kPoints];
+            const Vec3 ab = b - a, ap = Vec3(p.x() - a.x(), p.y() - a.y(), 0);
+            const double w = std::clamp(ap.dot(ab) / ab.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (ap - w * ab).norm());
+        }
+        const bool inside = std::pow(p.x() / 0.0095, 2) + std::pow(p.y() / 0.0045, 2) < 1;
+        return inside ? -nearest : nearest;
+    }
+    void step(const Vec3& tip, bool pedal) {
+        in_contact = tip.z() < 0.001;
+        if (!pedal || !in_contact) return;
+        for (int i = 0; i < kPoints; ++i) {
+            const double d = std::hypot(tip.x() - contour[i].x(), tip.y() - contour[i].y());
+            if (d < 0.0003) energy[i] += kFrameS;
+            // 0.6 mm at 3 mm/s is 0.2 s; half of it parts the tissue.
+            if (energy[i] > 0.1) cut[i] = 1;
+        }
+    }
+    std::vector<Vec3> contour, normal;
+    std::vector<uint8_t> cut;
+    std::vector<double> energy;
+    bool in_contact = false;
+};
+
+struct Outcome {
+    double time_s = 0, cut_fraction = 0, mean_deviation_m = 0, worst_inward_m = 0;
+    double energy_in_air_s = 0, longest_dwell_s = 0, jerk = 0;
+    bool finished = false, finite = true;
+    Vec3 last = Vec3::Zero();
+};
+
+// Device, trocar and servo in the loop, as in an attempt.
+Outcome perform(const std::string& level, uint64_t seed) {
+    std::vector<sim::ToolSpec> tools(2);
+    tools[1].kind = sim::ToolKind::kScope;
+    tools[1].pivot_m = Vec3(-0.045, 0, 0.075);
+    DeviceConfig config;
+    config.name = "script:" + level;
+    config.seed = seed;
+    config.tools = tools;
+    Servo servo(open_device(config), tools, default_trocars(tools, config.name), {});
+    FlatWorld world;
+    std::array<sim::ToolInput, 2> inputs{};
+    std::array<sim::ToolFeedback, 2> feedback{};
+    Outcome out;
+    double deviations = 0, samples = 0, dwell = 0;
+    Vec3 dwell_at = Vec3::Zero(), p1 = Vec3::Zero(), p2 = Vec3::Zero(), p3 = Vec3::Zero();
+    for (int i = 1; i < 120'000 && !servo.finish_requested(); ++i) {
+        Perception seen;
+        seen.time_s = i * kFrameS;
+        seen.contour = world.contour;
+        seen.contour_normal = world.normal;
+        seen.contour_cut = world.cut;
+        seen.tools = feedback;
+        seen.in_contact = world.in_contact;
+        servo.devices().perceive(seen);
+        servo.tick(int64_t{i} * 1'000'000, inputs, feedback);
+        const Vec3 tip = inputs[0].pose().p;
+        out.finite = out.finite && tip.allFinite();
+        const bool pedal = inputs[0].pedals == sim::kPedalCut;
+        world.step(tip, pedal);
+        feedback[0].proxy = inputs[0].pose();
+        feedback[0].time_s = i * kFrameS;
+        if (pedal && world.in_contact) {
+            const double d = world.deviation(tip);
+            deviations += std::abs(d);
+            samples += 1;
+        }
+        if (world.in_contact)
+            out.worst_inward_m = std::max(out.worst_inward_m, -world.deviation(tip));
+        if (pedal && !world.in_contact) out.energy_in_air_s += kFrameS;
+        dwell = pedal && (tip - dwell_at).norm() < 0.5e-3 ? dwell + kFrameS : 0;
+        if (dwell == 0) dwell_at = tip;
+        out.longest_dwell_s = std::max(out.longest_dwell_s, dwell);
+        if (i > 3) out.jerk += (tip - 3 * p1 + 3 * p2 - p3).norm();
+        p3 = p2;
+        p2 = p1;
+        p1 = tip;
+        out.time_s = i * kFrameS;
+        out.last = tip;
+    }
+    out.finished = servo.finish_requested();
+    out.cut_fraction = static_cast<double>(std::count(world.cut.begin(), world.cut.end(), 1)) /
+                       static_cast<double>(kPoints);
+    out.mean_deviation_m = samples > 0 ? deviations / samples : 1;
+    return out;
+}
+
+TEST(Operator, ExpertCompletesTheRingCleanly) {
+    for (const uint64_t seed : {1u, 2u, 3u}) {
+        const Outcome expert = perform("expert", seed);
+        EXPECT_TRUE(expert.finished);
+        EXPECT_EQ(expert.cut_fraction, 1) << "seed " << seed;
+        EXPECT_LT(expert.mean_deviation_m, 1.5e-4);
+        EXPECT_LT(expert.worst_inward_m, 0.5e-3);
+        EXPECT_LT(expert.longest_dwell_s, 1.0);
+        EXPECT_LT(expert.energy_in_air_s, 0.3);
+        EXPECT_GT(expert.time_s, 12);
+        EXPECT_LT(expert.time_s, 40);
+    }
+}
+
+TEST(Operator, LevelsDifferByWhatTheyDo) {
+    for (const uint64_t seed : {1u, 2u}) {
+        const Outcome expert = perform("expert", seed), middle = perform("intermediate", seed),
+                      novice = perform("novice", seed);
+        EXPECT_LT(expert.mean_deviation_m, middle.mean_deviation_m);
+        EXPECT_LT(middle.mean_deviation_m, novice.mean_deviation_m);
+        EXPECT_LT(expert.time_s, middle.time_s);
+        EXPECT_LT(expert.time_s, novice.time_s);
+        EXPECT_GT(middle.cut_fraction, novice.cut_fraction);
+        EXPECT_GT(novice.worst_inward_m, 2e-3) << "slips onto the placode";
+        EXPECT_LT(middle.worst_inward_m, 1.5e-3);
+        EXPECT_GT(novice.energy_in_air_s, expert.energy_in_air_s + 1.0);
+        EXPECT_GT(novice.longest_dwell_s, 2 * expert.longest_dwell_s);
+        EXPECT_LT(expert.jerk / expert.time_s, novice.jerk / novice.time_s);
+        EXPECT_TRUE(novice.finished);
+        EXPECT_LT(novice.time_s, 100);
+    }
+}
+
+TEST(Operator, RepeatsItselfBitForBitBySeed) {
+    for (const char* level : {"expert", "novice"}) {
+        const Outcome a = perform(level, 7), b = perform(level, 7), c = perform(level, 8);
+        EXPECT_EQ(a.time_s, b.time_s);
+        EXPECT_EQ(a.last, b.last);
+        EXPECT_EQ(a.jerk, b.jerk);
+        EXPECT_NE(a.jerk, c.jerk);
+        EXPECT_TRUE(a.finite && c.finite);
+    }
+}
+
+TEST(Operator, GivesUpWithoutAContour) {
+    OperatorModel model(operator_profile(OperatorLevel::kExpert), 1, Vec3(0, 0, 0.015));
+    OperatorAction action;
+    for (int i = 0; i < 10'000 && !action.finish; ++i) {
+        model.see({}, {});
+        action = model.act(kFrameS);
+        ASSERT_TRUE(action.tip_m.allFinite());
+        ASSERT_EQ(action.pedals, 0);
+    }
+    EXPECT_TRUE(action.finish);
+}
+
+TEST(Operator, GivesUpWhereNothingCuts) {
+    // Energy without effect: the generator is broken. The operator must not go on for ever.
+    FlatWorld world;
+    OperatorModel model(operator_profile(OperatorLevel::kExpert), 1, Vec3(0, 0, 0.015));
+    OperatorAction action;
+    double time = 0;
+    for (; time < 150 && !action.finish; time += kFrameS) {
+        Perception seen;
+        seen.contour = world.contour;
+        seen.contour_normal = world.normal;
+        seen.contour_cut = world.cut;
+        seen.in_contact = action.tip_m.z() < 0.001;
+        model.see(seen, {});
+        action = model.act(kFrameS);
+    }
+    EXPECT_TRUE(action.finish);
+    EXPECT_LT(time, operator_profile(OperatorLevel::kExpert).patience_s + 5);
+}
+
+TEST(Operator, SurvivesAContourThatIsNotFinite) {
+    FlatWorld world;
+    for (auto& normal : world.normal) normal.setConstant(std::nan(""));
+    OperatorModel model(operator_profile(OperatorLevel::kNovice), 1, Vec3(0, 0, 0.015));
+    for (int i = 0; i < 20'000; ++i) {
+        Perception seen;
+        seen.contour = world.contour;
+        seen.contour_normal = world.normal;
+        seen.contour_cut = world.cut;
+        seen.in_contact = i > 6000;
+        model.see(seen, {});
+        ASSERT_TRUE(model.act(kFrameS).tip_m.allFinite());
+    }
+}
+
+TEST(OperatorRandom, HasTheMomentsItClaims) {
+    OperatorRandom random(42);
+    double sum = 0, square = 0, low = 1, high = 0;
+    constexpr int n = 100'000;
+    for (int i = 0; i < n; ++i) {
+        const double x = random.normal(), u = random.uniform();
+        sum += x;
+        square += x * x;
+        low = std::min(low, u);
+        high = std::max(high, u);
+    }
+    // Standard errors: 0.003 for the mean, 0.005 for the variance; four of them are allowed.
+    EXPECT_NEAR(sum / n, 0, 0.013);
+    EXPECT_NEAR(square / n, 1, 0.02);
+    EXPECT_GE(low, 0);
+    EXPECT_LT(high, 1);
+}
+
+}  // namespace
+}  // namespace placode::haptics
