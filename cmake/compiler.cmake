@@ -60,6 +60,30 @@ std::vector<EmbeddedSql> embedded_migrations() {
   target_sources(${target} PRIVATE ${out})
 endfunction()
 
+# placode_embed_shaders(TARGET FOLDER): every .glsl becomes text of one generated source that defines
+# placode::sim::shader_text(name) (declared in sim/view/gl_program.h).
+function(placode_embed_shaders target folder)
+  file(GLOB shader_files CONFIGURE_DEPENDS ${folder}/*.glsl)
+  set(body)
+  foreach(file IN LISTS shader_files)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    get_filename_component(stem ${file} NAME_WE)
+    file(READ ${file} text)
+    string(APPEND body "    if (name == \"${stem}\") return R\"~glsl~(${text})~glsl~\";\n")
+  endforeach()
+  set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded_shaders.cpp)
+  file(CONFIGURE OUTPUT ${out} @ONLY CONTENT
+"// Generated from ${folder} by cmake/compiler.cmake.
+#include \"sim/view/gl_program.h\"
+namespace placode::sim {
+std::string_view shader_text(std::string_view name) {
+@body@    return {};
+}
+}  // namespace placode::sim
+")
+  target_sources(${target} PRIVATE ${out})
+endfunction()
+
 function(placode_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${arg_SOURCES})

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The operation as the fetoscope shows it: draws a Snapshot into a window, or off-screen for
+// screenshots. Main thread only; owns the OpenGL context.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/view/gl_context.h"
+#include "sim/view/overlay.h"
+#include "sim/view/view_field.h"
+
+namespace placode::sim {
+
+/// How much is computed per picture. Lowered by itself where pictures are slow.
+struct Quality {
+    double render_scale = 1;  ///< Pixels computed per pixel shown, along each side.
+    int samples = 0;          ///< Multisampling.
+};
+
+struct ViewSettings {
+    int width = 1280, height = 800;  ///< [px]
+    bool offscreen = false;          ///< No display needed, no window shown.
+    bool fullscreen = false;
+    bool adaptive = true;  ///< Follow the frame time; off for reproducible pictures.
+    Quality quality;       ///< To start with.
+    std::string title = "Placode";
+};
+
+class FetoscopeView {
+ public:
+    /// Throws ViewError: no display, no OpenGL 3.3, no font; says what to do.
+    FetoscopeView(const ViewField& field, const ViewSettings& settings);
+    ~FetoscopeView();
+
+    /// Draws one picture and shows it.
+    void draw(const Snapshot& snapshot, const OverlayState& overlay);
+    /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
+    void poll(WindowInput& input);
+    [[nodiscard]] bool close_requested() const;
+    void capture_pointer(bool capture);
+    /// Menu item under the pointer, -1 = none.
+    [[nodiscard]] int menu_item_under_pointer() const;
+
+    /// The last picture, rows from the top (height x width x 3).
+    [[nodiscard]] std::vector<uint8_t> pixels();
+    /// Writes the last picture as PNG. Throws ViewError when the file cannot be written.
+    void save_png(const std::string& path);
+    [[nodiscard]] int width() const;
+    [[nodiscard]] int height() const;
+    [[nodiscard]] FrameTimes frame_times() const;
+    /// First OpenGL error since the last call, 0 = none.
+    [[nodiscard]] unsigned gl_error();
+
+ private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace placode::sim

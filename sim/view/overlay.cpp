@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/view/overlay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+#include "sim/view/strings.h"
+
+namespace placode::sim {
+namespace {
+
+// The dark theme's tokens.
+constexpr Colour kText{0.925F, 0.929F, 0.933F, 1}, kMuted{0.604F, 0.639F, 0.678F, 1};
+constexpr Colour kLine{0.200F, 0.216F, 0.239F, 1}, kRaised{0.122F, 0.133F, 0.149F, 0.94F};
+constexpr Colour kAccent{0.310F, 0.722F, 0.761F, 1}, kGood{0.424F, 0.773F, 0.561F, 1};
+constexpr Colour kWarn{0.878F, 0.643F, 0.290F, 1}, kCritical{0.949F, 0.522F, 0.486F, 1};
+constexpr Colour kYellow{0.965F, 0.796F, 0.227F, 1}, kBlue{0.357F, 0.588F, 0.976F, 1};
+constexpr Colour kInk{0.086F, 0.094F, 0.106F, 1};
+
+std::string number(double value, int digits) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", digits, value);
+    for (char* c = text; *c != 0; ++c) {
+        if (*c == ',') *c = '.';  // whatever the locale says
+    }
+    return text;
+}
+
+const char* phase_text(Phase phase) {
+    switch (phase) {
+        case Phase::kInspect:
+            return "Inspect";
+        case Phase::kIncise:
+            return "Incise";
+        case Phase::kRelease:
+            return "Release";
+        case Phase::kResect:
+            return "Resect";
+        case Phase::kCheck:
+            return "Check";
+    }
+    return "";
+}
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+    const auto total = static_cast<long>(std::floor(std::max(0.0, seconds)));
+    char text[32];
+    std::snprintf(text, sizeof text, "%ld:%02ld", total / 60, total % 60);
+    return text;
+}
+
+std::string Overlay::say(std::string_view english) const {
+    return translated(english, state_->language);
+}
+
+void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const OverlayState& state,
+                   const Circle& circle, const Camera& camera, const FrameTimes& times, int width,
+                   int height) {
+    paint_ = &painter;
+    snapshot_ = &snapshot;
+    state_ = &state;
+    camera_ = &camera;
+    times_ = &times;
+    circle_ = circle;
+    width_ = width;
+    height_ = height;
+    unit_ = std::clamp(std::min(height / 46.0, width / 60.0), 10.0, 26.0);
+    margin_ = std::round(1.1 * unit_);
+    // Width beside the circle at its middle; in the corners there is more.
+    column_ = std::max(7.5 * unit_, 0.5 * width - circle.radius - 2 * margin_);
+    painter.begin(width, height, unit_);
+    menu_shown_ = state.menu;
+    if (!state.exam || state.menu) {
+        energy();
+        force();
+        ring();
+    }
+    read_outs();
+    warning();
+    if (state.show_performance) performance();
+    if (state.show_help && !state.menu) help();
+    if (state.menu) menu();
+    painter.draw();
+}
+
+void Overlay::read_outs() {
+    double y = margin_ + 1.6 * unit_;
+    paint_->text(margin_, y, clock_text(snapshot_->time_s), TextSize::kLarge, kText);
+    if (state_->exam && !state_->menu) return;
+    if (state_->time_limit_s > 0) {
+        const double x =
+            margin_ + paint_->text_width(clock_text(snapshot_->time_s), TextSize::kLarge);
+        paint_->text(x + 0.5 * unit_, y, say("of") + " " + clock_text(state_->time_limit_s),
+                     TextSize::kSmall, kMuted);
+    }
+    y += 1.9 * unit_;
+    paint_->text(margin_, y, say(phase_text(snapshot_->phase)), TextSize::kNormal, kAccent);
+    // The goal needs a wide window: it must not run into the picture.
+    const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
+    if (room > 9 * unit_) {
+        y += 2.4 * unit_;
+        for (const std::string& line : paint_->wrapped(state_->title, TextSize::kNormal, room)) {
+            paint_->text(margin_, y, line, TextSize::kNormal, kText);
+            y += paint_->line_height(TextSize::kNormal);
+        }
+        y += 0.3 * unit_;
+        for (const std::string& line : paint_->wrapped(state_->goal, TextSize::kSmall, room)) {
+            paint_->text(margin_, y, line, TextSize::kSmall, kMuted);
+            y += paint_->line_height(TextSize::kSmall);
+        }
+        paint_->text(width_ - margin_, height_ - margin_, say("F1 help   Esc pause   Enter finish"),
+                     TextSize::kSmall, kMuted.faded(0.7F), Align::kRight);
+    }
+    if (!state_->banner.empty()) {
+        const std::string text = say(state_->banner);
+        const double w = paint_->text_width(text, TextSize::kSmall) + 1.2 * unit_;
+        const double x = room > 9 * unit_ ? margin_ : 0.5 * (width_ - w);
+        const double top = room > 9 * unit_ ? y + 0.6 * unit_ : height_ - margin_ - 1.0 * unit_;
+        paint_->box(x, top, w, 1.5 * unit_, kRaised);
+        paint_->text(x + 0.6 * unit_, top + 1.05 * unit_, text, TextSize::kSmall, kWarn);
+    }
+    if (!state_->notice.empty()) {
+        paint_->text(0.5 * width_, height_ - 1.6 * margin_, say(state_->notice), TextSize::kSmall,
+                     kText, Align::kCentre);
+    }
+}
+
+void Overlay::energy() {
+    bool cut = false, coag = false, live = false;
+    for (int i = 0; i < snapshot_->tool_count; ++i) {
+        const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
+        const bool both = (tool.pedals & (kPedalCut | kPedalCoag)) == (kPedalCut | kPedalCoag);
+        cut = cut || (!both && (tool.pedals & kPedalCut) != 0);
+        coag = coag || (!both && (tool.pedals & kPedalCoag) != 0);
+        live = live || tool.energised != 0;
+    }
+    const double w = 6.0 * unit_, h = 2.0 * unit_;
+    const auto lamp = [&](double y, bool on, const Colour& colour, const char* name, double power) {
+        const double x = width_ - margin_ - w;
+        paint_->box(x, y, w, h, on ? colour : kRaised);
+        paint_->box(x, y, 0.3 * unit_, h, colour.faded(on ? 1.0F : 0.55F));
+        paint_->text(x + 0.8 * unit_, y + 1.36 * unit_, say(name), TextSize::kSmall,
+                     on ? kInk : kMuted);
+        paint_->text(x + w - 0.5 * unit_, y + 1.36 * unit_, number(power, 0) + " W",
+                     TextSize::kSmall, on ? kInk : kMuted, Align::kRight);
+    };
+    lamp(margin_, cut && live, kYellow, "CUT", state_->cut_power_w);
+    lamp(margin_ + h + 0.4 * unit_, coag && live, kBlue, "COAG", state_->coag_power_w);
+}
+
+void Overlay::force() {
+    const double w = 7.0 * unit_, h = 0.5 * unit_;
+    double y = height_ - margin_ - h;
+    for (int i = snapshot_->tool_count - 1; i >= 0; --i) {
+        const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
+        if (tool.kind == ToolKind::kScope) continue;
+        const double f = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
+        const double share = std::clamp(f / std::max(state_->full_force_n, 1e-6), 0.0, 1.0);
+        const Colour colour = share > 0.85 ? kCritical : share > 0.5 ? kWarn : kGood;
+        paint_->box(margin_, y, w, h, kRaised);
+        paint_->box(margin_, y, w * share, h, colour);
+        paint_->text(margin_, y - 0.5 * unit_, say("force") + "  " + number(1000 * f, 0) + " mN",
+                     TextSize::kSmall, kMuted);
+        y -= 2.4 * unit_;
+    }
+}
+
+void Overlay::ring() {
+    const double radius = 2.3 * unit_, x = width_ - margin_ - radius;
+    const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
+    const double y = height_ - margin_ - radius - (room > 9 * unit_ ? 2.0 * unit_ : 0.0);
+    paint_->ring(x, y, radius, 0.80, kLine);
+    const size_t n = snapshot_->contour_cut.size();
+    for (size_t i = 0; i < n; ++i) {
+        if (snapshot_->contour_cut[i] == 0) continue;
+        // Drawn as the lesion lies in the picture: cranial (+x) up, left (+y) to the left.
+        Vec2 direction[2];
+        for (size_t e = 0; e < 2; ++e) {
+            const double angle =
+                2 * 3.14159265358979 * static_cast<double>(i + e) / static_cast<double>(n);
+            direction[e] = Vec2(-std::sin(angle), -std::cos(angle));
+        }
+        const Vec2 centre(x, y);
+        paint_->quad({centre + radius * direction[0], centre + radius * direction[1],
+                      centre + 0.80 * radius * direction[1], centre + 0.80 * radius * direction[0]},
+                     kAccent);
+    }
+    paint_->text(x, y + 0.25 * unit_,
+                 number(std::floor(100.0 * snapshot_->cut_fraction + 1e-4), 0) + " %",
+                 TextSize::kNormal, kText, Align::kCentre);
+    paint_->text(x, y + 1.25 * unit_, say("ring"), TextSize::kSmall, kMuted, Align::kCentre);
+}
+
+// One short phrase at the rim, on the side of the instrument; calm, gone after a few seconds.
+void Overlay::warning() {
+    const std::string_view message(snapshot_->message.data(),
+                                   strnlen(snapshot_->message.data(), snapshot_->message.size()));
+    constexpr double kHoldS = 2.0, kFadeS = 1.0;
+    const double age = snapshot_->message_age_s;
+    if (message.empty() || state_->exam || age > kHoldS + kFadeS) return;
+    const auto alpha = static_cast<float>(std::clamp((kHoldS + kFadeS - age) / kFadeS, 0.0, 1.0));
+    Vec2 direction(0, 1);
+    for (int i = 0; i < snapshot_->tool_count; ++i) {
+        const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
+        if (tool.kind == ToolKind::kScope) continue;
+        const Vec3 d = 1000 * tool.pose.p - camera_->position_mm;
+        const Vec2 seen(d.dot(camera_->right), -d.dot(camera_->up));
+        if (seen.norm() > 1e-3) direction = seen.normalized();
+        break;
+    }
+    const std::string text = say(message);
+    const double w = paint_->text_width(text, TextSize::kNormal) + 1.6 * unit_, h = 2.0 * unit_;
+    double x = circle_.x + 0.80 * circle_.radius * direction.x() - 0.5 * w;
+    double y = circle_.y + 0.80 * circle_.radius * direction.y() - 0.5 * h;
+    x = std::clamp(x, margin_, width_ - margin_ - w);
+    y = std::clamp(y, margin_, height_ - margin_ - h);
+    paint_->box(x, y, w, h, kRaised.faded(alpha));
+    paint_->box(x, y, 0.25 * unit_, h, kWarn.faded(alpha));
+    paint_->text(x + 0.9 * unit_, y + 1.35 * unit_, text, TextSize::kNormal, kText.faded(alpha));
+}
+
+void Overlay::help() {
+    double keys = 0, texts = 0;
+    for (const auto& [key, text] : state_->help) {
+        keys = std::max(keys, paint_->text_width(say(key), TextSize::kSmall));
+        texts = std::max(texts, paint_->text_width(say(text), TextSize::kSmall));
+    }
+    const double row = paint_->line_height(TextSize::kSmall) + 0.25 * unit_;
+    const double w = keys + texts + 4.0 * unit_;
+    const double h = row * static_cast<double>(state_->help.size()) + 3.6 * unit_;
+    const double x = 0.5 * (width_ - w), y = 0.5 * (height_ - h);
+    paint_->box(x, y, w, h, kRaised.faded(0.92F));
+    paint_->text(x + 1.2 * unit_, y + 1.9 * unit_, say("Controls"), TextSize::kNormal, kText);
+    double line = y + 1.9 * unit_ + 1.7 * unit_;
+    for (const auto& [key, text] : state_->help) {
+        paint_->text(x + 1.2 * unit_, line, say(key), TextSize::kSmall, kAccent);
+        paint_->text(x + 2.4 * unit_ + keys, line, say(text), TextSize::kSmall, kText);
+        line += row;
+    }
+}
+
+void Overlay::performance() {
+    const std::string lines[] = {"physics " + number(snapshot_->physics_hz, 0) + " Hz, " +
+                                     std::to_string(snapshot_->substeps) + " substeps",
+                                 "picture " +
+                                     number(times_->mean_ms > 0 ? 1000 / times_->mean_ms : 0, 0) +
+                                     " fps, p99 " + number(times_->p99_ms, 0) + " ms",
+                                 "scale " + number(times_->render_scale, 2) + ", " +
+                                     std::to_string(times_->samples) + " samples",
+                                 "servo p99.9 " + number(snapshot_->servo_p999_us, 0) + " us",
+                                 "placode " + number(snapshot_->placode_peak_c, 1) + " C, CEM43 " +
+                                     number(snapshot_->placode_peak_cem43_min, 2) + " min",
+                                 times_->renderer};
+    double y = 0.5 * height_ - 3 * unit_;
+    for (const std::string& line : lines) {
+        const double w = paint_->text_width(line, TextSize::kSmall);
+        paint_->box(margin_ - 0.4 * unit_, y - 1.0 * unit_, w + 0.8 * unit_, 1.4 * unit_,
+                    kRaised.faded(0.8F));
+        paint_->text(margin_, y, line, TextSize::kSmall, kText);
+        y += 1.4 * unit_;
+    }
+}
+
+void Overlay::menu() {
+    const std::string items[kMenuItems] = {say("Continue"), say("Finish and score"),
+                                           say("Leave without finishing")};
+    menu_row_ = 2.8 * unit_;
+    menu_width_ = 20 * unit_;
+    const double h = 4.2 * unit_ + kMenuItems * menu_row_ + 2.2 * unit_;
+    const double x = 0.5 * (width_ - menu_width_), y = 0.5 * (height_ - h);
+    paint_->box(x, y, menu_width_, h, kRaised);
+    paint_->text(x + 1.4 * unit_, y + 2.6 * unit_, say("Paused"), TextSize::kLarge, kText);
+    menu_x_ = x;
+    menu_y_ = y + 4.2 * unit_;
+    for (int i = 0; i < kMenuItems; ++i) {
+        const double top = menu_y_ + i * menu_row_;
+        const bool selected = i == state_->menu_selected;
+        if (selected)
+            paint_->box(x + 0.6 * unit_, top, menu_width_ - 1.2 * unit_, menu_row_ - 0.3 * unit_,
+                        kAccent);
+        paint_->text(x + 1.4 * unit_, top + 1.65 * unit_, items[i], TextSize::kNormal,
+                     selected ? kInk : kText);
+    }
+    paint_->text(x + 1.4 * unit_, y + h - 0.9 * unit_, say("Arrows and Enter, or the mouse"),
+                 TextSize::kSmall, kMuted);
+}
+
+int Overlay::menu_item_at(double x, double y) const {
+    if (!menu_shown_ || x < menu_x_ || x > menu_x_ + menu_width_ || y < menu_y_) return -1;
+    const int item = static_cast<int>((y - menu_y_) / menu_row_);
+    return item < kMenuItems ? item : -1;
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What lens, camera and monitor do to the linear picture: metering, bloom, distortion, film curve.
+
+#include <array>
+
+#include "sim/view/gl_program.h"
+
+namespace placode::sim {
+
+/// Where the round picture lies in the window [px].
+struct Circle {
+    double x = 0, y = 0, radius = 1;
+};
+/// Fills the height, in the middle.
+[[nodiscard]] Circle picture_circle(int width, int height);
+
+struct PostSettings {
+    Circle circle;
+    int width = 0, height = 0;  ///< Of the output [px].
+    GLuint output = 0;          ///< Framebuffer.
+    double dt_s = 0;            ///< Since the last picture, for the slow iris.
+    double haze = 0, dim = 1;
+    uint32_t noise_seed = 0;
+};
+
+class PostProcess {
+ public:
+    PostProcess();
+    void run(const GlTexture& picture, int size, const PostSettings& settings);
+
+ private:
+    GlProgram bright_, meter_, blur_, compose_;
+    GlTarget quarter_, ping_, pong_;
+    std::array<GlTarget, 2> exposure_;
+    int current_ = 0;
+    bool first_ = true;
+};
+
+}  // namespace placode::sim

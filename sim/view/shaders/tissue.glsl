@@ -1,0 +1,155 @@
+// The operative field. Colours: palette of the anatomy reference, linear RGB. Everything that has a
+// pattern is looked up by REST position, so that it sticks to the tissue.
+in vec3 v_position;
+in vec3 v_normal;
+in vec4 v_rest;
+in vec4 v_damage;
+in vec2 v_extra;
+uniform sampler2D border_map;  // d_p, d_s [mm]
+uniform sampler2D vessel_map;  // placode, arteriole, venule
+uniform sampler2D skin_map;    // vernix, lanugo, mottle, pores
+uniform sampler2D noise_map;   // fbm, fbm 2, slope x, slope y
+uniform vec2 map_low;
+uniform vec2 map_high;
+uniform float skin_tile;
+out vec4 colour;
+
+const vec3 kSkin = vec3(0.694, 0.258, 0.238);
+const vec3 kThinEdge = vec3(0.584, 0.130, 0.144);
+const vec3 kJunction = vec3(0.807, 0.479, 0.423);
+const vec3 kMembrane = vec3(0.815, 0.716, 0.672);
+const vec3 kPlacode = vec3(0.479, 0.060, 0.050);
+const vec3 kVessel = vec3(0.205, 0.007, 0.009);
+const vec3 kVenule = vec3(0.144, 0.042, 0.091);
+const vec3 kGel = vec3(0.392, 0.144, 0.122);
+const vec3 kDura = vec3(0.791, 0.716, 0.631);
+const vec3 kMuscle = vec3(0.270, 0.028, 0.025);
+const vec3 kSubcutis = vec3(0.791, 0.571, 0.275);
+const vec3 kBlood = vec3(0.195, 0.002, 0.002);
+const vec3 kBlanch = vec3(0.815, 0.738, 0.624);
+const vec3 kTan = vec3(0.485, 0.275, 0.102);
+const vec3 kChar = vec3(0.006, 0.004, 0.003);
+const vec3 kVernix = vec3(0.888, 0.839, 0.745);
+
+void main() {
+    vec2 q = v_rest.xy;
+    float depth = v_rest.w, fresh = v_extra.y;
+    vec2 wall = q + depth * vec2(0.63, 0.81);  // walls get their own pattern, not a smear
+    vec4 n1 = texture(noise_map, wall / 9.0);
+    vec4 n2 = texture(noise_map, wall / 2.3 + vec2(0.37, 0.11));
+    vec2 uv = (q - map_low) / (map_high - map_low);
+    vec2 d = texture(border_map, uv).rg;
+    d += (n1.rg - 0.5) * vec2(0.7, 1.1) + (n2.rg - 0.5) * 0.35;
+
+    // Columns blend softly: there is no line in the body.
+    float w_placode = 1.0 - smoothstep(-0.30, 0.30, d.x);
+    float w_skin = smoothstep(-0.45, 0.35, d.y);
+    float w_zone = saturate(1.0 - w_placode - w_skin);
+    float top = 1.0 - smoothstep(0.10, 0.30, depth);
+
+    vec3 n = normalize(v_normal);
+    vec3 v = normalize(eye - v_position);
+    if (dot(n, v) < 0.0) n = -n;
+    float nv0 = saturate(dot(n, v));
+
+    vec4 vessels = texture(vessel_map, uv);
+    vec4 skin_tex = texture(skin_map, q / skin_tile);
+    float away = smoothstep(1.5, 7.0, d.y);
+
+    // --- skin: pink and mottled, thin and red towards the edge
+    vec3 skin = kSkin * mix(vec3(0.80, 0.66, 0.64), vec3(1.12, 1.16, 1.15), skin_tex.b);
+    skin = mix(skin, skin * vec3(0.98, 0.80, 0.80), 0.8 * (n1.g - 0.35));
+    skin *= 0.90 + 0.2 * skin_tex.a;
+    skin = mix(kThinEdge * (0.85 + 0.35 * n1.r), skin, smoothstep(-0.2, 3.0, d.y));
+    skin = mix(skin, kThinEdge * vec3(0.72, 0.42, 0.42), 0.75 * exp(-sq((d.y - 0.05) / 0.38)));
+    skin = mix(skin, kVessel * 1.6, vessels.g * mix(0.50, 0.16, away));
+    skin = mix(skin, kVenule * 1.3, vessels.b * mix(0.35, 0.22, away));
+    float vernix = skin_tex.r * smoothstep(2.0, 4.0, d.y) * top;
+    skin = mix(skin, kVernix, 0.75 * vernix);
+    skin = mix(skin, kVernix * vec3(0.95, 0.85, 0.78), 0.28 * skin_tex.g * smoothstep(1.0, 3.0, d.y));
+    vec3 dermis = mix(kSkin, kJunction, 0.55) * (0.85 + 0.3 * n2.r);
+    skin = mix(skin, dermis, (1.0 - top) * smoothstep(0.05, 0.3, depth));
+    vec3 fat = mix(kSubcutis, kSkin, 0.35) * (0.8 + 0.4 * n2.g);
+    skin = mix(skin, fat, smoothstep(0.65, 0.95, depth + 0.3 * (n1.r - 0.5)));
+    skin = mix(skin, kMuscle * (0.8 + 0.8 * n2.r), smoothstep(1.45, 1.75, depth + 0.4 * (n1.r - 0.5)));
+
+    // --- zone: a grey-white film over a dark wet space, with fine fibres and vessels
+    float fibre = texture(noise_map, vec2(q.x * 0.10 + 0.03 * q.y, q.y * 0.42)).r;
+    vec3 below = mix(kGel, kMuscle * 1.6, saturate(1.5 * n1.g - 0.35));
+    float cover = mix(0.50, 0.86, saturate(0.65 * fibre + 0.55 * n1.r - 0.1));
+    cover = mix(cover, 0.97, pow(1.0 - nv0, 3.0));
+    vec3 film = mix(kMembrane * vec3(0.93, 0.92, 0.93), kJunction, 0.55 * smoothstep(1.9, 0.2, d.x) + 0.12);
+    vec3 zone = mix(below, film, cover * 0.80);
+    zone = mix(zone, kThinEdge, 0.50 * smoothstep(-1.3, 0.1, d.y));
+    zone = mix(zone, kPlacode * 1.3, 0.55 * exp(-sq((d.x - 0.05) / 0.42)));
+    zone = mix(zone, kVenule, 0.40 * vessels.b * top);
+    zone = mix(zone, kVessel * 1.5, 0.78 * vessels.g * top);
+    zone = mix(zone, kGel * (0.55 + 0.5 * n2.r), smoothstep(0.42, 0.62, depth));
+    zone = mix(zone, mix(kDura, kGel, 0.45), smoothstep(1.35, 1.7, depth));
+
+    // --- placode: raw, red, a groove with vessels in the midline
+    vec3 placode = kPlacode * mix(vec3(0.75, 0.7, 0.7), vec3(1.30, 1.7, 1.6), n1.r);
+    placode = mix(placode, kJunction * vec3(0.8, 0.45, 0.4), 0.35 * smoothstep(0.55, 0.85, n2.g));
+    float groove = exp(-sq((q.y + 0.25 * (n1.g - 0.5)) / 0.34)) * smoothstep(0.3, -1.2, d.x);
+    placode *= 1.0 - 0.55 * groove;
+    placode = mix(placode, kVessel * 0.85, 0.82 * vessels.r * top);
+    placode = mix(placode, kGel * 0.6, smoothstep(1.1, 1.35, depth));
+
+    vec3 albedo = skin * w_skin + zone * w_zone + placode * w_placode;
+    float wet = 0.60 * w_skin + 1.0 * w_zone + 1.0 * w_placode;
+    float rough = mix(0.30, 0.20, w_placode + w_zone);
+    wet = mix(wet, 0.35, w_skin * vernix);
+    wet *= mix(1.0, 0.6 + 0.6 * n1.g, w_skin);
+
+    // --- what was cut open just now bleeds a little and shines
+    vec3 raw = mix(albedo, kBlood * 2.2 + 0.28 * albedo, 0.30 + 0.45 * n2.r);
+    albedo = mix(albedo, raw, 0.85 * fresh);
+    wet = mix(wet, 1.0, fresh);
+
+    // --- heat
+    float omega = v_damage.x, dried = v_damage.y, charred = v_damage.z;
+    float ragged = 0.5 * (n2.r - 0.5);
+    albedo = mix(albedo, albedo * vec3(0.72, 0.42, 0.42), smoothstep(0.08, 0.35, omega + 0.2 * ragged) *
+                                                          (1.0 - smoothstep(0.4, 0.8, omega)));
+    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged);
+    albedo = mix(albedo, kBlanch * (0.82 + 0.3 * n2.g), 0.90 * blanch);
+    float tan_part = smoothstep(0.45, 0.95, dried + 0.7 * ragged);
+    albedo = mix(albedo, kTan * (0.7 + 0.6 * n2.r), 0.88 * tan_part);
+    float burnt = smoothstep(0.05, 0.75, charred + 0.5 * ragged * step(0.01, charred));
+    albedo = mix(albedo, kChar * (1.0 + 2.5 * n2.g), burnt);
+    rough = mix(mix(rough, 0.55, max(blanch, tan_part)), 0.9, burnt);
+    wet *= (1.0 - 0.65 * blanch) * (1.0 - 0.6 * tan_part) * (1.0 - 0.97 * burnt);
+
+    // --- relief: tissue grain, then the finer and slowly creeping film of amniotic fluid
+    vec3 t = normalize(vec3(1.0, 0.0, 0.0) - n * n.x);
+    vec3 b = cross(n, t);
+    float near = smoothstep(70.0, 20.0, length(eye - v_position));
+    float grain = (0.50 * w_skin + 0.34 * w_zone + 0.70 * w_placode + 0.5 * fresh + 1.1 * burnt);
+    vec2 slope = (n1.ba - 0.5) * grain + (n2.ba - 0.5) * (0.35 * grain + 0.5 * burnt);
+    vec3 nd = normalize(n - t * slope.x - b * slope.y);
+    vec2 drift = vec2(0.011, 0.007) * time_s;
+    vec4 film_noise = texture(noise_map, wall / 3.1 + drift);
+    vec2 ripple = slope * 0.55 + (film_noise.ba - 0.5) * mix(0.25, 0.42, near);
+    vec3 nf = normalize(n - t * ripple.x - b * ripple.y);
+
+    vec3 la = normalize(light_a - v_position), lb = normalize(light_b - v_position);
+    float reach = light_reach(v_position);
+    float shade = tool_shade(v_position, n, la);
+    float open = 1.0 - 0.62 * v_extra.x;
+
+    // Wrapped diffuse, more for red than for blue: light that has wandered under the surface.
+    vec3 wrap = mix(vec3(0.35, 0.12, 0.08), vec3(0.05), burnt);
+    float nl = dot(nd, la);
+    vec3 diffuse = clamp((nl + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
+    vec3 lit = albedo * diffuse * reach * shade * open;
+    // Light that bounces inside the red cavity.
+    lit += albedo * vec3(0.050, 0.026, 0.022) * open * (0.35 + 0.65 * min(reach, 1.5));
+    // Thin film lets light through from its rim.
+    lit += vec3(0.10, 0.035, 0.03) * w_zone * top * (1.0 - burnt) * pow(1.0 - nv0, 2.0) * reach * shade;
+
+    float coat = mix(0.14, 0.24, w_skin) + 0.10 * (n1.r - 0.5);
+    float spec = wet * (highlight(nf, v, la, sq(coat), 0.028) + highlight(nf, v, lb, sq(coat), 0.028)) * 0.5;
+    spec += 0.5 * highlight(nd, v, la, sq(rough + 0.12), 0.04);
+    spec = min(spec, 18.0);
+    colour = vec4(lit + spec * reach * shade * open * vec3(1.0, 0.985, 0.96), 1.0);
+}

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the attempt window says, in English and Polish. One table, looked up by the English text.
+
+#include <string>
+#include <string_view>
+
+namespace placode::sim {
+
+/// `english` in `language` ("en", "pl"); the English text itself when there is no translation.
+[[nodiscard]] std::string translated(std::string_view english, std::string_view language);
+
+}  // namespace placode::sim

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window, and what mouse, keyboard and gamepad say. The only file that knows GLFW.
+
+#include <epoxy/gl.h>
+// epoxy stands before GLFW, which would otherwise bring its own gl.h.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "sim/view/gl_context.h"
+#include "sim/view/gl_program.h"
+
+namespace placode::sim {
+namespace {
+
+// Pedals appear as keyboards (F13, F14); 1 and 2 stand in for them.
+constexpr std::pair<int, Key> kKeys[] = {
+    {GLFW_KEY_W, Key::kW},
+    {GLFW_KEY_A, Key::kA},
+    {GLFW_KEY_S, Key::kS},
+    {GLFW_KEY_D, Key::kD},
+    {GLFW_KEY_Q, Key::kQ},
+    {GLFW_KEY_E, Key::kE},
+    {GLFW_KEY_R, Key::kR},
+    {GLFW_KEY_F, Key::kF},
+    {GLFW_KEY_X, Key::kX},
+    {GLFW_KEY_C, Key::kC},
+    {GLFW_KEY_V, Key::kV},
+    {GLFW_KEY_B, Key::kB},
+    {GLFW_KEY_SPACE, Key::kSpace},
+    {GLFW_KEY_TAB, Key::kTab},
+    {GLFW_KEY_LEFT_SHIFT, Key::kShift},
+    {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
+    {GLFW_KEY_LEFT_CONTROL, Key::kControl},
+    {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
+    {GLFW_KEY_ENTER, Key::kEnter},
+    {GLFW_KEY_KP_ENTER, Key::kEnter},
+    {GLFW_KEY_ESCAPE, Key::kEscape},
+    {GLFW_KEY_LEFT, Key::kLeft},
+    {GLFW_KEY_RIGHT, Key::kRight},
+    {GLFW_KEY_UP, Key::kUp},
+    {GLFW_KEY_DOWN, Key::kDown},
+    {GLFW_KEY_F1, Key::kF1},
+    {GLFW_KEY_F2, Key::kF2},
+    {GLFW_KEY_F3, Key::kF3},
+    {GLFW_KEY_F5, Key::kF5},
+    {GLFW_KEY_F12, Key::kF12},
+    {GLFW_KEY_F13, Key::kCut},
+    {GLFW_KEY_1, Key::kCut},
+    {GLFW_KEY_F14, Key::kCoag},
+    {GLFW_KEY_2, Key::kCoag},
+};
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "unknown reason";
+}
+
+class GlfwWindow final : public GlContext {
+ public:
+    explicit GlfwWindow(const ContextSettings& settings) {
+        if (glfwInit() == GLFW_FALSE) {
+            throw ViewError("no display to open a window on (" + last_error() +
+                            "); start it from a desktop, under xvfb-run, or with --headless");
+        }
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_DEPTH_BITS, 0);
+        GLFWmonitor* monitor = settings.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
+        int width = settings.width, height = settings.height;
+        if (monitor != nullptr) {
+            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+            width = mode->width;
+            height = mode->height;
+        }
+        window_ = glfwCreateWindow(width, height, settings.title.c_str(), monitor, nullptr);
+        if (window_ == nullptr) {
+            const std::string reason = last_error();
+            glfwTerminate();
+            throw ViewError("OpenGL 3.3 is not available here (" + reason +
+                            "); install the graphics driver or libgl1-mesa-dri, or use --headless");
+        }
+        glfwMakeContextCurrent(window_);
+        glfwSwapInterval(1);
+        glfwSetWindowUserPointer(window_, this);
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+            self(w).on_key(key, action);
+        });
+        glfwSetScrollCallback(window_,
+                              [](GLFWwindow* w, double, double y) { self(w).state_.wheel += y; });
+        glfwSetCursorPosCallback(
+            window_, [](GLFWwindow* w, double x, double y) { self(w).on_motion(x, y); });
+        glfwSetWindowFocusCallback(
+            window_, [](GLFWwindow* w, int focused) { self(w).on_focus(focused == GLFW_TRUE); });
+    }
+    ~GlfwWindow() override {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+
+    [[nodiscard]] int width() const override { return framebuffer().first; }
+    [[nodiscard]] int height() const override { return framebuffer().second; }
+    void swap() override { glfwSwapBuffers(window_); }
+    [[nodiscard]] bool close_requested() const override {
+        return glfwWindowShouldClose(window_) == GLFW_TRUE;
+    }
+
+    void poll(WindowInput& input) override {
+        glfwPollEvents();
+        const auto button = [&](int b) {
+            return state_.focused && glfwGetMouseButton(window_, b) == GLFW_PRESS;
+        };
+        state_.left = button(GLFW_MOUSE_BUTTON_LEFT);
+        state_.right = button(GLFW_MOUSE_BUTTON_RIGHT);
+        state_.middle = button(GLFW_MOUSE_BUTTON_MIDDLE);
+        poll_gamepad();
+        state_.t_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                          std::chrono::steady_clock::now().time_since_epoch())
+                          .count();
+        input = state_;
+    }
+
+    void capture_pointer(bool capture) override {
+        if (capture == captured_) return;
+        captured_ = capture;
+        has_last_ = false;  // the pointer jumps when the mode changes
+        glfwSetInputMode(window_, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        if (glfwRawMouseMotionSupported() == GLFW_TRUE) {
+            glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, capture ? GLFW_TRUE : GLFW_FALSE);
+        }
+    }
+
+    void pointer(double& x, double& y) const override {
+        int w = 1, h = 1;
+        glfwGetWindowSize(window_, &w, &h);
+        glfwGetCursorPos(window_, &x, &y);
+        x *= static_cast<double>(width()) / std::max(w, 1);
+        y *= static_cast<double>(height()) / std::max(h, 1);
+    }
+
+ private:
+    static GlfwWindow& self(GLFWwindow* window) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    }
+    [[nodiscard]] std::pair<int, int> framebuffer() const {
+        int w = 0, h = 0;
+        glfwGetFramebufferSize(window_, &w, &h);
+        return {w, h};
+    }
+    void on_key(int key, int action) {
+        if (action == GLFW_REPEAT) return;
+        for (const auto& [code, name] : kKeys) {
+            if (code != key) continue;
+            const auto i = static_cast<size_t>(name);
+            state_.down[i] = action == GLFW_PRESS;
+            if (action == GLFW_PRESS) ++state_.presses[i];
+        }
+    }
+    void on_motion(double x, double y) {
+        if (has_last_ && captured_) {
+            state_.mouse_x += x - last_x_;
+            state_.mouse_y += y - last_y_;
+        }
+        last_x_ = x;
+        last_y_ = y;
+        has_last_ = true;
+    }
+    // A key that is let go while another window has the focus is never reported: pedals must stop.
+    void on_focus(bool focused) {
+        state_.focused = focused;
+        if (!focused) state_.down.reset();
+        has_last_ = false;
+    }
+    void poll_gamepad() {
+        GLFWgamepadstate pad;
+        state_.gamepad = false;
+        for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && !state_.gamepad; ++id) {
+            if (glfwJoystickIsGamepad(id) == GLFW_FALSE ||
+                glfwGetGamepadState(id, &pad) == GLFW_FALSE)
+                continue;
+            state_.gamepad = true;
+            for (size_t a = 0; a < state_.gamepad_axis.size(); ++a)
+                state_.gamepad_axis[a] = pad.axes[a];
+            state_.gamepad_buttons = 0;
+            for (unsigned b = 0; b < 15; ++b) {
+                if (pad.buttons[b] == GLFW_PRESS)
+                    state_.gamepad_buttons |= static_cast<uint16_t>(1U << b);
+            }
+        }
+    }
+
+    GLFWwindow* window_ = nullptr;
+    WindowInput state_;
+    double last_x_ = 0, last_y_ = 0;
+    bool has_last_ = false, captured_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> open_window(const ContextSettings& settings) {
+    return std::make_unique<GlfwWindow>(settings);
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,325 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The picture, judged by its pixels, on a small field made here: no physics needed.
+
+#include "sim/view/fetoscope_view.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "sim/view/smoke.h"
+#include "sim/view/strings.h"
+#include "sim/view/tissue_mesh.h"
+#include "sim/view/vessel_tree.h"
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_PNG
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+using namespace placode::sim;
+
+namespace {
+
+constexpr int kSize = 240;
+constexpr int kNx = 61, kNy = 47;  // vertices of the field, about 0.65 mm apart
+
+std::vector<Vec3> ellipse(double a, double b) {
+    std::vector<Vec3> line;
+    for (int i = 0; i < 72; ++i) {
+        const double t = 2 * 3.14159265358979 * i / 72;
+        line.emplace_back(a * std::cos(t), b * std::sin(t), 0);
+    }
+    return line;
+}
+
+// A gently domed sheet with a needle above its middle, seen from a scope 30 mm away.
+struct Field {
+    ViewField view;
+    Snapshot snapshot;
+};
+
+Field field() {
+    Field f;
+    for (int j = 0; j < kNy; ++j) {
+        for (int i = 0; i < kNx; ++i) {
+            const float x = 0.040F * (static_cast<float>(i) / (kNx - 1) - 0.5F);
+            const float y = 0.030F * (static_cast<float>(j) / (kNy - 1) - 0.5F);
+            f.view.rest.push_back({x, y, -y * y / 0.064F - x * x / 0.24F});
+        }
+    }
+    f.view.depth_m.assign(f.view.rest.size(), 0.0F);
+    for (int j = 0; j + 1 < kNy; ++j) {
+        for (int i = 0; i + 1 < kNx; ++i) {
+            const int a = j * kNx + i, b = a + 1, c = a + kNx, d = c + 1;
+            f.view.rest_triangles.push_back({{a, b, d}, 0, Tissue::kSkin, 0, {}});
+            f.view.rest_triangles.push_back({{a, d, c}, 0, Tissue::kSkin, 0, {}});
+        }
+    }
+    f.view.placode_edge = ellipse(0.008, 0.003);
+    f.view.skin_edge = ellipse(0.012, 0.008);
+    ToolSpec needle, scope;
+    scope.kind = ToolKind::kScope;
+    f.view.tools = {needle, scope};
+    f.snapshot.x = f.view.rest;
+    f.snapshot.damage.assign(f.view.rest.size(), {0, 0, 0, 37});
+    f.snapshot.triangles = f.view.rest_triangles;
+    f.snapshot.surface_version = 1;
+    f.snapshot.tool_count = 2;
+    f.snapshot.tools[0].kind = ToolKind::kNeedle;
+    f.snapshot.tools[0].pose.p = Vec3(0.004, -0.006, 0.004);
+    f.snapshot.tools[0].pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.4, 0.7, -0.7));
+    f.snapshot.tools[1].kind = ToolKind::kScope;
+    f.snapshot.tools[1].pose.p = Vec3(-0.016, 0, 0.026);
+    f.snapshot.tools[1].pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.016, 0, -0.026));
+    f.snapshot.contour_cut.assign(72, 0);
+    return f;
+}
+
+struct Picture {
+    std::vector<uint8_t> rgb;
+    [[nodiscard]] double luminance(int x, int y) const {
+        const uint8_t* p = &rgb[3 * static_cast<size_t>(y * kSize + x)];
+        return (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
+    }
+    [[nodiscard]] double mean(int x0, int y0, int x1, int y1) const {
+        double sum = 0;
+        for (int y = y0; y < y1; ++y) {
+            for (int x = x0; x < x1; ++x) sum += luminance(x, y);
+        }
+        return sum / ((x1 - x0) * (y1 - y0));
+    }
+};
+
+// One context for all tests: opening it compiles every shader.
+class FetoscopeViewTest : public testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        ViewSettings settings;
+        settings.width = settings.height = kSize;
+        settings.offscreen = true;
+        settings.adaptive = false;
+        try {
+            view_ = new FetoscopeView(field().view, settings);
+        } catch (const ViewError& error) {
+            reason_ = error.what();
+        }
+    }
+    static void TearDownTestSuite() {
+        delete view_;
+        view_ = nullptr;
+    }
+    void SetUp() override {
+        if (view_ == nullptr) GTEST_SKIP() << "no OpenGL here: " << reason_;
+    }
+    static Picture draw(const Snapshot& snapshot, const OverlayState& overlay = {}) {
+        view_->draw(snapshot, overlay);
+        EXPECT_EQ(view_->gl_error(), 0U);
+        return {view_->pixels()};
+    }
+    static FetoscopeView* view_;
+    static std::string reason_;
+};
+FetoscopeView* FetoscopeViewTest::view_ = nullptr;
+std::string FetoscopeViewTest::reason_;
+
+OverlayState quiet() {
+    OverlayState overlay;
+    overlay.exam = true;
+    return overlay;
+}
+
+double difference(const Picture& a, const Picture& b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int{a.rgb[i]} - int{b.rgb[i]});
+    return sum / static_cast<double>(a.rgb.size());
+}
+
+}  // namespace
+
+TEST_F(FetoscopeViewTest, ShowsALitRoundPictureOnNearBlack) {
+    const Picture p = draw(field().snapshot, quiet());
+    // Corners: the surround is sRGB 14..16 of 255.
+    EXPECT_LT(p.mean(kSize - 20, 0, kSize, 20), 0.09);
+    EXPECT_LT(p.mean(kSize - 20, kSize - 20, kSize, kSize), 0.09);
+    // The middle is exposed like an operation: neither dark nor burnt out.
+    const double middle = p.mean(kSize / 2 - 40, kSize / 2 - 40, kSize / 2 + 40, kSize / 2 + 40);
+    EXPECT_GT(middle, 0.20);
+    EXPECT_LT(middle, 0.85);
+    // Tissue is red before it is green or blue.
+    double red = 0, blue = 0;
+    for (int i = kSize / 3; i < 2 * kSize / 3; ++i) {
+        red += p.rgb[3 * static_cast<size_t>(kSize / 2 * kSize + i)];
+        blue += p.rgb[3 * static_cast<size_t>(kSize / 2 * kSize + i) + 2];
+    }
+    EXPECT_GT(red, 1.15 * blue);
+}
+
+TEST_F(FetoscopeViewTest, HasDetailAndNoBrokenPixels) {
+    // A value that is not a number would be black or white in a block: every 30 px cell inside the
+    // circle must vary, and none may be uniformly black.
+    const Picture p = draw(field().snapshot, quiet());
+    for (int y = 60; y < 180; y += 30) {
+        for (int x = 60; x < 180; x += 30) {
+            double low = 1, high = 0;
+            for (int j = 0; j < 30; ++j) {
+                for (int i = 0; i < 30; ++i) {
+                    low = std::min(low, p.luminance(x + i, y + j));
+                    high = std::max(high, p.luminance(x + i, y + j));
+                }
+            }
+            EXPECT_GT(high - low, 0.03) << x << " " << y;
+            EXPECT_GT(high, 0.05) << x << " " << y;
+        }
+    }
+}
+
+TEST_F(FetoscopeViewTest, CharIsDarkAndBlanchingPale) {
+    Field f = field();
+    f.snapshot.tool_count = 1;  // default camera; the needle stays away
+    f.snapshot.tools[0].pose.p = Vec3(0, 0.05, 0.05);
+    const Picture before = draw(f.snapshot, quiet());
+    const auto burn = [&](std::array<float, 4> damage) {
+        for (size_t i = 0; i < f.view.rest.size(); ++i) {
+            const auto& r = f.view.rest[i];
+            if (std::hypot(r[0], r[1]) < 0.004F) f.snapshot.damage[i] = damage;
+        }
+        return draw(f.snapshot, quiet());
+    };
+    const int a = kSize / 2 - 8, b = kSize / 2 + 8;
+    const Picture pale = burn({1, 0, 0, 70});
+    EXPECT_GT(pale.mean(a, a, b, b), before.mean(a, a, b, b) + 0.05);
+    const Picture charred = burn({1, 1, 1, 220});
+    EXPECT_LT(charred.mean(a, a, b, b), 0.6 * before.mean(a, a, b, b));
+}
+
+TEST_F(FetoscopeViewTest, FollowsTheTissueAndTheInstrument) {
+    Field f = field();
+    const Picture before = draw(f.snapshot, quiet());
+    for (auto& x : f.snapshot.x) {
+        x[2] += 0.003F * std::exp(-(x[0] * x[0] + x[1] * x[1]) / 2e-5F);
+    }
+    EXPECT_GT(difference(before, draw(f.snapshot, quiet())), 1.0);
+    f = field();
+    f.snapshot.tools[0].pose.p += Vec3(0.003, 0.003, 0);
+    EXPECT_GT(difference(before, draw(f.snapshot, quiet())), 0.5);
+}
+
+TEST_F(FetoscopeViewTest, ShowsSmokeOfVaporisedTissue) {
+    Field f = field();
+    f.snapshot.tools[0].energised = 1;
+    f.snapshot.time_s = 10;
+    const Picture clear = draw(f.snapshot, quiet());
+    f.snapshot.vapour_rate_m3_s = 20e-9F;
+    for (int i = 0; i < 6; ++i) {
+        f.snapshot.time_s += 0.25;
+        view_->draw(f.snapshot, quiet());
+    }
+    EXPECT_GT(difference(clear, draw(f.snapshot, quiet())), 3.0);
+}
+
+TEST(Smoke, GathersWithTheVaporisedVolumeAndClears) {
+    Smoke smoke;
+    Snapshot snapshot = field().snapshot;
+    snapshot.tools[0].energised = 1;
+    snapshot.vapour_rate_m3_s = 2e-9F;
+    for (int i = 0; i < 300; ++i) {
+        snapshot.time_s += 0.033;
+        smoke.update(snapshot);
+    }
+    // 10 s at 12 W or so: some tens of puffs, a haze that is seen but does not blind.
+    EXPECT_GT(smoke.puffs().size(), 30U);
+    EXPECT_LT(smoke.puffs().size(), 161U);
+    EXPECT_GT(smoke.haze(), 0.10);
+    EXPECT_LT(smoke.haze(), 0.40);
+    snapshot.vapour_rate_m3_s = 0;
+    for (int i = 0; i < 600; ++i) {
+        snapshot.time_s += 0.2;
+        smoke.update(snapshot);
+    }
+    EXPECT_TRUE(smoke.puffs().empty());
+    EXPECT_LT(smoke.haze(), 0.01);
+}
+
+TEST_F(FetoscopeViewTest, WritesTheReadOutsOutsideTheCircle) {
+    Field f = field();
+    f.snapshot.time_s = 187;
+    OverlayState overlay;
+    overlay.title = "Ring";
+    const Picture exam = draw(f.snapshot, quiet());
+    const Picture full = draw(f.snapshot, overlay);
+    // Time stands top left in both; energy and ring only outside an exam.
+    EXPECT_GT(exam.mean(5, 5, 50, 40), 0.10);
+    EXPECT_GT(full.mean(kSize - 70, kSize - 70, kSize, kSize),
+              exam.mean(kSize - 70, kSize - 70, kSize, kSize) + 0.005);
+    overlay.menu = true;
+    EXPECT_GT(difference(full, draw(f.snapshot, overlay)), 5.0);
+}
+
+TEST_F(FetoscopeViewTest, WritesAPngThatReadsBackTheSame) {
+    const Picture p = draw(field().snapshot, quiet());
+    const auto path = std::filesystem::temp_directory_path() /
+                      ("placode_view_" + std::to_string(::getpid()) + ".png");
+    view_->save_png(path.string());
+    int w = 0, h = 0, n = 0;
+    stbi_uc* data = stbi_load(path.c_str(), &w, &h, &n, 3);
+    ASSERT_NE(data, nullptr);
+    EXPECT_EQ(w, kSize);
+    EXPECT_EQ(h, kSize);
+    EXPECT_TRUE(std::equal(p.rgb.begin(), p.rgb.end(), data));
+    stbi_image_free(data);
+    std::filesystem::remove(path);
+    EXPECT_THROW(view_->save_png("/nowhere/at/all.png"), ViewError);
+}
+
+TEST(TissueMesh, GivesFreshWallsTheirOwnVertices) {
+    Field f = field();
+    TissueMesh mesh(f.view);
+    EXPECT_TRUE(mesh.update(f.snapshot));
+    const size_t before = mesh.vertices().size();
+    EXPECT_FALSE(mesh.update(f.snapshot));
+    f.snapshot.triangles[100].fresh = 1;
+    f.snapshot.surface_version = 2;
+    EXPECT_TRUE(mesh.update(f.snapshot));
+    EXPECT_EQ(mesh.vertices().size(), before + 3 * kTissueVertexFloats);
+    // Its normals still point outwards, and the skirt closes the sheet's four sides.
+    for (size_t c = 0; c < mesh.vertices().size(); c += kTissueVertexFloats) {
+        EXPECT_GT(mesh.vertices()[c + 5], 0.5F);
+    }
+    EXPECT_EQ(mesh.skirt_indices().size() % 6, 0U);
+    EXPECT_GT(mesh.skirt_indices().size(), 1000U);
+}
+
+TEST(VesselTree, GrowsInsideItsBordersAndThinsOutwards) {
+    VesselSpec spec;
+    spec.roots = {Vec2(0, 0)};
+    spec.inside = [](const Vec2& p) { return p.norm() < 5; };
+    spec.low = Vec2(-5, -5);
+    spec.high = Vec2(5, 5);
+    const std::vector<VesselSegment> tree = grow_vessels(spec);
+    ASSERT_GT(tree.size(), 50U);
+    for (const VesselSegment& s : tree) {
+        EXPECT_LT(s.b.norm(), 5 + 2 * spec.step_mm);
+        EXPECT_GE(s.radius_a, s.radius_b - 1e-12);
+    }
+    EXPECT_GT(tree.front().radius_a, 3 * tree.back().radius_b);
+}
+
+TEST(Strings, SpeakPolishAndFallBackToEnglish) {
+    EXPECT_EQ(translated("Paused", "pl"), "Pauza");
+    EXPECT_EQ(translated("Paused", "en"), "Paused");
+    EXPECT_EQ(translated("not in the table", "pl"), "not in the table");
+    size_t at = 0;
+    EXPECT_EQ(next_code_point("\xC5\x82", at), 0x142U);  // ł
+    EXPECT_EQ(at, 2U);
+    at = 0;
+    EXPECT_EQ(next_code_point("\xC5", at), 0xFFFDU);
+}
