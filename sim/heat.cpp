@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/heat.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace placode::sim {
+namespace {
+
+constexpr double kBoilC = 100;
+constexpr double kKelvin = 273.15;
+constexpr double kGasConstant = 8.314462618;  // J/(mol K)
+constexpr double kSpreadK = 0.01;             // a vertex this warm wakes its neighbours
+constexpr double kDoseFloorC = 38;            // below, a dose grows by less than 0.001 min/min
+constexpr float kOmegaFrozen = 10;
+constexpr double kDryConduction = 0.01;  // electrical conductivity of dry against wet tissue
+constexpr double kSafety = 0.9;          // of the explicit stability limit
+constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// 2^x by range reduction and a Taylor polynomial (relative error below 1e-13). The C library's
+/// exp2 may give other bits on another processor, and replays must not.
+double exp2_portable(double x) noexcept {
+    x = std::clamp(x, -1000.0, 1000.0);
+    const double whole = std::floor(x + 0.5);
+    const double y = (x - whole) * std::numbers::ln2;
+    double sum = 1;
+    for (int n = 12; n >= 1; --n) sum = 1 + sum * y / n;
+    const auto exponent = static_cast<uint64_t>(static_cast<int64_t>(whole) + 1023);
+    return sum * std::bit_cast<double>(exponent << 52);
+}
+
+double smoothstep(double from, double to, double x) noexcept {
+    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Gradients of the barycentric coordinates (3 x 4) [1/m], and the volume.
+Eigen::Matrix<double, 3, 4> shape_gradients(const TetMesh& mesh, int tet, double& volume) noexcept {
+    const auto& v = mesh.tets[tet];
+    Mat3 edges;
+    for (int i = 0; i < 3; ++i) edges.col(i) = mesh.rest[v[i + 1]] - mesh.rest[v[0]];
+    volume = edges.determinant() / 6;
+    const Mat3 inverse = edges.inverse();
+    Eigen::Matrix<double, 3, 4> g;
+    for (int i = 0; i < 3; ++i) g.col(i + 1) = inverse.row(i).transpose();
+    g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
+    return g;
+}
+
+double face_area(const TetMesh& mesh, int tet, int face) noexcept {
+    const auto& v = mesh.tets[tet];
+    const Vec3& a = mesh.rest[v[kFace[face][0]]];
+    const Vec3& b = mesh.rest[v[kFace[face][1]]];
+    const Vec3& c = mesh.rest[v[kFace[face][2]]];
+    return 0.5 * (b - a).cross(c - a).norm();
+}
+
+/// Free boundary area of every vertex at rest.
+std::vector<float> exposed_areas(const TetMesh& mesh) {
+    std::map<std::array<int32_t, 3>, std::pair<int, double>> faces;
+    for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+        for (int f = 0; f < 4; ++f) {
+            std::array<int32_t, 3> key{};
+            for (int i = 0; i < 3; ++i) key[i] = mesh.tets[t][kFace[f][i]];
+            std::sort(key.begin(), key.end());
+            auto& entry = faces[key];
+            ++entry.first;
+            entry.second = face_area(mesh, t, f);
+        }
+    }
+    std::vector<float> area(mesh.rest.size(), 0.0f);
+    for (const auto& [key, entry] : faces) {
+        if (entry.first != 1) continue;
+        for (const int32_t v : key) area[v] += static_cast<float>(entry.second / 3);
+    }
+    return area;
+}
+
+}  // namespace
+
+double cem43_rate(double temperature_c) noexcept {
+    // 0.25^x = 2^(-2x), 0.5^x = 2^(-x)
+    return exp2_portable((temperature_c >= 43 ? 1.0 : 2.0) * (temperature_c - 43));
+}
+
+double arrhenius_rate(double a_per_s, double ea_j_mol, double temperature_c) noexcept {
+    const double exponent = -ea_j_mol / (kGasConstant * (temperature_c + kKelvin));
+    return a_per_s * exp2_portable(exponent * std::numbers::log2e);
+}
+
+HeatModel::HeatModel(const TetMesh& mesh, const MaterialTable& materials,
+                     const HeatSettings& settings)
+    : settings_(settings), exposed_area_m2_(exposed_areas(mesh)) {
+    const int vertices = static_cast<int>(mesh.rest.size());
+    for (int i = 0; i < kTissueCount; ++i) {
+        const Material& m = materials[i];
+        capacity_j_m3k_[i] = static_cast<float>(m.density_kg_m3 * m.heat_capacity_j_kgk);
+        latent_j_m3_[i] =
+            static_cast<float>(m.density_kg_m3 * m.water_fraction * settings.latent_heat_j_kg);
+        conductivity_w_mk_[i] = static_cast<float>(m.heat_conductivity_w_mk);
+    }
+    std::vector<double> capacity(vertices, 0.0), latent(vertices, 0.0);
+    std::vector<std::map<int32_t, double>> rows(vertices);
+    double fastest = 0;
+    for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+        const int tissue = static_cast<int>(mesh.tissue[t]);
+        double volume = 0;
+        const Eigen::Matrix<double, 3, 4> g = shape_gradients(mesh, t, volume);
+        const double k = conductivity_w_mk_[tissue];
+        for (int i = 0; i < 4; ++i) {
+            const int32_t vi = mesh.tets[t][i];
+            capacity[vi] += capacity_j_m3k_[tissue] * volume / 4;
+            latent[vi] += latent_j_m3_[tissue] * volume / 4;
+            for (int j = 0; j < 4; ++j) {
+                if (j != i) rows[vi][mesh.tets[t][j]] -= k * volume * g.col(i).dot(g.col(j));
+            }
+        }
+        // K_e = k V G^T G against lumped C_e = rho c V / 4: rate = 4 k/(rho c) eig(G G^T).
+        Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+        eigen.computeDirect(g * g.transpose(), Eigen::EigenvaluesOnly);
+        fastest = std::max(fastest, 4 * k / capacity_j_m3k_[tissue] * eigen.eigenvalues()[2]);
+    }
+    stable_step_s_ = fastest > 0 ? kSafety * 2 / fastest : 1e9;
+    capacity_j_k_.assign(capacity.begin(), capacity.end());
+    latent_j_.assign(latent.begin(), latent.end());
+    edge_start_.reserve(vertices + 1);
+    edge_start_.push_back(0);
+    for (const auto& row : rows) {
+        for (const auto& [to, w] : row) {
+            edge_to_.push_back(to);
+            edge_w_k_.push_back(static_cast<float>(w));
+        }
+        edge_start_.push_back(static_cast<int32_t>(edge_to_.size()));
+    }
+}
+
+HeatState::HeatState(const HeatModel& model, int vertices, int)
+    : temperature_c(vertices, static_cast<float>(model.settings_.body_temperature_c)),
+      dried(vertices, 0.0f),
+      cem43_min(vertices, 0.0f),
+      arrhenius(vertices, 0.0f),
+      charred(vertices, 0.0f),
+      warm(vertices, 0),
+      warm_list(vertices, -1),
+      power_w(vertices, 0.0),
+      enthalpy_j(vertices, 0.0),
+      capacity_j_k(model.capacity_j_k_.begin(), model.capacity_j_k_.end()),
+      latent_j(model.latent_j_.begin(), model.latent_j_.end()),
+      flux_w(vertices, 0.0),
+      edge_w_k(model.edge_w_k_),
+      exposed_m2(model.exposed_area_m2_) {}
+
+/// The steps of the method; a struct, because HeatModel opens its arrays to it.
+struct HeatStepper {
+    const SoftBody& body;
+    const HeatModel& model;
+    HeatState& state;
+
+    /// Boils what is above 100 C while there is water, then temperature from enthalpy. The latent
+    /// heat leaves with the steam at once, so that dry tissue cools like any other.
+    void update_temperature(int v) const noexcept {
+        const double c = state.capacity_j_k[v];
+        if (c <= 0) return;
+        const double base = model.settings_.body_temperature_c;
+        double& h = state.enthalpy_j[v];
+        const double excess = h - c * (kBoilC - base);
+        if (excess > 0 && state.dried[v] < 1 && state.latent_j[v] > 0) {
+            const double water = state.latent_j[v] * (1.0 - state.dried[v]);
+            const double boiled = std::min(excess, water);
+            state.dried[v] = boiled == water ? 1.0f
+                                             : static_cast<float>(state.dried[v] +
+                                                                  boiled / state.latent_j[v]);
+            h -= boiled;
+            state.energy_vapour_j += boiled;
+        }
+        state.temperature_c[v] = static_cast<float>(base + h / c);
+    }
+
+    /// Heat flow into every warm vertex; wakes the neighbours of warm ones for the next step. Both
+    /// ends of an edge use the same number, so nothing is lost on the way.
+    void conduct() const noexcept {
+        const double base = model.settings_.body_temperature_c;
+        const double reference = std::max(base, model.settings_.gas_temperature_c);
+        const int count = state.warm_count;
+        for (int n = 0; n < count; ++n) {
+            const int i = state.warm_list[n];
+            const float ti = state.temperature_c[i];
+            const bool wakes = std::abs(ti - base) > kSpreadK;
+            double sum = 0;
+            for (int e = model.edge_start_[i]; e < model.edge_start_[i + 1]; ++e) {
+                const int j = model.edge_to_[e];
+                if (state.warm[j] == 1) {
+                    sum += static_cast<double>(state.edge_w_k[e]) * (state.temperature_c[j] - ti);
+                } else if (wakes && state.warm[j] == 0 && state.edge_w_k[e] != 0) {
+                    state.warm[j] = 2;  // from the next step on
+                    state.warm_list[state.warm_count++] = j;
+                }
+            }
+            const double excess = ti - reference;
+            const double cooling = excess > 0 ? model.settings_.surface_cooling_w_m2k *
+                                                    state.exposed_m2[i] * excess
+                                              : 0.0;
+            state.flux_w[i] = sum - cooling;
+            state.power_w[i] = std::max(state.power_w[i], 0.0);
+            cooling_w += cooling;
+        }
+        for (int n = count; n < state.warm_count; ++n) state.warm[state.warm_list[n]] = 1;
+    }
+
+    /// New enthalpies, temperatures and damage of the vertices that were warm.
+    void advance(int count, double dt) const noexcept {
+        const HeatSettings& s = model.settings_;
+        for (int n = 0; n < count; ++n) {
+            const int v = state.warm_list[n];
+            state.enthalpy_j[v] += dt * (state.flux_w[v] + state.power_w[v]);
+            state.energy_in_j += dt * state.power_w[v];
+            const double before = state.temperature_c[v];
+            update_temperature(v);
+            const double middle = 0.5 * (before + state.temperature_c[v]);
+            if (middle < kDoseFloorC) continue;
+            state.cem43_min[v] += static_cast<float>(cem43_rate(middle) * dt / 60);
+            if (middle > s.arrhenius_gate_c && state.arrhenius[v] < kOmegaFrozen) {
+                const double rate = arrhenius_rate(s.arrhenius_a_per_s, s.arrhenius_ea_j_mol, middle);
+                state.arrhenius[v] =
+                    std::min(kOmegaFrozen, state.arrhenius[v] + static_cast<float>(rate * dt));
+            }
+            if (middle > s.char_start_c && state.dried[v] >= 1) {
+                state.charred[v] = std::max(
+                    state.charred[v],
+                    static_cast<float>(smoothstep(s.char_start_c, s.char_full_c, middle)));
+            }
+        }
+    }
+
+    /// Tets whose corners have boiled dry enough. Each is seen from its lowest vertex number only;
+    /// that vertex has boiled at least a part, because four fractions of at most 1 must reach the
+    /// threshold together.
+    int find_vaporised(std::span<const uint8_t> alive, std::span<int32_t> out) const noexcept {
+        const auto threshold = static_cast<float>(4 * model.settings_.vaporise_dried);
+        const float least = threshold - 3;
+        int found = 0;
+        const int room = static_cast<int>(out.size());
+        for (int n = 0; n < state.warm_count && found < room; ++n) {
+            const int v = state.warm_list[n];
+            if (state.dried[v] <= 0 || state.dried[v] < least) continue;
+            for (const int32_t t : body.tets_of(v)) {
+                if (!alive[t]) continue;
+                const auto& c = body.mesh().tets[t];
+                if (std::min({c[0], c[1], c[2], c[3]}) != v) continue;
+                const float sum =
+                    state.dried[c[0]] + state.dried[c[1]] + state.dried[c[2]] + state.dried[c[3]];
+                if (sum < threshold) continue;
+                out[found++] = t;
+                if (found == room) break;
+            }
+        }
+        return found;
+    }
+
+    /// Takes `share` out of the directed edge i -> j.
+    void lower_edge(int i, int j, double share) const noexcept {
+        for (int e = model.edge_start_[i]; e < model.edge_start_[i + 1]; ++e) {
+            if (model.edge_to_[e] == j) state.edge_w_k[e] -= static_cast<float>(share);
+        }
+    }
+
+    void remove_tet(std::span<const std::array<int32_t, 4>> neighbours,
+                    std::span<const uint8_t> alive, int tet) const noexcept {
+        const TetMesh& mesh = body.mesh();
+        const auto& c = mesh.tets[tet];
+        const int tissue = static_cast<int>(mesh.tissue[tet]);
+        double volume = 0;
+        const Eigen::Matrix<double, 3, 4> g = shape_gradients(mesh, tet, volume);
+        for (int i = 0; i < 4; ++i) {
+            const int v = c[i];
+            bool last = true;
+            for (const int32_t t : body.tets_of(v)) last = last && !alive[t];
+            const double before = state.enthalpy_j[v];
+            if (last) {
+                state.capacity_j_k[v] = state.latent_j[v] = state.enthalpy_j[v] = 0;
+            } else {
+                const double whole = state.capacity_j_k[v];
+                state.capacity_j_k[v] -= model.capacity_j_m3k_[tissue] * volume / 4;
+                state.latent_j[v] -= model.latent_j_m3_[tissue] * volume / 4;
+                // What stays keeps its temperature and its dryness.
+                state.enthalpy_j[v] = before * (state.capacity_j_k[v] / whole);
+            }
+            state.energy_vapour_j += before - state.enthalpy_j[v];
+            for (int j = 0; j < 4; ++j) {
+                if (j == i) continue;
+                lower_edge(v, c[j],
+                           -model.conductivity_w_mk_[tissue] * volume * g.col(i).dot(g.col(j)));
+            }
+        }
+        for (int f = 0; f < 4; ++f) {
+            const int other = neighbours[tet][f];
+            const bool uncovers = other >= 0 && alive[other];
+            const auto area = static_cast<float>(face_area(mesh, tet, f) / 3);
+            for (const int k : kFace[f]) {
+                float& exposed = state.exposed_m2[c[k]];
+                exposed = std::max(0.0f, exposed + (uncovers ? area : -area));
+            }
+        }
+    }
+
+    mutable double cooling_w = 0;
+};
+
+int step_heat(const SoftBody& body, const HeatModel& model, HeatState& state,
+              std::span<const uint8_t> tet_alive, double dt, std::span<int32_t> vaporised) noexcept {
+    const int steps = std::max(1, static_cast<int>(std::ceil(dt / model.stable_step_s())));
+    HeatStepper stepper{body, model, state};
+    for (int n = 0; n < steps; ++n) {
+        const int count = state.warm_count;
+        stepper.cooling_w = 0;
+        stepper.conduct();
+        stepper.advance(count, dt / steps);
+        state.energy_lost_j += stepper.cooling_w * dt / steps;
+    }
+    for (int n = 0; n < state.warm_count; ++n) state.power_w[state.warm_list[n]] = 0;
+    return stepper.find_vaporised(tet_alive, vaporised);
+}
+
+void remove_heat_of_tet(const SoftBody& body, const HeatModel& model, HeatState& state,
+                        std::span<const std::array<int32_t, 4>> neighbours,
+                        std::span<const uint8_t> tet_alive, int tet) noexcept {
+    HeatStepper{body, model, state}.remove_tet(neighbours, tet_alive, tet);
+}
+
+double stored_energy_j(const HeatState& state) noexcept {
+    double sum = 0;
+    for (int n = 0; n < state.warm_count; ++n) sum += state.enthalpy_j[state.warm_list[n]];
+    return sum;
+}
+
+double deposit_power(const SoftBody&, const SoftBodyState& tissue, HeatState& state,
+                     std::span<const int32_t> candidates, const Vec3& tip, double a_m,
+                     double power_w, const DepositLimits& limits) noexcept {
+    const double reach = 4 * a_m;
+    // Weight of a vertex: density of the source times what the vertex stands for.
+    const auto weight = [&](int v) noexcept {
+        const Float4& x = tissue.x[v];
+        const double c = state.capacity_j_k[v];
+        const double r = (Vec3(x.x, x.y, x.z) - tip).norm();
+        if (r > reach || c <= 0 || state.dried[v] > limits.dried_limit) return 0.0;
+        const double s = a_m / std::max(r, a_m);
+        return c * s * s * s * s * (1 - (1 - kDryConduction) * state.dried[v]);
+    };
+    // Most that the vertex may hold, and most that it may take in one step.
+    const auto room_w = [&](int v) noexcept {
+        const double c = state.capacity_j_k[v];
+        const double sensible = c * (kBoilC - limits.body_temperature_c);
+        const double room =
+            sensible - state.enthalpy_j[v] +
+            std::max(0.0, limits.dried_limit - state.dried[v]) * state.latent_j[v] +
+            (limits.dried_limit >= 1 ? c * (limits.peak_c - kBoilC) : 0.0);
+        const double rise = std::min(room, 0.5 * (sensible + state.latent_j[v]));
+        return std::max(0.0, rise / limits.step_s - state.power_w[v]);
+    };
+    double left = power_w;
+    for (int round = 0; round < 4 && left > 1e-9 * power_w; ++round) {
+        double total = 0;
+        for (const int32_t v : candidates) {
+            if (room_w(v) > 0) total += weight(v);
+        }
+        if (total <= 0) break;
+        double taken = 0;
+        for (const int32_t v : candidates) {
+            const double w = weight(v);
+            if (w <= 0) continue;
+            const double p = std::min(left * (w / total), room_w(v));
+            if (p <= 0) continue;
+            state.power_w[v] += p;
+            taken += p;
+            if (state.warm[v] == 0) {
+                state.warm[v] = 1;
+                state.warm_list[state.warm_count++] = v;
+            }
+        }
+        left -= taken;
+    }
+    return power_w - std::max(left, 0.0);
+}
+
+}  // namespace placode::sim
