@@ -7,35 +7,58 @@ namespace placode::sim {
 
 std::string_view event_name(EventKind kind) noexcept {
     switch (kind) {
-        case EventKind::kPhase: return "phase";
-        case EventKind::kEnergyOn: return "energy_on";
-        case EventKind::kEnergyOff: return "energy_off";
-        case EventKind::kEnergyInAir: return "energy_in_air";
-        case EventKind::kDwell: return "dwell";
-        case EventKind::kVaporised: return "vaporised";
-        case EventKind::kTorn: return "torn";
-        case EventKind::kPlacodeContact: return "placode_contact";
-        case EventKind::kPlacodeEnergised: return "placode_energised";
-        case EventKind::kPlacodeOverheated: return "placode_overheated";
-        case EventKind::kPlacodeBurned: return "placode_burned";
-        case EventKind::kOverForce: return "over_force";
-        case EventKind::kOverStretch: return "over_stretch";
-        case EventKind::kTetherBroken: return "tether_broken";
-        case EventKind::kSubsteps: return "substeps";
-        case EventKind::kStateHash: return "state_hash";
-        case EventKind::kReseeded: return "reseeded";
-        case EventKind::kFinished: return "finished";
+        case EventKind::kPhase:
+            return "phase";
+        case EventKind::kEnergyOn:
+            return "energy_on";
+        case EventKind::kEnergyOff:
+            return "energy_off";
+        case EventKind::kEnergyInAir:
+            return "energy_in_air";
+        case EventKind::kDwell:
+            return "dwell";
+        case EventKind::kVaporised:
+            return "vaporised";
+        case EventKind::kTorn:
+            return "torn";
+        case EventKind::kPlacodeContact:
+            return "placode_contact";
+        case EventKind::kPlacodeEnergised:
+            return "placode_energised";
+        case EventKind::kPlacodeOverheated:
+            return "placode_overheated";
+        case EventKind::kPlacodeBurned:
+            return "placode_burned";
+        case EventKind::kOverForce:
+            return "over_force";
+        case EventKind::kOverStretch:
+            return "over_stretch";
+        case EventKind::kTetherBroken:
+            return "tether_broken";
+        case EventKind::kSubsteps:
+            return "substeps";
+        case EventKind::kStateHash:
+            return "state_hash";
+        case EventKind::kReseeded:
+            return "reseeded";
+        case EventKind::kFinished:
+            return "finished";
     }
     return "unknown";
 }
 
 std::string_view phase_name(Phase phase) noexcept {
     switch (phase) {
-        case Phase::kInspect: return "inspect";
-        case Phase::kIncise: return "incise";
-        case Phase::kRelease: return "release";
-        case Phase::kResect: return "resect";
-        case Phase::kCheck: return "check";
+        case Phase::kInspect:
+            return "inspect";
+        case Phase::kIncise:
+            return "incise";
+        case Phase::kRelease:
+            return "release";
+        case Phase::kResect:
+            return "resect";
+        case Phase::kCheck:
+            return "check";
     }
     return "unknown";
 }

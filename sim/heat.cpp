@@ -172,9 +172,9 @@ struct HeatStepper {
         if (excess > 0 && state.dried[v] < 1 && state.latent_j[v] > 0) {
             const double water = state.latent_j[v] * (1.0 - state.dried[v]);
             const double boiled = std::min(excess, water);
-            state.dried[v] = boiled == water ? 1.0f
-                                             : static_cast<float>(state.dried[v] +
-                                                                  boiled / state.latent_j[v]);
+            state.dried[v] = boiled == water
+                                 ? 1.0f
+                                 : static_cast<float>(state.dried[v] + boiled / state.latent_j[v]);
             h -= boiled;
             state.energy_vapour_j += boiled;
         }
@@ -202,9 +202,9 @@ struct HeatStepper {
                 }
             }
             const double excess = ti - reference;
-            const double cooling = excess > 0 ? model.settings_.surface_cooling_w_m2k *
-                                                    state.exposed_m2[i] * excess
-                                              : 0.0;
+            const double cooling =
+                excess > 0 ? model.settings_.surface_cooling_w_m2k * state.exposed_m2[i] * excess
+                           : 0.0;
             state.flux_w[i] = sum - cooling;
             state.power_w[i] = std::max(state.power_w[i], 0.0);
             cooling_w += cooling;
@@ -225,14 +225,15 @@ struct HeatStepper {
             if (middle < kDoseFloorC) continue;
             state.cem43_min[v] += static_cast<float>(cem43_rate(middle) * dt / 60);
             if (middle > s.arrhenius_gate_c && state.arrhenius[v] < kOmegaFrozen) {
-                const double rate = arrhenius_rate(s.arrhenius_a_per_s, s.arrhenius_ea_j_mol, middle);
+                const double rate =
+                    arrhenius_rate(s.arrhenius_a_per_s, s.arrhenius_ea_j_mol, middle);
                 state.arrhenius[v] =
                     std::min(kOmegaFrozen, state.arrhenius[v] + static_cast<float>(rate * dt));
             }
             if (middle > s.char_start_c && state.dried[v] >= 1) {
-                state.charred[v] = std::max(
-                    state.charred[v],
-                    static_cast<float>(smoothstep(s.char_start_c, s.char_full_c, middle)));
+                state.charred[v] =
+                    std::max(state.charred[v],
+                             static_cast<float>(smoothstep(s.char_start_c, s.char_full_c, middle)));
             }
         }
     }
@@ -312,7 +313,8 @@ struct HeatStepper {
 };
 
 int step_heat(const SoftBody& body, const HeatModel& model, HeatState& state,
-              std::span<const uint8_t> tet_alive, double dt, std::span<int32_t> vaporised) noexcept {
+              std::span<const uint8_t> tet_alive, double dt,
+              std::span<int32_t> vaporised) noexcept {
     const int steps = std::max(1, static_cast<int>(std::ceil(dt / model.stable_step_s())));
     HeatStepper stepper{body, model, state};
     for (int n = 0; n < steps; ++n) {
@@ -355,10 +357,9 @@ double deposit_power(const SoftBody&, const SoftBodyState& tissue, HeatState& st
     const auto room_w = [&](int v) noexcept {
         const double c = state.capacity_j_k[v];
         const double sensible = c * (kBoilC - limits.body_temperature_c);
-        const double room =
-            sensible - state.enthalpy_j[v] +
-            std::max(0.0, limits.dried_limit - state.dried[v]) * state.latent_j[v] +
-            (limits.dried_limit >= 1 ? c * (limits.peak_c - kBoilC) : 0.0);
+        const double room = sensible - state.enthalpy_j[v] +
+                            std::max(0.0, limits.dried_limit - state.dried[v]) * state.latent_j[v] +
+                            (limits.dried_limit >= 1 ? c * (limits.peak_c - kBoilC) : 0.0);
         const double rise = std::min(room, 0.5 * (sensible + state.latent_j[v]));
         return std::max(0.0, rise / limits.step_s - state.power_w[v]);
     };

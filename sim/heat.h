@@ -81,9 +81,9 @@ struct HeatState {
     std::vector<double> flux_w;        ///< (V) scratch of one step
     std::vector<float> edge_w_k;       ///< Conductance of the tets still there [W/K]
     std::vector<float> exposed_m2;     ///< (V) free surface
-    double energy_in_j = 0;       ///< Total delivered.
-    double energy_vapour_j = 0;   ///< Carried away by removed tissue and vapour.
-    double energy_lost_j = 0;     ///< Cooled away at the surface.
+    double energy_in_j = 0;            ///< Total delivered.
+    double energy_vapour_j = 0;        ///< Carried away by removed tissue and vapour.
+    double energy_lost_j = 0;          ///< Cooled away at the surface.
 };
 
 /// One explicit step of `dt` seconds (at most stable_step_s()). Writes the tets whose water is gone

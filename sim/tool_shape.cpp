@@ -192,9 +192,9 @@ TriangleDistance nearest_on_triangle(const ToolShape& shape, const Triangle& tri
     TriangleDistance best;
     best.value_m = limit_m;
     const Vec3 centre = (tri[0] + tri[1] + tri[2]) / 3;
-    const double size = std::sqrt(std::max({(tri[0] - centre).squaredNorm(),
-                                            (tri[1] - centre).squaredNorm(),
-                                            (tri[2] - centre).squaredNorm()}));
+    const double size =
+        std::sqrt(std::max({(tri[0] - centre).squaredNorm(), (tri[1] - centre).squaredNorm(),
+                            (tri[2] - centre).squaredNorm()}));
     for (int i = 0; i < shape.count; ++i) {
         const RoundCone& part = shape.parts[i];
         // The distance changes by no more than the way, so most triangles end here.
@@ -209,8 +209,7 @@ TriangleDistance nearest_on_triangle(const ToolShape& shape, const Triangle& tri
             for (int turn = 0; turn < 8; ++turn) {
                 const Vec3 centre_T(0, 0, -foot_of(part, x, d.gradient));
                 const Vec3 next_w = closest_on_triangle(centre_T, tri);
-                const Vec3 next =
-                    next_w.x() * tri[0] + next_w.y() * tri[1] + next_w.z() * tri[2];
+                const Vec3 next = next_w.x() * tri[0] + next_w.y() * tri[1] + next_w.z() * tri[2];
                 const Distance next_d = signed_distance(part, next);
                 if (next_d.value_m > d.value_m - 1e-9) break;
                 w = next_w;

@@ -15,10 +15,11 @@
 
 namespace placode::sim {
 
-/// All spheres centred on the axis from `near_m` to `far_m` behind the tip, radius running linearly.
+/// All spheres centred on the axis from `near_m` to `far_m` behind the tip, radius running
+/// linearly.
 /// @pre |far_radius - near_radius| < far - near.
 struct RoundCone {
-    double near_m = 0, far_m = 0;                ///< Distance of the end centres behind the tip [m].
+    double near_m = 0, far_m = 0;  ///< Distance of the end centres behind the tip [m].
     double near_radius_m = 0, far_radius_m = 0;  ///< [m]
 };
 
@@ -34,7 +35,7 @@ struct ToolShape {
 [[nodiscard]] ToolShape make_tool_shape(const ToolSpec& spec) noexcept;
 
 struct Distance {
-    double value_m = 0;               ///< Negative inside [m].
+    double value_m = 0;             ///< Negative inside [m].
     Vec3 gradient = Vec3::UnitX();  ///< Unit vector, away from the instrument.
 };
 
@@ -53,15 +54,16 @@ using Triangle = std::array<Vec3, 3>;
 
 /// Where a triangle comes nearest to an instrument (deepest, when they overlap).
 struct TriangleDistance {
-    double value_m = 1;               ///< Signed distance there [m].
+    double value_m = 1;             ///< Signed distance there [m].
     Vec3 weight = Vec3::Zero();     ///< Barycentric.
     Vec3 gradient = Vec3::UnitX();  ///< Unit vector away from the instrument.
-    int part = -1;                    ///< Index of the part, -1 when farther than `limit_m`.
+    int part = -1;                  ///< Index of the part, -1 when farther than `limit_m`.
     bool pierced = false;  ///< The axis runs through the triangle: the gradient means nothing.
 };
 
 /// Nearest point of the triangle (in T). Parts farther than `limit_m` are skipped.
-[[nodiscard]] TriangleDistance nearest_on_triangle(const ToolShape& shape, const Triangle& triangle_T,
+[[nodiscard]] TriangleDistance nearest_on_triangle(const ToolShape& shape,
+                                                   const Triangle& triangle_T,
                                                    double limit_m) noexcept;
 
 }  // namespace placode::sim

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Instruments against tissue. Vertices of triangles next to an instrument form the "contact
+// colour": the kernels' sweep leaves them out, and they are solved here one by one with their full
+// Hessian plus k b^2 n n^T of every closest-point contact and a tangential spring for dry friction.
+// The same holds for bodies solved by XPBD: their contact vertices take a vertex step instead of
+// constraint projections, so that the force is read from one place.
+//
+// The instrument is held by a hand of finite stiffness (ToolSpec::grip_n_m) and yields to the
+// force: its proxy is what touches. Every instrument touches, the scope as a capsule of its shaft.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/tissue.h"
+#include "sim/tool_shape.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+/// One triangle against one instrument. f = k max(0, -gap), gap = n . (sum b x) + offset.
+struct Contact {
+    std::array<int32_t, 3> vertex{};
+    std::array<double, 3> b{};  // barycentric weights
+    Vec3 n = Vec3::UnitZ();     // from the instrument into the tissue, in W
+    double offset_m = 0;
+    Tissue tissue = Tissue::kSkin;
+    int8_t tool = 0;
+};
+
+/// A vertex of the contact colour and its share of the contacts.
+struct ContactVertex {
+    int32_t vertex = 0;
+    int32_t first = 0, count = 0;  // into ContactSet::incidence
+    int8_t tool = 0;
+    float friction = 0, friction_static_ratio = 1;
+    Vec3 normal_force_n = Vec3::Zero();
+    double stiffness_n_m = 0;  // of the tissue alone, along the normal
+};
+
+/// Bounded lists of a frame. Incidence entries are contact * 4 + corner.
+struct ContactSet {
+    explicit ContactSet(const Scene& scene);
+    std::array<ToolShape, 3> shapes;
+    double longest_edge_m = 0;
+    std::vector<int32_t> candidates;  // triangle * 4 + tool
+    std::vector<Contact> contacts;
+    std::vector<ContactVertex> vertices;
+    std::vector<int32_t> incidence;
+    std::vector<int32_t> slot;      // (V) into vertices, -1 = not in contact
+    std::vector<int32_t> previous;  // contact colour of the substep before
+    int candidate_count = 0, contact_count = 0, vertex_count = 0, previous_count = 0;
+    int most_contacts = 0;  // within this frame
+};
+
+/// Start of a frame: triangles that any instrument can reach before its end. A scan of the whole
+/// surface with one load per triangle; below some 20,000 triangles cheaper than keeping a tree fit.
+void collect_candidates(const Scene& scene, State& state) noexcept;
+
+/// Start of a substep: moves the proxies towards where the hand is after `share` of the frame (no
+/// farther than a part of the tip's radius while tissue is near, so that nothing is jumped over).
+void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
+                std::span<const Pose> to, double share) noexcept;
+
+/// Closest points of the candidates; marks the contact colour in `contact_vertex`.
+void find_contacts(const Scene& scene, State& state) noexcept;
+
+/// One pass over the contact colour. h [s].
+void solve_contacts(const Scene& scene, State& state, double h) noexcept;
+
+/// End of a substep: forces on the instruments, friction's memory.
+void finish_contacts(const Scene& scene, State& state) noexcept;
+
+}  // namespace placode::sim

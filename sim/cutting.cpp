@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "sim/ledger.h"
+#include "sim/step_scratch.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr double kSampleStep = 0.00005;  // along a column [m]
+constexpr double kSampleAbove = 0.0004;  // the surface is curved: begin above the tangent plane [m]
+constexpr double kSampleBelow = 0.0008;  // and go on below the target depth [m]
+constexpr double kCell = 0.0005;         // of the lookup grid [m]
+constexpr uint8_t kNoColumn = 255;       // a column that meets no tissue cannot be cut
+constexpr int kTearShare = 64;           // 1/64 of the tets a frame
+constexpr int kTearPerFrame = 8;
+// Checks in a row before a tet tears: 20 frames beside an instrument; elsewhere, where a check
+// comes every 64 frames, two checks.
+constexpr int kTearCount = 20, kTearCountFar = 10;
+constexpr double kOverStretchPause = 0.5;  // between ledger entries of one tissue [s]
+
+/// Tets by the cells of the xy plane that their boxes touch.
+class TetLocator {
+ public:
+    explicit TetLocator(const TetMesh& mesh) : mesh_(mesh) {
+        for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
+            Vec3 low = mesh.rest[mesh.tets[t][0]], high = low;
+            for (const int32_t v : mesh.tets[t]) {
+                low = low.cwiseMin(mesh.rest[v]);
+                high = high.cwiseMax(mesh.rest[v]);
+            }
+            for (int i = cell(low.x()); i <= cell(high.x()); ++i) {
+                for (int j = cell(low.y()); j <= cell(high.y()); ++j) cells_[{i, j}].push_back(t);
+            }
+        }
+    }
+    /// Tet that holds `p` and its barycentric weights; -1 outside.
+    [[nodiscard]] int find(const Vec3& p, Eigen::Vector4d& weight) const {
+        const auto it = cells_.find({cell(p.x()), cell(p.y())});
+        if (it == cells_.end()) return -1;
+        for (const int t : it->second) {
+            const auto& c = mesh_.tets[t];
+            Mat3 edges;
+            for (int i = 0; i < 3; ++i) edges.col(i) = mesh_.rest[c[i + 1]] - mesh_.rest[c[0]];
+            const Vec3 w = edges.inverse() * (p - mesh_.rest[c[0]]);
+            weight << 1 - w.sum(), w.x(), w.y(), w.z();
+            if (weight.minCoeff() >= -1e-9) return t;
+        }
+        return -1;
+    }
+
+ private:
+    static int cell(double x) { return static_cast<int>(std::floor(x / kCell)); }
+    const TetMesh& mesh_;
+    std::map<std::pair<int, int>, std::vector<int32_t>> cells_;
+};
+
+/// Frame of a contour point on the surface at rest: where, across, and outward.
+struct ContourFrame {
+    Vec3 at, across, normal;
+};
+
+ContourFrame contour_frame(const Scene& scene, int point) {
+    const auto& contour = scene.geometry.planned_contour;
+    const int n = static_cast<int>(contour.size());
+    const Vec3 along = contour[(point + 1) % n] - contour[(point + n - 1) % n];
+    Vec3 normal = Vec3::UnitZ();
+    if (point < static_cast<int>(scene.contour_anchors.size())) {
+        const auto& v = scene.contour_anchors[point].vertex;
+        const auto& rest = scene.body.mesh().rest;
+        const Vec3 face = (rest[v[1]] - rest[v[0]]).cross(rest[v[2]] - rest[v[0]]);
+        if (face.norm() > 0) normal = face.z() < 0 ? Vec3(-face) : face;
+    }
+    normal.normalize();
+    return {contour[point], normal.cross(along).normalized(), normal};
+}
+
+/// Tets that one column crosses between the surface and the target depth.
+std::vector<int32_t> column_tets(const Scene& scene, const TetLocator& locator,
+                                 const ContourFrame& frame, double offset) {
+    std::vector<int32_t> found;
+    const double target = scene.geometry.target_depth_m;
+    const Vec3 top = frame.at + offset * frame.across + kSampleAbove * frame.normal;
+    double entered = -1;
+    for (double s = 0; s <= kSampleAbove + target + kSampleBelow; s += kSampleStep) {
+        Eigen::Vector4d w;
+        const Vec3 p = top - s * frame.normal;
+        const int t = locator.find(p, w);
+        if (t < 0) continue;
+        if (entered < 0) entered = s;
+        double depth = s - entered;
+        if (!scene.field.depth_m.empty()) {
+            depth = 0;
+            for (int i = 0; i < 4; ++i) {
+                depth += w[i] * scene.field.depth_m[scene.body.mesh().tets[t][i]];
+            }
+        }
+        if (depth > target) break;
+        if (std::find(found.begin(), found.end(), t) == found.end()) found.push_back(t);
+    }
+    return found;
+}
+
+Vec3 position(const State& state, int v) noexcept {
+    const Float4& x = state.body.x[v];
+    return {x.x, x.y, x.z};
+}
+
+/// Checks one tet; tears it or writes over-stretch into the ledger. Returns tets torn (0 or 1).
+int check_stretch(const Scene& scene, State& state, int tet, int weight, int tool) noexcept {
+    const Tissue tissue = scene.body.mesh().tissue[tet];
+    const Material& material = scene.body.spec().materials[static_cast<int>(tissue)];
+    const double stretch = principal_stretch(scene, state, tet);
+    if (stretch > material.injury_stretch && !state.stretch_reported[tet]) {
+        state.stretch_reported[tet] = 1;
+        float& pause = state.over_stretch_pause_s[static_cast<int>(tissue)];
+        if (pause <= 0) {
+            pause = static_cast<float>(kOverStretchPause);
+            Event e = tissue_event(scene, state, EventKind::kOverStretch, tet);
+            e.tool = static_cast<int8_t>(tool);
+            e.value = static_cast<float>(stretch);
+            add_event(state, e);
+        }
+    }
+    if (!(stretch > material.fail_stretch)) {
+        state.stretch_count[tet] = 0;
+        return 0;
+    }
+    state.stretch_count[tet] =
+        static_cast<uint8_t>(std::min(200, state.stretch_count[tet] + weight));
+    if (state.stretch_count[tet] < kTearCount) return 0;
+    remove_tissue(scene, state, tet, EventKind::kTorn, tool, stretch);
+    return 1;
+}
+
+}  // namespace
+
+CutTables make_cut_tables(const Scene& scene, CutProgress& progress) {
+    CutTables tables;
+    const int points = static_cast<int>(scene.geometry.planned_contour.size());
+    const int tets = scene.body.tet_count();
+    progress.cut.assign(points, 0);
+    progress.column_left.assign(static_cast<size_t>(points) * kColumnsPerPoint, kNoColumn);
+    std::vector<std::vector<int32_t>> columns_of(points > 0 ? tets : 0);
+    if (points > 0) {
+        const TetLocator locator(scene.body.mesh());
+        for (int p = 0; p < points; ++p) {
+            const ContourFrame frame = contour_frame(scene, p);
+            for (int c = 0; c < kColumnsPerPoint; ++c) {
+                const double offset = (c - kColumnsPerPoint / 2) * kColumnSpacing;
+                const auto found = column_tets(scene, locator, frame, offset);
+                if (found.empty()) continue;
+                const int column = p * kColumnsPerPoint + c;
+                progress.column_left[column] =
+                    static_cast<uint8_t>(std::min<size_t>(254, found.size()));
+                for (const int32_t t : found) columns_of[t].push_back(column);
+            }
+        }
+    }
+    tables.start.assign(tets + 1, 0);
+    for (int t = 0; t < tets; ++t) {
+        if (points > 0) {
+            tables.column.insert(tables.column.end(), columns_of[t].begin(), columns_of[t].end());
+        }
+        tables.start[t + 1] = static_cast<int32_t>(tables.column.size());
+    }
+    return tables;
+}
+
+double principal_stretch(const Scene& scene, const State& state, int tet) noexcept {
+    const SoftBodySpec& spec = scene.body.spec();
+    const auto& c = spec.mesh.tets[tet];
+    Mat3 rest, now;
+    for (int i = 0; i < 3; ++i) {
+        rest.col(i) = spec.mesh.rest[c[i + 1]] - spec.mesh.rest[c[0]];
+        now.col(i) = position(state, c[i + 1]) - position(state, c[0]);
+    }
+    if (!spec.rest_scale.empty()) {
+        const auto& scale = spec.rest_scale[tet];
+        rest.row(0) *= scale[0];
+        rest.row(1) *= scale[0];
+        rest.row(2) *= scale[1];
+    }
+    const Mat3 f = now * rest.inverse();
+    Eigen::SelfAdjointEigenSolver<Mat3> eigen;
+    eigen.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);
+    return std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
+}
+
+double tet_depth(const Scene& scene, int tet) noexcept {
+    if (scene.field.depth_m.empty()) return 0;
+    double sum = 0;
+    for (const int32_t v : scene.body.mesh().tets[tet]) sum += scene.field.depth_m[v];
+    return sum / 4;
+}
+
+Vec3 rest_centroid(const Scene& scene, int tet) noexcept {
+    Vec3 sum = Vec3::Zero();
+    for (const int32_t v : scene.body.mesh().tets[tet]) sum += scene.body.mesh().rest[v];
+    return sum / 4;
+}
+
+void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,
+                   double value2) noexcept {
+    if (!state.body.tet_alive[tet]) return;
+    remove_tet(scene.body, state.body, tet);
+    const auto& alive = state.body.tet_alive;
+    state.surface.remove_tet(scene.surface, scene.body.mesh(), alive, tet);
+    if (!state.heat.empty()) {
+        remove_heat_of_tet(scene.body, *scene.heat, state.heat[0], scene.surface.neighbours(),
+                           alive, tet);
+    }
+    // A vertex that nothing holds any more would fall for ever: it stays where it is.
+    for (const int32_t v : scene.body.mesh().tets[tet]) {
+        const auto around = scene.body.tets_of(v);
+        if (std::any_of(around.begin(), around.end(), [&](int32_t t) { return alive[t] != 0; })) {
+            continue;
+        }
+        state.body.x[v].w = 0;
+        state.body.v[v] = {};
+    }
+    const float volume = scene.body.volume_m3()[tet];
+    state.removed_m3 += volume;
+    const CutTables& tables = state.scratch->cut;
+    for (int i = tables.start[tet]; i < tables.start[tet + 1]; ++i) {
+        const int column = tables.column[i], point = column / kColumnsPerPoint;
+        if (--state.progress.column_left[column] > 0 || state.progress.cut[point]) continue;
+        state.progress.cut[point] = 1;
+        ++state.progress.cut_count;
+    }
+    Event e = tissue_event(scene, state, cause, tet);
+    e.tool = static_cast<int8_t>(tool);
+    e.value = volume;
+    e.value2 = static_cast<float>(value2);
+    add_event(state, e);
+}
+
+void tear(const Scene& scene, State& state) noexcept {
+    int torn = 0;
+    const ContactSet& set = state.scratch->contacts;
+    for (int i = 0; i < set.vertex_count && torn < kTearPerFrame; ++i) {
+        for (const int32_t t : scene.body.tets_of(set.vertices[i].vertex)) {
+            const auto& c = scene.body.mesh().tets[t];
+            // Once per tet: from the first of its corners that is in the colour.
+            int first = -1;
+            for (const int32_t v : c) {
+                if (first < 0 && set.slot[v] >= 0) first = v;
+            }
+            if (first != set.vertices[i].vertex || !state.body.tet_alive[t]) continue;
+            torn += check_stretch(scene, state, t, 1, set.vertices[i].tool);
+        }
+    }
+    const int tets = scene.body.tet_count();
+    for (int t = static_cast<int>(state.frame % kTearShare); t < tets && torn < kTearPerFrame;
+         t += kTearShare) {
+        if (state.body.tet_alive[t]) torn += check_stretch(scene, state, t, kTearCountFar, -1);
+    }
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Tissue that goes: tets that heat vaporised or traction tore leave body, surface and heat
+// together; the incision's progress is counted from them (see CutProgress).
+
+#include <cstdint>
+#include <vector>
+
+#include "sim/event.h"
+#include "sim/geometry.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+struct CutProgress;
+
+inline constexpr int kColumnsPerPoint = 11;
+inline constexpr double kColumnSpacing = 0.0002;  ///< Between columns, across the contour [m].
+
+/// Constant: which columns of the planned contour a tet belongs to (compressed rows).
+struct CutTables {
+    std::vector<int32_t> start;   // (T + 1)
+    std::vector<int32_t> column;  // contour point * kColumnsPerPoint + column
+};
+
+/// Finds the tets of every column and fills `progress` for the untouched body.
+[[nodiscard]] CutTables make_cut_tables(const Scene& scene, CutProgress& progress);
+
+/// Largest principal stretch of a tet against its stress-free shape.
+[[nodiscard]] double principal_stretch(const Scene& scene, const State& state, int tet) noexcept;
+
+/// Takes a tet out of body, surface, heat and contour columns and writes its event. `tool` = who
+/// did it, `value2` as in EventKind.
+void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,
+                   double value2) noexcept;
+
+/// Tears what is stretched beyond its limit in several checks in a row: tets at the contact colour
+/// every frame, the others in turn, 1/64 a frame. At most 8 tets a frame.
+void tear(const Scene& scene, State& state) noexcept;
+
+/// Mean depth of a tet below the rest surface [m]; 0 where the scene does not say.
+[[nodiscard]] double tet_depth(const Scene& scene, int tet) noexcept;
+
+/// Centroid of a tet at rest [m].
+[[nodiscard]] Vec3 rest_centroid(const Scene& scene, int tet) noexcept;
+
+}  // namespace placode::sim

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "sim/contact.h"
+#include "sim/cutting.h"
+#include "sim/diathermy.h"
+#include "sim/ledger.h"
+#include "sim/step_scratch.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kVaporisedPerStep = 64;
+constexpr int kContactPasses = 2;       // over the contact colour for each sweep
+constexpr double kTipSearch = 0.003;    // the tip's gap is measured up to here [m]
+constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
+constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
+
+int64_t now_ns() noexcept {
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+/// Takes over the hand's poses; a lost or senseless one is not engaged and exerts no force.
+void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> inputs,
+                 std::array<Pose, kMaxTools>& from, std::array<Pose, kMaxTools>& to) noexcept {
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        ToolState& tool = state.tools[t];
+        Pose hand = inputs[t].pose();
+        const double norm = hand.q.norm();
+        const bool sound =
+            hand.p.allFinite() && std::isfinite(norm) && norm > 1e-6 && hand.p.norm() < 10;
+        const bool engaged = sound && inputs[t].engaged != 0;
+        if (sound) hand.q.coeffs() /= norm;
+        tool.previous = tool.proxy;
+        tool.force_n = Vec3::Zero();
+        tool.stiffness_n_m = tool.placode_force_n = 0;
+        if (!engaged) {
+            if (sound) tool.proxy = tool.hand = hand;
+            tool.substep_force_n = Vec3::Zero();
+            tool.substep_stiffness_n_m = 0;
+            tool.bare_gap_m = 1;
+        } else if (!tool.engaged) {
+            // The hand comes back, perhaps inside tissue: its force comes up slowly.
+            tool.proxy = tool.hand = hand;
+            tool.contact_share = 0;
+        }
+        tool.engaged = engaged ? 1 : 0;
+        tool.pedals = inputs[t].pedals;
+        tool.jaw_rad = inputs[t].jaw_rad;
+        from[t] = tool.hand;
+        to[t] = engaged ? hand : tool.hand;
+        tool.hand = to[t];
+    }
+}
+
+/// Signed distance of the tip to the surface, for display and metrics; and what lies next to it.
+void measure_tips(const Scene& scene, State& state) noexcept {
+    const auto triangles = state.surface.triangles();
+    const double size = 1.5 * state.scratch->contacts.longest_edge_m;
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        ToolState& tool = state.tools[t];
+        const double radius = state.scratch->contacts.shapes[t].parts[0].near_radius_m;
+        const Vec3 centre = tool.proxy * Vec3(0, 0, -radius);
+        const Vec3f c = centre.cast<float>();
+        double best = (kTipSearch + radius) * (kTipSearch + radius);
+        const float limit = static_cast<float>(kTipSearch + radius + size);
+        int nearest = -1;
+        Vec3 weight = Vec3::Zero();
+        for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
+            const Float4& x0 = state.body.x[triangles[i].vertex[0]];
+            const float dx = x0.x - c.x(), dy = x0.y - c.y(), dz = x0.z - c.z();
+            if (dx * dx + dy * dy + dz * dz > limit * limit) continue;
+            Triangle tri;
+            for (int k = 0; k < 3; ++k) {
+                const Float4& x = state.body.x[triangles[i].vertex[k]];
+                tri[k] = Vec3(x.x, x.y, x.z);
+            }
+            const Vec3 w = closest_on_triangle(centre, tri);
+            const Vec3 d = centre - w.x() * tri[0] - w.y() * tri[1] - w.z() * tri[2];
+            if (d.squaredNorm() >= best) continue;
+            best = d.squaredNorm();
+            nearest = i;
+            weight = w;
+        }
+        tool.tip_gap_m = 1;
+        if (nearest < 0) continue;
+        const SurfaceTriangle& tri = triangles[nearest];
+        const Float4 &a = state.body.x[tri.vertex[0]], &b = state.body.x[tri.vertex[1]],
+                     &e = state.body.x[tri.vertex[2]];
+        const Vec3 pa(a.x, a.y, a.z), pb(b.x, b.y, b.z), pe(e.x, e.y, e.z);
+        const Vec3 at = weight.x() * pa + weight.y() * pb + weight.z() * pe;
+        const bool inside = (pb - pa).cross(pe - pa).dot(centre - at) < 0;
+        tool.tip_gap_m = (inside ? -std::sqrt(best) : std::sqrt(best)) - radius;
+        if (tool.bare_gap_m >= 1) {
+            tool.touched = tri.tissue;
+            tool.spot = at;
+            tool.spot_tet = tri.tet;
+            tool.rest_spot = Vec3::Zero();
+            for (int k = 0; k < 3; ++k) {
+                tool.rest_spot += weight[k] * scene.body.mesh().rest[tri.vertex[k]];
+            }
+        }
+    }
+}
+
+class Hash {
+ public:
+    void bytes(const void* data, size_t size) noexcept {
+        const auto* p = static_cast<const unsigned char*>(data);
+        for (size_t i = 0; i < size; ++i) value_ = (value_ ^ p[i]) * 1099511628211ull;
+    }
+    template <class T>
+    void add(const T& value) noexcept {
+        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+        bytes(&value, sizeof value);
+    }
+    void add(const Vec3& v) noexcept {
+        for (int i = 0; i < 3; ++i) add(v[i]);
+    }
+    void add(const Pose& pose) noexcept {
+        add(pose.p);
+        for (int i = 0; i < 4; ++i) add(pose.q.coeffs()[i]);
+    }
+    template <class T>
+    void all(const std::vector<T>& values) noexcept {
+        bytes(values.data(), values.size() * sizeof(T));
+    }
+    [[nodiscard]] uint64_t value() const noexcept { return value_; }
+
+ private:
+    uint64_t value_ = 14695981039346656037ull;
+};
+
+void hash_tool(Hash& hash, const ToolState& t) noexcept {
+    hash.add(t.proxy);
+    hash.add(t.hand);
+    hash.add(t.force_n);
+    hash.add(t.substep_force_n);
+    hash.add(t.substep_stiffness_n_m);
+    hash.add(t.spot);
+    hash.add(t.dwell_centre);
+    for (const float f : {t.contact_s, t.peak_force_n, t.energy_on_s, t.energy_j, t.air_s,
+                          t.dwell_s, t.placode_energised_s, t.over_force_s, t.contact_share,
+                          t.quiet_s, t.over_force_peak_n, t.energised_peak_c}) {
+        hash.add(f);
+    }
+    hash.add(t.power_in_tissue_w);
+    for (const uint8_t b : {t.in_contact, t.energised, t.engaged, t.coagulating}) hash.add(b);
+}
+
+}  // namespace
+
+State::Scratch::Scratch(const Scene& scene)
+    : contacts(scene),
+      vaporised(kVaporisedPerStep),
+      candidates(scene.body.vertex_count()),
+      placode_volume_m3(scene.body.vertex_count(), 0.0f),
+      tether_alive(scene.body.spec().tethers.size(), 1) {
+    const TetMesh& mesh = scene.body.mesh();
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        if (mesh.tissue[t] != Tissue::kPlacode) continue;
+        for (const int32_t v : mesh.tets[t]) placode_volume_m3[v] += scene.body.volume_m3()[t] / 4;
+    }
+}
+
+State::State(const Scene& scene, int threads)
+    : substeps(scene.body.spec().solver.substeps),
+      body(scene.body),
+      surface(scene.surface, scene.body.mesh()),
+      friction(scene.body.vertex_count()),
+      stretch_count(scene.body.tet_count(), 0),
+      stretch_reported(scene.body.tet_count(), 0),
+      dose_reported(scene.body.vertex_count(), 0),
+      last_substeps(substeps),
+      workers(std::make_unique<Workers>(threads)),
+      scratch(std::make_unique<Scratch>(scene)) {
+    scratch->cut = make_cut_tables(scene, progress);
+    if (scene.heat) {
+        heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
+        const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);
+        placode_peak_c = placode_now_c = start;
+    }
+}
+
+State::~State() = default;
+
+StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inputs,
+                std::span<ToolFeedback> feedback) noexcept {
+    StepReport report;
+    const SolverSettings& solver = scene.body.spec().solver;
+    const int tools = static_cast<int>(scene.tools.size());
+    state.substeps = std::clamp(state.substeps, 1, 64);
+    const double h = solver.frame_s / state.substeps;
+    const int64_t start = now_ns();
+    ++state.frame;
+    state.time_s = static_cast<double>(state.frame) * solver.frame_s;
+    state.event_count = 0;
+    state.flags = 0;
+    state.body.flags = 0;
+
+    std::array<Pose, kMaxTools> from, to;
+    take_inputs(scene, state, inputs, from, to);
+    collect_candidates(scene, state);
+    int64_t mark = now_ns();
+    report.cost_ns[1] += mark - start;
+    const auto charge = [&](int item) noexcept {
+        const int64_t t = now_ns();
+        report.cost_ns[item] += t - mark;
+        mark = t;
+    };
+    for (int s = 0; s < state.substeps; ++s) {
+        move_tools(scene, state, from, to, static_cast<double>(s + 1) / state.substeps);
+        charge(1);
+        begin_substep(scene.body, state.body, h, *state.workers);
+        charge(0);
+        find_contacts(scene, state);
+        charge(1);
+        for (int i = 0; i < solver.iterations; ++i) {
+            sweep(scene.body, state.body, h, *state.workers);
+            charge(0);
+            for (int pass = 0; pass < kContactPasses; ++pass) solve_contacts(scene, state, h);
+            charge(1);
+        }
+        finish_contacts(scene, state);
+        charge(1);
+        end_substep(scene.body, state.body, h, *state.workers);
+        charge(0);
+    }
+    measure_tips(scene, state);
+    for (int t = 0; t < tools; ++t) {
+        ToolState& tool = state.tools[t];
+        tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
+        feedback[t] = {tool.proxy, tool.force_n, tool.stiffness_n_m, state.time_s};
+    }
+    charge(1);
+    std::array<uint8_t, kMaxTools> active{};
+    report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
+    tear(scene, state);
+    charge(2);
+    state.flags |= state.body.flags;
+    update_ledger(scene, state, active, solver.frame_s);
+    charge(3);
+    report.flags = state.flags;
+    report.contacts = state.scratch->contacts.most_contacts;
+    return report;
+}
+
+void settle(const Scene& scene, State& state, double seconds) noexcept {
+    const SolverSettings& solver = scene.body.spec().solver;
+    const int substeps = std::clamp(state.substeps, 1, 64);
+    const double h = solver.frame_s / substeps;
+    const auto count = static_cast<int64_t>(std::ceil(seconds / h));
+    for (int64_t n = 0; n < count; ++n) {
+        begin_substep(scene.body, state.body, h, *state.workers);
+        for (int i = 0; i < solver.iterations; ++i) {
+            sweep(scene.body, state.body, h, *state.workers);
+        }
+        end_substep(scene.body, state.body, h, *state.workers);
+        for (Float4& v : state.body.v) {
+            v.x *= kSettleDamping;
+            v.y *= kSettleDamping;
+            v.z *= kSettleDamping;
+        }
+    }
+    for (Float4& v : state.body.v) v.x = v.y = v.z = 0;
+}
+
+uint64_t state_hash(const State& state) noexcept {
+    Hash hash;
+    hash.add(state.frame);
+    hash.add(state.substeps);
+    hash.add(state.phase);
+    hash.add(state_hash(state.body));
+    hash.all(state.body.tether_alive);
+    hash.add(state.surface.version());
+    for (const SurfaceTriangle& t : state.surface.triangles()) {
+        for (const int32_t v : t.vertex) hash.add(v);
+    }
+    for (const HeatState& heat : state.heat) {
+        for (int n = 0; n < heat.warm_count; ++n) {
+            const int v = heat.warm_list[n];
+            hash.add(v);
+            hash.add(heat.enthalpy_j[v]);
+            hash.add(heat.dried[v]);
+            hash.add(heat.cem43_min[v]);
+            hash.add(heat.arrhenius[v]);
+            hash.add(heat.charred[v]);
+        }
+    }
+    for (const ToolState& tool : state.tools) hash_tool(hash, tool);
+    hash.all(state.progress.cut);
+    hash.all(state.progress.column_left);
+    hash.all(state.stretch_count);
+    hash.all(state.stretch_reported);
+    hash.all(state.dose_reported);
+    for (const float f : state.over_stretch_pause_s) hash.add(f);
+    const ContactSet& contacts = state.scratch->contacts;
+    for (int i = 0; i < contacts.vertex_count; ++i) {
+        const FrictionAnchor& anchor = state.friction[contacts.vertices[i].vertex];
+        hash.add(anchor.tool);
+        hash.add(anchor.slipping);
+        for (const float f : anchor.anchor_T) hash.add(f);
+    }
+    for (const float f : {state.placode_peak_cem43_min, state.placode_peak_c,
+                          state.placode_burned_m3, state.removed_m3, state.vapour_rate_m3_s,
+                          state.overheat_pause_s, state.burn_pause_s, state.idle_s}) {
+        hash.add(f);
+    }
+    return hash.value();
+}
+
+void deformed_contour(const Scene& scene, const State& state, std::span<Vec3> out) noexcept {
+    const size_t count = std::min(out.size(), scene.contour_anchors.size());
+    for (size_t i = 0; i < count; ++i) {
+        const ContourAnchor& a = scene.contour_anchors[i];
+        out[i] = Vec3::Zero();
+        for (int k = 0; k < 3; ++k) {
+            const Float4& x = state.body.x[a.vertex[k]];
+            out[i] += a.weight[k] * Vec3(x.x, x.y, x.z);
+        }
+    }
+}
+
+}  // namespace placode::sim

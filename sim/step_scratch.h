@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Working memory of step(): sized once, reused every frame. Nothing in it decides the future.
+
+#include <vector>
+
+#include "sim/contact.h"
+#include "sim/cutting.h"
+#include "sim/step.h"
+
+namespace placode::sim {
+
+struct State::Scratch {
+    explicit Scratch(const Scene& scene);
+    ContactSet contacts;
+    CutTables cut;
+    std::vector<int32_t> vaporised;        // room for one heat step
+    std::vector<int32_t> candidates;       // (V) vertices near a current
+    std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
+    std::vector<uint8_t> tether_alive;     // before the frame
+    bool heat_stepped = false;             // in this frame
+};
+
+}  // namespace placode::sim
