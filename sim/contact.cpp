@@ -26,6 +26,16 @@ Vec3 position(const SoftBodyState& body, int v) noexcept {
     return {x.x, x.y, x.z};
 }
 
+/// Normalised linear interpolation: for the small turns of a frame as good as slerp, without the
+/// library's sine, whose last bit depends on the processor.
+Quat between(const Quat& from, const Quat& to, double share) noexcept {
+    const double sign = from.dot(to) < 0 ? -1.0 : 1.0;
+    Quat q;
+    q.coeffs() = (1 - share) * from.coeffs() + (share * sign) * to.coeffs();
+    q.normalize();
+    return q;
+}
+
 double gap_of(const Contact& c, const SoftBodyState& body) noexcept {
     double gap = c.offset_m;
     for (int i = 0; i < 3; ++i) gap += c.b[i] * c.n.dot(position(body, c.vertex[i]));
@@ -210,7 +220,7 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         bool near = false;
         for (int i = 0; i < set.candidate_count && !near; ++i) near = set.candidates[i] % 4 == t;
         const Vec3 hand = from[t].p + share * (to[t].p - from[t].p);
-        tool.proxy.q = from[t].q.slerp(share, to[t].q);
+        tool.proxy.q = between(from[t].q, to[t].q, share);
         if (!near) {
             Vec3 way = hand - tool.proxy.p;
             const double most = kFreeStep / state.substeps, length = way.norm();

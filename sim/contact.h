@@ -52,8 +52,8 @@ struct ContactSet {
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;
     std::vector<int32_t> incidence;
-    std::vector<int32_t> slot;      // (V) into vertices, -1 = not in contact
     std::vector<int32_t> previous;  // contact colour of the substep before
+    std::vector<int32_t> slot;      // (V) into vertices, -1 = not in contact
     int candidate_count = 0, contact_count = 0, vertex_count = 0, previous_count = 0;
     int most_contacts = 0;  // within this frame
 };

@@ -112,6 +112,24 @@ Vec3 position(const State& state, int v) noexcept {
     return {x.x, x.y, x.z};
 }
 
+/// Largest eigenvalue of a symmetric positive matrix: Newton on the characteristic polynomial from
+/// an upper bound, where it runs down monotonically. Plain arithmetic gives the same bits on every
+/// processor; the trigonometric closed form does not.
+double largest_eigenvalue(const Mat3& m) noexcept {
+    const double mean = m.trace() / 3;
+    const Mat3 d = m - mean * Mat3::Identity();
+    const double half = d.squaredNorm() / 2, det = d.determinant();
+    double x = std::sqrt(4 * half / 3);  // bound: x^3 - half x - det >= 0 from here on
+    for (int i = 0; i < 40 && x > 0; ++i) {
+        const double slope = 3 * x * x - half;
+        if (!(slope > 0)) break;
+        const double next = x - (x * x * x - half * x - det) / slope;
+        if (!(next < x)) break;
+        x = next;
+    }
+    return mean + x;
+}
+
 /// Checks one tet; tears it or writes over-stretch into the ledger. Returns tets torn (0 or 1).
 int check_stretch(const Scene& scene, State& state, int tet, int weight, int tool) noexcept {
     const Tissue tissue = scene.body.mesh().tissue[tet];
@@ -188,9 +206,7 @@ double principal_stretch(const Scene& scene, const State& state, int tet) noexce
         rest.row(2) *= scale[1];
     }
     const Mat3 f = now * rest.inverse();
-    Eigen::SelfAdjointEigenSolver<Mat3> eigen;
-    eigen.computeDirect(f.transpose() * f, Eigen::EigenvaluesOnly);
-    return std::sqrt(std::max(0.0, eigen.eigenvalues()[2]));
+    return std::sqrt(largest_eigenvalue(f.transpose() * f));
 }
 
 double tet_depth(const Scene& scene, int tet) noexcept {

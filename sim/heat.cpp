@@ -3,6 +3,7 @@
 
 #include "sim/heat.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <bit>
 #include <cmath>

@@ -12,6 +12,8 @@ namespace {
 // Length of the shoulder for every metre of radius that it gains: a 56 degree cone.
 constexpr double kShoulderSlope = 1.5;
 
+double length2(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
+
 /// Closest points of segment p0-p1 and segment q0-q1; returns squared distance and parameters.
 /// Source: Ericson 2005, section 5.1.9.
 double segment_segment(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, double& s,
@@ -93,8 +95,8 @@ Vec3 nearest_to_axis(const RoundCone& part, const Triangle& tri, bool& pierced) 
 
 /// Distance behind the tip of the sphere centre that a point of the part's surroundings sees.
 double foot_of(const RoundCone& part, const Vec3& p, const Vec3& gradient) noexcept {
-    const double rho = std::hypot(p.x(), p.y());
-    const double along = std::hypot(gradient.x(), gradient.y());
+    const double rho = length2(p.x(), p.y());
+    const double along = length2(gradient.x(), gradient.y());
     if (along < 1e-9) return -p.z() < part.near_m ? part.near_m : part.far_m;
     return std::clamp(-p.z() + gradient.z() * rho / along, part.near_m, part.far_m);
 }
@@ -126,7 +128,7 @@ Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
     const double h = part.far_m - part.near_m;
     const double b = (part.near_radius_m - part.far_radius_m) / h;
     const double a = std::sqrt(1 - b * b);
-    const double rho = std::hypot(p_T.x(), p_T.y());
+    const double rho = length2(p_T.x(), p_T.y());
     const double s = -p_T.z() - part.near_m;
     const Vec3 radial = rho > 1e-12 ? Vec3(p_T.x() / rho, p_T.y() / rho, 0) : Vec3::UnitX();
     const double k = -b * rho + a * s;
@@ -138,12 +140,12 @@ Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
     }
     const bool near = k < 0;
     const double z = near ? s : s - h;
-    const double length = std::hypot(rho, z);
+    const double length = length2(rho, z);
     d.value_m = length - (near ? part.near_radius_m : part.far_radius_m);
     if (length > 1e-12) {
         d.gradient = (rho / length) * radial - (z / length) * Vec3::UnitZ();
     } else {
-        d.gradient = near ? Vec3::UnitZ() : -Vec3::UnitZ();
+        d.gradient = Vec3(0, 0, near ? 1 : -1);
     }
     return d;
 }
