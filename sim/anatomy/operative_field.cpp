@@ -159,7 +159,7 @@ void add_landmarks(const OperativeFieldSpec& spec, const FieldShape& shape, cons
     }
 }
 
-std::vector<std::string> mesh_notes(const TetMesh& mesh, int most_tethers) {
+std::vector<std::string> mesh_notes(const TetMesh& mesh, size_t tethers) {
     double least = 1, sum = 0;
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         const double q = tet_quality(mesh, static_cast<int>(t));
@@ -167,11 +167,13 @@ std::vector<std::string> mesh_notes(const TetMesh& mesh, int most_tethers) {
         sum += q;
     }
     std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "mesh: %zu vertices, %zu tets, %d tethers",
-                  mesh.rest.size(), mesh.tets.size(), most_tethers);
+    std::snprintf(text.data(), text.size(), "mesh: %zu vertices, %zu tets, %zu tethers",
+                  mesh.rest.size(), mesh.tets.size(), tethers);
     std::vector<std::string> notes{text.data()};
-    std::snprintf(text.data(), text.size(), "quality: least %d/1000, mean %d/1000",
-                  static_cast<int>(1000 * least), static_cast<int>(1000 * sum / mesh.tets.size()));
+    // In thousandths, because %f would follow the locale.
+    std::snprintf(text.data(), text.size(), "quality: least 0.%03d, mean 0.%03d",
+                  static_cast<int>(1000 * least),
+                  static_cast<int>(1000 * sum / static_cast<double>(mesh.tets.size())));
     notes.emplace_back(text.data());
     return notes;
 }
@@ -189,7 +191,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     hang_on_sides(spec, field, body);
     pre_tension(spec, field.mesh, body);
     tie_tethers(spec, field, body);
-    const int tethers = static_cast<int>(body.tethers.size());
+    const size_t tethers = body.tethers.size();
 
     auto scene = std::make_shared<Scene>(SoftBody(std::move(body)));
     scene->id = spec.id;
