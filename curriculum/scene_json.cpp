@@ -161,6 +161,18 @@ void visit_field(const V& v, S& s) {
     v("base_radius_y_m", s.base_radius_y_m);
     v("wobble", s.wobble);
     v("asymmetry_m", s.asymmetry_m);
+    v("band_outside_m", s.band_outside_m);
+    v("groove_depth_m", s.groove_depth_m);
+    v("groove_width_m", s.groove_width_m);
+    v("rim_height_m", s.rim_height_m);
+    v("rim_width_m", s.rim_width_m);
+    v("relief_skin_m", s.relief_skin_m);
+    v("relief_placode_m", s.relief_placode_m);
+    v("relief_frequency_per_m", s.relief_frequency_per_m);
+    v("thin_skin_width_m", s.thin_skin_width_m);
+    v("thin_skin_factor", s.thin_skin_factor);
+    v("blend_placode_m", s.blend_placode_m);
+    v("blend_skin_m", s.blend_skin_m);
     v("placode_layers_m", s.placode_layers_m);
     v("ring_layers_m", s.ring_layers_m);
     v("skin_layers_m", s.skin_layers_m);
@@ -172,6 +184,8 @@ void visit_field(const V& v, S& s) {
     v("contour_offset_m", s.contour_offset_m);
     v("isotropic", s.isotropic);
     v("tethers", s.tethers);
+    v("tether_break_n", s.tether_break_n);
+    v("tether_compliance_m_n", s.tether_compliance_m_n);
 }
 
 }  // namespace
