@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/packing.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "sim/colouring.h"
+#include "sim/link_strip.h"
+#include "sim/packing_tets.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// Builds the VBD part.
+class VertexPacker {
+ public:
+    VertexPacker(const SoftBody& body, PackedElements& out) : body_(body), out_(out) {}
+
+    void run() {
+        make_constants();
+        make_tethers();
+        make_springs();
+        make_strips();
+        const std::vector<uint8_t> skip = left_out();
+        const std::vector<int32_t> colour = colour_vertices(body_.mesh(), skip);
+        const int colours = *std::max_element(colour.begin(), colour.end()) + 1;
+        out_.slot.resize(at(body_.vertex_count()));
+        out_.corner_lane.resize(4 * at(body_.tet_count()));
+        for (int c = 0; c <= colours; ++c) {
+            out_.colour_start.push_back(static_cast<int32_t>(out_.batches.size()));
+            const int wanted = c < colours ? c : -1;
+            std::vector<int32_t> members;
+            for (int v = 0; v < body_.vertex_count(); ++v) {
+                if (colour[at(v)] == wanted) members.push_back(v);
+            }
+            add_group(members);
+        }
+        out_.cost.push_back(0);
+        for (const VertexBatch& b : out_.batches) out_.cost.push_back(out_.cost.back() + b.steps);
+    }
+
+ private:
+    void make_constants() {
+        const int tets = body_.tet_count();
+        out_.edge_weight_n_m.resize(6 * at(tets));
+        for (int t = 0; t < tets; ++t) {
+            constants_.push_back(tet_constants(body_.spec(), t));
+            const TetConstants& k = constants_.back();
+            for (size_t e = 0; e < 6; ++e) {
+                out_.edge_weight_n_m[6 * at(t) + e] =
+                    static_cast<float>(k.material.mu_pa * k.volume_m3 * k.a[e]);
+            }
+        }
+        out_.damping_per_s.assign(at(body_.vertex_count()), 0.0F);
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            double damping = 0, mass = 0;
+            for (const int32_t t : body_.tets_of(v)) {
+                const auto& m =
+                    body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
+                const double share = m.density_kg_m3 * body_.volume_m3()[at(t)];
+                damping += share * m.damping_per_s;
+                mass += share;
+            }
+            out_.damping_per_s[at(v)] = static_cast<float>(damping / mass);
+        }
+    }
+
+    void make_tethers() {
+        const auto& tethers = body_.spec().tethers;
+        std::vector<std::vector<int32_t>> of(at(body_.vertex_count()));
+        for (size_t i = 0; i < tethers.size(); ++i) {
+            for (const int32_t v : tethers[i].vertex) of[at(v)].push_back(static_cast<int32_t>(i));
+        }
+        out_.tether_start.push_back(0);
+        for (size_t v = 0; v < of.size(); ++v) {
+            out_.tether_of.insert(out_.tether_of.end(), of[v].begin(), of[v].end());
+            out_.tether_start.push_back(static_cast<int32_t>(out_.tether_of.size()));
+            if (!of[v].empty()) out_.tether_vertices.push_back(static_cast<int32_t>(v));
+        }
+    }
+
+    /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
+    void make_springs() {
+        spring_of_.assign(at(body_.vertex_count()), -1);
+        for (const AnchorSpring& s : body_.spec().springs) {
+            int32_t& slot = spring_of_[at(s.vertex)];
+            if (slot < 0) {
+                slot = static_cast<int32_t>(spring_k_.size());
+                spring_k_.push_back(Mat3::Zero());
+                spring_f_.push_back(Vec3::Zero());
+            }
+            const Vec3 n = s.normal.normalized();
+            const Mat3 k = s.tangent_n_m * Mat3::Identity() +
+                           (s.normal_n_m - s.tangent_n_m) * n * n.transpose();
+            // The kernels measure from the float image of the rest position.
+            const Vec3 rest = body_.mesh().rest[at(s.vertex)].cast<float>().cast<double>();
+            spring_k_[at(slot)] += k;
+            spring_f_[at(slot)] += k * (rest - s.anchor);
+        }
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            if (spring_of_[at(v)] >= 0) out_.spring_vertices.push_back(v);
+        }
+    }
+
+    void make_strips() {
+        strips_.resize(at(body_.vertex_count()));
+        std::vector<LinkTriangle> link;
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            link.clear();
+            for (const int32_t t : body_.tets_of(v)) {
+                const auto& tet = body_.mesh().tets[at(t)];
+                const auto k = at(std::find(tet.begin(), tet.end(), v) - tet.begin());
+                const auto& o = kOpposite[k];
+                link.push_back({{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, t});
+            }
+            strips_[at(v)] = link_strip(link);
+        }
+    }
+
+    /// Fixed vertices do not move; tethered ones are solved one by one.
+    [[nodiscard]] std::vector<uint8_t> left_out() const {
+        std::vector<uint8_t> skip(at(body_.vertex_count()), 0);
+        for (const int32_t v : body_.spec().fixed) skip[at(v)] = 1;
+        for (const int32_t v : out_.tether_vertices) skip[at(v)] = 1;
+        return skip;
+    }
+
+    [[nodiscard]] int64_t steps(int32_t v) const {
+        return static_cast<int64_t>(strips_[at(v)].size());
+    }
+
+    /// Cuts a colour into chunks of contiguous vertices with equal work (one half per thread with
+    /// two threads; more when the numbers would not fit), sorts each by strip length.
+    void add_group(const std::vector<int32_t>& members) {
+        int64_t total = 0;
+        for (const int32_t v : members) total += steps(v);
+        const int64_t chunks = std::max<int64_t>(2, 1 + body_.vertex_count() / 8192);
+        auto from = members.begin();
+        int64_t sum = 0;
+        for (int64_t c = 1; c <= chunks; ++c) {
+            auto to = from;
+            while (to != members.end() && (c == chunks || sum * chunks < total * c)) {
+                sum += steps(*to++);
+            }
+            std::vector<int32_t> chunk(from, to);
+            std::stable_sort(chunk.begin(), chunk.end(), [&](int32_t a, int32_t b) {
+                const bool sa = spring_of_[at(a)] >= 0, sb = spring_of_[at(b)] >= 0;
+                return sa != sb ? sa : steps(a) > steps(b);
+            });
+            for (size_t i = 0; i < chunk.size(); i += kLanes) {
+                const size_t n = std::min<size_t>(kLanes, chunk.size() - i);
+                add_batch({chunk.begin() + static_cast<int64_t>(i),
+                           chunk.begin() + static_cast<int64_t>(i + n)});
+            }
+            from = to;
+        }
+    }
+
+    void add_batch(const std::vector<int32_t>& members) {
+        VertexBatch b;
+        b.count = static_cast<int32_t>(members.size());
+        b.base = std::numeric_limits<int32_t>::max();
+        int32_t last = 0;
+        for (const int32_t v : members) {
+            b.steps = std::max(b.steps, static_cast<int32_t>(steps(v)));
+            b.base = std::min(b.base, v);
+            last = std::max(last, v);
+            for (const StripStep& s : strips_[at(v)]) {
+                b.base = std::min(b.base, s.vertex);
+                last = std::max(last, s.vertex);
+            }
+        }
+        check_span(b.base, last);
+        b.step_start = static_cast<int64_t>(out_.keep.size());
+        b.lane_start = static_cast<int64_t>(out_.lanes.size());
+        out_.keep.resize(out_.keep.size() + at(b.steps), 0);
+        out_.strip.resize(out_.keep.size() * kLanes, 0);
+        out_.lanes.resize(out_.lanes.size() + at(kLanes * (1 + 3 * b.steps)), 0.0F);
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            const bool used = lane < members.size();
+            const int32_t v = members[used ? lane : 0];
+            b.vertex[lane] = v;
+            b.self[lane] = static_cast<uint16_t>(2 * (v - b.base));
+            b.mass_kg[lane] = body_.mass_kg()[at(v)];
+            b.limit_m[lane] =
+                used ? body_.shortest_edge_m()[at(v)] / 4 : std::numeric_limits<float>::infinity();
+            for (int s = 0; s < b.steps; ++s) {
+                out_.strip[at(b.step_start + s) * kLanes + lane] = b.self[lane];
+            }
+            if (used) fill_lane(b, lane, v);
+        }
+        add_springs(b);
+        out_.batches.push_back(b);
+    }
+
+    void fill_lane(const VertexBatch& b, size_t lane, int32_t v) {
+        out_.slot[at(v)] = static_cast<int32_t>(out_.batches.size() * kLanes + lane);
+        int64_t step = 0;
+        for (const StripStep& s : strips_[at(v)]) {
+            out_.strip[at(b.step_start + step) * kLanes + lane] =
+                static_cast<uint16_t>(2 * (s.vertex - b.base));
+            if (s.keep) out_.keep[at(b.step_start + step)] |= static_cast<uint16_t>(1U << lane);
+            const size_t row = at(b.lane_start) + kLanes * at(1 + 3 * step) + lane;
+            if (s.tet >= 0) {
+                const TetConstants& k = constants_[at(s.tet)];
+                const double six_v = 6 * k.volume_m3;
+                out_.lanes[row + kLanes] =
+                    static_cast<float>(k.material.lambda_pa * k.volume_m3 / (six_v * six_v));
+                out_.lanes[row + 2 * kLanes] =
+                    static_cast<float>(s.sign * six_v * k.material.gamma);
+                const auto& tet = body_.mesh().tets[at(s.tet)];
+                const auto corner = std::find(tet.begin(), tet.end(), v) - tet.begin();
+                out_.corner_lane[4 * at(s.tet) + at(corner)] = static_cast<int64_t>(row) + kLanes;
+            }
+            ++step;
+        }
+    }
+
+    void add_springs(VertexBatch& b) {
+        const bool any = std::any_of(b.vertex.begin(), b.vertex.begin() + b.count,
+                                     [&](int32_t v) { return spring_of_[at(v)] >= 0; });
+        if (!any) return;
+        b.spring_start = static_cast<int64_t>(out_.springs.size());
+        out_.springs.resize(out_.springs.size() + kSpringRows * kLanes, 0.0F);
+        for (size_t lane = 0; lane < at(b.count); ++lane) {
+            const int32_t slot = spring_of_[at(b.vertex[lane])];
+            if (slot < 0) continue;
+            const Mat3& k = spring_k_[at(slot)];
+            const Vec3& f = spring_f_[at(slot)];
+            const Vec3 rest = body_.mesh().rest[at(b.vertex[lane])];
+            // The mu part is isotropic, so m/h^2 + sum w + the least spring bounds every pivot.
+            const double least = std::max(0.0, k.selfadjointView<Eigen::Lower>().eigenvalues()[0]);
+            const std::array<double, kSpringRows> rows{
+                k(0, 0),  k(0, 1),  k(0, 2), k(1, 1), k(1, 2), k(2, 2), rest.x(),
+                rest.y(), rest.z(), f.x(),   f.y(),   f.z(),   least};
+            for (size_t r = 0; r < kSpringRows; ++r) {
+                out_.springs[at(b.spring_start) + kLanes * r + lane] = static_cast<float>(rows[r]);
+            }
+        }
+    }
+
+    const SoftBody& body_;
+    PackedElements& out_;
+    std::vector<TetConstants> constants_;
+    std::vector<std::vector<StripStep>> strips_;
+    std::vector<int32_t> spring_of_;
+    std::vector<Mat3> spring_k_;
+    std::vector<Vec3> spring_f_;
+};
+
+}  // namespace
+
+void check_span(int32_t first, int32_t last) {
+    // Offsets are 16 bit in steps of 8 bytes.
+    if (last - first > 32767) {
+        throw MeshError("vertices " + std::to_string(first) + " and " + std::to_string(last) +
+                        " are neighbours but more than 32767 apart; put the mesh in RCM order");
+    }
+}
+
+TetConstants tet_constants(const SoftBodySpec& spec, int t) {
+    const auto i = static_cast<size_t>(t);
+    const auto& tet = spec.mesh.tets[i];
+    Vec3 scale = Vec3::Ones();
+    if (!spec.rest_scale.empty()) {
+        scale = Vec3(spec.rest_scale[i][0], spec.rest_scale[i][0], spec.rest_scale[i][1]);
+    }
+    Mat3 dm;
+    for (int k = 0; k < 3; ++k) {
+        dm.col(k) =
+            scale.cwiseProduct(spec.mesh.rest[at(tet[at(k) + 1])] - spec.mesh.rest[at(tet[0])]);
+    }
+    const Mat3 inverse = dm.inverse();  // rows are the gradients of corners 1, 2, 3
+    std::array<Vec3, 4> gradient;
+    gradient[0].setZero();
+    for (int k = 0; k < 3; ++k) {
+        gradient[at(k) + 1] = inverse.row(k).transpose();
+        gradient[0] -= gradient[at(k) + 1];
+    }
+    TetConstants out;
+    for (size_t a = 0; a < 4; ++a) {
+        for (size_t b = a + 1; b < 4; ++b) out.a[at(kEdge[a][b])] = -gradient[a].dot(gradient[b]);
+    }
+    out.volume_m3 = dm.determinant() / 6;
+    const Material& m = spec.materials[static_cast<size_t>(spec.mesh.tissue[i])];
+    const double percent = spec.stiffness_percent.empty() ? 100.0 : spec.stiffness_percent[i];
+    out.material = neo_hookean(m.youngs_modulus_pa * percent / 100, m.poissons_ratio);
+    return out;
+}
+
+PackedElements pack(const SoftBody& body) {
+    PackedElements out;
+    VertexPacker(body, out).run();
+    set_edge_weights(body, out);
+    if (body.spec().solver.method != Method::kVbd) pack_tets(body, out);
+    return out;
+}
+
+}  // namespace placode::sim

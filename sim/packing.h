@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How the kernels see a soft body: batches of 16 vertices (VBD) or 16 tets (XPBD) of one colour.
+// Internal to the solver.
+//
+// Edge form: |F|^2 = sum over the six edges of a_ij |x_i - x_j|^2, a_ij = -b_i . b_j with the rest
+// gradients b_i of the barycentric coordinates, and J = r det(e1, e2, e3), r = 1 / (6 V). Neither F
+// nor the inverse rest matrix is needed.
+//
+// VBD goes further. In one vertex x the energy of its tets is
+//   1/2 sum_j w_j |x - x_j|^2 + 1/2 sum_t s_t (det_t - q_t)^2 + const,
+// w_j = sum over tets at edge (x, x_j) of mu V a, s = lambda V r^2, q = 6 V gamma, det_t taken with
+// the three opposite vertices. The neighbours are visited as a strip over the link of the vertex
+// (link_strip.h), so that each tet costs one position to load instead of three.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/aligned_vector.h"
+#include "sim/soft_body.h"
+
+namespace placode::sim {
+
+inline constexpr int kLanes = 16;
+inline constexpr int kSpringRows = 13;  ///< K xx xy xz yy yz zz, rest xyz, force xyz, least K.
+inline constexpr int kTetRows = 8;      ///< a01 a02 a03 a12 a13 a23, r, mu / lambda.
+
+/// 16 vertices of one colour. Rows of `lanes` from lane_start: sum of w, then w, s, q of each step.
+struct alignas(64) VertexBatch {
+    std::array<float, kLanes> mass_kg{};
+    std::array<float, kLanes> limit_m{};     ///< Step limit: 1/4 of the shortest edge.
+    std::array<uint16_t, kLanes> self{};     ///< 2 (vertex - base): byte offset / 8 of a Float4.
+    std::array<int32_t, kLanes> vertex{};    ///< Lanes from `count` on repeat lane 0.
+    int32_t base = 0;                        ///< Smallest vertex that the batch reads.
+    int32_t count = 0, steps = 0;            ///< Used lanes; strip length of the longest lane.
+    int64_t step_start = 0, lane_start = 0;  ///< Into `strip` (in steps) and `lanes`.
+    int64_t spring_start = -1;               ///< Into `springs`, -1 = none in this batch.
+};
+
+/// 16 disjoint tets of one colour.
+struct TetBatch {
+    int32_t base = 0, count = 0;
+};
+
+struct PackedElements {
+    // VBD. Batches of colour c: [colour_start[c], colour_start[c + 1]); behind the last colour
+    // follow vertices that the sweep leaves out (fixed, tethered) but whose forces are asked for.
+    std::vector<VertexBatch> batches;
+    std::vector<int32_t> colour_start;
+    std::vector<int64_t> cost;      ///< Steps before batch b (batches + 1), to share out work.
+    AlignedVector<uint16_t> strip;  ///< (steps x 16) as VertexBatch::self
+    std::vector<uint16_t> keep;     ///< (steps) bit per lane: 1 = keep the older vertex of the pair
+    AlignedVector<float> springs;   ///< (spring batches x 13 x 16)
+    std::vector<int32_t> slot;      ///< (V) 16 batch + lane
+    std::vector<int64_t> corner_lane;      ///< (4 T) place of s of this corner in `lanes`
+    std::vector<float> edge_weight_n_m;    ///< (6 T) mu V a, edges 01 02 03 12 13 23
+    std::vector<int32_t> spring_vertices;  ///< ascending
+    std::vector<float> damping_per_s;      ///< (V) mass-weighted mean
+
+    // XPBD, empty for VBD. Lane state of batch b: mu V from tet_lane_start + 16 b.
+    std::vector<TetBatch> tet_batches;
+    std::vector<int32_t> tet_colour_start;
+    AlignedVector<uint16_t> tet_index;  ///< (tet batches x 4 x 16)
+    AlignedVector<float> tet_rows;      ///< (tet batches x 8 x 16)
+    std::vector<int32_t> tet_slot;      ///< (T) 16 batch + lane
+    int64_t tet_lane_start = 0;
+    int64_t tet_lambda_start = -1;  ///< Two rows a batch of multipliers, -1 = one iteration.
+    int64_t spring_sum_start = -1;  ///< Three floats a spring vertex, likewise.
+
+    // Tethers of vertex v: tether_of[tether_start[v] .. tether_start[v + 1]).
+    std::vector<int32_t> tether_start, tether_of, tether_vertices;
+
+    AlignedVector<float> lanes;  ///< What SoftBodyState::lanes starts as.
+};
+
+/// Constants of one tet at its (scaled) rest shape.
+struct TetConstants {
+    std::array<double, 6> a{};  ///< [1/m^2]
+    double volume_m3 = 0;
+    NeoHookean material;
+};
+[[nodiscard]] TetConstants tet_constants(const SoftBodySpec& spec, int t);
+
+/// Builds everything above. @throws MeshError when a batch spans too many vertices.
+[[nodiscard]] PackedElements pack(const SoftBody& body);
+
+/// Local vertices opposite to corner k, in the order that makes det positive.
+inline constexpr std::array<std::array<int, 3>, 4> kOpposite{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+/// Number of the edge between two local vertices.
+inline constexpr std::array<std::array<int, 4>, 4> kEdge{
+    {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}}};
+
+}  // namespace placode::sim

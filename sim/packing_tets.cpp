@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/packing_tets.h"
+
+#include <algorithm>
+
+#include "sim/colouring.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// First step of the lane that loads `vertex`, -1 = none. Padding steps load the vertex itself.
+int64_t step_of(const PackedElements& packed, const VertexBatch& b, size_t lane,
+                int32_t vertex) noexcept {
+    const auto wanted = static_cast<uint16_t>(2 * (vertex - b.base));
+    for (int64_t s = 0; s < b.steps; ++s) {
+        if (packed.strip[at(b.step_start + s) * kLanes + lane] == wanted) return s;
+    }
+    return -1;
+}
+
+void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const int32_t> members) {
+    TetBatch b;
+    b.count = static_cast<int32_t>(members.size());
+    b.base = body.vertex_count();
+    int32_t last = 0;
+    for (const int32_t t : members) {
+        for (const int32_t v : body.mesh().tets[at(t)]) {
+            b.base = std::min(b.base, v);
+            last = std::max(last, v);
+        }
+    }
+    check_span(b.base, last);
+    const size_t index = out.tet_index.size(), rows = out.tet_rows.size(), state = out.lanes.size();
+    out.tet_index.resize(index + 4 * kLanes);
+    out.tet_rows.resize(rows + kTetRows * kLanes);
+    out.lanes.resize(state + kLanes, 0.0F);  // unused lanes keep 0: switched off
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+        const int32_t t = members[lane < members.size() ? lane : 0];
+        for (size_t k = 0; k < 4; ++k) {
+            out.tet_index[index + kLanes * k + lane] =
+                static_cast<uint16_t>(2 * (body.mesh().tets[at(t)][k] - b.base));
+        }
+        const TetConstants c = tet_constants(body.spec(), t);
+        for (size_t e = 0; e < 6; ++e) {
+            out.tet_rows[rows + kLanes * e + lane] = static_cast<float>(c.a[e]);
+        }
+        out.tet_rows[rows + kLanes * 6 + lane] = static_cast<float>(1 / (6 * c.volume_m3));
+        out.tet_rows[rows + kLanes * 7 + lane] = static_cast<float>(c.material.gamma - 1);
+        if (lane < members.size()) {
+            out.lanes[state + lane] = static_cast<float>(c.material.mu_pa * c.volume_m3);
+            out.tet_slot[at(t)] = static_cast<int32_t>(out.tet_batches.size() * kLanes + lane);
+        }
+    }
+    out.tet_batches.push_back(b);
+}
+
+}  // namespace
+
+void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
+                        std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept {
+    const VertexBatch& b = packed.batches[at(packed.slot[at(v)] / kLanes)];
+    const size_t lane = at(packed.slot[at(v)] % kLanes);
+    float* rows = lanes + b.lane_start + lane;
+    for (int64_t s = 0; s < b.steps; ++s) rows[kLanes * (1 + 3 * s)] = 0.0F;
+    // Neighbour by neighbour in the order of their first step, each sum in double and in tet order.
+    double total = 0;
+    for (int64_t s = 0; s < b.steps; ++s) {
+        const int32_t other = b.base + packed.strip[at(b.step_start + s) * kLanes + lane] / 2;
+        if (other == v || step_of(packed, b, lane, other) != s) continue;
+        double sum = 0;
+        for (const int32_t t : body.tets_of(v)) {
+            if (!tet_alive.empty() && tet_alive[at(t)] == 0) continue;
+            const auto& tet = body.mesh().tets[at(t)];
+            const auto me = at(std::find(tet.begin(), tet.end(), v) - tet.begin());
+            const auto it = at(std::find(tet.begin(), tet.end(), other) - tet.begin());
+            if (it < 4) sum += packed.edge_weight_n_m[6 * at(t) + at(kEdge[me][it])];
+        }
+        rows[kLanes * (1 + 3 * s)] = static_cast<float>(sum);
+        total += sum;
+    }
+    rows[0] = static_cast<float>(std::max(total, 0.0));
+}
+
+void set_edge_weights(const SoftBody& body, PackedElements& packed) {
+    for (int v = 0; v < body.vertex_count(); ++v) {
+        set_vertex_weights(body, packed, {}, v, packed.lanes.data());
+    }
+}
+
+void pack_tets(const SoftBody& body, PackedElements& out) {
+    const std::vector<int32_t> colour = colour_tets(body.mesh());
+    const int colours = *std::max_element(colour.begin(), colour.end()) + 1;
+    std::vector<std::vector<int32_t>> members(at(colours));
+    for (int t = 0; t < body.tet_count(); ++t) members[at(colour[at(t)])].push_back(t);
+    out.tet_slot.resize(at(body.tet_count()));
+    out.tet_lane_start = static_cast<int64_t>(out.lanes.size());
+    for (const auto& group : members) {
+        out.tet_colour_start.push_back(static_cast<int32_t>(out.tet_batches.size()));
+        for (size_t i = 0; i < group.size(); i += kLanes) {
+            add_tet_batch(body, out,
+                          std::span(group).subspan(i, std::min<size_t>(kLanes, group.size() - i)));
+        }
+    }
+    out.tet_colour_start.push_back(static_cast<int32_t>(out.tet_batches.size()));
+    if (body.spec().solver.iterations > 1) {
+        out.tet_lambda_start = static_cast<int64_t>(out.lanes.size());
+        out.lanes.resize(out.lanes.size() + out.tet_batches.size() * 2 * kLanes, 0.0F);
+        out.spring_sum_start = static_cast<int64_t>(out.lanes.size());
+        out.lanes.resize(out.lanes.size() + 3 * out.spring_vertices.size(), 0.0F);
+    }
+}
+
+}  // namespace placode::sim

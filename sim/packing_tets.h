@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Parts of packing that are also needed when a tet is removed, and the XPBD batches.
+// Internal to the solver.
+
+#include <span>
+
+#include "sim/packing.h"
+
+namespace placode::sim {
+
+/// Throws MeshError when two vertices of one batch are too far apart for 16-bit offsets.
+void check_span(int32_t first, int32_t last);
+
+/// Writes the mu weights of vertex `v` from its living tets, so that removal leaves no residue.
+void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
+                        std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
+
+/// The weights of all vertices with every tet alive, into `packed.lanes`.
+void set_edge_weights(const SoftBody& body, PackedElements& packed);
+
+/// Appends batches of disjoint tets for XPBD.
+void pack_tets(const SoftBody& body, PackedElements& packed);
+
+}  // namespace placode::sim

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/soft_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "sim/packing.h"
+
+namespace placode::sim {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+void require(bool ok, const std::string& message) {
+    if (!ok) throw MeshError(message);
+}
+
+void check_solver(const SolverSettings& s) {
+    require(s.frame_s > 0 && std::isfinite(s.frame_s),
+            "solver: frame " + number(s.frame_s) + " s, must be above 0");
+    require(s.substeps >= 1 && s.substeps <= 64,
+            "solver: " + std::to_string(s.substeps) + " substeps, allowed 1 to 64");
+    require(s.iterations >= 1 && s.iterations <= 64,
+            "solver: " + std::to_string(s.iterations) + " iterations, allowed 1 to 64");
+    require(s.over_relaxation > 0 && s.over_relaxation <= 1.3,
+            "solver: over-relaxation " + number(s.over_relaxation) +
+                ", allowed above 0 to 1.3 (1.6 explodes)");
+    require(s.gravity_m_s2.allFinite(), "solver: gravity is not finite");
+}
+
+void check_material(const Material& m, const std::string& name) {
+    require(m.youngs_modulus_pa > 0,
+            name + ": Young's modulus " + number(m.youngs_modulus_pa) + " Pa, must be above 0");
+    require(m.poissons_ratio > -1 && m.poissons_ratio < 0.5,
+            name + ": Poisson's ratio " + number(m.poissons_ratio) + ", allowed -1 to 0.5");
+    require(m.density_kg_m3 > 0,
+            name + ": density " + number(m.density_kg_m3) + " kg/m^3, must be above 0");
+    require(m.damping_per_s >= 0,
+            name + ": damping " + number(m.damping_per_s) + " 1/s, must not be negative");
+}
+
+void check_attachments(const SoftBodySpec& spec) {
+    const auto vertices = static_cast<int32_t>(spec.mesh.rest.size());
+    const auto check = [&](int32_t v, const char* what) {
+        require(v >= 0 && v < vertices, std::string(what) + ": vertex " + std::to_string(v) +
+                                            " is outside 0 .. " + std::to_string(vertices - 1));
+    };
+    for (const int32_t v : spec.fixed) check(v, "fixed");
+    for (const AnchorSpring& s : spec.springs) {
+        check(s.vertex, "spring");
+        require(
+            s.normal_n_m >= 0 && s.tangent_n_m >= 0 && s.normal.norm() > 0 && s.anchor.allFinite(),
+            "spring at vertex " + std::to_string(s.vertex) +
+                ": stiffness must not be negative, normal must not be zero");
+    }
+    for (const Tether& t : spec.tethers) {
+        for (const int32_t v : t.vertex) check(v, "tether");
+        require(t.vertex[0] != t.vertex[1], "tether: both ends at one vertex");
+        require(t.compliance_m_n > 0 && t.rest_m >= 0 && t.break_n > 0,
+                "tether: compliance and breaking force must be above 0, rest length not negative");
+    }
+    const size_t tets = spec.mesh.tets.size();
+    require(spec.rest_scale.empty() || spec.rest_scale.size() == tets,
+            "rest_scale: one entry for each tet, or none");
+    require(spec.stiffness_percent.empty() || spec.stiffness_percent.size() == tets,
+            "stiffness_percent: one entry for each tet, or none");
+    for (const auto& s : spec.rest_scale) {
+        require(s[0] > 0.1F && s[0] < 10.0F && s[1] > 0.1F && s[1] < 10.0F,
+                "rest_scale: allowed 0.1 to 10");
+    }
+    for (const uint8_t p : spec.stiffness_percent) {
+        require(p > 0, "stiffness_percent: must be above 0");
+    }
+}
+
+const char* method_name(Method m) {
+    return m == Method::kVbd ? "vbd" : m == Method::kXpbd ? "xpbd" : "xpbd pair";
+}
+
+double limit_of(Method m) {
+    return m == Method::kVbd    ? std::numeric_limits<double>::infinity()
+           : m == Method::kXpbd ? kXpbdMaxCourant
+                                : kXpbdPairMaxCourant;
+}
+
+/// L of the Courant number: shortest edge, or sqrt(2) x smallest height.
+double courant_length(const TetMesh& mesh, size_t t) {
+    const auto& tet = mesh.tets[t];
+    double shortest = std::numeric_limits<double>::infinity(), largest_area = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        const Vec3& a = mesh.rest[static_cast<size_t>(tet[(i + 1) % 4])];
+        const Vec3 ab = mesh.rest[static_cast<size_t>(tet[(i + 2) % 4])] - a;
+        const Vec3 ac = mesh.rest[static_cast<size_t>(tet[(i + 3) % 4])] - a;
+        largest_area = std::max(largest_area, ab.cross(ac).norm() / 2);
+        for (size_t j = i + 1; j < 4; ++j) {
+            shortest = std::min(shortest, (mesh.rest[static_cast<size_t>(tet[i])] -
+                                           mesh.rest[static_cast<size_t>(tet[j])])
+                                              .norm());
+        }
+    }
+    const double height = 3 * rest_volume(mesh, static_cast<int>(t)) / largest_area;
+    return std::min(shortest, std::sqrt(2.0) * height);
+}
+
+}  // namespace
+
+SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
+    check_mesh(spec_.mesh);
+    check_solver(spec_.solver);
+    for (const Tissue tissue : spec_.mesh.tissue) {
+        check_material(spec_.materials[static_cast<size_t>(tissue)],
+                       std::string(tissue_name(tissue)));
+    }
+    check_attachments(spec_);
+
+    const size_t vertices = spec_.mesh.rest.size(), tets = spec_.mesh.tets.size();
+    std::vector<double> mass(vertices, 0.0);
+    std::vector<double> shortest(vertices, std::numeric_limits<double>::infinity());
+    vertex_tets_start_.assign(vertices + 1, 0);
+    for (size_t t = 0; t < tets; ++t) {
+        const double volume = rest_volume(spec_.mesh, static_cast<int>(t));
+        volume_m3_.push_back(static_cast<float>(volume));
+        const double density =
+            spec_.materials[static_cast<size_t>(spec_.mesh.tissue[t])].density_kg_m3;
+        for (const int32_t v : spec_.mesh.tets[t]) {
+            const auto i = static_cast<size_t>(v);
+            mass[i] += volume * density / 4;
+            ++vertex_tets_start_[i + 1];
+            for (const int32_t other : spec_.mesh.tets[t]) {
+                if (other == v) continue;
+                const double edge =
+                    (spec_.mesh.rest[i] - spec_.mesh.rest[static_cast<size_t>(other)]).norm();
+                shortest[i] = std::min(shortest[i], edge);
+            }
+        }
+    }
+    mass_kg_.assign(mass.begin(), mass.end());
+    shortest_edge_m_.assign(shortest.begin(), shortest.end());
+    for (size_t v = 0; v < vertices; ++v) vertex_tets_start_[v + 1] += vertex_tets_start_[v];
+    vertex_tets_.resize(4 * tets);
+    std::vector<int32_t> fill(vertex_tets_start_.begin(), vertex_tets_start_.end() - 1);
+    for (size_t t = 0; t < tets; ++t) {
+        for (const int32_t v : spec_.mesh.tets[t]) {
+            vertex_tets_[static_cast<size_t>(fill[static_cast<size_t>(v)]++)] =
+                static_cast<int32_t>(t);
+        }
+    }
+    check_method();
+    packed_ = std::make_unique<PackedElements>(pack(*this));
+    static_cast<void>(kernel_target());  // chooses the instruction set before any worker runs
+}
+
+SoftBody::~SoftBody() = default;
+SoftBody::SoftBody(SoftBody&&) noexcept = default;
+SoftBody& SoftBody::operator=(SoftBody&&) noexcept = default;
+
+void SoftBody::check_method() const {
+    const SolverSettings& s = spec_.solver;
+    const double limit = limit_of(s.method);
+    const auto courant = courant_numbers();
+    const auto worst = std::max_element(courant.begin(), courant.end());
+    if (*worst <= limit || s.allow_invalid) return;
+    const auto tissue = static_cast<Tissue>(worst - courant.begin());
+    const double needed = std::ceil(s.substeps * *worst / limit);
+    throw MeshError(std::string(tissue_name(tissue)) + ": Courant number " + number(*worst) +
+                    " is above " + number(limit) + ", the limit of " + method_name(s.method) +
+                    "; use vbd" +
+                    (needed <= 64 ? ", or at least " + number(needed) + " substeps a frame"
+                                  : "; no allowed number of substeps (64) would do"));
+}
+
+std::array<double, kTissueCount> SoftBody::courant_numbers() const {
+    std::array<double, kTissueCount> out{};
+    const double h = spec_.solver.frame_s / spec_.solver.substeps;
+    for (size_t t = 0; t < spec_.mesh.tets.size(); ++t) {
+        const auto tissue = static_cast<size_t>(spec_.mesh.tissue[t]);
+        const NeoHookean c = tet_constants(spec_, static_cast<int>(t)).material;
+        const double wave =
+            std::sqrt((c.lambda_pa + c.mu_pa) / spec_.materials[tissue].density_kg_m3);
+        out[tissue] = std::max(out[tissue], wave * h / courant_length(spec_.mesh, t));
+    }
+    return out;
+}
+
+std::vector<std::string> SoftBody::notes() const {
+    std::vector<std::string> out;
+    const SolverSettings& s = spec_.solver;
+    const auto courant = courant_numbers();
+    for (size_t i = 0; i < courant.size(); ++i) {
+        if (courant[i] <= 0) continue;
+        std::string verdict = "valid";
+        if (courant[i] > limit_of(s.method)) {
+            verdict = "NOT VALID (limit " + number(limit_of(s.method)) + ")";
+        } else if (s.method != Method::kVbd && courant[i] > kXpbdGoodCourant) {
+            verdict =
+                "inexact, up to about 7 % too soft (good up to " + number(kXpbdGoodCourant) + ")";
+        }
+        out.push_back(std::string(tissue_name(static_cast<Tissue>(i))) + ": Courant number " +
+                      number(courant[i]) + ", " + method_name(s.method) + ": " + verdict);
+    }
+    out.push_back(
+        "kernels: " + std::string(kernel_target()) + ", " +
+        std::to_string(packed_->colour_start.size() - 1) + " vertex colours" +
+        (packed_->tet_colour_start.empty()
+             ? ""
+             : ", " + std::to_string(packed_->tet_colour_start.size() - 1) + " tet colours"));
+    return out;
+}
+
+}  // namespace placode::sim

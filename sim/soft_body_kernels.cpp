@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled once for every instruction set: Highway includes this file again and again.
+#include "sim/soft_body_kernels.h"
+
+#include <cstring>
+#include <limits>
+
+#include "sim/event.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "sim/soft_body_kernels.cpp"
+#include <hwy/foreach_target.h>
+// Below foreach_target on purpose.
+#include <hwy/highway.h>
+
+#include "sim/tet_kernel-inl.h"
+#include "sim/vertex_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace placode::sim {
+namespace HWY_NAMESPACE {
+
+uint32_t VertexBatches(const KernelArguments& arguments, int first, int last) {
+    uint32_t flags = 0;
+    for (int b = first; b < last; ++b) flags |= SolveVertexBatch(arguments, b);
+    return flags;
+}
+
+uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
+    uint32_t flags = 0;
+    for (int b = first; b < last; ++b) flags |= SolveTetBatch(arguments, b);
+    return flags;
+}
+
+const char* Name() { return hwy::TargetName(HWY_TARGET); }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace placode::sim
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace placode::sim {
+
+HWY_EXPORT(VertexBatches);
+HWY_EXPORT(TetBatches);
+HWY_EXPORT(Name);
+
+uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept {
+    return HWY_DYNAMIC_DISPATCH(VertexBatches)(arguments, first, last);
+}
+
+uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept {
+    return HWY_DYNAMIC_DISPATCH(TetBatches)(arguments, first, last);
+}
+
+const char* kernel_target() noexcept { return HWY_DYNAMIC_DISPATCH(Name)(); }
+
+}  // namespace placode::sim
+#endif  // HWY_ONCE

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The two vectorised kernels, dispatched at run time to the widest instruction set. Internal to
+// the solver. Results are the same bits at any number of threads; two instruction sets differ in
+// rounding (fused multiply-add) only.
+
+#include "sim/packing.h"
+
+namespace placode::sim {
+
+/// What a kernel reads and writes.
+struct KernelArguments {
+    const PackedElements* packed = nullptr;
+    Float4* x = nullptr;
+    const Float4* x_start = nullptr;
+    const Float4* v = nullptr;
+    float* lanes = nullptr;
+    float h = 0;  ///< [s]
+    float over_relaxation = 1;
+    std::array<float, 3> planned_fall_m{};  ///< h^2 g
+    bool pair = false;                      ///< XPBD: C_D then C_H instead of the 2x2 block.
+};
+
+/// Vertex block descent over batches [first, last) of one colour. Returns StepFlag bits.
+uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept;
+
+/// XPBD over tet batches [first, last) of one colour. Returns StepFlag bits.
+uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept;
+
+}  // namespace placode::sim

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "sim/packing_tets.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// FNV-1a, 64 bits.
+class Hash {
+ public:
+    void add(const void* data, size_t bytes) noexcept {
+        const auto* p = static_cast<const unsigned char*>(data);
+        for (size_t i = 0; i < bytes; ++i) value_ = (value_ ^ p[i]) * 1099511628211ULL;
+    }
+    [[nodiscard]] uint64_t value() const noexcept { return value_; }
+
+ private:
+    uint64_t value_ = 14695981039346656037ULL;
+};
+
+}  // namespace
+
+SoftBodyState::SoftBodyState(const SoftBody& body) {
+    const size_t n = at(body.vertex_count());
+    x.resize(n);
+    v.resize(n);
+    x_start.resize(n);
+    target.resize(n);
+    for (size_t i = 0; i < n; ++i) {
+        const Vec3f p = body.mesh().rest[i].cast<float>();
+        x[i] = {p.x(), p.y(), p.z(), 1.0F / body.mass_kg()[i]};
+    }
+    for (const int32_t i : body.spec().fixed) x[at(i)].w = 0;
+    x_start = x;
+    target = x;
+    tet_alive.assign(at(body.tet_count()), 1);
+    contact_vertex.assign(n, 0);
+    free_vertex.assign(n, 0);
+    scratch.assign(n, 0);
+    tether_alive.assign(body.spec().tethers.size(), 1);
+    tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
+    lanes = body.packed().lanes;
+    update_free_vertices(body, *this);
+}
+
+void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
+    // Flood from everything that holds; what is not reached is free. scratch is the stack.
+    auto& free = state.free_vertex;
+    std::fill(free.begin(), free.end(), uint8_t{1});
+    size_t top = 0;
+    const auto reach = [&](int32_t v) {
+        if (free[at(v)] == 0) return;
+        free[at(v)] = 0;
+        state.scratch[top++] = v;
+    };
+    for (size_t v = 0; v < free.size(); ++v) {
+        if (state.x[v].w == 0) reach(static_cast<int32_t>(v));
+    }
+    for (const int32_t v : body.packed().spring_vertices) reach(v);
+    while (top > 0) {
+        const int32_t v = state.scratch[--top];
+        for (const int32_t t : body.tets_of(v)) {
+            if (state.tet_alive[at(t)] == 0) continue;
+            for (const int32_t other : body.mesh().tets[at(t)]) reach(other);
+        }
+    }
+}
+
+void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
+    const PackedElements& packed = body.packed();
+    if (state.tet_alive[at(tet)] == 0) return;
+    state.tet_alive[at(tet)] = 0;
+    for (size_t k = 0; k < 4; ++k) {
+        state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
+        set_vertex_weights(body, packed, state.tet_alive, body.mesh().tets[at(tet)][k],
+                           state.lanes.data());
+    }
+    if (!packed.tet_slot.empty()) {
+        state.lanes[at(packed.tet_lane_start + packed.tet_slot[at(tet)])] = 0;
+    }
+}
+
+uint64_t state_hash(const SoftBodyState& state) noexcept {
+    Hash hash;
+    for (size_t i = 0; i < state.x.size(); ++i) {
+        hash.add(&state.x[i], sizeof(Float4));
+        hash.add(&state.v[i], 3 * sizeof(float));
+    }
+    hash.add(state.tet_alive.data(), state.tet_alive.size());
+    hash.add(state.tether_alive.data(), state.tether_alive.size());
+    return hash.value();
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One substep on a team of threads. Every part works on ranges that depend on indices only, and
+// inside a colour nothing is shared: the bits do not depend on the number of threads.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "sim/event.h"
+#include "sim/soft_body_kernels.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// Part `part` of `parts` of [0, n), in whole cache lines.
+std::pair<size_t, size_t> share(size_t n, int part, int parts) noexcept {
+    const auto edge = [&](int p) {
+        return p == parts ? n : n * static_cast<size_t>(p) / static_cast<size_t>(parts) / 16 * 16;
+    };
+    return {edge(part), edge(part + 1)};
+}
+
+bool finite(const Float4& p) noexcept { return p.x * 0 + p.y * 0 + p.z * 0 == 0; }
+
+class Substep {
+ public:
+    Substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept
+        : body_(body), state_(state), packed_(body.packed()), workers_(workers) {
+        const SolverSettings& s = body.spec().solver;
+        vbd_ = s.method == Method::kVbd;
+        h_ = h;
+        arguments_.packed = &packed_;
+        arguments_.x = state.x.data();
+        arguments_.x_start = state.x_start.data();
+        arguments_.v = state.v.data();
+        arguments_.lanes = state.lanes.data();
+        arguments_.h = static_cast<float>(h);
+        arguments_.over_relaxation = static_cast<float>(s.over_relaxation);
+        arguments_.pair = s.method == Method::kXpbdPair;
+        for (size_t i = 0; i < 3; ++i) {
+            const double g = s.gravity_m_s2[static_cast<Eigen::Index>(i)];
+            arguments_.planned_fall_m[i] = static_cast<float>(h * h * g);
+            gravity_[i] = static_cast<float>(h * g);
+        }
+    }
+
+    void begin(int part) noexcept {
+        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+        const float h = arguments_.h;
+        const auto& fall = arguments_.planned_fall_m;
+        uint32_t flags = 0;
+        for (size_t i = first; i < last; ++i) {
+            Float4 x = state_.x[i], v = state_.v[i];
+            if (!finite(x) || !finite(v)) {
+                const float w = x.w;
+                if (!finite(x)) x = state_.x_start[i];
+                x.w = w;
+                v = {};
+                state_.v[i] = v;
+                state_.x[i] = x;
+                flags |= kNotFinite;
+            }
+            state_.x_start[i] = x;
+            state_.target[i] = {x.x + (h * v.x + fall[0]), x.y + (h * v.y + fall[1]),
+                                x.z + (h * v.z + fall[2]), 0};
+            if (x.w > 0) state_.x[i] = guess(i, x, v);
+        }
+        raise(flags);
+        if (packed_.tet_lambda_start >= 0) {
+            const size_t start = at(packed_.tet_lambda_start);
+            const auto [a, b] = share(state_.lanes.size() - start, part, workers_.threads());
+            std::fill(state_.lanes.begin() + static_cast<int64_t>(start + a),
+                      state_.lanes.begin() + static_cast<int64_t>(start + b), 0.0F);
+        }
+        if (part == 0) {
+            std::fill(state_.tether_lambda_n.begin(), state_.tether_lambda_n.end(), 0.0F);
+        }
+    }
+
+    void sweep(int part) noexcept {
+        if (vbd_) {
+            for (size_t c = 0; c + 1 < packed_.colour_start.size(); ++c) {
+                const int first = packed_.colour_start[c], last = packed_.colour_start[c + 1];
+                raise(solve_vertex_batches(arguments_, cut(first, last, part),
+                                           cut(first, last, part + 1)));
+                workers_.barrier();
+            }
+            if (packed_.tether_vertices.empty()) return;
+            if (part == 0) solve_tethers_vbd();
+        } else {
+            for (size_t c = 0; c + 1 < packed_.tet_colour_start.size(); ++c) {
+                const int first = packed_.tet_colour_start[c];
+                const int n = packed_.tet_colour_start[c + 1] - first, parts = workers_.threads();
+                raise(solve_tet_batches(arguments_, first + n * part / parts,
+                                        first + n * (part + 1) / parts));
+                workers_.barrier();
+            }
+            if (part == 0) {
+                solve_springs_xpbd();
+                solve_tethers_xpbd();
+            }
+        }
+        workers_.barrier();
+    }
+
+    void end(int part) noexcept {
+        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+        const float h = arguments_.h, inverse_h = 1.0F / h;
+        uint32_t flags = 0;
+        for (size_t i = first; i < last; ++i) {
+            Float4& x = state_.x[i];
+            const Float4 start = state_.x_start[i];
+            Float4& v = state_.v[i];
+            if (!finite(x)) {
+                x = {start.x, start.y, start.z, x.w};
+                v = {};
+                flags |= kNotFinite;
+                continue;
+            }
+            // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
+            // so that rounding of the position never enters it. Held vertices: the difference.
+            Float4 from = start, base{};
+            if (x.w > 0) {
+                from = guess(i, start, v);
+                base = planned(i, v);
+            }
+            const float keep = 1.0F / (1.0F + h * packed_.damping_per_s[i]);
+            v = {keep * (base.x + (x.x - from.x) * inverse_h),
+                 keep * (base.y + (x.y - from.y) * inverse_h),
+                 keep * (base.z + (x.z - from.z) * inverse_h), 0};
+        }
+        raise(flags);
+        if (part == 0) break_tethers();
+    }
+
+    /// Contact vertices are held for the time of a sweep; target.w remembers.
+    void hold_contacts() noexcept {
+        for (size_t i = 0; i < state_.contact_vertex.size(); ++i) {
+            if (state_.contact_vertex[i] == 0) continue;
+            state_.target[i].w = state_.x[i].w;
+            state_.x[i].w = 0;
+        }
+    }
+    void release_contacts() noexcept {
+        for (size_t i = 0; i < state_.contact_vertex.size(); ++i) {
+            if (state_.contact_vertex[i] != 0) state_.x[i].w = state_.target[i].w;
+        }
+    }
+
+    [[nodiscard]] Workers& workers() noexcept { return workers_; }
+    int substeps = 1, iterations = 1;  ///< Of run_substeps.
+
+ private:
+    /// Velocity that the start guess assumes. VBD leaves gravity to the target (in the guess it
+    /// makes the sweep overshoot), except where nothing holds the tissue.
+    [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept {
+        const float g = !vbd_ || state_.free_vertex[i] != 0 ? 1.0F : 0.0F;
+        return {v.x + g * gravity_[0], v.y + g * gravity_[1], v.z + g * gravity_[2], 0};
+    }
+    [[nodiscard]] Float4 guess(size_t i, const Float4& x, const Float4& v) const noexcept {
+        const Float4 u = planned(i, v);
+        const float h = arguments_.h;
+        return {x.x + h * u.x, x.y + h * u.y, x.z + h * u.z, x.w};
+    }
+
+    /// First batch of part `part`: equal work, the same half of the numbering in every colour.
+    [[nodiscard]] int cut(int first, int last, int part) const noexcept {
+        const int parts = workers_.threads();
+        if (part == 0) return first;
+        if (part == parts) return last;
+        const int64_t from = packed_.cost[at(first)], total = packed_.cost[at(last)] - from;
+        const auto begin = packed_.cost.begin();
+        return static_cast<int>(
+            std::lower_bound(begin + first, begin + last, from + total * part / parts) - begin);
+    }
+
+    void raise(uint32_t flags) noexcept {
+        if (flags != 0) {
+            std::atomic_ref<uint32_t>(state_.flags).fetch_or(flags, std::memory_order_relaxed);
+        }
+    }
+
+    void solve_tethers_vbd() noexcept {
+        for (const int32_t i : packed_.tether_vertices) {
+            Float4& x = state_.x[at(i)];
+            if (x.w == 0) continue;
+            const VertexSystem s = vertex_system(body_, state_, i, h_);
+            Vec3 step = -body_.spec().solver.over_relaxation * s.hessian.ldlt().solve(s.gradient);
+            if (!step.allFinite()) continue;
+            const double limit = static_cast<double>(body_.shortest_edge_m()[at(i)]) / 4;
+            if (step.norm() > limit) {
+                step *= limit / step.norm();
+                raise(kStepLimited);
+            }
+            x.x += static_cast<float>(step.x());
+            x.y += static_cast<float>(step.y());
+            x.z += static_cast<float>(step.z());
+        }
+        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
+            if (state_.tether_alive[i] == 0) continue;
+            const Tether& t = body_.spec().tethers[i];
+            const double excess = std::max(0.0, between(t).norm() - t.rest_m);
+            state_.tether_lambda_n[i] = static_cast<float>(excess / t.compliance_m_n);
+        }
+    }
+
+    [[nodiscard]] Vec3 between(const Tether& t) const noexcept {
+        const Float4& a = state_.x[at(t.vertex[0])];
+        const Float4& b = state_.x[at(t.vertex[1])];
+        return Vec3(b.x, b.y, b.z) - Vec3(a.x, a.y, a.z);
+    }
+
+    void solve_tethers_xpbd() noexcept {
+        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
+            if (state_.tether_alive[i] == 0) continue;
+            const Tether& t = body_.spec().tethers[i];
+            Float4& a = state_.x[at(t.vertex[0])];
+            Float4& b = state_.x[at(t.vertex[1])];
+            const Vec3 d = between(t);
+            const double length = d.norm(), w = static_cast<double>(a.w) + static_cast<double>(b.w);
+            const double compliance = t.compliance_m_n / (h_ * h_);
+            const double before = static_cast<double>(state_.tether_lambda_n[i]) * h_ * h_;
+            // One-sided: the multiplier pulls or is zero.
+            const double after = std::max(
+                0.0, before + (length - t.rest_m - compliance * before) / (w + compliance));
+            if (!(length > 0) || !std::isfinite(after)) continue;
+            const Vec3 step = (after - before) / length * d;
+            state_.tether_lambda_n[i] = static_cast<float>(after / (h_ * h_));
+            move(a, static_cast<double>(a.w) * step);
+            move(b, -static_cast<double>(b.w) * step);
+        }
+    }
+
+    static void move(Float4& x, const Vec3& step) noexcept {
+        x.x += static_cast<float>(step.x());
+        x.y += static_cast<float>(step.y());
+        x.z += static_cast<float>(step.z());
+    }
+
+    /// A linear spring has an exact XPBD block: (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
+    /// where m/h^2 sum of the earlier dx is the accumulated multiplier.
+    void solve_springs_xpbd() noexcept {
+        for (size_t i = 0; i < packed_.spring_vertices.size(); ++i) {
+            const int32_t vertex = packed_.spring_vertices[i];
+            Float4& x = state_.x[at(vertex)];
+            if (x.w == 0) continue;
+            const VertexBatch& b = packed_.batches[at(packed_.slot[at(vertex)] / kLanes)];
+            const float* k =
+                packed_.springs.data() + b.spring_start + packed_.slot[at(vertex)] % kLanes;
+            const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
+            Mat3 stiffness;
+            stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
+            Vec3 force = stiffness * (Vec3(x.x, x.y, x.z) - Vec3(row(6), row(7), row(8))) +
+                         Vec3(row(9), row(10), row(11));
+            const double inertia = 1 / (static_cast<double>(x.w) * h_ * h_);
+            float* sum = packed_.spring_sum_start < 0
+                             ? nullptr
+                             : state_.lanes.data() + packed_.spring_sum_start + 3 * i;
+            if (sum != nullptr) force += inertia * Vec3(sum[0], sum[1], sum[2]);
+            stiffness.diagonal().array() += inertia;
+            const Vec3 step = -stiffness.ldlt().solve(force);
+            if (!step.allFinite()) continue;
+            move(x, step);
+            for (int c = 0; sum != nullptr && c < 3; ++c) sum[c] += static_cast<float>(step[c]);
+        }
+    }
+
+    void break_tethers() noexcept {
+        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
+            if (static_cast<double>(state_.tether_lambda_n[i]) > body_.spec().tethers[i].break_n) {
+                state_.tether_alive[i] = 0;
+            }
+        }
+    }
+
+    const SoftBody& body_;
+    SoftBodyState& state_;
+    const PackedElements& packed_;
+    Workers& workers_;
+    KernelArguments arguments_;
+    std::array<float, 3> gravity_{};  // h g
+    double h_ = 0;
+    bool vbd_ = true;
+};
+
+}  // namespace
+
+void begin_substep(const SoftBody& body, SoftBodyState& state, double h,
+                   Workers& workers) noexcept {
+    Substep job(body, state, h, workers);
+    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->begin(part); }, &job);
+}
+
+void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
+    Substep job(body, state, h, workers);
+    job.hold_contacts();
+    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->sweep(part); }, &job);
+    job.release_contacts();
+}
+
+void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
+    Substep job(body, state, h, workers);
+    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->end(part); }, &job);
+}
+
+void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
+                  Workers& workers) noexcept {
+    const SolverSettings& s = body.spec().solver;
+    for (const uint8_t contact : state.contact_vertex) {
+        if (contact == 0) continue;
+        // Somebody left contact vertices behind: the careful way.
+        for (int i = 0; i < substeps; ++i) {
+            const double h = s.frame_s / s.substeps;
+            begin_substep(body, state, h, workers);
+            for (int k = 0; k < s.iterations; ++k) sweep(body, state, h, workers);
+            end_substep(body, state, h, workers);
+        }
+        return;
+    }
+    Substep job(body, state, s.frame_s / s.substeps, workers);
+    job.substeps = substeps;
+    job.iterations = s.iterations;
+    workers.run(
+        [](void* c, int part) noexcept {
+            auto& job = *static_cast<Substep*>(c);
+            for (int i = 0; i < job.substeps; ++i) {
+                job.begin(part);
+                job.workers().barrier();
+                for (int k = 0; k < job.iterations; ++k) job.sweep(part);
+                job.end(part);
+            }
+        },
+        &job);
+}
+
+}  // namespace placode::sim

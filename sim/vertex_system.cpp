@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One vertex in double precision, from the same numbers as the kernels: contact and tether
+// vertices are solved this way, and grasps read their force here.
+#include <algorithm>
+#include <cmath>
+
+#include "sim/packing.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
+
+/// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
+void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
+                 Mat3& hessian) noexcept {
+    const PackedElements& packed = body.packed();
+    const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
+    const size_t lane = at(packed.slot[at(vertex)] % kLanes);
+    const Vec3 x = to_vec(state.x[at(vertex)]);
+    const float* row = state.lanes.data() + b.lane_start + lane;
+    hessian.diagonal().array() += static_cast<double>(row[0]);
+    row += kLanes;
+    Vec3 older = Vec3::Zero(), newer = Vec3::Zero();
+    for (int64_t s = 0; s < b.steps; ++s, row += 3 * kLanes) {
+        const int32_t other = b.base + packed.strip[at(b.step_start + s) * kLanes + lane] / 2;
+        const Vec3 p = to_vec(state.x[at(other)]) - x;
+        gradient -= static_cast<double>(row[0]) * p;
+        const double stiffness = row[kLanes];
+        if (stiffness > 0) {
+            const Vec3 normal = (newer - older).cross(p - older);
+            const double excess = normal.dot(older) - static_cast<double>(row[2 * kLanes]);
+            gradient -= stiffness * excess * normal;
+            hessian += stiffness * normal * normal.transpose();
+        }
+        if ((packed.keep[at(b.step_start + s)] >> lane & 1) == 0) older = newer;
+        newer = p;
+    }
+}
+
+void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
+                 VertexSystem& out) noexcept {
+    const PackedElements& packed = body.packed();
+    const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
+    if (b.spring_start < 0) return;
+    const float* k = packed.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
+    const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
+    Mat3 stiffness;
+    stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
+    const Vec3 moved = to_vec(state.x[at(vertex)]) - Vec3(row(6), row(7), row(8));
+    out.gradient += stiffness * moved + Vec3(row(9), row(10), row(11));
+    out.hessian += stiffness;
+}
+
+/// Energy C^2 / (2 compliance), C = length - rest, only when stretched.
+void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
+                 VertexSystem& out) noexcept {
+    const PackedElements& packed = body.packed();
+    for (int32_t i = packed.tether_start[at(vertex)]; i < packed.tether_start[at(vertex) + 1];
+         ++i) {
+        const auto index = at(packed.tether_of[at(i)]);
+        if (state.tether_alive[index] == 0) continue;
+        const Tether& tether = body.spec().tethers[index];
+        const int32_t other = tether.vertex[tether.vertex[0] == vertex ? 1 : 0];
+        const Vec3 d = to_vec(state.x[at(vertex)]) - to_vec(state.x[at(other)]);
+        const double length = d.norm(), excess = length - tether.rest_m;
+        if (!(excess > 0)) continue;
+        const Vec3 u = d / length;
+        const double k = 1 / tether.compliance_m_n;
+        out.gradient += k * excess * u;
+        const Mat3 along = u * u.transpose();
+        out.hessian += k * (along + excess / length * (Mat3::Identity() - along));
+    }
+}
+
+}  // namespace
+
+VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int vertex,
+                           double h) noexcept {
+    VertexSystem out;
+    const auto i = at(vertex);
+    const double inertia = static_cast<double>(body.mass_kg()[i]) / (h * h);
+    // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
+    const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;
+    out.gradient = inertia * (to_vec(state.x[i]) - to_vec(state.x_start[i]) - planned);
+    out.hessian.diagonal().setConstant(inertia);
+    add_elastic(body, state, vertex, out.gradient, out.hessian);
+    add_springs(body, state, vertex, out);
+    add_tethers(body, state, vertex, out);
+    return out;
+}
+
+Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept {
+    Vec3 gradient = Vec3::Zero();
+    Mat3 hessian = Mat3::Zero();
+    add_elastic(body, state, vertex, gradient, hessian);
+    return -gradient;
+}
+
+}  // namespace placode::sim
