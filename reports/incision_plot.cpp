@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The field from above, as the scope sees it upright: cranial is up, the patient's left is left.
+// (x cranial -> up, y left -> left.)
+
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reports/report.h"
+#include "reports/text.h"
+
+namespace placode::reports {
+namespace {
+
+using sim::Vec3;
+
+/// World [m] to picture.
+struct Map {
+    double scale = 1;
+    QPointF centre;
+    [[nodiscard]] QPointF operator()(double x_m, double y_m) const {
+        return {centre.x() - y_m * scale, centre.y() - x_m * scale};
+    }
+    [[nodiscard]] QPointF operator()(const Vec3& p) const { return (*this)(p.x(), p.y()); }
+};
+
+QPolygonF polygon(const std::vector<Vec3>& line, const Map& map) {
+    QPolygonF points;
+    for (const Vec3& p : line) points << map(p);
+    if (!points.isEmpty()) points << points.front();
+    return points;
+}
+
+Map fitted(const sim::FieldGeometry& geometry, const QRectF& where) {
+    double reach = 0.010;
+    for (const Vec3& p : geometry.skin_edge)
+        reach = std::max({reach, std::abs(p.x()), std::abs(p.y())});
+    Map map;
+    map.centre = where.center();
+    map.scale = 0.5 * std::min(where.width(), where.height()) / (1.15 * reach);
+    return map;
+}
+
+void draw_anatomy(QPainter& painter, const sim::FieldGeometry& geometry, const Map& map,
+                  const ChartStyle& style) {
+    QColor skin = colour(style.muted), placode = colour(style.critical);
+    skin.setAlphaF(0.12F);
+    placode.setAlphaF(0.18F);
+    painter.setPen(QPen(colour(style.muted), 1));
+    painter.setBrush(skin);
+    painter.drawPolygon(polygon(geometry.skin_edge, map));
+    painter.setPen(QPen(colour(style.critical), 1));
+    painter.setBrush(placode);
+    painter.drawPolygon(polygon(geometry.placode_edge, map));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour(style.text), 1.2, Qt::DashLine));
+    painter.drawPolyline(polygon(geometry.planned_contour, map));
+}
+
+void draw_cut(QPainter& painter, const sim::Recording& recording, const Map& map,
+              const ChartStyle& style) {
+    QColor ink = colour(style.accent);
+    ink.setAlphaF(0.55F);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(ink);
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::EventKind::kVaporised) continue;
+        const double side = std::cbrt(std::max(0.0F, event.value)) * map.scale;
+        painter.drawEllipse(map(event.rest_position_m[0], event.rest_position_m[1]), 0.7 * side,
+                            0.7 * side);
+    }
+}
+
+void draw_path(QPainter& painter, const sim::Recording& recording, const Map& map,
+               const ChartStyle& style) {
+    int needle = -1;
+    for (size_t i = 0; i < recording.header.tools.size(); ++i) {
+        if (recording.header.tools[i].kind != sim::ToolKind::kScope)
+            needle = needle < 0 ? static_cast<int>(i) : needle;
+    }
+    if (needle < 0 || recording.samples.empty()) return;
+    QPainterPath path;
+    for (size_t i = 0; i < recording.samples.size(); i += 2) {
+        const auto& tip = recording.samples[i].tools[needle].tip_m;
+        const QPointF p = map(tip[0], tip[1]);
+        i == 0 ? path.moveTo(p) : path.lineTo(p);
+    }
+    QColor ink = colour(style.muted);
+    ink.setAlphaF(0.7F);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(ink, 0.8));
+    painter.drawPath(path);
+}
+
+/// Harm to the placode and torn tissue: a cross each, never by colour alone.
+void draw_harm(QPainter& painter, const sim::Recording& recording, const Map& map,
+               const ChartStyle& style) {
+    painter.setPen(QPen(colour(style.critical), 2));
+    for (const sim::Event& event : recording.events) {
+        const bool harm = event.kind == sim::EventKind::kPlacodeContact ||
+                          event.kind == sim::EventKind::kTorn ||
+                          event.kind == sim::EventKind::kPlacodeEnergised ||
+                          event.kind == sim::EventKind::kPlacodeOverheated ||
+                          event.kind == sim::EventKind::kPlacodeBurned;
+        if (!harm) continue;
+        const QPointF p = map(event.rest_position_m[0], event.rest_position_m[1]);
+        painter.drawLine(p + QPointF(-4, -4), p + QPointF(4, 4));
+        painter.drawLine(p + QPointF(-4, 4), p + QPointF(4, -4));
+    }
+}
+
+void draw_legend(QPainter& painter, const QRectF& where, const Map& map, const ChartStyle& style) {
+    QFont font = painter.font();
+    font.setPixelSize(static_cast<int>(style.font_px));
+    painter.setFont(font);
+    painter.setPen(colour(style.muted));
+    painter.drawText(where.adjusted(4, 2, -4, -2), Qt::AlignHCenter | Qt::AlignTop,
+                     QStringLiteral("cranial (12 o'clock)"));
+    const double bar = 0.005 * map.scale;
+    const QPointF left(where.left() + 8, where.bottom() - 8);
+    painter.setPen(QPen(colour(style.text), 1.5));
+    painter.drawLine(left, left + QPointF(bar, 0));
+    painter.drawText(QPointF(left.x(), left.y() - 4), QStringLiteral("5 mm"));
+    const std::array<std::pair<QString, unsigned>, 3> words{
+        {{QStringLiteral("- - planned"), style.text},
+         {QStringLiteral("\u25cf cut"), style.accent},
+         {QStringLiteral("\u2715 harm"), style.critical}}};
+    double y = where.bottom() - 6 - 2 * style.font_px * 1.3;
+    for (const auto& [word, ink] : words) {
+        painter.setPen(colour(ink));
+        painter.drawText(
+            QRectF(where.left(), y - style.font_px, where.width() - 6, style.font_px * 1.4),
+            Qt::AlignRight, word);
+        y += style.font_px * 1.3;
+    }
+}
+
+}  // namespace
+
+void draw_incision(QPainter& painter, const QRectF& where, const sim::Recording& recording,
+                   const ChartStyle& style) {
+    const Map map = fitted(recording.header.geometry, where);
+    painter.save();
+    painter.setClipRect(where);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(where, colour(style.surface));
+    draw_anatomy(painter, recording.header.geometry, map, style);
+    draw_path(painter, recording, map, style);
+    draw_cut(painter, recording, map, style);
+    draw_harm(painter, recording, map, style);
+    draw_legend(painter, where, map, style);
+    painter.restore();
+}
+
+}  // namespace placode::reports

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The report of one attempt on A4: what happened, why it scored so, and where it can be checked.
+
+#include <QPageSize>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QTextDocument>
+#include <cmath>
+
+#include "reports/report.h"
+#include "reports/text.h"
+
+namespace placode::reports {
+namespace {
+
+constexpr double kMargin = 56, kWidth = 794, kHeight = 1123;  // A4 at 96 dpi
+constexpr double kInner = kWidth - 2 * kMargin;
+
+QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+
+/// Draws HTML in a column and returns its height.
+double draw_html(QPainter& painter, const QPointF& at, double width, const QString& html) {
+    QTextDocument document;
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(12);
+    document.setDefaultFont(font);
+    document.setDocumentMargin(0);
+    document.setTextWidth(width);
+    document.setHtml(html);
+    painter.save();
+    painter.translate(at);
+    document.drawContents(&painter);
+    painter.restore();
+    return document.size().height();
+}
+
+QString head_html(const db::AttemptRecord& record, const assessment::Score& score,
+                  const ChartStyle& style) {
+    QString html;
+    if (record.demonstration) {
+        html += QStringLiteral(
+            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - simulated operator, "
+            "not a person's attempt.</p>");
+    }
+    html += QStringLiteral("<p style='color:#5f666e'>Placode - attempt %1</p>").arg(record.id);
+    html += QStringLiteral(
+                "<p style='font-size:22px'><b><span style='color:%1'>%2</span> - %3 of 100 "
+                "points</b></p>")
+                .arg(verdict_colour(score.verdict, style).name(), verdict_word(score.verdict),
+                     number(score.points, 1));
+    html += QStringLiteral(
+                "<p>%1 &middot; task %2 (version %3) &middot; %4 UTC &middot; %5 s &middot; %6 "
+                "&middot; %7</p>")
+                .arg(escaped(record.user_name), escaped(record.task_id),
+                     QString::number(record.task_version), escaped(record.started_utc),
+                     number(record.duration_s, 1), escaped(record.device), end_word(record.end));
+    return html;
+}
+
+QString reasons_html(const assessment::Score& score) {
+    if (score.reasons.empty()) return QStringLiteral("<h3>Reasons</h3><p>No points were lost.</p>");
+    QString html =
+        QStringLiteral("<h3>Reasons</h3><table cellspacing='0' cellpadding='3' width='100%'>");
+    for (const assessment::Reason& reason : score.reasons) {
+        const QString when =
+            reason.time_s < 0 ? QString() : QStringLiteral("at %1 s").arg(number(reason.time_s, 1));
+        html += QStringLiteral(
+                    "<tr><td align='right'>-%1</td><td>%2%3</td><td align='right' "
+                    "style='color:#5f666e'>%4</td></tr>")
+                    .arg(number(reason.points, 1),
+                         reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
+                         escaped(reason.text), when);
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString metrics_html(const assessment::MetricSet& metrics) {
+    QString html = QStringLiteral(
+        "<h3>Metrics</h3><table cellspacing='0' cellpadding='3' width='100%'>"
+        "<tr style='color:#5f666e'><td>metric</td><td "
+        "align='right'>value</td><td>unit</td><td>better</td></tr>");
+    for (const assessment::MetricDefinition& definition : assessment::metric_definitions()) {
+        const auto value = metrics.find(definition.id);
+        if (!value) continue;
+        const char* better = definition.direction == assessment::Direction::kLowerIsBetter ? "lower"
+                             : definition.direction == assessment::Direction::kHigherIsBetter
+                                 ? "higher"
+                                 : "";
+        html += QStringLiteral(
+                    "<tr><td>%1</td><td align='right'>%2</td><td>%3</td><td "
+                    "style='color:#5f666e'>%4</td></tr>")
+                    .arg(escaped(std::string(definition.name)), metric_number(*value),
+                         escaped(std::string(definition.unit)), QString::fromLatin1(better));
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString provenance_html(const db::AttemptRecord& record, const sim::Recording& recording) {
+    return QStringLiteral(
+               "<h3>Can be checked</h3><p style='color:#5f666e'>Rubric %1 version %2, metric set "
+               "version %3, "
+               "build %4, seed %5, recording with %6 frames and final state hash %7. The same "
+               "recording "
+               "and rubric give the same score.</p>")
+        .arg(escaped(record.rubric_id), QString::number(record.rubric_version),
+             QString::number(record.metric_set_version), escaped(record.build),
+             QString::number(record.seed), QString::number(recording.inputs.size()),
+             QString::number(recording.end.final_hash, 16));
+}
+
+void draw_footer(QPainter& painter, int page, const db::AttemptRecord& record) {
+    draw_html(painter, {kMargin, kHeight - kMargin + 10}, kInner,
+              QStringLiteral(
+                  "<p style='color:#5f666e;font-size:10px'>Placode attempt %1%2 - page %3 of 2</p>")
+                  .arg(QString::number(record.id),
+                       record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString(),
+                       QString::number(page)));
+}
+
+}  // namespace
+
+void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
+                       const std::vector<db::AttemptRecord>& history, const std::string& path) {
+    QSaveFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::WriteOnly)) {
+        throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +
+                          "; choose a folder that you may write to");
+    }
+    const ChartStyle style;
+    {
+        QPdfWriter writer(&file);
+        writer.setResolution(96);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(QMarginsF(0, 0, 0, 0));
+        writer.setTitle(QStringLiteral("Placode attempt %1").arg(attempt.record.id));
+        writer.setCreator(QString::fromStdString("Placode " + attempt.record.build));
+        QPainter painter(&writer);
+        double y = kMargin;
+        y += draw_html(painter, {kMargin, y}, kInner,
+                       head_html(attempt.record, attempt.score, style)) +
+             8;
+        draw_incision(painter, QRectF(kMargin, y, kInner * 0.62, 360), recording, style);
+        y += 372;
+        y += draw_html(painter, {kMargin, y}, kInner, reasons_html(attempt.score)) + 8;
+        draw_footer(painter, 1, attempt.record);
+        writer.newPage();
+        y = kMargin;
+        y += draw_html(painter, {kMargin, y}, kInner, metrics_html(attempt.metrics)) + 12;
+        if (!history.empty()) {
+            y += draw_html(painter, {kMargin, y}, kInner,
+                           QStringLiteral("<h3>Own history of this task</h3>"));
+            draw_history(painter, QRectF(kMargin, y, kInner, 220), history, 70, style);
+            y += 232;
+        }
+        draw_html(painter, {kMargin, y}, kInner, provenance_html(attempt.record, recording));
+        draw_footer(painter, 2, attempt.record);
+    }
+    if (!file.commit()) {
+        throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +
+                          "; free space or choose another folder");
+    }
+}
+
+}  // namespace placode::reports

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/text.h"
+
+#include <cmath>
+
+namespace placode::reports {
+
+QString number(double value, int decimals) {
+    if (!std::isfinite(value)) return QStringLiteral("-");
+    const double scale = std::pow(10.0, decimals);
+    if (std::round(value * scale) == 0) value = 0;  // no "-0.0" on paper
+    return QString::number(value, 'f', decimals);
+}
+
+QString metric_number(double value) {
+    const double size = std::abs(value);
+    if (size == 0) return QStringLiteral("0");
+    if (size < 0.1) return number(value, 3);
+    if (size < 10) return number(value, 2);
+    if (size < 100) return number(value, 1);
+    return number(value, 0);
+}
+
+QString verdict_word(assessment::Verdict verdict) {
+    switch (verdict) {
+        case assessment::Verdict::kPassed:
+            return QStringLiteral("Passed");
+        case assessment::Verdict::kNotYet:
+            return QStringLiteral("Not yet");
+        case assessment::Verdict::kFailed:
+            return QStringLiteral("Failed");
+    }
+    return {};
+}
+
+QString end_word(sim::EndReason reason) {
+    switch (reason) {
+        case sim::EndReason::kRunning:
+            return QStringLiteral("running");
+        case sim::EndReason::kFinished:
+            return QStringLiteral("finished");
+        case sim::EndReason::kTimeLimit:
+            return QStringLiteral("time limit");
+        case sim::EndReason::kClosed:
+            return QStringLiteral("closed");
+        case sim::EndReason::kInterrupted:
+            return QStringLiteral("interrupted");
+    }
+    return {};
+}
+
+QColor verdict_colour(assessment::Verdict verdict, const ChartStyle& style) {
+    switch (verdict) {
+        case assessment::Verdict::kPassed:
+            return colour(style.good);
+        case assessment::Verdict::kNotYet:
+            return colour(style.warn);
+        case assessment::Verdict::kFailed:
+            return colour(style.critical);
+    }
+    return colour(style.text);
+}
+
+}  // namespace placode::reports

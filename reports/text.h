@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Numbers and words as they stand in reports: the same in every locale.
+
+#include <QColor>
+#include <QString>
+
+#include "db/records.h"
+#include "reports/report.h"
+
+namespace placode::reports {
+
+/// `value` with `decimals` places and '.', never "-0.0".
+[[nodiscard]] QString number(double value, int decimals);
+/// Enough places for the metric's size: 0.034, 3.42, 34.2, 342.
+[[nodiscard]] QString metric_number(double value);
+/// "Passed", "Not yet", "Failed".
+[[nodiscard]] QString verdict_word(assessment::Verdict verdict);
+/// "finished", "time limit", "closed", "interrupted".
+[[nodiscard]] QString end_word(sim::EndReason reason);
+[[nodiscard]] QColor verdict_colour(assessment::Verdict verdict, const ChartStyle& style);
+[[nodiscard]] inline QColor colour(unsigned argb) { return QColor::fromRgba(argb); }
+
+}  // namespace placode::reports

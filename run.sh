@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds, and starts Placode.
+#   ./run.sh           the shell on your own store
+#   ./run.sh --demo    the shell on a demonstration store with really simulated attempts
+# Without a display it performs one demonstration attempt headless and prints its score.
+set -euo pipefail
+cd "$(dirname "$0")"
+. scripts/prepare.sh
+
+demo=0
+shell_arguments=()
+for argument in "$@"; do
+  case "$argument" in
+    --demo) demo=1 ;;
+    -h|--help) sed -n '5,9p' "$0" | sed 's/^# \{0,1\}//'; exit 0 ;;
+    *) shell_arguments+=("$argument") ;;
+  esac
+done
+
+placode_prepare release placode placode-sim placodectl
+bin=$PWD/build/release/bin
+export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
+
+data=${XDG_DATA_HOME:-$HOME/.local/share}/placode
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  if [ "$demo" = 1 ]; then
+    store="sqlite:$data/demonstration.db"
+    echo "placode: preparing the demonstration store (scripted operators, about two minutes the first time)"
+    "$bin/placodectl" --store "$store" demo
+    exec "$bin/placode" --store "$store" ${shell_arguments[@]+"${shell_arguments[@]}"}
+  fi
+  exec "$bin/placode" ${shell_arguments[@]+"${shell_arguments[@]}"}
+fi
+
+# No display: the same job without a window.
+echo "placode: there is no display, so the demonstration trainee operates headless (script:intermediate)"
+out=$PWD/build/headless-demo
+mkdir -p "$out"
+exec "$bin/placodectl" --store "sqlite:$data/demonstration.db" demo --headless-run --out "$out"

@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Installs what is missing, builds everything and runs all tests; under Xvfb where there is no display.
+#   ./test.sh [CTEST ARGUMENTS]        e.g. ./test.sh -R contact
+set -euo pipefail
+cd "$(dirname "$0")"
+. scripts/prepare.sh
+placode_prepare release all
+export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
+
+log=build/release/test.log
+run=(ctest --test-dir build/release --output-on-failure -j 2 "$@")
+if [ -z "${DISPLAY:-}" ]; then
+  run=(xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" "${run[@]}")
+fi
+status=0
+"${run[@]}" 2>&1 | tee "$log" || status=$?
+total=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#' "$log" || true)
+passed=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#.* Passed ' "$log" || true)
+echo "$passed passed, $((total - passed)) failed"
+[ "$total" -gt 0 ] || { echo "test.sh: no test ran" >&2; exit 1; }
+exit "$status"

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Reports are read back: CSV cell by cell, PDF by its text, pictures by their pixels.
+
+#include "reports/report.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QFile>
+#include <QImage>
+#include <QPainter>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <cmath>
+
+using namespace placode;
+
+namespace {
+
+QApplication& application() {
+    static int argc = 1;
+    static char name[] = "report_test";
+    static char* argv[] = {name, nullptr};
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    static QApplication app(argc, argv);
+    return app;
+}
+
+std::vector<sim::Vec3> ellipse(double a, double b) {
+    std::vector<sim::Vec3> line;
+    for (int i = 0; i < 90; ++i)
+        line.emplace_back(a * std::cos(i * 4 * M_PI / 180), b * std::sin(i * 4 * M_PI / 180),
+                          0.001);
+    return line;
+}
+
+sim::Recording recording() {
+    sim::Recording result;
+    result.header.tools.resize(2);
+    result.header.tools[1].kind = sim::ToolKind::kScope;
+    result.header.geometry.skin_edge = ellipse(0.012, 0.008);
+    result.header.geometry.placode_edge = ellipse(0.008, 0.003);
+    result.header.geometry.planned_contour = ellipse(0.0095, 0.0045);
+    for (int i = 0; i < 360; ++i) {
+        sim::Sample sample;
+        sample.time_s = i * 0.01;
+        sample.tools[0].tip_m = {static_cast<float>(0.0095 * std::cos(i * M_PI / 180)),
+                                 static_cast<float>(0.0045 * std::sin(i * M_PI / 180)), 0.001F};
+        result.samples.push_back(sample);
+        if (i > 180) continue;
+        sim::Event event;
+        event.kind = sim::EventKind::kVaporised;
+        event.value = 3e-11F;
+        event.rest_position_m = sample.tools[0].tip_m;
+        result.events.push_back(event);
+    }
+    result.end.final_hash = 0xabcdef;
+    return result;
+}
+
+db::AttemptDetail attempt() {
+    db::AttemptDetail detail;
+    detail.record.id = 12;
+    detail.record.user_name = "Zofia \u0141ucka";
+    detail.record.task_id = "diathermy_ring";
+    detail.record.points = 61.5;
+    detail.record.demonstration = true;
+    detail.record.device = "script:novice";
+    detail.score.points = 61.5;
+    detail.score.verdict = assessment::Verdict::kFailed;
+    detail.score.reasons = {
+        {"placode_touched", "The needle touched the placode 2 times, first at 4 o'clock.", 12, 3.5,
+         false},
+        {"placode_burned", "The placode was burned.", 26.5, 7.25, true}};
+    for (const auto& definition : assessment::metric_definitions()) {
+        detail.metrics.values.push_back({std::string(definition.id), 1.0 / 3.0});
+    }
+    return detail;
+}
+
+std::string text_of(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    return file.readAll().toStdString();
+}
+
+int pixels_unlike(const QImage& image, QRgb background) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) != background;
+    }
+    return count;
+}
+
+}  // namespace
+
+TEST(Report, AnswersKeepMissingCellsEmptyAndNeutraliseFormulas) {
+    application();
+    QTemporaryDir folder;
+    curriculum::Questionnaire questionnaire;
+    questionnaire.items.resize(3);
+    questionnaire.items[0].id = "A";
+    questionnaire.items[1].id = "B";
+    questionnaire.items[2].id = "comment";
+    questionnaire.items[2].kind = curriculum::ItemKind::kText;
+    db::AnswerRecord record;
+    record.study_id = "face";
+    record.participant = "P001-K";
+    record.questionnaire_id = "face_validity";
+    record.answered_utc = "2026-11-21T12:00:00Z";
+    record.answers = {{"A", "4"}, {"comment", "=HYPERLINK(\"x\"), good"}};
+    const QString path = folder.filePath("answers.csv");
+    reports::write_answers_csv(questionnaire, {record}, path.toStdString());
+    EXPECT_EQ(
+        text_of(path),
+        "study_id,participant,questionnaire_id,questionnaire_version,answered_utc,demonstration,A,"
+        "B,comment\n"
+        "face,P001-K,face_validity,1,2026-11-21T12:00:00Z,0,4,,\"'=HYPERLINK(\"\"x\"\"), good\"\n");
+}
+
+TEST(Report, AttemptCellsReadBackToTheSameDouble) {
+    application();
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempts.csv");
+    reports::write_attempts_csv({attempt()}, path.toStdString());
+    const QStringList rows = QString::fromStdString(text_of(path)).split('\n', Qt::SkipEmptyParts);
+    ASSERT_EQ(rows.size(), 2);
+    ASSERT_EQ(rows[0].split(',').size(), rows[1].split(',').size());
+    EXPECT_EQ(rows[1].split(',').back().toDouble(), 1.0 / 3.0);
+    EXPECT_EQ(rows[1].split(',')[rows[0].split(',').indexOf("points")].toDouble(), 61.5);
+}
+
+TEST(Report, AFolderThatIsNotThereIsNamed) {
+    application();
+    try {
+        reports::write_attempts_csv({attempt()}, "/no/such/folder/a.csv");
+        FAIL() << "must throw";
+    } catch (const reports::ReportError& error) {
+        EXPECT_NE(std::string(error.what()).find("/no/such/folder/a.csv"), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("choose"), std::string::npos);
+    }
+}
+
+TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
+    application();
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    std::vector<db::AttemptRecord> history(3, attempt().record);
+    reports::write_attempt_pdf(attempt(), recording(), history, path.toStdString());
+    if (qEnvironmentVariableIsSet("PLACODE_SCREENSHOTS")) {
+        QFile::copy(path, qEnvironmentVariable("PLACODE_SCREENSHOTS") + "/attempt.pdf");
+    }
+    QProcess process;
+    process.start(pdftotext, {"-layout", path, "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    const QString text = QString::fromUtf8(process.readAllStandardOutput());
+    for (const char* expected :
+         {"Failed", "61.5 of 100", "DEMONSTRATION", "4 o'clock", "critical", "Zofia \u0141ucka",
+          "abcdef", "score [points of 100]", "pass at 70"}) {
+        EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
+                                                                << text.toStdString();
+    }
+}
+
+TEST(Report, TheIncisionPictureShowsWhatWasCut) {
+    application();
+    const reports::ChartStyle style;
+    QImage bare(400, 400, QImage::Format_RGB32), cut(400, 400, QImage::Format_RGB32);
+    sim::Recording without = recording();
+    without.events.clear();
+    {
+        QPainter painter(&bare);
+        reports::draw_incision(painter, QRectF(0, 0, 400, 400), without, style);
+    }
+    {
+        QPainter painter(&cut);
+        reports::draw_incision(painter, QRectF(0, 0, 400, 400), recording(), style);
+    }
+    EXPECT_GT(pixels_unlike(bare, style.surface), 5000) << "anatomy is drawn";
+    // Events lie at angles 0..180 degrees, y > 0: the patient's left, which is the left half.
+    int left = 0, right = 0;
+    for (int y = 0; y < 400; ++y) {
+        for (int x = 0; x < 400; ++x) {
+            if (bare.pixel(x, y) == cut.pixel(x, y)) continue;
+            (x < 200 ? left : right) += 1;
+        }
+    }
+    EXPECT_GT(left, 200);
+    EXPECT_LT(right, left / 10);
+}
+
+TEST(Report, HistoryIsDrawnForOneAndForManyAttempts) {
+    application();
+    const reports::ChartStyle style;
+    for (int n : {0, 1, 40}) {
+        QImage image(500, 240, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        reports::draw_history(
+            painter, QRectF(0, 0, 500, 240),
+            std::vector<db::AttemptRecord>(static_cast<size_t>(n), attempt().record), 70, style);
+        painter.end();
+        EXPECT_GT(pixels_unlike(image, style.surface), 500) << n << " attempts";
+    }
+}
