@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/learning_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <stdexcept>
+
+namespace placode::assessment {
+namespace {
+
+using Matrix3 = std::array<std::array<double, 3>, 3>;
+using Vector3 = std::array<double, 3>;
+
+double determinant(const Matrix3& m) {
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+Matrix3 inverse(const Matrix3& m) {
+    const double d = determinant(m);
+    Matrix3 inv;
+    for (size_t i = 0; i < 3; ++i) {
+        for (size_t j = 0; j < 3; ++j) {
+            const size_t a = (j + 1) % 3, b = (j + 2) % 3, c = (i + 1) % 3, e = (i + 2) % 3;
+            inv[i][j] = (m[a][c] * m[b][e] - m[a][e] * m[b][c]) / d;
+        }
+    }
+    return inv;
+}
+
+double residual_sum(std::span<const double> y, const Vector3& p) {
+    double rss = 0;
+    for (size_t i = 0; i < y.size(); ++i) {
+        const double r = y[i] - p[0] + p[1] * std::exp(-static_cast<double>(i) / p[2]);
+        rss += r * r;
+    }
+    return rss;
+}
+
+/// For a fixed tau the other two parameters are linear: the best starting point is a scan over tau.
+Vector3 start(std::span<const double> y) {
+    const auto n = static_cast<double>(y.size());
+    Vector3 best{0, 0, 1};
+    double least = INFINITY;
+    for (double tau = 0.3; tau < 20 * n; tau *= 1.25) {
+        double se = 0, see = 0, sy = 0, sey = 0;
+        for (size_t i = 0; i < y.size(); ++i) {
+            const double e = std::exp(-static_cast<double>(i) / tau);
+            se += e;
+            see += e * e;
+            sy += y[i];
+            sey += e * y[i];
+        }
+        const double d = n * see - se * se;
+        if (!(d > 1e-12 * n * see)) continue;
+        const Vector3 p{(sy * see - se * sey) / d, -(n * sey - se * sy) / d, tau};
+        const double rss = residual_sum(y, p);
+        if (rss < least) least = rss, best = p;
+    }
+    return best;
+}
+
+/// Levenberg-Marquardt.
+std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
+    if (y.size() < 5) return std::nullopt;
+    Vector3 p = start(y);
+    double rss = residual_sum(y, p), damping = 1e-3;
+    Matrix3 normal{};
+    bool converged = false;
+    for (int iteration = 0; iteration < 500 && !converged; ++iteration) {
+        normal = {};
+        Vector3 gradient{};
+        for (size_t i = 0; i < y.size(); ++i) {
+            const double t = static_cast<double>(i), e = std::exp(-t / p[2]);
+            const Vector3 j{1, -e, -p[1] * e * t / (p[2] * p[2])};
+            const double r = y[i] - (p[0] - p[1] * e);
+            for (size_t a = 0; a < 3; ++a) {
+                gradient[a] += j[a] * r;
+                for (size_t b = 0; b < 3; ++b) normal[a][b] += j[a] * j[b];
+            }
+        }
+        for (int attempt = 0; attempt < 60; ++attempt) {
+            Matrix3 damped = normal;
+            for (size_t a = 0; a < 3; ++a) damped[a][a] *= 1 + damping;
+            const Matrix3 inv = inverse(damped);
+            Vector3 next = p;
+            double change = 0;
+            for (size_t a = 0; a < 3; ++a) {
+                double step = 0;
+                for (size_t b = 0; b < 3; ++b) step += inv[a][b] * gradient[b];
+                next[a] += step;
+                change = std::max(change, std::abs(step) / (std::abs(p[a]) + 1e-12));
+            }
+            const double next_rss = next[2] > 0 ? residual_sum(y, next) : INFINITY;
+            if (change < 1e-10) {
+                converged = true;
+                break;
+            }
+            if (next_rss <= rss) {
+                p = next;
+                rss = next_rss;
+                damping = std::max(damping / 10, 1e-12);
+                break;
+            }
+            damping *= 10;
+        }
+    }
+    const auto n = static_cast<double>(y.size());
+    ExponentialFit fit{p[0], p[1], p[2]};
+    const Matrix3 covariance = inverse(normal);
+    const double variance = rss / (n - 3);
+    fit.se_asymptote = std::sqrt(variance * covariance[0][0]);
+    fit.se_gain = std::sqrt(variance * covariance[1][1]);
+    fit.se_tau = std::sqrt(variance * covariance[2][2]);
+    fit.rss = rss;
+    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    double total = 0;
+    for (const double value : y) total += (value - mean) * (value - mean);
+    fit.r2 = total > 0 ? 1 - rss / total : 0;
+    // As R's AIC(nls): three parameters and the residual variance.
+    fit.aic = n * (std::log(2 * std::numbers::pi) + std::log(rss / n) + 1) + 2 * 4;
+    fit.trial_to_95pct_of_gain = 1 + fit.tau_trials * std::log(20.0);
+    fit.converged = converged;
+    if (!std::isfinite(fit.asymptote) || !std::isfinite(fit.se_tau)) return std::nullopt;
+    return fit;
+}
+
+struct Line {
+    double intercept = 0, slope = 0, r2 = 0, slope_se = 0;
+};
+Line least_squares(std::span<const double> x, std::span<const double> y) {
+    const auto n = static_cast<double>(x.size());
+    const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n,
+                 my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    double sxx = 0, sxy = 0, syy = 0;
+    for (size_t i = 0; i < x.size(); ++i) {
+        sxx += (x[i] - mx) * (x[i] - mx);
+        sxy += (x[i] - mx) * (y[i] - my);
+        syy += (y[i] - my) * (y[i] - my);
+    }
+    Line line;
+    line.slope = sxy / sxx;
+    line.intercept = my - line.slope * mx;
+    line.r2 = syy > 0 ? sxy * sxy / (sxx * syy) : 0;
+    line.slope_se = n > 2 ? std::sqrt(std::max(0.0, syy - line.slope * sxy) / (n - 2) / sxx) : 0;
+    return line;
+}
+
+std::optional<PowerFit> fit_power(std::span<const double> y) {
+    std::vector<double> log_trial, log_score;
+    for (size_t i = 0; i < y.size(); ++i) {
+        if (y[i] <= 0) continue;
+        log_trial.push_back(std::log(static_cast<double>(i + 1)));
+        log_score.push_back(std::log(y[i]));
+    }
+    if (log_score.size() < 3) return std::nullopt;
+    const Line line = least_squares(log_trial, log_score);
+    return PowerFit{line.intercept, line.slope, line.r2, static_cast<int>(log_score.size())};
+}
+
+}  // namespace
+
+LearningCurve learning_curve(std::span<const double> scores) {
+    if (scores.empty()) throw std::invalid_argument("learning curve: there is no score");
+    LearningCurve result;
+    result.n = static_cast<int>(scores.size());
+    result.exponential = fit_exponential(scores);
+    result.power = fit_power(scores);
+    const size_t ten = std::min<size_t>(10, scores.size());
+    const auto first = scores.first(ten), last = scores.last(ten);
+    result.mean_first10 =
+        std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(ten);
+    result.mean_last10 = std::accumulate(last.begin(), last.end(), 0.0) / static_cast<double>(ten);
+    if (ten >= 3) {
+        std::vector<double> trial(ten);
+        std::iota(trial.begin(), trial.end(), 1.0);
+        const Line line = least_squares(trial, last);
+        const double t =
+            boost::math::quantile(boost::math::students_t(static_cast<double>(ten) - 2), 0.975);
+        result.last10_slope = line.slope;
+        result.last10_slope_low = line.slope - t * line.slope_se;
+        result.last10_slope_high = line.slope + t * line.slope_se;
+        result.plateau = result.exponential &&
+                         result.exponential->trial_to_95pct_of_gain <= result.n &&
+                         result.last10_slope_low <= 0 && result.last10_slope_high >= 0;
+    }
+    return result;
+}
+
+}  // namespace placode::assessment

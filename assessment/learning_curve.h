@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How a score grows with practice: exponential approach to a plateau, or a power law.
+
+#include <optional>
+#include <span>
+
+namespace placode::assessment {
+
+/// y = asymptote - gain exp(-(trial - 1) / tau), least squares.
+struct ExponentialFit {
+    double asymptote = 0, gain = 0, tau_trials = 0;
+    double se_asymptote = 0, se_gain = 0, se_tau = 0;
+    double rss = 0, r2 = 0, aic = 0;
+    double trial_to_95pct_of_gain = 0;  ///< 1 + tau ln 20.
+    bool converged = false;
+};
+
+/// log y = log a + b log trial, positive scores only.
+struct PowerFit {
+    double log_a = 0, b = 0, r2 = 0;
+    int n_positive = 0;
+};
+
+struct LearningCurve {
+    int n = 0;
+    std::optional<ExponentialFit>
+        exponential;                ///< Absent below 5 trials or when nothing converges.
+    std::optional<PowerFit> power;  ///< Absent below 3 positive scores.
+    double mean_first10 = 0, mean_last10 = 0;
+    double last10_slope = 0, last10_slope_low = 0, last10_slope_high = 0;  ///< Per trial, 95 %.
+    bool plateau = false;  ///< Past 95 % of the gain, and the slope's interval contains 0.
+};
+
+/// Scores of one person in order of the trials.
+[[nodiscard]] LearningCurve learning_curve(std::span<const double> scores);
+
+}  // namespace placode::assessment
