@@ -79,7 +79,11 @@ Field field() {
     f.snapshot.tools[0].pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.4, 0.7, -0.7));
     f.snapshot.tools[1].kind = ToolKind::kScope;
     f.snapshot.tools[1].pose.p = Vec3(-0.016, 0, 0.026);
-    f.snapshot.tools[1].pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.016, 0, -0.026));
+    Mat3 axes;
+    axes.col(2) = Vec3(0.016, 0, -0.026).normalized();
+    axes.col(0) = -Vec3::UnitY();
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+    f.snapshot.tools[1].pose.q = Quat(axes);
     f.snapshot.contour_cut.assign(72, 0);
     return f;
 }

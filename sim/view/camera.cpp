@@ -11,14 +11,8 @@ namespace {
 
 constexpr double kNearMm = 1.0, kFarMm = 300.0;
 
-void level(Camera& camera, const Vec3& fallback) {
-    // Half outward, half cranial: well defined for every direction from which a scope looks at a
-    // back, and it puts the right hand's port on the right of the picture.
-    Vec3 hint = Vec3(1, 0, 1).normalized();
-    Vec3 up = hint - hint.dot(camera.forward) * camera.forward;
-    if (up.norm() < 0.05) up = fallback - fallback.dot(camera.forward) * camera.forward;
-    camera.up = up.normalized();
-    camera.right = camera.forward.cross(camera.up).normalized();
+double half_angle(double field_of_view_deg) {
+    return std::clamp(field_of_view_deg, 20.0, 120.0) * std::numbers::pi / 360.0;
 }
 
 }  // namespace
@@ -42,8 +36,12 @@ Camera look_at(const Vec3& eye_mm, const Vec3& target_mm, double field_of_view_d
     Camera camera;
     camera.position_mm = eye_mm;
     camera.forward = (target_mm - eye_mm).normalized();
-    camera.half_angle_rad = std::clamp(field_of_view_deg, 20.0, 120.0) * std::numbers::pi / 360.0;
-    level(camera, Vec3::UnitY());
+    camera.half_angle_rad = half_angle(field_of_view_deg);
+    // Cranial is up, or outward where the scope looks along the back.
+    Vec3 up = Vec3::UnitX() - camera.forward.x() * camera.forward;
+    if (up.norm() < 0.1) up = Vec3::UnitZ() - camera.forward.z() * camera.forward;
+    camera.up = up.normalized();
+    camera.right = camera.forward.cross(camera.up);
     return camera;
 }
 
@@ -53,15 +51,16 @@ Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
         if (tool.kind != ToolKind::kScope) continue;
         const ToolSpec spec =
             static_cast<size_t>(i) < tools.size() ? tools[static_cast<size_t>(i)] : ToolSpec{};
-        const Vec3 axis = tool.pose.q * Vec3::UnitZ();
-        Camera camera =
-            look_at(tool.pose.p * 1000, tool.pose.p * 1000 + axis, spec.field_of_view_deg);
-        if (std::abs(spec.scope_angle_deg) > 0.01) {
-            // An oblique optic looks down past its own axis.
-            const double angle = -spec.scope_angle_deg * std::numbers::pi / 180.0;
-            camera.forward = Eigen::AngleAxisd(angle, camera.right) * camera.forward;
-            level(camera, Vec3::UnitY());
-        }
+        Camera camera;
+        camera.position_mm = 1000 * tool.pose.p;
+        camera.half_angle_rad = half_angle(spec.field_of_view_deg);
+        // Tool axes: x right, y down, z into the picture. An oblique optic looks down past its
+        // axis.
+        const double oblique = -spec.scope_angle_deg * std::numbers::pi / 180.0;
+        const Quat q = tool.pose.q.normalized() * Quat(Eigen::AngleAxisd(oblique, Vec3::UnitX()));
+        camera.right = q * Vec3::UnitX();
+        camera.up = -(q * Vec3::UnitY());
+        camera.forward = q * Vec3::UnitZ();
         return camera;
     }
     return look_at(Vec3(-24, 0, 40), Vec3(0, 0, 0), 70);

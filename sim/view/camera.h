@@ -16,12 +16,11 @@ struct Camera {
     [[nodiscard]] Mat4f view_projection() const;
 };
 
-/// From the scope among the snapshot's tools; a default view of the lesion when there is none.
-/// The picture stays upright (the assistant holds the camera head level, cranial away); turning the
-/// tool about its shaft turns it only where `up` would be undefined.
+/// From the scope among the snapshot's tools, whose axes are x right, y down, z into the picture
+/// (turned down by the angle of an oblique optic); a default view of the lesion when there is none.
 [[nodiscard]] Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools);
 
-/// Looks from `eye_mm` at `target_mm`.
+/// Looks from `eye_mm` at `target_mm` with cranial up.
 [[nodiscard]] Camera look_at(const Vec3& eye_mm, const Vec3& target_mm, double field_of_view_deg);
 
 }  // namespace placode::sim

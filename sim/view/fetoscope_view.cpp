@@ -84,6 +84,7 @@ struct FetoscopeView::Impl {
     uint32_t frames = 0;
     double last_time_s = -1;
     unsigned error = 0;
+    bool software = false;
 };
 
 FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
@@ -107,7 +108,9 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
     guide_gl.create({4});
     times.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
     // A software renderer starts low instead of stuttering through its first second.
-    if (settings.adaptive && times.renderer.find("llvmpipe") != std::string::npos) {
+    software = times.renderer.find("llvmpipe") != std::string::npos ||
+               times.renderer.find("softpipe") != std::string::npos;
+    if (settings.adaptive && software) {
         quality.samples = 0;
         quality.render_scale = std::min(quality.render_scale, s.height > 800 ? 0.6 : 0.8);
     }
@@ -118,7 +121,7 @@ void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
     program.set("view_projection", camera.view_projection());
     program.set("eye", camera.position_mm);
     program.set("view_axis", camera.forward);
-    program.set("light_a", Vec3(camera.position_mm + 2.0 * camera.up - 1.5 * camera.right));
+    program.set("light_a", Vec3(camera.position_mm + 2.6 * camera.up - 2.0 * camera.right));
     program.set("light_b", Vec3(camera.position_mm - 2.0 * camera.up + 1.5 * camera.right));
     program.set("cone_cos", static_cast<float>(std::cos(camera.half_angle_rad + 0.03)));
     program.set("time_s", static_cast<float>(snapshot.time_s));
@@ -313,6 +316,8 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.context->swap();
 }
 
+void FetoscopeView::observe(const Snapshot& snapshot) { impl_->smoke.update(snapshot); }
+bool FetoscopeView::software() const { return impl_->software; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
 bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
 void FetoscopeView::capture_pointer(bool capture) { impl_->context->capture_pointer(capture); }

@@ -37,6 +37,10 @@ class FetoscopeView {
 
     /// Draws one picture and shows it.
     void draw(const Snapshot& snapshot, const OverlayState& overlay);
+    /// Lets smoke and haze go on between pictures, without drawing.
+    void observe(const Snapshot& snapshot);
+    /// True when the processor draws: leave some of it to the physics.
+    [[nodiscard]] bool software() const;
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     void poll(WindowInput& input);
     [[nodiscard]] bool close_requested() const;

@@ -9,7 +9,7 @@ namespace placode::sim {
 namespace {
 
 constexpr double kIrisS = 0.35;        // time constant of the automatic exposure
-constexpr float kMeanTarget = 0.155F;  // by eye: lit skin lands near 0.5 linear
+constexpr float kMeanTarget = 0.125F;  // by eye: lit skin lands near 0.5 linear
 
 }  // namespace
 

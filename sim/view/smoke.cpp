@@ -54,7 +54,7 @@ void Smoke::update(const Snapshot& snapshot) {
         p.velocity_mm_s = Vec3(8 * (random() - 0.5), 8 * (random() - 0.5), 10 + 14 * random());
         p.radius_mm = 0.5 + 0.6 * random();
         p.life_s = 1.0 + 1.6 * random();
-        p.opacity = static_cast<float>(0.05 + 0.10 * random());
+        p.opacity = static_cast<float>(0.03 + 0.07 * random());
         p.seed = static_cast<float>(random());
         puffs_.push_back(p);
     }

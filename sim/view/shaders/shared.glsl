@@ -30,7 +30,7 @@ float tool_shade(vec3 p, vec3 n, vec3 to_light) {
     for (int i = 0; i < capsule_count; ++i) {
         vec3 a = capsule_a[i].xyz, b = capsule_b[i].xyz;
         float r = capsule_a[i].w;
-        shade *= mix(0.30, 1.0, capsule_shadow(p + 0.05 * n, to_light, a, b, r, 7.0));
+        shade *= mix(0.16, 1.0, capsule_shadow(p + 0.05 * n, to_light, a, b, r, 6.0));
         vec3 ba = b - a;
         float h = clamp(dot(p - a, ba) / dot(ba, ba), 0.0, 1.0);
         vec3 d = a + h * ba - p;

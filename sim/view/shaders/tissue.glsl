@@ -75,11 +75,13 @@ void main() {
 
     // --- zone: a grey-white film over a dark wet space, with fine fibres and vessels
     float fibre = texture(noise_map, vec2(q.x * 0.10 + 0.03 * q.y, q.y * 0.42)).r;
-    vec3 below = mix(kGel, kMuscle * 1.6, saturate(1.5 * n1.g - 0.35));
-    float cover = mix(0.50, 0.86, saturate(0.65 * fibre + 0.55 * n1.r - 0.1));
-    cover = mix(cover, 0.97, pow(1.0 - nv0, 3.0));
-    vec3 film = mix(kMembrane * vec3(0.93, 0.92, 0.93), kJunction, 0.55 * smoothstep(1.9, 0.2, d.x) + 0.12);
-    vec3 zone = mix(below, film, cover * 0.80);
+    float thin = texture(noise_map, q / 14.0 + vec2(0.21, 0.63)).r;
+    vec3 below = mix(vec3(0.20, 0.062, 0.066), vec3(0.095, 0.030, 0.045), saturate(2.2 * n1.g - 0.7));
+    float cover = mix(0.22, 0.66, saturate(0.75 * fibre + 0.75 * thin - 0.25));
+    cover = mix(cover, 0.92, pow(1.0 - nv0, 3.0));
+    cover = mix(cover, 0.75, 0.6 * smoothstep(1.3, 0.2, d.x));
+    vec3 film = mix(kMembrane * vec3(0.80, 0.79, 0.82), kJunction * 0.9, 0.35 * smoothstep(1.9, 0.2, d.x) + 0.12);
+    vec3 zone = mix(below, film, cover);
     zone = mix(zone, kThinEdge, 0.50 * smoothstep(-1.3, 0.1, d.y));
     zone = mix(zone, kPlacode * 1.3, 0.55 * exp(-sq((d.x - 0.05) / 0.42)));
     zone = mix(zone, kVenule, 0.40 * vessels.b * top);
@@ -88,8 +90,8 @@ void main() {
     zone = mix(zone, mix(kDura, kGel, 0.45), smoothstep(1.35, 1.7, depth));
 
     // --- placode: raw, red, a groove with vessels in the midline
-    vec3 placode = kPlacode * mix(vec3(0.75, 0.7, 0.7), vec3(1.30, 1.7, 1.6), n1.r);
-    placode = mix(placode, kJunction * vec3(0.8, 0.45, 0.4), 0.35 * smoothstep(0.55, 0.85, n2.g));
+    vec3 placode = kPlacode * mix(vec3(0.70, 0.55, 0.60), vec3(1.12, 1.25, 1.2), n1.r);
+    placode = mix(placode, kJunction * vec3(0.75, 0.30, 0.27), 0.28 * smoothstep(0.55, 0.85, n2.g));
     float groove = exp(-sq((q.y + 0.25 * (n1.g - 0.5)) / 0.34)) * smoothstep(0.3, -1.2, d.x);
     placode *= 1.0 - 0.55 * groove;
     placode = mix(placode, kVessel * 0.85, 0.82 * vessels.r * top);
@@ -102,21 +104,21 @@ void main() {
     wet *= mix(1.0, 0.6 + 0.6 * n1.g, w_skin);
 
     // --- what was cut open just now bleeds a little and shines
-    vec3 raw = mix(albedo, kBlood * 2.2 + 0.28 * albedo, 0.30 + 0.45 * n2.r);
-    albedo = mix(albedo, raw, 0.85 * fresh);
+    vec3 raw = mix(albedo * vec3(0.85, 0.45, 0.42), kBlood * 2.0 + 0.15 * albedo, 0.25 + 0.55 * n2.r);
+    albedo = mix(albedo, raw, 0.92 * fresh);
     wet = mix(wet, 1.0, fresh);
 
     // --- heat
     float omega = v_damage.x, dried = v_damage.y, charred = v_damage.z;
-    float ragged = 0.5 * (n2.r - 0.5);
+    float ragged = 0.6 * (n1.g - 0.5) + 0.35 * (n2.r - 0.5);
     albedo = mix(albedo, albedo * vec3(0.72, 0.42, 0.42), smoothstep(0.08, 0.35, omega + 0.2 * ragged) *
                                                           (1.0 - smoothstep(0.4, 0.8, omega)));
-    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged);
-    albedo = mix(albedo, kBlanch * (0.82 + 0.3 * n2.g), 0.90 * blanch);
-    float tan_part = smoothstep(0.45, 0.95, dried + 0.7 * ragged);
-    albedo = mix(albedo, kTan * (0.7 + 0.6 * n2.r), 0.88 * tan_part);
-    float burnt = smoothstep(0.05, 0.75, charred + 0.5 * ragged * step(0.01, charred));
-    albedo = mix(albedo, kChar * (1.0 + 2.5 * n2.g), burnt);
+    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged) * (1.0 - 0.45 * fresh);
+    albedo = mix(albedo, kBlanch * (0.72 + 0.3 * n2.g), 0.85 * blanch);
+    float tan_part = smoothstep(0.35, 0.95, dried + 0.7 * ragged);
+    albedo = mix(albedo, kTan * (0.45 + 0.6 * n2.r), 0.88 * tan_part);
+    float burnt = smoothstep(0.04, 0.60, charred + 0.6 * ragged * step(0.01, charred));
+    albedo = mix(albedo, kChar * (1.0 + 3.5 * n2.g), burnt);
     rough = mix(mix(rough, 0.55, max(blanch, tan_part)), 0.9, burnt);
     wet *= (1.0 - 0.65 * blanch) * (1.0 - 0.6 * tan_part) * (1.0 - 0.97 * burnt);
 
@@ -124,12 +126,12 @@ void main() {
     vec3 t = normalize(vec3(1.0, 0.0, 0.0) - n * n.x);
     vec3 b = cross(n, t);
     float near = smoothstep(70.0, 20.0, length(eye - v_position));
-    float grain = (0.50 * w_skin + 0.34 * w_zone + 0.70 * w_placode + 0.5 * fresh + 1.1 * burnt);
+    float grain = (0.55 * w_skin + 0.45 * w_zone + 0.95 * w_placode + 0.5 * fresh + 1.1 * burnt);
     vec2 slope = (n1.ba - 0.5) * grain + (n2.ba - 0.5) * (0.35 * grain + 0.5 * burnt);
     vec3 nd = normalize(n - t * slope.x - b * slope.y);
     vec2 drift = vec2(0.011, 0.007) * time_s;
     vec4 film_noise = texture(noise_map, wall / 3.1 + drift);
-    vec2 ripple = slope * 0.55 + (film_noise.ba - 0.5) * mix(0.25, 0.42, near);
+    vec2 ripple = slope * 0.75 + (film_noise.ba - 0.5) * mix(0.30, 0.55, near) * (1.0 - 0.45 * w_skin);
     vec3 nf = normalize(n - t * ripple.x - b * ripple.y);
 
     vec3 la = normalize(light_a - v_position), lb = normalize(light_b - v_position);
@@ -143,7 +145,7 @@ void main() {
     vec3 diffuse = clamp((nl + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0, 1.0);
     vec3 lit = albedo * diffuse * reach * shade * open;
     // Light that bounces inside the red cavity.
-    lit += albedo * vec3(0.050, 0.026, 0.022) * open * (0.35 + 0.65 * min(reach, 1.5));
+    lit += albedo * vec3(0.055, 0.024, 0.020) * open * (0.35 + 0.65 * min(reach, 1.5));
     // Thin film lets light through from its rim.
     lit += vec3(0.10, 0.035, 0.03) * w_zone * top * (1.0 - burnt) * pow(1.0 - nv0, 2.0) * reach * shade;
 

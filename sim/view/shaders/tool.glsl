@@ -22,7 +22,7 @@ void main() {
     vec3 v = normalize(eye - v_position);
     vec3 l = normalize(light_a - v_position);
     if (dot(n, v) < 0.0) n = -n;
-    float reach = min(light_reach(v_position), 6.0);
+    float reach = min(light_reach(v_position), 2.6);
     float scratch = texture(noise_map, vec2(v_rest.y * 0.05, v_rest.z * 1.7)).r;
     float nl = saturate(dot(n, l));
     vec3 result;
@@ -35,17 +35,17 @@ void main() {
         result += f0 * min(highlight(n, v, l, a, 1.0), 14.0) * reach;
         result += f0 * 0.10 * nl * reach * (0.7 + 0.5 * scratch);
     } else if (v_rest.x < 1.5) {  // insulation
-        vec3 base = vec3(0.010, 0.011, 0.012);
+        vec3 base = vec3(0.007, 0.008, 0.009);
         result = base * nl * reach + highlight(n, v, l, 0.10, 0.04) * reach * (0.7 + 0.5 * scratch);
         result += 0.03 * surroundings(reflect(-v, n)) * reach;
         // Laser-marked depth rings, every 10 mm.
         float ring = smoothstep(0.30, 0.15, abs(mod(v_rest.y, 10.0) - 9.0));
-        result += ring * vec3(0.20, 0.20, 0.19) * nl * reach;
+        result += ring * vec3(0.13, 0.13, 0.12) * nl * reach;
     } else {  // ceramic
         vec3 base = vec3(0.62, 0.55, 0.44);
         result = base * (0.15 + 0.85 * nl) * reach * 0.8 + highlight(n, v, l, 0.06, 0.04) * reach;
     }
     float tip = smoothstep(3.0, 0.0, v_rest.y) * step(v_rest.x, 0.5);
-    result += energised * tip * glow * (0.35 + 0.25 * sin(time_s * 173.0));
+    result += energised * tip * tip * glow * (0.22 + 0.12 * sin(time_s * 173.0));
     colour = vec4(result, 1.0);
 }

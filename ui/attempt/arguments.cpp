@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <iostream>
+#include <vector>
+
+namespace placode::ui {
+namespace {
+
+// The whole of `text` as a number, whatever the locale.
+template <class T>
+bool number(std::string_view text, T& value) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+}
+
+// "WxH"
+void read_size(const std::string& text, Arguments& arguments) {
+    const size_t x = text.find('x');
+    if (x == std::string::npos || !number(std::string_view(text).substr(0, x), arguments.width) ||
+        !number(std::string_view(text).substr(x + 1), arguments.height) || arguments.width < 160 ||
+        arguments.height < 120 || arguments.width > 7680 || arguments.height > 4320) {
+        throw UsageError("--size: found \"" + text +
+                         "\", expected WxH from 160x120 to 7680x4320, e.g. 1280x800");
+    }
+}
+
+// "DIR" or "DIR:EVERY_S"
+void read_screenshots(const std::string& text, Arguments& arguments) {
+    arguments.screenshot_folder = text;
+    const size_t colon = text.rfind(':');
+    if (colon == std::string::npos || colon + 1 == text.size()) return;
+    double every = 0;
+    if (!number(std::string_view(text).substr(colon + 1), every)) return;  // a colon in a name
+    if (!(every >= 0.02 && every <= 3600)) {
+        throw UsageError("--screenshots: every " + text.substr(colon + 1) +
+                         " s is not from 0.02 to 3600 s");
+    }
+    arguments.screenshot_folder = text.substr(0, colon);
+    arguments.screenshot_every_s = every;
+}
+
+void check(Arguments& arguments) {
+    if (arguments.list_devices) return;
+    if (arguments.device.rfind("play:", 0) == 0) {
+        arguments.play = arguments.device.substr(5);
+        if (arguments.play.empty()) throw UsageError("--device play:FILE: the file is missing");
+        if (!arguments.record.empty()) {
+            throw UsageError(
+                "--record: a replay is compared with its recording, not recorded again");
+        }
+    } else if (arguments.task.empty()) {
+        throw UsageError(
+            "--task is missing: the id of a task or a JSON file, e.g. --task diathermy_ring");
+    }
+    if (arguments.fast && !arguments.headless) {
+        throw UsageError("--fast needs --headless: a window shows real time");
+    }
+    const bool hands = arguments.device == "mouse" || arguments.device == "keyboard" ||
+                       arguments.device == "gamepad";
+    if (arguments.headless && hands) {
+        throw UsageError("--device " + arguments.device +
+                         " needs a window; with --headless use script:expert, script:intermediate, "
+                         "script:novice "
+                         "or play:FILE");
+    }
+}
+
+}  // namespace
+
+Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
+    Arguments arguments;
+    std::string size, screenshots;
+    exit_now = false;
+    CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
+    app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
+        ->type_name("ID|FILE.json");
+    app.add_option(
+        "--device", arguments.device,
+        "mouse, keyboard, gamepad, a haptic device, script:expert|intermediate|novice, play:FILE");
+    app.add_option("--record", arguments.record, "Write the recording here")
+        ->type_name("FILE.placode");
+    app.add_flag("--headless", arguments.headless, "No window, no display needed");
+    app.add_flag("--fast", arguments.fast, "As fast as possible (with --headless)");
+    app.add_option("--duration", arguments.duration_s, "Stop after this many seconds")
+        ->check(CLI::Range(0.001, 86400.0));
+    app.add_option("--threads", arguments.threads, "Threads of the physics")
+        ->check(CLI::Range(1, 64));
+    app.add_option("--seed", arguments.seed, "Seed of anatomy and scripted operator");
+    app.add_option("--screenshots", screenshots, "Save pictures in DIR, every EVERY_S seconds (5)")
+        ->type_name("DIR[:EVERY_S]");
+    app.add_option("--size", size, "Size of window and pictures")->type_name("WxH");
+    app.add_option("--scope", arguments.scope_angle_deg, "Angle of the optic [deg]")
+        ->check(CLI::IsMember({0, 30}));
+    app.add_option("--language", arguments.language, "en or pl")
+        ->check(CLI::IsMember({"en", "pl"}));
+    app.add_flag("--status", arguments.status, "One JSON object a line on standard output");
+    app.add_flag("--demonstration", arguments.demonstration,
+                 "Mark picture and recording as demonstration");
+    app.add_flag("--fullscreen", arguments.fullscreen, "Window over the whole screen");
+    app.add_flag("--list-devices", arguments.list_devices, "What can be used here, and why not");
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::CallForHelp&) {
+        std::cout << app.help();
+        exit_now = true;
+        return arguments;
+    } catch (const CLI::ParseError& error) {
+        throw UsageError(std::string(error.what()) + "; see placode-sim --help");
+    }
+    if (!size.empty()) read_size(size, arguments);
+    if (!screenshots.empty()) read_screenshots(screenshots, arguments);
+    check(arguments);
+    return arguments;
+}
+
+}  // namespace placode::ui

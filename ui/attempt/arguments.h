@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What placode-sim was asked to do.
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+namespace placode::ui {
+
+/// Bad input or usage: exit status 2. The message is complete and for the user.
+class UsageError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+struct Arguments {
+    std::string task, device = "mouse", record, language = "en";
+    std::string play;  ///< Recording to replay, from `--device play:FILE`.
+    std::string screenshot_folder;
+    double screenshot_every_s = 5;
+    double duration_s = 0;  ///< 0 = the task's limit.
+    int threads = 2;
+    uint64_t seed = 1;
+    int width = 1280, height = 800;
+    int scope_angle_deg = -1;  ///< -1 = as the task says.
+    bool headless = false, fast = false, status = false, demonstration = false;
+    bool fullscreen = false, list_devices = false;
+};
+
+/// Throws UsageError. Prints help or version itself and then sets `exit_now`.
+[[nodiscard]] Arguments parse_arguments(int argc, char** argv, bool& exit_now);
+
+}  // namespace placode::ui

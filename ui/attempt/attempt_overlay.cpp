@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/attempt_overlay.h"
+
+namespace placode::ui {
+namespace {
+
+using Help = std::vector<std::pair<std::string, std::string>>;
+
+Help controls(const std::string& device) {
+    Help help;
+    if (device == "mouse") {
+        help = {{"mouse", "Move the instrument"},
+                {"wheel", "Deeper, shallower"},
+                {"left button", "Cut (yellow pedal)"},
+                {"right button", "Coagulate (blue pedal)"},
+                {"middle button", "Move the scope"},
+                {"Shift + mouse", "Turn about the shaft"},
+                {"Ctrl", "Precise"},
+                {"Space", "Freeze the hand"},
+                {"Tab", "Other hand"}};
+    } else if (device == "keyboard") {
+        help = {{"W A S D", "Move the instrument"}, {"R  F", "Shallower, deeper"},
+                {"Q  E", "Turn about the shaft"},   {"X", "Cut (yellow pedal)"},
+                {"C", "Coagulate (blue pedal)"},    {"Ctrl", "Precise"},
+                {"Space", "Freeze the hand"},       {"Tab", "Other hand"}};
+    } else if (device == "gamepad") {
+        help = {{"left stick", "Move the instrument"},   {"triggers", "Deeper, shallower"},
+                {"right stick", "Turn about the shaft"}, {"A", "Cut (yellow pedal)"},
+                {"B", "Coagulate (blue pedal)"},         {"left bumper", "Precise"}};
+    } else if (device.rfind("script:", 0) == 0 || device.rfind("play:", 0) == 0) {
+        help = {{"", "The simulated operator works by itself; watch."}};
+    } else {
+        help = {{"arm", "Move the instrument"},
+                {"pedals, 1", "Cut (yellow pedal)"},
+                {"pedals, 2", "Coagulate (blue pedal)"}};
+    }
+    const Help common{{"F5", "Planned line on, off"},
+                      {"F3", "Performance"},
+                      {"F12", "Screenshot"},
+                      {"Esc", "Pause and menu"},
+                      {"Enter", "Finish and be scored"},
+                      {"F1", "Help on, off"}};
+    help.insert(help.end(), common.begin(), common.end());
+    return help;
+}
+
+}  // namespace
+
+sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments& arguments) {
+    sim::OverlayState overlay;
+    overlay.language = arguments.language;
+    overlay.title = task.title.in(arguments.language);
+    overlay.goal = task.goal.in(arguments.language);
+    overlay.help = controls(arguments.device);
+    overlay.time_limit_s = arguments.duration_s > 0 ? arguments.duration_s : task.time_limit_s;
+    overlay.full_force_n = task.scene.contact.over_force_n;
+    for (const sim::ToolSpec& tool : task.scene.tools) {
+        if (tool.kind == sim::ToolKind::kScope) continue;
+        overlay.cut_power_w = tool.cut_power_w;
+        overlay.coag_power_w = tool.coag_power_w;
+        break;
+    }
+    if (arguments.demonstration) overlay.banner = "DEMONSTRATION";
+    if (!arguments.play.empty()) overlay.banner = "REPLAY";
+    return overlay;
+}
+
+sim::ViewSettings view_settings(const Arguments& arguments, const std::string& title) {
+    sim::ViewSettings settings;
+    settings.width = arguments.width;
+    settings.height = arguments.height;
+    settings.offscreen = arguments.headless;
+    settings.adaptive = !arguments.headless;
+    settings.fullscreen = arguments.fullscreen;
+    settings.title = "Placode: " + title;
+    if (arguments.headless) settings.quality.samples = 4;  // pictures may take their time
+    return settings;
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Overlay texts of one attempt: task, controls of the device at hand.
+
+#include "curriculum/task.h"
+#include "sim/view/fetoscope_view.h"
+#include "ui/attempt/arguments.h"
+
+namespace placode::ui {
+
+[[nodiscard]] sim::OverlayState attempt_overlay(const curriculum::Task& task,
+                                                const Arguments& arguments);
+[[nodiscard]] sim::ViewSettings view_settings(const Arguments& arguments, const std::string& title);
+
+}  // namespace placode::ui

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt without a window, with pictures when asked for.
+
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "sim/view/fetoscope_view.h"
+#include "ui/attempt/attempt_overlay.h"
+#include "ui/attempt/sessions.h"
+
+namespace placode::ui {
+
+void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
+                  StatusLine& status) {
+    Screenshots shots(arguments);
+    const sim::OverlayState overlay = attempt_overlay(runner.task(), arguments);
+    std::optional<sim::FetoscopeView> view;
+    if (shots.wanted()) {
+        view.emplace(sim::view_field(*runner.scene(), arguments.seed),
+                     view_settings(arguments, overlay.title));
+    }
+    runner.start();
+    while (!runner.finished()) {
+        if (stop_requested()) runner.request_finish(sim::EndReason::kInterrupted);
+        status.print(runner.status());
+        if (view) {
+            const sim::Snapshot& snapshot = runner.snapshot();
+            if (!snapshot.x.empty()) {
+                view->observe(snapshot);
+                if (shots.due(snapshot.time_s)) {
+                    view->draw(snapshot, overlay);
+                    shots.save(*view, snapshot.time_s);
+                }
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    runner.wait();
+    if (!view) return;
+    const sim::Snapshot& last = runner.snapshot();
+    if (last.x.empty()) return;
+    view->draw(last, overlay);
+    shots.save(*view, last.time_s);
+}
+
+}  // namespace placode::ui

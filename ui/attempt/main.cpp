@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placode-sim: one attempt in a process of its own. Exit status: 0 done, 1 ran and failed, 2 bad
+// input or usage.
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <ctime>
+
+#include "curriculum/attempt_runner.h"
+#include "db/recording_file.h"
+#include "db/store.h"
+#include "haptics/device.h"
+#include "sim/view/gl_program.h"
+#include "ui/attempt/sessions.h"
+
+namespace placode::ui {
+namespace {
+
+std::atomic<bool> g_stop{false};  // the one thing a signal handler may touch
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm parts{};
+    gmtime_r(&now, &parts);
+    char text[32];
+    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
+    return text;
+}
+
+int list_devices() {
+    for (const haptics::DeviceListing& device : haptics::list_devices()) {
+        std::printf("%-22s %-13s %s\n", device.name.c_str(),
+                    device.available ? "available" : "not available", device.detail.c_str());
+    }
+    return 0;
+}
+
+int run_attempt(const Arguments& arguments, StatusLine& status) {
+    status.print({}, true);
+    curriculum::Task task = curriculum::load_task(arguments.task);
+    if (arguments.scope_angle_deg >= 0) {
+        for (sim::ToolSpec& tool : task.scene.tools) {
+            if (tool.kind == sim::ToolKind::kScope)
+                tool.scope_angle_deg = arguments.scope_angle_deg;
+        }
+    }
+    sim::Latest<sim::WindowInput> input;
+    curriculum::AttemptOptions options;
+    options.device = arguments.device;
+    options.threads = arguments.threads;
+    options.fast = arguments.fast;
+    options.duration_s = arguments.duration_s;
+    options.demonstration = arguments.demonstration;
+    options.started_utc = utc_now();
+    options.window = &input;
+    std::unique_ptr<sim::RecordingSink> sink;
+    if (!arguments.record.empty()) sink = db::create_recording_file(arguments.record);
+    curriculum::AttemptRunner runner(std::move(task), arguments.seed, options, std::move(sink));
+    if (arguments.headless) {
+        run_headless(runner, arguments, status);
+    } else {
+        run_in_window(runner, input, arguments, status);
+    }
+    runner.wait();
+    const sim::RecordingEnd end = runner.end();
+    const curriculum::AttemptStatus last = runner.status();
+    status.end(last, reason_text(end.reason), arguments.record);
+    if (!arguments.status) {
+        std::printf("%s after %.1f s, ring %.0f %% cut%s%s\n", reason_text(end.reason).c_str(),
+                    end.duration_s, 100 * last.cut_fraction,
+                    arguments.record.empty() ? "" : ", recorded in ", arguments.record.c_str());
+    }
+    if (last.warning.empty()) return 0;
+    std::fprintf(stderr, "placode-sim: %s\n", last.warning.c_str());
+    return 1;
+}
+
+int run(int argc, char** argv) {
+    bool exit_now = false;
+    const Arguments arguments = parse_arguments(argc, argv, exit_now);
+    if (exit_now) return 0;
+    if (arguments.list_devices) return list_devices();
+    catch_stop_signals();
+    StatusLine status(arguments.status);
+    return arguments.play.empty() ? run_attempt(arguments, status) : run_replay(arguments, status);
+}
+
+}  // namespace
+
+bool stop_requested() noexcept { return g_stop.load(std::memory_order_relaxed); }
+
+void catch_stop_signals() {
+    const auto handler = [](int) { g_stop.store(true, std::memory_order_relaxed); };
+    std::signal(SIGINT, handler);
+    std::signal(SIGTERM, handler);
+    std::signal(SIGPIPE, SIG_IGN);  // the shell may go away; the attempt is recorded all the same
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    const auto complain = [](const std::exception& error, int status) {
+        std::fprintf(stderr, "placode-sim: %s\n", error.what());
+        return status;
+    };
+    try {
+        return placode::ui::run(argc, argv);
+    } catch (const placode::ui::UsageError& error) {
+        return complain(error, 2);
+    } catch (const placode::curriculum::DefinitionError& error) {
+        return complain(error, 2);
+    } catch (const placode::haptics::DeviceError& error) {
+        return complain(error, 2);
+    } catch (const placode::sim::MeshError& error) {
+        return complain(error, 2);
+    } catch (const placode::db::StoreError& error) {
+        return complain(error, 2);
+    } catch (const std::exception& error) {
+        return complain(error, 1);
+    }
+}

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/screenshots.h"
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace placode::ui {
+namespace {
+
+std::string name(const char* prefix, double time_s) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%s_%07.0f_ms.png", prefix, 1000 * time_s);
+    return text;
+}
+
+}  // namespace
+
+Screenshots::Screenshots(const Arguments& arguments)
+    : folder_(arguments.screenshot_folder), every_s_(arguments.screenshot_every_s) {
+    if (folder_.empty()) return;
+    std::error_code error;
+    std::filesystem::create_directories(folder_, error);
+    if (error || !std::filesystem::is_directory(folder_)) {
+        throw UsageError("--screenshots: cannot make folder " + folder_ + ": " + error.message());
+    }
+}
+
+void Screenshots::save(sim::FetoscopeView& view, double time_s) {
+    view.save_png((std::filesystem::path(folder_) / name("placode", time_s)).string());
+    ++saved_;
+    next_s_ = (std::floor(time_s / every_s_ + 1e-9) + 1) * every_s_;
+}
+
+std::string Screenshots::save_extra(sim::FetoscopeView& view, double time_s) {
+    const std::filesystem::path folder =
+        folder_.empty() ? std::filesystem::path(".") : std::filesystem::path(folder_);
+    const std::string path = (folder / name("placode_shot", time_s)).string();
+    view.save_png(path);
+    ++saved_;
+    return path;
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/status_line.h"
+
+#include <chrono>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace placode::ui {
+namespace {
+
+double monotonic_s() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+nlohmann::ordered_json fields(const curriculum::AttemptStatus& status) {
+    return {{"t_s", status.time_s},
+            {"phase", std::string(sim::phase_name(status.phase))},
+            {"physics_hz", status.physics_hz},
+            {"servo_p999_us", status.servo_p999_us},
+            {"cut_fraction", status.cut_fraction},
+            {"substeps", status.substeps},
+            {"frame_p99_ms", status.frame_p99_ms},
+            {"dropped", status.dropped},
+            {"warning", status.warning}};
+}
+
+void print_line(const nlohmann::ordered_json& object) {
+    // A damaged message must not end the attempt: invalid UTF-8 is replaced.
+    const std::string text =
+        object.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    std::printf("%s\n", text.c_str());
+    std::fflush(stdout);
+}
+
+}  // namespace
+
+std::string reason_text(sim::EndReason reason) {
+    switch (reason) {
+        case sim::EndReason::kRunning:
+            return "running";
+        case sim::EndReason::kFinished:
+            return "finished";
+        case sim::EndReason::kTimeLimit:
+            return "time_limit";
+        case sim::EndReason::kClosed:
+            return "closed";
+        case sim::EndReason::kInterrupted:
+            return "interrupted";
+    }
+    return "unknown";
+}
+
+void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
+    if (!enabled_) return;
+    const double t = monotonic_s();
+    if (!now && last_s_ >= 0 && t - last_s_ < 0.5) return;
+    last_s_ = t;
+    print_line(fields(status));
+}
+
+void StatusLine::end(const curriculum::AttemptStatus& status, const std::string& reason,
+                     const std::string& recording, const std::string& detail) {
+    if (!enabled_) return;
+    nlohmann::ordered_json object = fields(status);
+    object["end"] = reason;
+    object["recording"] =
+        recording.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(recording);
+    if (!detail.empty()) object["detail"] = detail;
+    print_line(object);
+}
+
+}  // namespace placode::ui
