@@ -174,8 +174,9 @@ void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& 
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
                   Workers& workers) noexcept;
 
-/// Sets `free_vertex` anew: 1 for every vertex of a component (through living tets) that no held
-/// vertex (w = 0) and no spring holds. Call after removing tets or letting go. Never allocates.
+/// Sets `free_vertex` anew: 1 for every vertex of a component (through living tets and
+/// tethers) that no held vertex (w = 0) and no spring holds. Call after removing tets, grasping or
+/// letting go; a breaking tether calls it by itself. Never allocates.
 void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept;
 
 /// Takes a tet out of the body (vaporised, torn). Its mass stays with its vertices.

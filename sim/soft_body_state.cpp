@@ -67,6 +67,12 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
             if (state.tet_alive[at(t)] == 0) continue;
             for (const int32_t other : body.mesh().tets[at(t)]) reach(other);
         }
+        const PackedElements& packed = body.packed();
+        for (int32_t i = packed.tether_start[at(v)]; i < packed.tether_start[at(v) + 1]; ++i) {
+            const size_t tether = at(packed.tether_of[at(i)]);
+            if (state.tether_alive[tether] == 0) continue;
+            for (const int32_t other : body.spec().tethers[tether].vertex) reach(other);
+        }
     }
 }
 

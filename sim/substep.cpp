@@ -151,6 +151,7 @@ class Substep {
     }
 
     [[nodiscard]] Workers& workers() noexcept { return workers_; }
+    [[nodiscard]] bool broke_tether() const noexcept { return broke_; }
     int substeps = 1, iterations = 1;  ///< Of run_substeps.
 
  private:
@@ -272,6 +273,7 @@ class Substep {
         for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
             if (static_cast<double>(state_.tether_lambda_n[i]) > body_.spec().tethers[i].break_n) {
                 state_.tether_alive[i] = 0;
+                broke_ = true;
             }
         }
     }
@@ -283,7 +285,7 @@ class Substep {
     KernelArguments arguments_;
     std::array<float, 3> gravity_{};  // h g
     double h_ = 0;
-    bool vbd_ = true;
+    bool vbd_ = true, broke_ = false;
 };
 
 }  // namespace
@@ -304,14 +306,16 @@ void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& worker
 void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
     Substep job(body, state, h, workers);
     workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->end(part); }, &job);
+    if (job.broke_tether()) update_free_vertices(body, state);
 }
 
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
                   Workers& workers) noexcept {
     const SolverSettings& s = body.spec().solver;
-    for (const uint8_t contact : state.contact_vertex) {
-        if (contact == 0) continue;
-        // Somebody left contact vertices behind: the careful way.
+    const bool contact = std::any_of(state.contact_vertex.begin(), state.contact_vertex.end(),
+                                     [](uint8_t c) { return c != 0; });
+    if (contact || !state.tether_alive.empty()) {
+        // Held vertices and breaking tethers are looked after between the calls.
         for (int i = 0; i < substeps; ++i) {
             const double h = s.frame_s / s.substeps;
             begin_substep(body, state, h, workers);

@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Threads, instruction sets, units, recovery, held and contact vertices, tethers.
+#include <gtest/gtest.h>
+
+#include <hwy/highway.h>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "sim/event.h"
+#include "sim/soft_body.h"
+
+using namespace placode::sim;
+
+namespace {
+
+SoftBodySpec slab_spec(Method method, const std::array<int, 3>& cells = {9, 7, 3}) {
+    SoftBodySpec spec;
+    const TetMesh box =
+        box_mesh(Vec3(cells[0], cells[1], cells[2]) * 1e-3, cells, Tissue::kPlacode);
+    spec.mesh = renumbered(box, rcm_order(box));
+    spec.solver.method = method;
+    spec.solver.substeps = method == Method::kVbd ? 4 : 8;
+    for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
+        const Vec3& p = spec.mesh.rest[static_cast<size_t>(v)];
+        if (p.x() < 1e-9) spec.fixed.push_back(v);
+        if (p.z() < 1e-9) spec.springs.push_back({v, p, Vec3::UnitZ(), 5.0, 1.0});
+    }
+    spec.tethers.push_back({{11, 60}, 1e-3, 1e-2, 1.0});
+    return spec;
+}
+
+void poke(SoftBodyState& state, float size) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> jitter(-size, size);
+    for (Float4& p : state.x) {
+        if (p.w == 0) continue;
+        p.x += jitter(random);
+        p.y += jitter(random);
+        p.z += jitter(random);
+    }
+}
+
+Vec3 where(const SoftBodyState& state, int v) {
+    const Float4& p = state.x[static_cast<size_t>(v)];
+    return {p.x, p.y, p.z};
+}
+
+double farthest(const SoftBodyState& a, const SoftBodyState& b) {
+    double worst = 0;
+    for (int v = 0; v < static_cast<int>(a.x.size()); ++v) {
+        worst = std::max(worst, (where(a, v) - where(b, v)).norm());
+    }
+    return worst;
+}
+
+class EveryMethod : public ::testing::TestWithParam<Method> {};
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+                         ::testing::Values(Method::kVbd, Method::kXpbd, Method::kXpbdPair));
+
+TEST_P(EveryMethod, GivesTheSameBitsWithAnyNumberOfThreads) {
+    const SoftBody body(slab_spec(GetParam()));
+    uint64_t expected = 0;
+    for (int threads = 1; threads <= 8; ++threads) {
+        if (threads > 4 && threads < 8) continue;
+        Workers workers(threads);
+        SoftBodyState state(body);
+        poke(state, 5e-5F);
+        for (const int t : {100, 101, 350}) remove_tet(body, state, t);
+        run_substeps(body, state, 40, workers);
+        const uint64_t hash = state_hash(state);
+        if (threads == 1) expected = hash;
+        EXPECT_EQ(hash, expected) << threads << " threads";
+    }
+    Workers workers(1);
+    SoftBodyState other(body);
+    poke(other, 6e-5F);
+    run_substeps(body, other, 40, workers);
+    EXPECT_NE(state_hash(other), expected);
+}
+
+TEST_P(EveryMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {
+    SoftBodySpec spec = slab_spec(GetParam());
+    spec.solver.iterations = 2;
+    const SoftBody body(std::move(spec));
+    Workers workers(2);
+    SoftBodyState a(body), b(body);
+    poke(a, 5e-5F);
+    poke(b, 5e-5F);
+    run_substeps(body, a, 10, workers);
+    const double h = body.spec().solver.frame_s / body.spec().solver.substeps;
+    for (int i = 0; i < 10; ++i) {
+        begin_substep(body, b, h, workers);
+        sweep(body, b, h, workers);
+        sweep(body, b, h, workers);
+        end_substep(body, b, h, workers);
+    }
+    EXPECT_EQ(state_hash(a), state_hash(b));
+}
+
+TEST_P(EveryMethod, EveryInstructionSetAgrees) {
+    const SoftBody body(slab_spec(GetParam()));
+    Workers workers(1);
+    SoftBodyState reference(body);
+    poke(reference, 5e-5F);
+    run_substeps(body, reference, 20, workers);
+    int tried = 0;
+    for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+        hwy::SetSupportedTargetsForTest(0);
+        if ((hwy::SupportedTargets() & target) == 0) continue;
+        hwy::SetSupportedTargetsForTest(target);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        SoftBodyState state(body);
+        poke(state, 5e-5F);
+        run_substeps(body, state, 20, workers);
+        // Fused or separate rounding: 1e-7 of a coordinate a substep, carried on by the waves.
+        EXPECT_LT(farthest(state, reference), 2e-8) << kernel_target();
+        ++tried;
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    EXPECT_GE(tried, 1);
+}
+
+TEST_P(EveryMethod, TheUnitSystemDoesNotMatter) {
+    // Millimetres, grams, seconds: stress in g / (mm s^2) = Pa, forces in uN.
+    SoftBodySpec si = slab_spec(GetParam());
+    SoftBodySpec mm = si;
+    for (Vec3& p : mm.mesh.rest) p *= 1e3;
+    for (Material& m : mm.materials) m.density_kg_m3 *= 1e-6;
+    for (AnchorSpring& s : mm.springs) {
+        s.anchor *= 1e3;
+        s.normal_n_m *= 1e3;
+        s.tangent_n_m *= 1e3;
+    }
+    for (Tether& t : mm.tethers) {
+        t.rest_m *= 1e3;
+        t.compliance_m_n *= 1e-3;
+        t.break_n *= 1e6;
+    }
+    mm.solver.gravity_m_s2 *= 1e3;
+    const SoftBody a(std::move(si)), b(std::move(mm));
+    SoftBodyState sa(a), sb(b);
+    Workers workers(1);
+    run_substeps(a, sa, 200, workers);
+    run_substeps(b, sb, 200, workers);
+    double moved = 0;
+    for (int v = 0; v < a.vertex_count(); ++v) {
+        moved = std::max(moved, (where(sa, v) - a.mesh().rest[static_cast<size_t>(v)]).norm());
+        // Same arithmetic, other rounding: 1e-9 m is one unit in the last place of 9 mm, and XPBD
+        // rounds once per tet.
+        EXPECT_LT((where(sa, v) - where(sb, v) * 1e-3).norm(), 1e-7);
+    }
+    EXPECT_GT(moved, 1e-5);
+}
+
+TEST_P(EveryMethod, RecoversFromMirroredAndFlatShapes) {
+    // Courant number .27: small enough for XPBD.
+    for (const float factor : {-1.0F, 0.0F}) {
+        SoftBodySpec spec;
+        const TetMesh box = box_mesh(Vec3(2e-3, 2e-3, 2e-3), {2, 2, 2}, Tissue::kPlacode);
+        spec.mesh = renumbered(box, rcm_order(box));
+        spec.solver.method = GetParam();
+        spec.solver.gravity_m_s2.setZero();
+        spec.solver.substeps = 16;
+        const SoftBody body(std::move(spec));
+        SoftBodyState state(body);
+        for (size_t i = 0; i < state.x.size(); ++i) {
+            // A nudge out of the exact symmetry, as every real state has.
+            state.x[i].z = state.x[i].z * factor + 1e-5F * static_cast<float>(i % 3);
+        }
+        Workers workers(1);
+        run_substeps(body, state, 16 * 2000, workers);
+        for (int t = 0; t < body.tet_count(); ++t) {
+            TetMesh now = body.mesh();
+            const auto& tet = now.tets[static_cast<size_t>(t)];
+            for (const int32_t v : tet) now.rest[static_cast<size_t>(v)] = where(state, v);
+            EXPECT_NEAR(rest_volume(now, t) / rest_volume(body.mesh(), t), 1.0, 0.02)
+                << "tet " << t << " from " << factor;
+        }
+    }
+}
+
+TEST_P(EveryMethod, ContactVerticesAreLeftAloneByTheSweep) {
+    const SoftBody body(slab_spec(GetParam()));
+    SoftBodyState state(body);
+    poke(state, 1e-4F);
+    Workers workers(1);
+    const double h = 2.5e-4;
+    begin_substep(body, state, h, workers);
+    for (size_t v = 0; v < state.contact_vertex.size(); v += 3) state.contact_vertex[v] = 1;
+    const std::vector<Float4> before = state.x;
+    sweep(body, state, h, workers);
+    int moved = 0;
+    for (size_t v = 0; v < before.size(); ++v) {
+        const bool same = before[v].x == state.x[v].x && before[v].y == state.x[v].y &&
+                          before[v].z == state.x[v].z;
+        if (state.contact_vertex[v] != 0) {
+            EXPECT_TRUE(same) << v;
+        }
+        EXPECT_EQ(before[v].w, state.x[v].w) << v;
+        moved += same ? 0 : 1;
+    }
+    EXPECT_GT(moved, body.vertex_count() / 2);
+}
+
+TEST_P(EveryMethod, HeldVerticesFollowTheCallerOnly) {
+    const SoftBody body(slab_spec(GetParam()));
+    SoftBodyState state(body);
+    Workers workers(1);
+    const int held = 150;
+    state.x[held].w = 0;
+    for (int i = 1; i <= 40; ++i) {
+        state.x[held].z += 1e-6F;
+        const Float4 put = state.x[held];
+        run_substeps(body, state, 1, workers);
+        ASSERT_EQ(state.x[held].z, put.z);
+        ASSERT_EQ(state.x[held].x, put.x);
+    }
+    // Pulled up by 40 um: the tissue pulls back.
+    EXPECT_LT(elastic_force(body, state, held).z(), 0);
+}
+
+TEST_P(EveryMethod, AVertexThatIsNotFiniteIsPutBackAndReported) {
+    const SoftBody body(slab_spec(GetParam()));
+    SoftBodyState state(body);
+    Workers workers(2);
+    run_substeps(body, state, 20, workers);
+    EXPECT_EQ(state.flags & kNotFinite, 0u);
+    const double h = body.spec().solver.frame_s / body.spec().solver.substeps;
+    const SoftBodyState good = state;
+    begin_substep(body, state, h, workers);
+    state.x[120].y = std::numeric_limits<float>::quiet_NaN();
+    sweep(body, state, h, workers);
+    end_substep(body, state, h, workers);
+    EXPECT_NE(state.flags & kNotFinite, 0u);
+    EXPECT_EQ(where(state, 120), where(good, 120));
+    EXPECT_EQ(state.v[120].y, 0.0F);
+    // Between substeps as well.
+    state.x[90].x = std::numeric_limits<float>::infinity();
+    state.v[91].z = std::numeric_limits<float>::quiet_NaN();
+    state.flags = 0;
+    run_substeps(body, state, 20, workers);
+    EXPECT_NE(state.flags & kNotFinite, 0u);
+    // The rest of the body goes on as if nothing had happened.
+    SoftBodyState undisturbed(body);
+    run_substeps(body, undisturbed, 41, workers);
+    EXPECT_LT(farthest(state, undisturbed), 3e-4);
+    for (const Float4& v : state.v) EXPECT_TRUE(std::isfinite(v.x + v.y + v.z));
+}
+
+TEST_P(EveryMethod, ATetherPullsOneWayAndBreaks) {
+    // Two cubes, one fixed, one hanging from a tether: the tether carries its weight.
+    SoftBodySpec spec;
+    TetMesh low = box_mesh(Vec3(1e-3, 1e-3, 1e-3), {1, 1, 1}, Tissue::kPlacode);
+    const TetMesh high = low;
+    for (const Vec3& p : high.rest) low.rest.push_back(p + Vec3(0, 0, 4e-3));
+    for (auto tet : high.tets) {
+        for (int32_t& v : tet) v += 8;
+        low.tets.push_back(tet);
+        low.tissue.push_back(Tissue::kPlacode);
+    }
+    spec.mesh = low;
+    spec.solver.method = GetParam();
+    spec.solver.substeps = 16;
+    for (int v = 8; v < 16; ++v) spec.fixed.push_back(v);
+    spec.materials[static_cast<size_t>(Tissue::kPlacode)].damping_per_s = 60;
+    // 1 mg under 9.81 m/s^2: 9.81 uN on .05 m/N is .5 um.
+    spec.tethers.push_back({{4, 8}, 3e-3, 0.05, 20e-6});
+    const SoftBody body(std::move(spec));
+    SoftBodyState state(body);
+    Workers workers(1);
+    run_substeps(body, state, 16 * 600, workers);
+    EXPECT_EQ(state.tether_alive[0], 1);
+    EXPECT_NEAR(state.tether_lambda_n[0], 9.81e-6, 0.05 * 9.81e-6);
+    // Slack: no force.
+    SoftBodyState slack(body);
+    for (size_t v = 0; v < 8; ++v) slack.x[v].z += 1e-3F;
+    run_substeps(body, slack, 1, workers);
+    EXPECT_EQ(slack.tether_lambda_n[0], 0.0F);
+    // A jerk breaks it.
+    for (size_t v = 0; v < 8; ++v) state.v[v].z = -0.5F;
+    run_substeps(body, state, 16 * 4, workers);
+    EXPECT_EQ(state.tether_alive[0], 0);
+}
+
+TEST(Substep, LooseComponentsAreFoundAgainAfterACut) {
+    const SoftBody body(slab_spec(Method::kVbd));
+    SoftBodyState state(body);
+    for (const uint8_t free : state.free_vertex) ASSERT_EQ(free, 0);
+    // Cut one corner vertex's tets off everything that holds.
+    const int loose = body.mesh().tets.back()[0];
+    for (int t = 0; t < body.tet_count(); ++t) remove_tet(body, state, t);
+    update_free_vertices(body, state);
+    bool held = false;
+    for (const int32_t v : body.spec().fixed) held |= v == loose;
+    for (const AnchorSpring& s : body.spec().springs) held |= s.vertex == loose;
+    EXPECT_EQ(state.free_vertex[static_cast<size_t>(loose)], held ? 0 : 1);
+    int free = 0;
+    for (const uint8_t f : state.free_vertex) free += f;
+    EXPECT_GT(free, body.vertex_count() / 2);
+}
+
+TEST(Substep, AScrambledStiffSlabSettlesUnderVbd) {
+    // Vertices thrown about by 30 % of an edge, Courant number about 11.
+    SoftBodySpec spec = slab_spec(Method::kVbd);
+    spec.materials[static_cast<size_t>(Tissue::kPlacode)].youngs_modulus_pa = 500e3;
+    const SoftBody body(std::move(spec));
+    SoftBodyState calm(body), state(body);
+    poke(state, 3e-4F);
+    Workers workers(2);
+    run_substeps(body, calm, 8000, workers);
+    run_substeps(body, state, 8000, workers);
+    EXPECT_LT(farthest(calm, state), 1e-5);
+    EXPECT_EQ(state.flags & kNotFinite, 0u);
+}
