@@ -11,11 +11,15 @@ namespace placode::haptics {
 namespace {
 
 constexpr double kHoverM = 0.004;       // Height of free motion over the contour.
-constexpr double kWatchBehindM = 4e-4;  // Where the eye checks the cut: behind the needle's width.
+constexpr double kWatchBehindM = 8e-4;  // Where the eye checks the cut: behind the needle's width.
 constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
 constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
 constexpr double kSlipS = 0.7;          // A slip, out and back.
-constexpr double kForgetContourS = 4;   // Nothing to do is noticed after this.
+constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up.
+constexpr size_t kNormalSpan = 7;       // Points over which the surface's direction is judged.
+constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
+constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
+constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
 
 constexpr std::array kLevels{OperatorLevel::kExpert, OperatorLevel::kIntermediate,
                              OperatorLevel::kNovice};
@@ -27,9 +31,17 @@ double minimum_jerk(double x) noexcept {
 
 OperatorProfile expert() {
     OperatorProfile p;
-    p.look_s = 0.8;
-    p.free_speed_m_s = 0.025;
+    p.look_s = 2;
+    p.free_speed_m_s = 0.02;
+    p.cut_speed_m_s = 0.0036;
+    p.press_m = 4e-4;
+    p.press_limit_m = 6e-4;
     p.wander_m = 7e-5;
+    p.wander_inward_m = -3e-4;  // Keeps a little outside the line: heat runs inwards as well.
+    p.watch = 0.55;
+    p.wait_s = 0.3;
+    p.burst_s = 3;
+    p.pause_s = 0.3;
     p.patience_s = 70;
     return p;
 }
@@ -39,7 +51,10 @@ OperatorProfile intermediate() {
     p.look_s = 2;
     p.free_speed_m_s = 0.018;
     p.descend_m_s = 0.004;
-    p.cut_speed_m_s = 0.0024;
+    p.cut_speed_m_s = 0.0032;
+    p.wander_inward_m = -1e-4;
+    p.press_m = 4e-4;
+    p.press_limit_m = 7e-4;
     p.speed_noise = 0.25;
     p.tremor_m = 1.7e-4;
     p.wander_m = 3e-4;
@@ -68,7 +83,7 @@ OperatorProfile novice() {
     p.look_s = 3;
     p.free_speed_m_s = 0.014;
     p.descend_m_s = 0.004;
-    p.cut_speed_m_s = 0.002;
+    p.cut_speed_m_s = 0.0026;
     p.speed_noise = 0.6;
     p.tremor_m = 3e-4;
     p.wander_m = 6e-4;
@@ -169,16 +184,39 @@ OperatorModel::OperatorModel(const OperatorProfile& profile, uint64_t seed, cons
 
 // --- what is seen -----------------------------------------------------------------------------
 
-void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
+// The planned line as a person keeps it in mind: seen at rest, corrected slowly where the tissue
+// has moved as a whole. Not corrected where the cut has let an edge curl, and not under the needle.
+void OperatorModel::remember(const Perception& seen) {
     const size_t n = seen.contour.size();
-    contour_.assign(seen.contour.begin(), seen.contour.end());
-    normal_.assign(n, Vec3::UnitZ());
-    for (size_t i = 0; i < std::min(n, seen.contour_normal.size()); ++i)
-        if (seen.contour_normal[i].allFinite() && seen.contour_normal[i].norm() > 0.5)
-            normal_[i] = seen.contour_normal[i].normalized();
-    cut_.assign(n, 0);
-    std::copy_n(seen.contour_cut.begin(), std::min(n, seen.contour_cut.size()), cut_.begin());
-    tries_.resize(n, 0);
+    if (contour_.size() != n) {
+        contour_.assign(seen.contour.begin(), seen.contour.end());
+        normal_.assign(n, Vec3::UnitZ());
+        tries_.assign(n, 0);
+        cut_.assign(n, 0);
+        arc_.assign(n + 1, 0.0);
+        // Normals over a few points: a single facet says little about the surface.
+        for (size_t i = 0; i < n && seen.contour_normal.size() == n; ++i) {
+            Vec3 sum = Vec3::Zero();
+            for (size_t k = 0; k < kNormalSpan; ++k) {
+                const Vec3& normal = seen.contour_normal[(i + n + k - kNormalSpan / 2) % n];
+                if (normal.allFinite() && normal.norm() > 0.5) sum += normal.normalized();
+            }
+            if (sum.norm() > 0.5) normal_[i] = sum.normalized();
+        }
+    }
+    const double share = std::clamp(seen.time_s - seen_s_, 0.0, 0.05) / kRememberS;
+    seen_s_ = seen.time_s;
+    for (size_t i = 0; i < n; ++i) {
+        cut_[i] = i < seen.contour_cut.size() ? seen.contour_cut[i] : 0;
+        const Vec3 drift = seen.contour[i] - contour_[i];
+        const bool near_tip = (contour_[i] - tip_m_).norm() < kNearTipM;
+        if (cut_[i] == 0 && !near_tip && drift.norm() < kMostDriftM) contour_[i] += share * drift;
+    }
+}
+
+void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
+    remember(seen);
+    const size_t n = contour_.size();
     arc_.resize(n + 1);
     arc_[0] = 0;
     centre_.setZero();
@@ -187,7 +225,6 @@ void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
         centre_ += contour_[i] / static_cast<double>(n);
     }
     contact_ = seen.in_contact;
-    gap_m_ = seen.tip_gap_m;
     force_n_ = own.force_n.allFinite() ? own.force_n.norm() : 0;
     if (start_m_ < 0 && n > 2) {  // Caudal start: the end of the ring nearest to the operator.
         size_t first = 0;
@@ -305,9 +342,22 @@ void OperatorModel::do_descend(double dt_s) noexcept {
     stage(Stage::kCut);
 }
 
+// On a second pass most of the line is done: energy only where something is left.
+bool OperatorModel::wanted() const noexcept {
+    if (passes_ == 0) return true;
+    const size_t n = contour_.size();
+    const size_t reach =
+        static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(n))) + 1;
+    for (size_t k = 0; k <= 2 * reach; ++k)
+        if (cut_[(index(s_m_) + 2 * n + k - reach) % n] == 0) return true;
+    return false;
+}
+
 // Depth by touch: deeper where there is no contact, back where the force is too high.
 void OperatorModel::press(double dt_s) noexcept {
-    if (force_n_ > profile_.force_limit_n)
+    if (!wanted())
+        press_ = std::max(press_ - 0.004 * dt_s, -2e-4);
+    else if (force_n_ > profile_.force_limit_n)
         press_ -= 0.004 * dt_s;
     else if (!contact_)
         press_ += 0.0015 * dt_s;
@@ -325,7 +375,7 @@ void OperatorModel::pedal_habits(double dt_s) noexcept {
         burst_s_ = 0;
         return;
     }
-    pedal_ = skip_m_ <= 0;
+    pedal_ = skip_m_ <= 0 && wanted();
     burst_s_ += dt_s;
     if (burst_s_ > profile_.burst_s) pause_s_ = profile_.pause_s;
     if (hold_s_ <= 0 && random_.uniform() < profile_.hesitate_hz * dt_s)
@@ -334,6 +384,7 @@ void OperatorModel::pedal_habits(double dt_s) noexcept {
 
 void OperatorModel::advance(double dt_s) noexcept {
     double goal = profile_.cut_speed_m_s * std::max(0.0, 1 + speed_noise_);
+    if (!wanted()) goal = std::max(goal, kSlideMS);
     if (pause_s_ > 0) goal = 0;
     if (hold_s_ > 0) {
         hold_s_ -= dt_s;
@@ -342,7 +393,7 @@ void OperatorModel::advance(double dt_s) noexcept {
     // The eye behind the tip: slower where the tissue has not parted, but not for ever.
     const bool first_bit = s_m_ - run_.begin_m < kWatchBehindM && passes_ == 0;
     const bool parted = first_bit || cut_[index(s_m_ - kWatchBehindM)] != 0;
-    if (!parted && waited_s_ < profile_.wait_s) {
+    if (!parted && wanted() && waited_s_ < profile_.wait_s) {
         goal *= 1 - profile_.watch;
         waited_s_ += pedal_ ? dt_s : 0;
     }

@@ -95,6 +95,7 @@ class OperatorModel {
         Vec3 point, normal, inward;
     };
 
+    void remember(const Perception& seen);
     void stage(Stage next) noexcept;
     [[nodiscard]] bool plan_run(double from_m) noexcept;
     [[nodiscard]] Frame frame(double s_m) const noexcept;
@@ -105,6 +106,7 @@ class OperatorModel {
     void do_descend(double dt_s) noexcept;
     void do_cut(double dt_s) noexcept;
     void do_lift(double dt_s) noexcept;
+    [[nodiscard]] bool wanted() const noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
     void slip(double dt_s) noexcept;
@@ -122,7 +124,7 @@ class OperatorModel {
     std::vector<uint8_t> tries_;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
-    double gap_m_ = 1, force_n_ = 0;
+    double force_n_ = 0, seen_s_ = 0;
     // What is done.
     Stage stage_ = Stage::kLook;
     double time_s_ = 0, stage_s_ = 0;
