@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The physics thread of an attempt: hands in, one frame, everything out. Within a frame it neither
+// locks, allocates nor throws. Private to curriculum.
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "assessment/tissue_metrics.h"
+#include "curriculum/attempt_recorder.h"
+#include "curriculum/attempt_runner.h"
+
+namespace placode::curriculum {
+
+/// Numbers for the main thread, published with every snapshot.
+struct LoopNumbers {
+    double time_s = 0;
+    sim::Phase phase = sim::Phase::kInspect;
+    double physics_hz = 0, frame_p99_ms = 0;
+    int substeps = 0;
+    double cut_fraction = 0;
+    int64_t dropped = 0;
+};
+
+/// True when the tip of tool `tool` lies inside the scope's picture; true without a scope.
+[[nodiscard]] bool tip_in_view(const sim::Scene& scene, const sim::State& state,
+                               size_t tool) noexcept;
+
+class AttemptLoop {
+ public:
+    AttemptLoop(const Task& task, const AttemptOptions& options,
+                std::shared_ptr<const sim::Scene> scene, std::unique_ptr<haptics::Servo> servo,
+                AttemptRecorder& recorder);
+
+    void run() noexcept;  ///< The thread's body, from the first frame to the end.
+
+    // Main thread.
+    void request_finish(sim::EndReason reason) noexcept;
+    void set_paused(bool paused) noexcept { paused_ = paused; }
+    [[nodiscard]] bool finished() const noexcept { return finished_; }
+    [[nodiscard]] sim::Latest<sim::Snapshot>& snapshots() noexcept { return snapshots_; }
+    [[nodiscard]] sim::Latest<LoopNumbers>& numbers() noexcept { return numbers_; }
+    [[nodiscard]] const haptics::Servo& servo() const noexcept { return *servo_; }
+    void set_servo_p999(double us) noexcept { servo_p999_us_ = static_cast<float>(us); }
+    [[nodiscard]] const sim::RecordingEnd& end() const noexcept { return end_; }  ///< After run().
+
+ private:
+    using Clock = std::chrono::steady_clock;
+
+    void gather_inputs() noexcept;
+    void perceive() noexcept;
+    void one_frame() noexcept;
+    void hand_out(const sim::StepReport& report) noexcept;
+    void take_sample() noexcept;
+    void add_hash() noexcept;
+    void warn() noexcept;
+    void say(const char* phrase) noexcept;
+    void watch_end() noexcept;
+    void measure(Clock::duration cost) noexcept;
+    void adapt(double frame_s) noexcept;
+    void publish() noexcept;
+    void keep_pace() noexcept;
+    template <class T>
+    void record(const T& value) noexcept;
+    void record_event(sim::EventKind kind, float value, uint64_t hash) noexcept;
+
+    // constant
+    std::shared_ptr<const sim::Scene> scene_;
+    std::unique_ptr<haptics::Servo> servo_;
+    AttemptRecorder& recorder_;
+    double time_limit_s_, frame_s_;
+    bool finish_when_cut_, fast_, lock_step_;
+    int64_t frames_per_sample_, frames_per_hash_, frames_per_look_;
+    std::optional<assessment::ClosedContour> placode_;
+    // crosses threads
+    std::atomic<uint8_t> requested_{0};
+    std::atomic<bool> paused_{false}, finished_{false};
+    std::atomic<float> servo_p999_us_{0};
+    sim::Latest<sim::Snapshot> snapshots_;
+    sim::Latest<LoopNumbers> numbers_;
+    // physics thread
+    sim::State state_;
+    std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback_{};
+    std::vector<sim::Vec3> contour_, contour_normal_;
+    uint32_t sample_flags_ = 0;
+    int used_substeps_ = 0;  // of the last frame
+    int64_t dropped_ = 0;
+    double lifted_s_ = 0;
+    std::array<char, 64> message_{};
+    double message_at_s_ = -1e9;
+    sim::EndReason reason_ = sim::EndReason::kRunning;
+    sim::RecordingEnd end_;
+    Clock::time_point next_{}, published_{}, second_{};
+    int second_frames_ = 0, slow_frames_ = 0, quick_frames_ = 0;
+    double cost_s_ = 0;  // of a frame, smoothed
+    std::vector<float> costs_ms_, sorted_ms_;
+    size_t cost_count_ = 0;
+    LoopNumbers numbers_now_;
+};
+
+}  // namespace placode::curriculum

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/attempt_runner.h"
+
+#include <thread>
+
+#include "curriculum/attempt_loop.h"
+
+#ifndef PLACODE_VERSION
+#define PLACODE_VERSION "0"
+#endif
+
+namespace placode::curriculum {
+
+namespace {
+
+sim::RecordingHeader make_header(const Task& task, uint64_t seed, const AttemptOptions& options,
+                                 const sim::Scene& scene) {
+    sim::RecordingHeader header;
+    header.task_id = task.id;
+    header.task_version = task.version;
+    header.task_json = task.json;
+    header.seed = seed;
+    header.build = std::string("placode ") + PLACODE_VERSION + " " + sim::kernel_target();
+    header.device = options.device;
+    header.started_utc = options.started_utc;
+    header.demonstration = options.demonstration;
+    header.frame_s = task.scene.solver.frame_s;
+    header.tools = scene.tools;
+    header.geometry = scene.geometry;
+    return header;
+}
+
+std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
+                                           const AttemptOptions& options) {
+    haptics::DeviceConfig config;
+    config.name = options.device;
+    config.seed = seed;
+    config.tools = task.scene.tools;
+    config.window = options.window;
+    config.frame_s = task.scene.solver.frame_s;
+    return std::make_unique<haptics::Servo>(
+        haptics::open_device(config), task.scene.tools,
+        haptics::default_trocars(task.scene.tools, options.device), haptics::CouplingSettings{});
+}
+
+}  // namespace
+
+struct AttemptRunner::Impl {
+    Task task;
+    std::shared_ptr<const sim::Scene> scene;
+    std::unique_ptr<AttemptRecorder> recorder;
+    std::unique_ptr<AttemptLoop> loop;
+    std::thread physics;
+    bool started = false, written = false;
+};
+
+AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
+                             std::unique_ptr<sim::RecordingSink> sink)
+    : impl_(std::make_unique<Impl>()) {
+    task.scene.seed = seed;
+    // The device first: the usual mistake is a device that is not there, and it is cheap to find.
+    std::unique_ptr<haptics::Servo> servo = open_servo(task, seed, options);
+    impl_->scene = sim::build_operative_field(task.scene);
+    impl_->recorder = std::make_unique<AttemptRecorder>(
+        std::move(sink), make_header(task, seed, options, *impl_->scene));
+    impl_->loop = std::make_unique<AttemptLoop>(task, options, impl_->scene, std::move(servo),
+                                                *impl_->recorder);
+    impl_->task = std::move(task);
+}
+
+AttemptRunner::~AttemptRunner() {
+    if (impl_->started && !impl_->written) {
+        request_finish(sim::EndReason::kClosed);
+        wait();
+    }
+}
+
+void AttemptRunner::start() {
+    if (impl_->started) return;
+    impl_->started = true;
+    impl_->recorder->start();
+    impl_->physics = std::thread([this] { impl_->loop->run(); });
+}
+
+void AttemptRunner::request_finish(sim::EndReason reason) noexcept {
+    impl_->loop->request_finish(reason);
+}
+void AttemptRunner::set_paused(bool paused) noexcept { impl_->loop->set_paused(paused); }
+bool AttemptRunner::finished() const noexcept { return impl_->loop->finished(); }
+
+void AttemptRunner::wait() {
+    if (!impl_->started || impl_->written) return;
+    if (impl_->physics.joinable()) impl_->physics.join();
+    impl_->recorder->finish(impl_->loop->end());
+    impl_->written = true;
+}
+
+const std::shared_ptr<const sim::Scene>& AttemptRunner::scene() const noexcept {
+    return impl_->scene;
+}
+const Task& AttemptRunner::task() const noexcept { return impl_->task; }
+
+const sim::Snapshot& AttemptRunner::snapshot(bool* fresh) noexcept {
+    const bool changed = impl_->loop->snapshots().refresh();
+    if (fresh != nullptr) *fresh = changed;
+    return impl_->loop->snapshots().front();
+}
+
+AttemptStatus AttemptRunner::status() const {
+    AttemptLoop& loop = *impl_->loop;
+    loop.numbers().refresh();
+    const LoopNumbers& numbers = loop.numbers().front();
+    AttemptStatus status;
+    status.time_s = numbers.time_s;
+    status.phase = numbers.phase;
+    status.physics_hz = numbers.physics_hz;
+    status.frame_p99_ms = numbers.frame_p99_ms;
+    status.substeps = numbers.substeps;
+    status.cut_fraction = numbers.cut_fraction;
+    status.servo_p999_us = loop.servo().health().period_p999_us;
+    loop.set_servo_p999(status.servo_p999_us);
+    status.dropped = numbers.dropped;
+    status.running = impl_->started && !loop.finished();
+    status.warning = impl_->recorder->problem();
+    return status;
+}
+
+sim::RecordingEnd AttemptRunner::end() const { return impl_->loop->end(); }
+
+}  // namespace placode::curriculum

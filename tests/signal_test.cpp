@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/signal.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/reference_data.h"
+
+namespace placode::assessment {
+namespace {
+
+using namespace testing_data;
+
+TEST(Signal, ButterworthCoefficientsAreThoseOfScipy) {
+    const auto expected = json("motion/butterworth_fs100_expected.json");
+    const Biquad f = butterworth_low_pass(10, 100);
+    for (size_t i = 0; i < 3; ++i) {
+        // Closed forms: rounding only.
+        EXPECT_NEAR(f.b[i], expected["b"][i].get<double>(), 1e-14);
+        EXPECT_NEAR(f.a[i], expected["a"][i].get<double>(), 1e-14);
+    }
+}
+
+TEST(Signal, ForwardBackwardFilterAndDerivativeAreThoseOfScipyAndNumpy) {
+    const std::string file = "motion/butterworth_fs100.csv";
+    const std::vector<double> raw = column(file, "x_raw_mm");
+    const std::vector<double> filtered =
+        filter_forward_backward(butterworth_low_pass(10, 100), raw);
+    const std::vector<double> expected = column(file, "x_filtfilt_fc10_mm");
+    const std::vector<double> speed = column(file, "v_central_diff_of_filtered_mm_s");
+    const std::vector<double> slope = derivative(filtered, 0.01);
+    ASSERT_EQ(filtered.size(), expected.size());
+    for (size_t k = 0; k < raw.size(); ++k) {
+        // Same arithmetic in another order: rounding of numbers up to 50.
+        EXPECT_NEAR(filtered[k], expected[k], 1e-11) << k;
+        EXPECT_NEAR(slope[k], speed[k], 1e-9) << k;
+    }
+}
+
+TEST(Signal, ShortSignalsComeBackUnchanged) {
+    const std::vector<double> nine(9, 3.0);
+    EXPECT_EQ(filter_forward_backward(butterworth_low_pass(10, 100), nine), nine);
+}
+
+TEST(Signal, TrackResamplesAndDropsOddSamples) {
+    std::vector<double> time;
+    std::vector<Vec3> position;
+    std::vector<Quat> turn;
+    for (int k = 0; k <= 50; ++k) {  // 50 Hz, straight line at 10 mm/s, one turn about z in 1 s
+        time.push_back(k * 0.02);
+        position.emplace_back(k * 0.0002, 0, 0);
+        turn.emplace_back(Eigen::AngleAxisd(k * 0.02, Vec3::UnitZ()));
+    }
+    time.insert(time.begin() + 10, {time[9], NAN});
+    position.insert(position.begin() + 10, {Vec3(9, 9, 9), Vec3::Zero()});
+    turn.insert(turn.begin() + 10, {Quat::Identity(), Quat::Identity()});
+    const Track track = make_track(time, position, turn);
+    ASSERT_EQ(track.position_m.size(), 101u);
+    for (size_t k = 0; k < track.speed_m_s.size(); ++k) {
+        // The start state is that of a constant, not of a slope: a ripple at the ends, 1/10000.
+        EXPECT_NEAR(track.position_m[k].x(), 0.01 * track.time_s(k), 1e-6);
+        EXPECT_NEAR(track.speed_m_s[k], 0.01, 3e-5);
+        EXPECT_NEAR(track.orientation[k].angularDistance(
+                        Quat(Eigen::AngleAxisd(track.time_s(k), Vec3::UnitZ()))),
+                    0, 1e-7);
+    }
+    EXPECT_TRUE(make_track({}, {}, {}).empty());
+}
+
+}  // namespace
+}  // namespace placode::assessment

@@ -1,0 +1,269 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/tissue_metrics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/reference_data.h"
+
+namespace placode::assessment {
+namespace {
+
+using namespace testing_data;
+
+std::vector<Vec3> polyline(const std::string& file) {
+    const auto x = column(file, "x_mm"), y = column(file, "y_mm");
+    std::vector<Vec3> points;
+    for (size_t i = 0; i < x.size(); ++i) points.emplace_back(x[i], y[i], 0);
+    return points;
+}
+
+TEST(TissueMetrics, ContoursCompareAsTheReference) {
+    const auto expected = json("tissue/contour_expected.json");
+    const std::vector<Vec3> plan = polyline("tissue/contour_plan.csv");
+    for (const char* name : {"concentric", "offset", "arc_with_gap"}) {
+        const auto& values = expected[name];
+        const ContourComparison c =
+            compare_contours(plan, polyline(std::string("tissue/contour_") + name + ".csv"), 1);
+        EXPECT_NEAR(c.mean_abs, values["mean_abs_dev_mm"].get<double>(), 1e-9) << name;
+        EXPECT_NEAR(c.rms, values["rms_mm"].get<double>(), 1e-9) << name;
+        EXPECT_NEAR(c.max, values["max_mm"].get<double>(), 1e-9) << name;
+        EXPECT_NEAR(c.hausdorff_cut_to_plan,
+                    values["directed_hausdorff_pointset_cut_to_plan"].get<double>(), 1e-9);
+        EXPECT_NEAR(c.hausdorff_plan_to_cut,
+                    values["directed_hausdorff_pointset_plan_to_cut"].get<double>(), 1e-9);
+        EXPECT_NEAR(c.hausdorff, values["symmetric_hausdorff_pointset"].get<double>(), 1e-9);
+    }
+}
+
+TEST(TissueMetrics, AGapOf25DegreesIsFound) {
+    const auto expected = json("tissue/contour_expected.json")["closed_form"];
+    const ContourComparison gap = compare_contours(polyline("tissue/contour_plan.csv"),
+                                                   polyline("tissue/contour_arc_with_gap.csv"), 1);
+    // The plan is a 720-gon and the cut another one: half a segment of it each end.
+    EXPECT_NEAR(gap.completeness, expected["arc_completeness_angular"].get<double>(), 2e-4);
+    EXPECT_NEAR(gap.largest_gap, expected["largest_gap_arc_mm_on_plan"].get<double>(), 0.01);
+    EXPECT_EQ(gap.gaps, 1);
+    EXPECT_GT(gap.mean_signed, 0.49);
+    const ContourComparison whole = compare_contours(polyline("tissue/contour_plan.csv"),
+                                                     polyline("tissue/contour_concentric.csv"), 1);
+    EXPECT_NEAR(whole.completeness, 1, 1e-9);
+    EXPECT_EQ(whole.gaps, 0);
+    // Out of tolerance, nothing counts.
+    EXPECT_EQ(compare_contours(polyline("tissue/contour_plan.csv"),
+                               polyline("tissue/contour_concentric.csv"), 0.4)
+                  .completeness,
+              0);
+}
+
+TEST(TissueMetrics, SignedDistanceIsNegativeInsideWhicheverWayTheLineRuns) {
+    std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    for (int way = 0; way < 2; ++way) {
+        const ClosedContour contour(square);
+        EXPECT_DOUBLE_EQ(contour.length(), 4);
+        EXPECT_DOUBLE_EQ(contour.nearest({0.5, 0.25}).offset, -0.25);
+        EXPECT_DOUBLE_EQ(contour.nearest({0.5, -0.25}).offset, 0.25);
+        EXPECT_DOUBLE_EQ(contour.nearest({1.3, 1.4}).offset, 0.5);
+        EXPECT_NEAR((contour.at(contour.nearest({1.2, 0.25}).arc) - Vec2(1, 0.25)).norm(), 0,
+                    1e-12);
+        std::reverse(square.begin(), square.end());
+    }
+}
+
+TEST(TissueMetrics, ArcCoverUnitesOverlapsAndPassesTheEnd) {
+    ArcCover cover(10);
+    EXPECT_EQ(cover.result().gaps, 1);
+    EXPECT_EQ(cover.result().largest_gap, 10);
+    cover.add(9, 11);
+    cover.add(0.5, 2);
+    cover.add(4, 5);
+    const ArcCover::Result r = cover.result();
+    EXPECT_NEAR(r.covered, 0.4, 1e-12);  // 9..12 and 4..5
+    EXPECT_EQ(r.gaps, 2);
+    EXPECT_NEAR(r.largest_gap, 4, 1e-12);
+    EXPECT_NEAR(r.gap_middle, 7, 1e-12);
+    cover.add(-3, 30);
+    EXPECT_EQ(cover.result().covered, 1);
+    EXPECT_EQ(cover.result().gaps, 0);
+}
+
+TEST(TissueMetrics, ThermalDoseAndArrheniusAreTheReference) {
+    const auto expected = json("tissue/thermal_expected.json");
+    const auto& skin = expected["parameters"]["skin_HenriquesMoritz1947"];
+    const double a = skin["A_per_s"], ea = skin["Ea_J_mol"];
+    for (const auto& row : expected["constant"]) {
+        const std::vector<double> time{0, row["duration_s"]};
+        const std::vector<double> temperature(2, row["T_C"].get<double>());
+        const double dose = row["cem43_min"], omega = row["Omega_skin_HenriquesMoritz1947"];
+        EXPECT_NEAR(cem43_min(time, temperature), dose, 1e-9 * dose);
+        EXPECT_NEAR(arrhenius_damage(time, temperature, a, ea), omega, 1e-9 * omega);
+    }
+    const auto& ramp = expected["ramp"][0];
+    const auto time = column("tissue/thermal_ramp0_100hz.csv", "t_s");
+    const auto temperature = column("tissue/thermal_ramp0_100hz.csv", "T_C");
+    const double dose = ramp["cem43_trapz_100hz"];
+    EXPECT_NEAR(cem43_min(time, temperature), dose, 1e-9 * dose);
+    EXPECT_NEAR(arrhenius_damage(time, temperature, a, ea),
+                ramp["Omega_trapz_100hz_skin_HenriquesMoritz1947"].get<double>(), 1e-9);
+}
+
+TEST(TissueMetrics, ForceSummaryOfASquaredSine) {
+    std::vector<double> time, force;
+    for (int k = 0; k <= 4000; ++k) {
+        time.push_back(k * 0.001);
+        const double s = std::sin(std::numbers::pi * time.back() / 4);
+        force.push_back(2 * s * s);
+    }
+    const auto expected = json("tissue/force_expected.json");
+    const ForceSummary f = summarise_force(time, force, 1);
+    EXPECT_NEAR(f.peak_n, 2, 1e-12);
+    EXPECT_NEAR(f.mean_n, 1, 1e-9);
+    EXPECT_NEAR(f.rms_n, expected["rms_N"].get<double>(), 1e-9);
+    EXPECT_NEAR(f.impulse_n_s, 4, 1e-9);
+    EXPECT_NEAR(f.over_s, expected["time_over_threshold_s_exact"].get<double>(), 2e-3);
+    // Trapezoid of a signal with kinks, at 1 ms.
+    EXPECT_NEAR(f.excess_impulse_n_s, expected["excess_impulse_Ns_exact"].get<double>(), 1e-5);
+}
+
+// --- of a recording ---------------------------------------------------------------------------
+
+constexpr double kRadius = 0.006;
+
+std::vector<Vec3> circle(double radius_m) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 360; ++i) {
+        const double a = i * std::numbers::pi / 180;
+        points.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
+    }
+    return points;
+}
+
+/// A ring cut `offset_m` outside the plan, from `from` to `to` degrees, to `depth_m`.
+sim::Recording ring(double from, double to, double offset_m, float depth_m = 0.00038f) {
+    sim::Recording recording;
+    recording.header.tools.resize(1);
+    recording.header.geometry.planned_contour = circle(kRadius);
+    recording.header.geometry.placode_edge = circle(kRadius - 0.0015);
+    recording.header.geometry.skin_edge = circle(kRadius + 0.0025);
+    recording.header.geometry.placode_volume_m3 = 60e-9;
+    recording.samples.resize(2);
+    recording.samples[1].time_s = 0.01;
+    for (double degrees = from; degrees <= to; degrees += 2) {
+        sim::Event event;
+        event.kind = sim::EventKind::kVaporised;
+        event.time_s = degrees / 10;
+        event.tissue = sim::Tissue::kZone;
+        event.value = 0.009e-9f;
+        event.value2 = depth_m;
+        const double a = degrees * std::numbers::pi / 180;
+        event.rest_position_m = {static_cast<float>((kRadius + offset_m) * std::cos(a)),
+                                 static_cast<float>((kRadius + offset_m) * std::sin(a)), 0};
+        recording.events.push_back(event);
+    }
+    return recording;
+}
+
+TEST(TissueMetrics, AWholeRingIsCompleteAndItsOffsetIsMeasured) {
+    const MetricSet metrics = compute_metrics(ring(0, 359, 0.0002));
+    EXPECT_NEAR(*metrics.find("ring_completeness_percent"), 100, 1e-9);
+    EXPECT_NEAR(*metrics.find("largest_gap_mm"), 0, 1e-9);
+    // A 360-gon lies within R (1 - cos 0.5 deg) = 0.0002 mm of its circle.
+    EXPECT_NEAR(*metrics.find("contour_deviation_mm"), 0.2, 0.001);
+    EXPECT_NEAR(*metrics.find("contour_signed_mm"), 0.2, 0.001);
+    EXPECT_EQ(*metrics.find("off_line_mm"), 0);
+    EXPECT_EQ(*metrics.find("outside_band_mm"), 0);
+    EXPECT_EQ(*metrics.find("toward_placode_mm"), 0);
+    EXPECT_EQ(*metrics.find("placode_cut_mm3"), 0);
+}
+
+TEST(TissueMetrics, AGapAShallowCutAndAnInwardCutAreSeen) {
+    const MetricSet gap = compute_metrics(ring(0, 328, 0));
+    // From 328 to 360 degrees, less half an element at each end (cbrt(6 sqrt 2 V) = 0.424 mm).
+    const double open_mm = 32 * std::numbers::pi / 180 * 6 - 0.424;
+    EXPECT_NEAR(*gap.find("largest_gap_mm"), open_mm, 0.01);
+    EXPECT_NEAR(*gap.find("ring_completeness_percent"),
+                100 * (1 - open_mm / (2 * std::numbers::pi * 6)), 0.05);
+
+    EXPECT_EQ(*compute_metrics(ring(0, 359, 0, 0.0001f)).find("ring_completeness_percent"), 0);
+
+    const MetricSet inward = compute_metrics(ring(0, 359, -0.0012));
+    EXPECT_NEAR(*inward.find("toward_placode_mm"), 2 * std::numbers::pi * 6, 0.01);
+    EXPECT_NEAR(*inward.find("contour_signed_mm"), -1.2, 0.001);
+    EXPECT_EQ(*inward.find("ring_completeness_percent"), 0);  // beyond the tolerance of 1 mm
+    EXPECT_NEAR(*inward.find("off_line_mm"), 2 * std::numbers::pi * 6, 0.01);
+
+    const MetricSet outward = compute_metrics(ring(0, 359, 0.0036));
+    EXPECT_NEAR(*outward.find("outside_band_mm"), 2 * std::numbers::pi * 6, 0.01);
+}
+
+TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
+    sim::Recording recording = ring(0, 359, 0);
+    const auto add = [&](sim::EventKind kind, float value, float value2,
+                         sim::Tissue tissue = sim::Tissue::kZone) {
+        sim::Event event;
+        event.kind = kind;
+        event.value = value;
+        event.value2 = value2;
+        event.tissue = tissue;
+        recording.events.push_back(event);
+    };
+    add(sim::EventKind::kPlacodeContact, 0.5f, 0.012f);
+    add(sim::EventKind::kPlacodeContact, 0.25f, 0.030f);
+    add(sim::EventKind::kDwell, 1.5f, 0);
+    add(sim::EventKind::kOverForce, 0.2f, 0.6f);
+    add(sim::EventKind::kTorn, 2e-9f, 1.7f, sim::Tissue::kSkin);
+    add(sim::EventKind::kVaporised, 1e-9f, 0.0004f, sim::Tissue::kPlacode);
+    add(sim::EventKind::kEnergyOn, 12, 0);
+    add(sim::EventKind::kEnergyOff, 2, 9.5f);
+    recording.samples.assign(100, {});
+    for (size_t k = 0; k < recording.samples.size(); ++k) {
+        sim::Sample& sample = recording.samples[k];
+        sample.time_s = 0.01 * static_cast<double>(k);
+        sample.tools[0].tip_m = {k < 30 ? 0.005f : 0.0065f, 0, 0};  // 0.5 or 2 mm off the placode
+        sample.tools[0].pedals = k < 50 ? sim::kPedalCut : 0;
+        sample.tools[0].in_contact = k < 40;
+        sample.tools[0].force_n = {0, 0, k == 10 ? 0.05f : 0.01f};
+        sample.placode_peak_c = k < 50 ? 37.0f + static_cast<float>(k) : 37.0f;
+        sample.placode_peak_cem43_min = 3;
+        sample.placode_burned_m3 = 0.6e-9f;
+    }
+    const MetricSet m = compute_metrics(recording);
+    EXPECT_EQ(*m.find("placode_contacts"), 2);
+    EXPECT_NEAR(*m.find("placode_contact_s"), 0.75, 1e-6);
+    EXPECT_NEAR(*m.find("placode_peak_force_mn"), 30, 1e-4);
+    EXPECT_NEAR(*m.find("dwell_s"), 1.5, 1e-6);
+    EXPECT_NEAR(*m.find("over_force_s"), 0.2, 1e-6);
+    EXPECT_NEAR(*m.find("peak_force_mn"), 600, 1e-3);
+    EXPECT_NEAR(*m.find("torn_skin_mm3"), 2, 1e-6);
+    EXPECT_NEAR(*m.find("placode_cut_mm3"), 1, 1e-6);
+    EXPECT_NEAR(*m.find("energy_j"), 9.5, 1e-6);
+    EXPECT_NEAR(*m.find("energy_on_s"), 0.5, 1e-9);
+    EXPECT_NEAR(*m.find("energy_in_air_s"), 0.1, 1e-9);
+    EXPECT_NEAR(*m.find("energy_near_placode_s"), 0.3, 1e-9);
+    EXPECT_NEAR(*m.find("placode_peak_c"), 86, 1e-4);
+    EXPECT_NEAR(*m.find("placode_peak_cem43_min"), 3, 1e-6);
+    EXPECT_NEAR(*m.find("placode_burned_percent"), 1, 1e-5);
+    // In the order of the definitions, each once.
+    size_t at = 0;
+    const auto definitions = metric_definitions();
+    for (const Metric& metric : m.values) {
+        while (at < definitions.size() && definitions[at].id != metric.id) ++at;
+        EXPECT_LT(at, definitions.size()) << metric.id;
+        ++at;
+    }
+}
+
+TEST(TissueMetrics, OddRecordingsDoNotThrow) {
+    EXPECT_TRUE(compute_metrics({}).values.empty());
+    sim::Recording recording = ring(0, 10, 0);
+    recording.events[0].rest_position_m = {NAN, NAN, NAN};
+    recording.events[1].value = NAN;
+    recording.header.tools.resize(9);
+    EXPECT_FALSE(compute_metrics(recording).values.empty());
+}
+
+}  // namespace
+}  // namespace placode::assessment
