@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/task.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace placode::curriculum {
+namespace {
+
+std::string broken(const std::string& name) {
+    return std::string(PLACODE_SOURCE_DIR) + "/tests/data/broken_" + name + ".json";
+}
+
+/// The refusal must come with the file, this pointer, and all of these words.
+void expect_refused(const std::string& name, const std::string& pointer,
+                    const std::vector<std::string>& words) {
+    SCOPED_TRACE(name);
+    try {
+        (void)load_task(broken(name));
+        ADD_FAILURE() << "was accepted";
+    } catch (const DefinitionError& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(error.pointer(), pointer) << text;
+        for (const std::string& word : words)
+            EXPECT_NE(text.find(word), std::string::npos) << word << " is not in: " << text;
+    }
+}
+
+TEST(Task, EveryShippedTaskLoadsInBothLanguages) {
+    const std::vector<std::string> ids = list_definitions("tasks");
+    ASSERT_GE(ids.size(), 2u);
+    for (const std::string& id : ids) {
+        const Task task = load_task(id);
+        EXPECT_EQ(task.id, id);
+        EXPECT_FALSE(task.title.pl.empty());
+        EXPECT_NE(task.title.in("pl"), task.title.in("en"));
+        EXPECT_GE(task.instructions.size(), 3u);
+        EXPECT_FALSE(task.scene.tools.empty());
+        EXPECT_GT(task.rubric.items.size(), 10u);
+        EXPECT_EQ(task.rubric.pass_points, 70);
+        EXPECT_EQ(task.scene_id, task.scene.id);
+    }
+}
+
+TEST(Task, TheResolvedTextGivesTheSameTaskAgain) {
+    for (const std::string& id : list_definitions("tasks")) {
+        const Task task = load_task(id);
+        const Task again = load_task_text(task.json, "recording");
+        EXPECT_EQ(again.json, task.json);
+        EXPECT_EQ(again.id, task.id);
+        EXPECT_EQ(again.time_limit_s, task.time_limit_s);
+        EXPECT_EQ(again.scene.edge_ring_m, task.scene.edge_ring_m);
+        EXPECT_EQ(again.scene.solver.substeps, task.scene.solver.substeps);
+        EXPECT_EQ(again.scene.tools.size(), task.scene.tools.size());
+        for (size_t i = 0; i < task.scene.materials.size(); ++i) {
+            EXPECT_EQ(again.scene.materials[i].youngs_modulus_pa,
+                      task.scene.materials[i].youngs_modulus_pa);
+        }
+        EXPECT_EQ(again.rubric.items.size(), task.rubric.items.size());
+    }
+}
+
+TEST(Task, OverridesChangeOnlyWhatTheyName) {
+    const Task plain = load_task("diathermy_ring_small");
+    std::ifstream in(data_folder() / "tasks" / "diathermy_ring_small.json");
+    std::string text((std::istreambuf_iterator<char>(in)), {});
+    text.insert(text.find('{') + 1,
+                R"("scene_overrides": {"materials": {"skin": {"youngs_modulus_pa": 12345}},
+                    "solver": {"substeps": 3}},)");
+    const Task changed = load_task_text(text, "changed");
+    const auto skin = static_cast<size_t>(sim::Tissue::kSkin);
+    EXPECT_EQ(changed.scene.materials[skin].youngs_modulus_pa, 12345);
+    EXPECT_EQ(changed.scene.materials[skin].density_kg_m3,
+              plain.scene.materials[skin].density_kg_m3);
+    EXPECT_EQ(changed.scene.solver.substeps, 3);
+    EXPECT_EQ(changed.scene.solver.iterations, plain.scene.solver.iterations);
+    EXPECT_EQ(load_task_text(changed.json, "again").scene.solver.substeps, 3);
+}
+
+TEST(Task, AWrongUnitNamesTheKeyThatWasMeant) {
+    expect_refused("task_modulus_in_kpa", "/scene_overrides/materials/skin",
+                   {"broken_task_modulus_in_kpa.json", "unknown key \"youngs_modulus_kpa\"",
+                    "expected \"youngs_modulus_pa\" (a number in Pa from 10 to 1e+07)"});
+    expect_refused(
+        "task_limit_in_minutes", "/",
+        {"unknown key \"time_limit_min\"", "expected \"time_limit_s\"", "in s", "from 1 to 7200"});
+}
+
+TEST(Task, AnImpossibleValueNamesFieldValueAndRange) {
+    expect_refused("task_negative_limit", "/time_limit_s",
+                   {"-5 is too small", "a number in s from 1 to 7200"});
+    expect_refused("task_poisson", "/scene_overrides/materials/placode/poissons_ratio",
+                   {"0.5 is too large", "to 0.499"});
+    expect_refused("task_method", "/scene_overrides/solver/method",
+                   {"found \"explicit\"", "\"vbd\"", "\"xpbd_pair\""});
+}
+
+TEST(Task, WhatIsMissingOrUnknownIsNamed) {
+    expect_refused("task_without_rubric", "/", {"key \"rubric\" is missing"});
+    expect_refused("task_title_is_text", "/title", {"found \"Ring\"", "an object"});
+    expect_refused("task_unknown_metric", "/rubric/items/0/metric",
+                   {"\"path_length_cm\"", "path_length_mm"});
+    expect_refused("task_unknown_scene", "", {"\"flat_defualt\"", "flat_default"});
+}
+
+TEST(Task, ASyntaxErrorNamesLineAndColumn) {
+    expect_refused("task_syntax", "", {"line 3, column 16", "not JSON"});
+}
+
+TEST(Task, AFileThatIsNotThereIsNamed) {
+    expect_refused("no_such_file", "", {"broken_no_such_file.json", "cannot be opened"});
+    EXPECT_THROW((void)load_task("no_such_task"), DefinitionError);
+    EXPECT_THROW((void)load_task_text("", "empty"), DefinitionError);
+}
+
+}  // namespace
+}  // namespace placode::curriculum
