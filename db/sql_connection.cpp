@@ -125,6 +125,25 @@ void Connection::begin_operation(const std::string& operation) {
     if (!database_.isOpen()) open();
 }
 
+void Connection::begin_transaction() {
+    // IMMEDIATE: take the write lock now and wait for it. A deferred transaction that reads first
+    // is refused at its first write when another one has written meanwhile.
+    execute(is_sqlite() ? "BEGIN IMMEDIATE" : "BEGIN");
+    in_transaction_ = true;
+}
+
+void Connection::commit_transaction() {
+    execute("COMMIT");
+    in_transaction_ = false;
+}
+
+void Connection::roll_back() noexcept {
+    if (!in_transaction_) return;
+    in_transaction_ = false;
+    QSqlQuery query(database_);
+    query.exec(QStringLiteral("ROLLBACK"));  // Fails only if there is nothing left to roll back.
+}
+
 void Connection::execute(const std::string& sql) {
     QSqlQuery query(database_);
     if (!query.exec(QString::fromStdString(sql))) fail(query.lastError());
@@ -150,6 +169,8 @@ void Connection::fail(const QSqlError& error) {
                                             : diagnose_postgresql(code.toStdString(), error.type());
     std::string said = first_line(error.databaseText());
     if (said.empty()) said = first_line(error.driverText());
+    // PostgreSQL does nothing more in a transaction that failed, not even forget a statement.
+    if (!is_sqlite()) roll_back();
     // A server connection that broke is opened again by the next operation.
     if (!is_sqlite() && diagnosis.kind == Kind::kUnavailable) database_.close();
     fail(diagnosis.kind, said + "; " + diagnosis.way_out);
@@ -193,23 +214,6 @@ QVariant Statement::to_variant(const std::string& text) {
 
 QVariant Statement::to_variant(double number) {
     return std::isfinite(number) ? QVariant(number) : QVariant(QMetaType(QMetaType::Double));
-}
-
-UnitOfWork::UnitOfWork(Connection& connection) : connection_(connection) {
-    // IMMEDIATE: take the write lock now and wait for it. A deferred transaction that reads first
-    // is refused at its first write when another one has written meanwhile.
-    connection_.execute(connection_.is_sqlite() ? "BEGIN IMMEDIATE" : "BEGIN");
-}
-
-UnitOfWork::~UnitOfWork() {
-    if (!open_ || !connection_.handle().isOpen()) return;
-    QSqlQuery query(connection_.handle());
-    query.exec(QStringLiteral("ROLLBACK"));  // Fails only if there is nothing left to roll back.
-}
-
-void UnitOfWork::commit() {
-    connection_.execute("COMMIT");
-    open_ = false;
 }
 
 std::string utc_now() {

@@ -26,6 +26,9 @@ class Connection {
 
     /// Says what is being done, for messages, and opens again what a server had dropped.
     void begin_operation(const std::string& operation);
+    void begin_transaction();
+    void commit_transaction();
+    void roll_back() noexcept;             ///< Does nothing outside a transaction.
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
     /// Keeps other writers away from a table until the transaction ends. SQLite has done so
     /// already.
@@ -45,6 +48,7 @@ class Connection {
     QString name_;
     QSqlDatabase database_;
     std::string operation_ = "open";
+    bool in_transaction_ = false;
 };
 
 /// A prepared statement with `?` places.
@@ -87,15 +91,16 @@ class Statement {
 /// A write transaction: all or nothing. Rolls back unless commit() was reached.
 class UnitOfWork {
  public:
-    explicit UnitOfWork(Connection& connection);
-    ~UnitOfWork();
+    explicit UnitOfWork(Connection& connection) : connection_(connection) {
+        connection_.begin_transaction();
+    }
+    ~UnitOfWork() { connection_.roll_back(); }
     UnitOfWork(const UnitOfWork&) = delete;
     UnitOfWork& operator=(const UnitOfWork&) = delete;
-    void commit();
+    void commit() { connection_.commit_transaction(); }
 
  private:
     Connection& connection_;
-    bool open_ = true;
 };
 
 /// Now, ISO 8601 with milliseconds, UTC.

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// For tests of the store: a folder that goes away, and a private PostgreSQL server on loopback.
+
+#include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <pwd.h>
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QCoreApplication>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <thread>
+
+#include "db/store.h"
+
+namespace placode::test {
+
+namespace fs = std::filesystem;
+
+class TemporaryFolder {
+ public:
+    TemporaryFolder() {
+        std::string name = (fs::temp_directory_path() / "placode-store-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
+        path_ = name;
+    }
+    ~TemporaryFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder&) = delete;
+    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+    [[nodiscard]] std::string file(const std::string& name) const {
+        return (path_ / name).string();
+    }
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+    fs::path path_;
+};
+
+/// A connection of the test itself, past the store, for faults and for looking behind it.
+class RawConnection {
+ public:
+    RawConnection(const QString& driver, const std::string& database, int port = 0,
+                  const std::string& password = {}) {
+        static std::atomic<int> counter{0};
+        name_ = QStringLiteral("raw-%1").arg(++counter);
+        connection_ = QSqlDatabase::addDatabase(driver, name_);
+        connection_.setDatabaseName(QString::fromStdString(database));
+        if (port != 0) {
+            connection_.setHostName(QStringLiteral("127.0.0.1"));
+            connection_.setPort(port);
+            connection_.setUserName(QStringLiteral("placode"));
+            connection_.setPassword(QString::fromStdString(password));
+        }
+        open_ = connection_.open();
+    }
+    ~RawConnection() {
+        connection_.close();
+        connection_ = QSqlDatabase();
+        QSqlDatabase::removeDatabase(name_);
+    }
+    [[nodiscard]] bool is_open() const { return open_; }
+    bool run(const std::string& sql) {
+        QSqlQuery query(connection_);
+        const bool done = query.exec(QString::fromStdString(sql));
+        if (!done) problem_ = query.lastError().text().toStdString();
+        return done;
+    }
+    /// First value of the first row, "" when there is none.
+    std::string value(const std::string& sql) {
+        QSqlQuery query(connection_);
+        if (!query.exec(QString::fromStdString(sql)) || !query.next()) return {};
+        return query.value(0).toString().toStdString();
+    }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+
+ private:
+    QString name_;
+    QSqlDatabase connection_;
+    bool open_ = false;
+    std::string problem_;
+};
+
+/// PostgreSQL 15 on 127.0.0.1 and a free port, scram with a made-up password, in a folder of its
+/// own. It dies with the test, however the test ends.
+class PostgresqlServer {
+ public:
+    PostgresqlServer() {
+        if (!fs::exists(kPrograms + "initdb") || !fs::exists(kPrograms + "postgres")) {
+            problem_ = "PostgreSQL 15 is not installed (" + kPrograms + "initdb)";
+            return;
+        }
+        folder_ = std::make_unique<TemporaryFolder>();
+        std::random_device random;
+        for (int i = 0; i < 24; ++i) password_ += static_cast<char>('a' + random() % 26);
+        std::ofstream(folder_->file("password")) << password_;
+        give_away(folder_->path());
+        give_away(folder_->file("password"));
+        port_ = free_port();
+        const int made =
+            wait_for(start({kPrograms + "initdb", "-D", folder_->file("data"), "-U", "placode",
+                            "-A", "scram-sha-256", "-E", "UTF8", "--no-locale", "--no-sync",
+                            "--pwfile=" + folder_->file("password")}));
+        if (made != 0) {
+            problem_ = "initdb failed: " + log();
+            return;
+        }
+        server_ = start({kPrograms + "postgres", "-D", folder_->file("data"), "-p",
+                         std::to_string(port_), "-c", "listen_addresses=127.0.0.1", "-c",
+                         "fsync=off", "-c", "unix_socket_directories=" + folder_->path().string()});
+        for (int i = 0; i < 600 && !ready(); ++i)
+            std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        if (!ready()) problem_ = "the server did not start: " + log();
+    }
+    ~PostgresqlServer() {
+        if (server_ <= 0) return;
+        ::kill(server_, SIGQUIT);  // At once: the data is thrown away.
+        wait_for(server_);
+    }
+    PostgresqlServer(const PostgresqlServer&) = delete;
+    PostgresqlServer& operator=(const PostgresqlServer&) = delete;
+
+    /// Missing programs are a reason to skip, everything else to fail.
+    [[nodiscard]] bool missing() const { return folder_ == nullptr; }
+    [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] std::string new_database() {
+        const std::string name = "store" + std::to_string(++databases_);
+        RawConnection admin("QPSQL", "postgres", port_, password_);
+        if (!admin.run("CREATE DATABASE " + name)) throw std::runtime_error(admin.problem());
+        return name;
+    }
+    [[nodiscard]] std::string url(const std::string& database) const {
+        return "postgresql://placode:" + password_ + "@127.0.0.1:" + std::to_string(port_) + "/" +
+               database;
+    }
+    [[nodiscard]] RawConnection connect(const std::string& database) const {
+        return {"QPSQL", database, port_, password_};
+    }
+    [[nodiscard]] const std::string& password() const { return password_; }
+
+ private:
+    inline static const std::string kPrograms = "/usr/lib/postgresql/15/bin/";
+
+    /// Root may not run a server: it is run as `postgres` then.
+    void give_away(const fs::path& path) const {
+        if (::geteuid() != 0) return;
+        const passwd* user = ::getpwnam("postgres");
+        if (user == nullptr || ::chown(path.c_str(), user->pw_uid, user->pw_gid) != 0)
+            throw std::runtime_error("chown to postgres");
+    }
+    pid_t start(const std::vector<std::string>& command) const {
+        std::vector<char*> arguments;
+        for (const auto& word : command) arguments.push_back(const_cast<char*>(word.c_str()));
+        arguments.push_back(nullptr);
+        const passwd* user = ::geteuid() == 0 ? ::getpwnam("postgres") : nullptr;
+        const std::string out = folder_->file("log");
+        const pid_t child = ::fork();
+        if (child != 0) return child;
+        if (::freopen(out.c_str(), "a", stdout) == nullptr || ::dup2(1, 2) < 0) ::_exit(126);
+        if (user != nullptr && (::setgid(user->pw_gid) != 0 || ::setuid(user->pw_uid) != 0))
+            ::_exit(126);
+        if (::chdir("/") != 0) ::_exit(126);
+        ::prctl(PR_SET_PDEATHSIG, SIGQUIT);
+        ::execv(arguments[0], arguments.data());
+        ::_exit(127);
+    }
+    static int wait_for(pid_t child) {
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    }
+    static int free_port() {
+        const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in address{};
+        address.sin_family = AF_INET;
+        address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        socklen_t size = sizeof address;
+        const bool bound = ::bind(socket, reinterpret_cast<sockaddr*>(&address), size) == 0 &&
+                           ::getsockname(socket, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+        ::close(socket);
+        if (!bound) throw std::runtime_error("no free port on 127.0.0.1");
+        return ntohs(address.sin_port);
+    }
+    [[nodiscard]] bool ready() const { return connect("postgres").is_open(); }
+    [[nodiscard]] std::string log() const {
+        std::ifstream in(folder_->file("log"));
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    std::unique_ptr<TemporaryFolder> folder_;
+    std::string password_, problem_;
+    int port_ = 0, databases_ = 0;
+    pid_t server_ = -1;
+};
+
+/// Qt finds its database drivers through the application object; the server is started once.
+class World : public testing::Environment {
+ public:
+    /// Once, before main(): `World* const world = World::install();`
+    static World* install() {
+        return static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
+    }
+    void SetUp() override { application_ = std::make_unique<QCoreApplication>(argc_, argv_); }
+    void TearDown() override {
+        server_.reset();
+        application_.reset();
+    }
+    PostgresqlServer& server() {
+        if (!server_) server_ = std::make_unique<PostgresqlServer>();
+        return *server_;
+    }
+
+ private:
+    int argc_ = 1;
+    char name_[6] = "store";
+    char* argv_[2] = {name_, nullptr};
+    std::unique_ptr<QCoreApplication> application_;
+    std::unique_ptr<PostgresqlServer> server_;
+};
+inline std::string read_text(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// Runs `work` and returns the StoreError it throws; fails the test when it throws none.
+template <class Work>
+db::StoreError failure_of(Work&& work) {
+    try {
+        work();
+    } catch (const db::StoreError& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no StoreError was thrown";
+    return {db::StoreError::Kind::kOther, ""};
+}
+
+}  // namespace placode::test
