@@ -136,7 +136,7 @@ void TissueMesh::place(const Snapshot& snapshot) {
         const auto& x = snapshot.x[static_cast<size_t>(vertex_of_[c])];
         position_[c] = 1000 * Vector3f(x[0], x[1], x[2]);
     }
-    for (int pass = 0; pass < 2; ++pass) {
+    for (int pass = 0; pass < 4; ++pass) {
         scratch_ = position_;
         for (size_t c = 0; c < n; ++c) {
             const auto v = static_cast<size_t>(vertex_of_[c]);
@@ -154,7 +154,7 @@ void TissueMesh::place(const Snapshot& snapshot) {
                 }
             }
             if (count == 0) continue;
-            const float share = twin >= 0 ? 0.35F : 0.55F;
+            const float share = twin >= 0 ? 0.45F : 0.55F;
             const Vector3f moved =
                 scratch_[c] + share * (sum / static_cast<float>(count) - scratch_[c]);
             position_[c] = moved;

@@ -77,10 +77,10 @@ void main() {
     float fibre = texture(noise_map, vec2(q.x * 0.10 + 0.03 * q.y, q.y * 0.42)).r;
     float thin = texture(noise_map, q / 14.0 + vec2(0.21, 0.63)).r;
     vec3 below = mix(vec3(0.20, 0.062, 0.066), vec3(0.095, 0.030, 0.045), saturate(2.2 * n1.g - 0.7));
-    float cover = mix(0.22, 0.66, saturate(0.75 * fibre + 0.75 * thin - 0.25));
+    float cover = mix(0.20, 0.58, saturate(0.75 * fibre + 0.75 * thin - 0.25));
     cover = mix(cover, 0.92, pow(1.0 - nv0, 3.0));
     cover = mix(cover, 0.75, 0.6 * smoothstep(1.3, 0.2, d.x));
-    vec3 film = mix(kMembrane * vec3(0.80, 0.79, 0.82), kJunction * 0.9, 0.35 * smoothstep(1.9, 0.2, d.x) + 0.12);
+    vec3 film = mix(kMembrane * vec3(0.80, 0.74, 0.73), kJunction * 0.9, 0.35 * smoothstep(1.9, 0.2, d.x) + 0.12);
     vec3 zone = mix(below, film, cover);
     zone = mix(zone, kThinEdge, 0.50 * smoothstep(-1.3, 0.1, d.y));
     zone = mix(zone, kPlacode * 1.3, 0.55 * exp(-sq((d.x - 0.05) / 0.42)));
@@ -90,7 +90,7 @@ void main() {
     zone = mix(zone, mix(kDura, kGel, 0.45), smoothstep(1.35, 1.7, depth));
 
     // --- placode: raw, red, a groove with vessels in the midline
-    vec3 placode = kPlacode * mix(vec3(0.70, 0.55, 0.60), vec3(1.12, 1.25, 1.2), n1.r);
+    vec3 placode = kPlacode * mix(vec3(0.62, 0.45, 0.50), vec3(1.00, 1.02, 1.05), n1.r);
     placode = mix(placode, kJunction * vec3(0.75, 0.30, 0.27), 0.28 * smoothstep(0.55, 0.85, n2.g));
     float groove = exp(-sq((q.y + 0.25 * (n1.g - 0.5)) / 0.34)) * smoothstep(0.3, -1.2, d.x);
     placode *= 1.0 - 0.55 * groove;
@@ -113,14 +113,17 @@ void main() {
     float ragged = 0.6 * (n1.g - 0.5) + 0.35 * (n2.r - 0.5);
     albedo = mix(albedo, albedo * vec3(0.72, 0.42, 0.42), smoothstep(0.08, 0.35, omega + 0.2 * ragged) *
                                                           (1.0 - smoothstep(0.4, 0.8, omega)));
-    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged) * (1.0 - 0.45 * fresh);
-    albedo = mix(albedo, kBlanch * (0.72 + 0.3 * n2.g), 0.85 * blanch);
-    float tan_part = smoothstep(0.35, 0.95, dried + 0.7 * ragged);
-    albedo = mix(albedo, kTan * (0.45 + 0.6 * n2.r), 0.88 * tan_part);
+    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged);
+    albedo = mix(albedo, kBlanch * (0.55 + 0.3 * n2.g) * vec3(1.0, 0.93, 0.86), 0.80 * blanch * (1.0 - 0.75 * fresh));
+    // Cut walls are seared brown and red, not white: blood cooks into them.
+    albedo = mix(albedo, mix(vec3(0.150, 0.042, 0.026), kTan * vec3(0.55, 0.36, 0.34), saturate(2.0 * n1.r - 0.6)), 0.70 * fresh * blanch);
+    float tan_part = smoothstep(0.25, 0.90, dried + 0.7 * ragged);
+    vec3 seared = mix(kTan, vec3(0.205, 0.062, 0.036), 0.80 * fresh);
+    albedo = mix(albedo, seared * (0.40 + 0.7 * n2.r), 0.80 * tan_part);
     float burnt = smoothstep(0.04, 0.60, charred + 0.6 * ragged * step(0.01, charred));
     albedo = mix(albedo, kChar * (1.0 + 3.5 * n2.g), burnt);
     rough = mix(mix(rough, 0.55, max(blanch, tan_part)), 0.9, burnt);
-    wet *= (1.0 - 0.65 * blanch) * (1.0 - 0.6 * tan_part) * (1.0 - 0.97 * burnt);
+    wet *= (1.0 - 0.55 * blanch * (1.0 - fresh)) * (1.0 - 0.6 * tan_part) * (1.0 - 0.97 * burnt);
 
     // --- relief: tissue grain, then the finer and slowly creeping film of amniotic fluid
     vec3 t = normalize(vec3(1.0, 0.0, 0.0) - n * n.x);
