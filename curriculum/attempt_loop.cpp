@@ -63,7 +63,6 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       fast_(options.fast),
       lock_step_(servo_->devices().lock_step()),
       frames_per_sample_(std::max<int64_t>(1, std::llround(0.01 / frame_s_))),
-      frames_per_hash_(std::max<int64_t>(1, std::llround(1.0 / frame_s_))),
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
       contour_(scene_->contour_anchors.size(), Vec3::Zero()),
@@ -171,7 +170,6 @@ void AttemptLoop::hand_out(const sim::StepReport& report) noexcept {
                    : 0;
     warn();
     if (state_.frame % frames_per_sample_ == 0) take_sample();
-    if (state_.frame % frames_per_hash_ == 0) add_hash();
     watch_end();
 }
 
@@ -203,11 +201,6 @@ void AttemptLoop::take_sample() noexcept {
     sample.step_flags = sample_flags_;
     sample_flags_ = 0;
     record(sample);
-}
-
-/// @pre right after `step`: the hash covers the number of substeps, which may change afterwards.
-void AttemptLoop::add_hash() noexcept {
-    record_event(EventKind::kStateHash, 0, sim::state_hash(state_));
 }
 
 void AttemptLoop::say(const char* phrase) noexcept {

@@ -56,7 +56,6 @@ class AttemptLoop {
     void one_frame() noexcept;
     void hand_out(const sim::StepReport& report) noexcept;
     void take_sample() noexcept;
-    void add_hash() noexcept;
     void warn() noexcept;
     void say(const char* phrase) noexcept;
     void watch_end() noexcept;
@@ -74,7 +73,7 @@ class AttemptLoop {
     AttemptRecorder& recorder_;
     double time_limit_s_, frame_s_;
     bool finish_when_cut_, fast_, lock_step_;
-    int64_t frames_per_sample_, frames_per_hash_, frames_per_look_;
+    int64_t frames_per_sample_, frames_per_look_;
     std::optional<assessment::ClosedContour> placode_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};

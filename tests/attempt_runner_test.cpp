@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/attempt_runner.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstring>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
+#include "assessment/metrics.h"
+
+namespace placode::curriculum {
+namespace {
+
+/// Keeps what it gets. One writer (the recorder thread), read after wait().
+class MemorySink final : public sim::RecordingSink {
+ public:
+    explicit MemorySink(std::shared_ptr<sim::Recording> to) : to_(std::move(to)) {}
+    void begin(const sim::RecordingHeader& header) override { to_->header = header; }
+    void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
+                std::span<const sim::Event> events) override {
+        to_->inputs.insert(to_->inputs.end(), inputs.begin(), inputs.end());
+        to_->samples.insert(to_->samples.end(), samples.begin(), samples.end());
+        to_->events.insert(to_->events.end(), events.begin(), events.end());
+    }
+    void finish(const sim::RecordingEnd& end) override { to_->end = end; }
+
+ private:
+    std::shared_ptr<sim::Recording> to_;
+};
+
+class FullDisk final : public sim::RecordingSink {
+ public:
+    void begin(const sim::RecordingHeader&) override {}
+    void append(std::span<const sim::Input>, std::span<const sim::Sample>,
+                std::span<const sim::Event>) override {
+        throw std::runtime_error("no space left on device");
+    }
+    void finish(const sim::RecordingEnd&) override { FAIL() << "nothing to finish"; }
+};
+
+/// The coarse task with a field that a test can afford.
+Task quick_task() {
+    Task task = load_task("diathermy_ring_small");
+    std::string json = task.json;
+    const auto set = [&json](const std::string& key, const std::string& value) {
+        const size_t at = json.find("\"" + key + "\":") + key.size() + 3;
+        json.replace(at, json.find_first_of(",}", at) - at, value);
+    };
+    set("edge_ring_m", "0.0012");
+    set("edge_placode_m", "0.0016");
+    set("edge_outer_m", "0.003");
+    set("settle_s", "0.02");
+    return load_task_text(json, "quick");
+}
+
+AttemptOptions fast(double duration_s, int threads = 1) {
+    AttemptOptions options;
+    options.device = "script:expert";
+    options.fast = true;
+    options.duration_s = duration_s;
+    options.threads = threads;
+    return options;
+}
+
+std::shared_ptr<sim::Recording> perform(const AttemptOptions& options, uint64_t seed = 3) {
+    auto recording = std::make_shared<sim::Recording>();
+    AttemptRunner runner(quick_task(), seed, options, std::make_unique<MemorySink>(recording));
+    runner.start();
+    runner.wait();
+    EXPECT_TRUE(runner.finished());
+    EXPECT_EQ(runner.status().warning, "");
+    EXPECT_EQ(runner.end().final_hash, recording->end.final_hash);
+    return recording;
+}
+
+TEST(AttemptRunner, RecordsEveryFrameSampleAndHash) {
+    const auto r = perform(fast(2.2));
+    EXPECT_EQ(r->header.task_id, "diathermy_ring_small");
+    EXPECT_EQ(r->header.device, "script:expert");
+    EXPECT_EQ(r->header.seed, 3u);
+    EXPECT_FALSE(r->header.geometry.planned_contour.empty());
+    ASSERT_EQ(r->inputs.size(), 2200u);
+    for (size_t k = 0; k < r->inputs.size(); ++k)
+        ASSERT_EQ(r->inputs[k].frame, static_cast<int64_t>(k));
+    ASSERT_EQ(r->samples.size(), 220u);
+    EXPECT_NEAR(r->samples.back().time_s, 2.2, 1e-9);
+    EXPECT_EQ(r->end.reason, sim::EndReason::kTimeLimit);
+    EXPECT_EQ(r->end.dropped, 0);
+    EXPECT_NEAR(r->end.duration_s, 2.2, 1e-9);
+    int hashes = 0;
+    for (const sim::Event& event : r->events) hashes += event.kind == sim::EventKind::kStateHash;
+    EXPECT_EQ(hashes, 3);  // at 1 s, at 2 s, at the end
+    // The needle moved, and no sample is nonsense.
+    EXPECT_GT(*assessment::compute_metrics(*r).find("path_length_mm"), 1);
+    for (const sim::Sample& sample : r->samples)
+        for (const float x : sample.tools[0].tip_m) ASSERT_LT(std::abs(x), 0.3f);
+}
+
+TEST(AttemptRunner, AReplayIsIdenticalWithAnyNumberOfThreads) {
+    const auto r = perform(fast(1.1, 2));
+    for (const int threads : {1, 3}) {
+        int64_t frames = 0;
+        const ReplayResult result =
+            replay(*r, threads, [&](const sim::Scene&, const sim::State&) { ++frames; });
+        EXPECT_TRUE(result.identical) << result.message;
+        EXPECT_EQ(result.message, "replay: identical");
+        EXPECT_EQ(result.frames, 1100);
+        EXPECT_EQ(frames, 1100);
+    }
+}
+
+TEST(AttemptRunner, AReplayFindsWhereARecordingWasChanged) {
+    auto r = perform(fast(2.2));
+    sim::Recording changed = *r;
+    // In the air the tool is where the hand is: the change must last until the next hash.
+    for (size_t k = 1500; k < 2000; ++k) changed.inputs[k].tools[0].position_m[0] += 0.001f;
+    const ReplayResult result = replay(changed, 1);
+    EXPECT_FALSE(result.identical);
+    EXPECT_NEAR(result.first_difference_s, 2.0, 1e-9);
+    EXPECT_NE(result.message.find("replay: differs from 2.000 s on: state hash"), std::string::npos)
+        << result.message;
+
+    changed = *r;
+    changed.inputs.erase(changed.inputs.begin() + 700);
+    EXPECT_NE(replay(changed, 1).message.find("frame 700 is missing"), std::string::npos);
+
+    changed = *r;
+    changed.end.final_hash ^= 1;
+    EXPECT_NE(replay(changed, 1).message.find("differs at the end"), std::string::npos);
+}
+
+TEST(AttemptRunner, RealTimeGivesTheSameBitsAsFast) {
+    const auto quick = perform(fast(0.3));
+    AttemptOptions options = fast(0.3);
+    options.fast = false;
+    const auto slow = perform(options);
+    ASSERT_EQ(slow->inputs.size(), quick->inputs.size());
+    EXPECT_EQ(slow->end.final_hash, quick->end.final_hash);
+    for (size_t k = 0; k < slow->inputs.size(); ++k) {
+        EXPECT_EQ(slow->inputs[k].substeps, quick->inputs[k].substeps);
+        EXPECT_EQ(std::memcmp(slow->inputs[k].tools, quick->inputs[k].tools,
+                              sizeof slow->inputs[k].tools),
+                  0)
+            << k;
+    }
+}
+
+TEST(AttemptRunner, AnotherSeedIsAnotherField) {
+    EXPECT_NE(perform(fast(0.05), 3)->end.final_hash, perform(fast(0.05), 4)->end.final_hash);
+}
+
+TEST(AttemptRunner, AFullDiskStopsTheRecordingButNotTheAttempt) {
+    AttemptRunner runner(quick_task(), 3, fast(0.6), std::make_unique<FullDisk>());
+    runner.start();
+    runner.wait();
+    EXPECT_EQ(runner.end().reason, sim::EndReason::kTimeLimit);
+    EXPECT_NEAR(runner.end().duration_s, 0.6, 1e-9);
+    EXPECT_NE(runner.status().warning.find("no space left on device"), std::string::npos);
+}
+
+TEST(AttemptRunner, FinishesOnRequestAlsoWhilePaused) {
+    AttemptOptions options = fast(0);
+    options.fast = false;
+    AttemptRunner runner(quick_task(), 3, options, nullptr);
+    runner.set_paused(true);
+    runner.start();
+    while (!runner.snapshot().paused) std::this_thread::yield();
+    EXPECT_EQ(runner.snapshot().frame, 0);
+    runner.request_finish(sim::EndReason::kFinished);
+    runner.wait();
+    EXPECT_EQ(runner.end().reason, sim::EndReason::kFinished);
+    EXPECT_FALSE(runner.status().running);
+    EXPECT_TRUE(runner.snapshot().finished);
+}
+
+TEST(AttemptRunner, AnUnknownDeviceIsRefusedBeforeTheSceneIsBuilt) {
+    AttemptOptions options = fast(1);
+    options.device = "crystal_ball";
+    EXPECT_THROW(AttemptRunner(quick_task(), 1, options, nullptr), haptics::DeviceError);
+}
+
+}  // namespace
+}  // namespace placode::curriculum
