@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Scenes of one block of tissue for the tests of the simulation: top face at z = 0, bottom held.
+
+#include <cmath>
+
+#include "sim/step.h"
+
+namespace placode::sim::test {
+
+struct BoxOptions {
+    Vec3 size_m = Vec3(0.008, 0.008, 0.003);
+    std::array<int, 3> cells{16, 16, 6};
+    Tissue tissue = Tissue::kSkin;
+    Material material;
+    Method method = Method::kVbd;
+    int substeps = 4;
+    Vec3 gravity = Vec3::Zero();
+    bool heat = true;
+    bool hold_bottom = true;
+    ToolSpec tool;
+};
+
+/// Block centred on the z axis with its top at z = 0 and one tool; depth known to the field.
+inline Scene box_scene(const BoxOptions& options) {
+    SoftBodySpec spec;
+    spec.mesh = box_mesh(options.size_m, options.cells, options.tissue);
+    for (Vec3& x : spec.mesh.rest) {
+        x -= Vec3(options.size_m.x() / 2, options.size_m.y() / 2, options.size_m.z());
+    }
+    spec.mesh = renumbered(spec.mesh, rcm_order(spec.mesh));
+    spec.materials.fill(options.material);
+    spec.solver.method = options.method;
+    spec.solver.substeps = options.substeps;
+    spec.solver.gravity_m_s2 = options.gravity;
+    spec.solver.allow_invalid = true;
+    for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
+        if (options.hold_bottom && spec.mesh.rest[v].z() < -options.size_m.z() + 1e-9) {
+            spec.fixed.push_back(v);
+        }
+    }
+    Scene scene{SoftBody(std::move(spec))};
+    scene.id = "box";
+    const TetMesh& mesh = scene.body.mesh();
+    if (options.heat) scene.heat.emplace(mesh, scene.body.spec().materials, HeatSettings{});
+    scene.tools = {options.tool};
+    for (const Vec3& x : mesh.rest) scene.field.depth_m.push_back(static_cast<float>(-x.z()));
+    return scene;
+}
+
+/// Input of a tool whose tip is at `p` and whose shaft points straight up.
+inline ToolInput upright(const Vec3& p, uint8_t pedals = 0) {
+    ToolInput input;
+    // A half turn about x: the tool's distal z axis looks down.
+    input.set_pose({p, Quat(0, 1, 0, 0)});
+    input.pedals = pedals;
+    input.engaged = 1;
+    return input;
+}
+
+/// One frame with one tool.
+inline StepReport frame(const Scene& scene, State& state, const ToolInput& input,
+                        ToolFeedback& feedback) {
+    return step(scene, state, {&input, 1}, {&feedback, 1});
+}
+
+}  // namespace placode::sim::test
