@@ -16,7 +16,7 @@ namespace {
 constexpr double kBoilC = 100;
 constexpr double kKelvin = 273.15;
 constexpr double kGasConstant = 8.314462618;  // J/(mol K)
-constexpr double kSpreadK = 0.01;             // a vertex this warm wakes its neighbours
+constexpr double kSpreadK = 0.001;            // a vertex this warm wakes its neighbours
 constexpr double kDoseFloorC = 38;            // below, a dose grows by less than 0.001 min/min
 constexpr float kOmegaFrozen = 10;
 constexpr double kDryConduction = 0.01;  // electrical conductivity of dry against wet tissue

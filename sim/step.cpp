@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kVaporisedPerStep = 64;
 constexpr int kContactPasses = 2;       // over the contact colour for each sweep
+constexpr int kLooseInterval = 128;     // frames between two searches for loose tissue
 constexpr double kTipSearch = 0.003;    // the tip's gap is measured up to here [m]
 constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
 constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
@@ -245,6 +246,11 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     std::array<uint8_t, kMaxTools> active{};
     report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
     tear(scene, state);
+    // A flood over the whole body: now and then is enough to notice what has come loose.
+    if (state.frame % kLooseInterval == 0 && state.surface.version() != state.loose_version) {
+        state.loose_version = state.surface.version();
+        update_free_vertices(scene.body, state.body);
+    }
     charge(2);
     state.flags |= state.body.flags;
     update_ledger(scene, state, active, solver.frame_s);

@@ -93,6 +93,7 @@ struct State {
     float overheat_pause_s = 0, burn_pause_s = 0, idle_s = 0;
     float placode_now_c = 37;  ///< Hottest vertex of the placode in this frame.
     int last_substeps = 4;
+    uint32_t loose_version = 0;  ///< Surface version at the last search for loose tissue.
     std::array<Event, kMaxEventsPerFrame> events{};  ///< Of the last frame.
     int event_count = 0;
     uint32_t flags = 0;  ///< StepFlag bits of this frame.

@@ -133,52 +133,63 @@ TEST(Heat, NoDamageIsCountedBelowTheGate) {
     EXPECT_NEAR(block.state.cem43_min[0], 10.0 / 60 / 4, 1e-4);
 }
 
-// Edges of 0.5 mm in 12 mm: at 5 s the front sqrt(4 alpha t) = 1.6 mm is far from the walls.
+// Edges of 0.375 mm in 12 mm, 196,608 tets; after 10 s the front sqrt(4 alpha t) = 2.3 mm is far
+// from the walls.
+Block cube() { return Block(Vec3(0.012, 0.012, 0.012), {32, 32, 32}, insulated()); }
+const Vec3 kCentre(0.006, 0.006, 0.006);
+
+/// Mean of rise / exact(r) over all vertices of the shell r +- 0.2 mm. A lattice is faster along
+/// its axes and slower along its diagonals by some (L / r)^2 / 4; the mean over directions cancels
+/// the largest part of that.
+template <class Exact>
+double mean_ratio(const Block& block, double r, const Exact& exact) {
+    double sum = 0;
+    int count = 0;
+    for (int v = 0; v < block.body.vertex_count(); ++v) {
+        const double d = (block.body.mesh().rest[v] - kCentre).norm();
+        if (std::abs(d - r) > 0.0002) continue;
+        sum += (block.state.temperature_c[v] - 37) / exact(d);
+        ++count;
+    }
+    EXPECT_GT(count, 30);
+    return sum / count;
+}
+
 TEST(Heat, AContinuousPointSourceFollowsGreensFunction) {
-    Block block(Vec3(0.012, 0.012, 0.012), {24, 24, 24}, insulated());
-    const Vec3 centre(0.006, 0.006, 0.006);
-    const int source = block.nearest(centre);
-    const double q = 0.05;
+    Block block = cube();
+    const int source = block.nearest(kCentre);
+    const double q = 0.03, seconds = 10;
     block.warm(source);
     for (int i = 0; i < 500; ++i) {
         block.state.power_w[source] = q;
-        block.advance(0.01);
+        block.advance(seconds / 500);
     }
-    for (const double r : {0.001, 0.002, 0.003}) {
-        double mean = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const double sign : {-1.0, 1.0}) {
-                mean +=
-                    block.state.temperature_c[block.nearest(centre + sign * r * Vec3::Unit(axis))];
-            }
-        }
-        const double t = 5, rise = mean / 6 - 37;
-        const double exact =
-            q / (4 * std::numbers::pi * kK * r) * std::erfc(r / std::sqrt(4 * kAlpha * t));
-        // Second order in edge / r: 0.5 mm at 1 mm from the source gives some percent; at 3 mm the
-        // front is as steep as the mesh is fine, and the value itself is 3 % of that at 1 mm.
-        EXPECT_NEAR(rise, exact, (r < 0.0025 ? 0.05 : 0.12) * exact) << "r " << r;
-    }
-    EXPECT_NEAR(stored_energy_j(block.state), 5 * q, 1e-6 * 5 * q);
+    const auto exact = [&](double r) {
+        return q / (4 * std::numbers::pi * kK * r) * std::erfc(r / std::sqrt(4 * kAlpha * seconds));
+    };
+    // The steep young part of the field still runs ahead: second order in L / r at the tail.
+    EXPECT_NEAR(mean_ratio(block, 0.0012, exact), 1, 0.03);
+    EXPECT_NEAR(mean_ratio(block, 0.0020, exact), 1, 0.03);
+    EXPECT_NEAR(mean_ratio(block, 0.0030, exact), 1, 0.05);
+    EXPECT_NEAR(stored_energy_j(block.state), seconds * q, 1e-6 * seconds * q);
 }
 
 TEST(Heat, APulseSpreadsLikeAGaussian) {
-    Block block(Vec3(0.012, 0.012, 0.012), {24, 24, 24}, insulated());
-    const Vec3 centre(0.006, 0.006, 0.006);
-    const int source = block.nearest(centre);
-    const double energy = 0.02;
+    Block block = cube();
+    const int source = block.nearest(kCentre);
+    const double energy = 0.01, seconds = 10;
     block.warm(source);
     block.state.enthalpy_j[source] = energy;
     block.state.temperature_c[source] =
         static_cast<float>(37 + energy / block.state.capacity_j_k[source]);
-    const double peak_t = 0.002 * 0.002 / (6 * kAlpha);  // 5.04 s
-    for (int i = 0; i < 504; ++i) block.advance(peak_t / 504);
-    double mean = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        mean += block.state.temperature_c[block.nearest(centre + 0.002 * Vec3::Unit(axis))] / 3.0;
-    }
-    // 1 J gives 2.434 K at its peak 2 mm away; 4 edges between, hence 3 %.
-    EXPECT_NEAR(mean - 37, 2.434 * energy, 0.03 * 2.434 * energy);
+    for (int i = 0; i < 400; ++i) block.advance(seconds / 400);
+    const auto exact = [&](double r) {
+        return energy / (kRho * kC) / std::pow(4 * std::numbers::pi * kAlpha * seconds, 1.5) *
+               std::exp(-r * r / (4 * kAlpha * seconds));
+    };
+    // Lattice dispersion (r / 2 alpha t)^4 alpha t L^2 / 12 and its kin: 1 to 2 % at 2 mm.
+    EXPECT_NEAR(mean_ratio(block, 0.0012, exact), 1, 0.03);
+    EXPECT_NEAR(mean_ratio(block, 0.0020, exact), 1, 0.03);
 }
 
 TEST(Heat, AStepOfTemperatureFollowsTheErrorFunction) {
@@ -214,7 +225,7 @@ TEST(Heat, EnergyIsKeptThroughBoilingRemovalAndCooling) {
     }
     for (int i = 0; i < 250; ++i) removed += block.advance(0.004);
     const HeatState& s = block.state;
-    EXPECT_GT(removed, 20);
+    EXPECT_GT(removed, 10);
     EXPECT_GT(s.energy_lost_j, 0);
     EXPECT_NEAR(s.energy_in_j, asked, 1e-9);
     EXPECT_NEAR(s.energy_in_j, stored_energy_j(s) + s.energy_vapour_j + s.energy_lost_j,
