@@ -19,8 +19,7 @@ constexpr double kLeastSource = 0.00025, kMostSource = 0.0008;  // contact radiu
 constexpr double kCoagSpread = 2.5;      // source radius against cutting
 constexpr double kCoagDriedLimit = 0.5;  // below HeatSettings::vaporise_dried: nothing is removed
 constexpr int kMostInterval = 4;
-constexpr double kShareWhileCutting = 0.05;  // of the contact force: see ToolState::contact_share
-constexpr double kShareRecovery = 0.2;       // seconds until the whole force is back
+constexpr double kShareWhileCutting = 0.003;  // of the contact force: see ToolState::contact_share
 
 bool conducts(ToolKind kind) noexcept {
     return kind == ToolKind::kNeedle || kind == ToolKind::kHook;
@@ -90,8 +89,6 @@ int run_diathermy(const Scene& scene, State& state, std::span<const ToolInput> i
         tool.coagulating = (pedals & kPedalCut) == 0;
         if (!active[t]) {
             tool.power_in_tissue_w = 0;
-            tool.contact_share =
-                static_cast<float>(std::min(1.0, tool.contact_share + frame_s / kShareRecovery));
             continue;
         }
         // Boiling tissue does not push a cutting needle away.

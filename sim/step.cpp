@@ -22,6 +22,7 @@ constexpr int kContactPasses = 2;       // over the contact colour for each swee
 constexpr int kLooseInterval = 128;     // frames between two searches for loose tissue
 constexpr double kTipSearch = 0.003;    // the tip's gap is measured up to here [m]
 constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
+constexpr double kShareRecovery = 0.2;  // seconds until the whole contact force is back
 constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
 
 int64_t now_ns() noexcept {
@@ -44,6 +45,7 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         tool.previous = tool.proxy;
         tool.force_n = Vec3::Zero();
         tool.stiffness_n_m = tool.placode_force_n = 0;
+        tool.gap_m = 1;
         if (!engaged) {
             if (sound) tool.proxy = tool.hand = hand;
             tool.substep_force_n = Vec3::Zero();
@@ -239,6 +241,12 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     measure_tips(scene, state);
     for (int t = 0; t < tools; ++t) {
         ToolState& tool = state.tools[t];
+        // The whole contact force comes back over a while, or at once in the open.
+        tool.contact_share =
+            tool.gap_m >= 0
+                ? 1.0f
+                : std::min(1.0f, tool.contact_share +
+                                     static_cast<float>(solver.frame_s / kShareRecovery));
         tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
         feedback[t] = {tool.proxy, tool.force_n, tool.stiffness_n_m, state.time_s};
     }

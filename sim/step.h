@@ -45,6 +45,8 @@ struct ToolState {
     Vec3 rest_spot = Vec3::Zero();  ///< The same at rest [m].
     int32_t spot_tet = -1;          ///< Tet behind it.
     double placode_force_n = 0;     ///< Mean over the frame.
+    double gap_m = 1;  ///< Signed distance of the whole instrument to the surface, 1 = farther than
+                       ///< the contact margin.
     float contact_share = 1;  ///< Share of the contact force that is let through: small while the
                               ///< needle cuts, and rising after it or after the hand came back.
     float quiet_s = 0;        ///< Placode: time since the last contact (debounce).

@@ -16,6 +16,7 @@ struct BoxOptions {
     Material material;
     Method method = Method::kVbd;
     int substeps = 4;
+    double over_relaxation = 1.2;
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
     bool hold_bottom = true;
@@ -33,6 +34,7 @@ inline Scene box_scene(const BoxOptions& options) {
     spec.materials.fill(options.material);
     spec.solver.method = options.method;
     spec.solver.substeps = options.substeps;
+    spec.solver.over_relaxation = options.over_relaxation;
     spec.solver.gravity_m_s2 = options.gravity;
     spec.solver.allow_invalid = true;
     for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
