@@ -17,7 +17,7 @@ constexpr double kLeastSource = 0.00025, kMostSource = 0.0008;  // contact radiu
 // Coagulation current comes in short bursts (some 6 % of the time) from a voltage that does not
 // keep an arc: the same mean power spreads over a wider spot and dries tissue without removing it.
 constexpr double kCoagSpread = 2.5;      // source radius against cutting
-constexpr double kCoagDriedLimit = 0.5;  // below HeatSettings::vaporise_dried: nothing is removed
+constexpr double kCoagDriedLimit = 0.35;  // below HeatSettings::vaporise_dried: nothing is removed
 constexpr int kMostInterval = 4;
 constexpr double kShareWhileCutting = 0.003;  // of the contact force: see ToolState::contact_share
 

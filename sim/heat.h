@@ -30,7 +30,8 @@ struct HeatSettings {
            arrhenius_ea_j_mol = 2.577e5;  ///< Visible coagulation (liver set).
     double arrhenius_gate_c = 43;         ///< No damage below.
     double dwell_radius_m = 0.001;        ///< Energy on one spot of this radius counts as dwell.
-    double vaporise_dried = 0.8;  ///< A tet goes when its corners have boiled this much on average.
+    double vaporise_dried = 0.5;  ///< A tet goes when its corners have boiled this much on average:
+                                  ///< steam bursts tissue before the last water has boiled.
 };
 
 /// Rate of the thermal dose, R^(43-T) with R = 0.5 from 43 C on and 0.25 below [min/min].

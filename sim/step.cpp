@@ -22,6 +22,7 @@ constexpr int kContactPasses = 2;       // over the contact colour for each swee
 constexpr int kLooseInterval = 128;     // frames between two searches for loose tissue
 constexpr double kTipSearch = 0.003;    // the tip's gap is measured up to here [m]
 constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
+constexpr double kEmbedded = 3e-5;      // deeper than any overlap of mere touch [m]
 constexpr double kShareRecovery = 0.2;  // seconds until the whole contact force is back
 constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
 
@@ -241,12 +242,14 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     measure_tips(scene, state);
     for (int t = 0; t < tools; ++t) {
         ToolState& tool = state.tools[t];
-        // The whole contact force comes back over a while, or at once in the open.
-        tool.contact_share =
-            tool.gap_m >= 0
-                ? 1.0f
-                : std::min(1.0f, tool.contact_share +
-                                     static_cast<float>(solver.frame_s / kShareRecovery));
+        // The whole contact force comes back at once in the open, over a while where the tip only
+        // touches, and not at all while the needle is still stuck in what it has not removed.
+        if (tool.gap_m >= 0) {
+            tool.contact_share = 1;
+        } else if (tool.gap_m > -kEmbedded) {
+            tool.contact_share = std::min(
+                1.0f, tool.contact_share + static_cast<float>(solver.frame_s / kShareRecovery));
+        }
         tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
         feedback[t] = {tool.proxy, tool.force_n, tool.stiffness_n_m, state.time_s};
     }

@@ -16,7 +16,7 @@ struct BoxOptions {
     Material material;
     Method method = Method::kVbd;
     int substeps = 4;
-    double over_relaxation = 1.2;
+    double over_relaxation = 1.0;  ///< 1.2 makes a pressed patch of stiff tissue tremble.
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
     bool hold_bottom = true;
