@@ -46,7 +46,7 @@ std::vector<MetricDefinition> metric_definitions() {
         {"placode_energised_s", "Energised placode contact", "s", kLowerIsBetter,
          "Time an energised instrument touched the placode.", "Placode"},
         {"placode_peak_cem43_min", "Placode thermal dose", "min", kLowerIsBetter,
-         "Largest thermal dose in the placode, equivalent minutes at 43 C.",
+         "Largest thermal dose in the placode, equivalent minutes at 43 C, at most 1e6.",
          "Sapareto & Dewey 1984"},
         {"placode_peak_c", "Placode peak temperature", "C", kLowerIsBetter,
          "Highest temperature in the placode.", "Placode"},

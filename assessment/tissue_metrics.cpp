@@ -13,6 +13,9 @@ namespace {
 
 constexpr double kGasConstant = 8.314462618, kKelvin = 273.15;
 constexpr double kNearPlacodeM = 0.001;
+// At cutting temperatures the dose passes every number (and float) within a second; past this it
+// says no more than "destroyed".
+constexpr double kLargestDoseMin = 1e6;
 
 double dose_rate(double temperature_c) {
     return std::pow(temperature_c >= 43 ? 0.5 : 0.25, 43 - temperature_c);
@@ -93,7 +96,7 @@ void add_placode(const sim::Recording& recording, std::vector<Metric>& out) {
         if (removed && event.tissue == sim::Tissue::kPlacode) cut_m3 += event.value;
     }
     if (temperature) {
-        out.push_back({"placode_peak_cem43_min", dose});
+        out.push_back({"placode_peak_cem43_min", std::min(dose, kLargestDoseMin)});
         out.push_back({"placode_peak_c", *temperature});
     }
     out.push_back(
@@ -155,14 +158,16 @@ void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
             peak = std::max(peak, static_cast<double>(std::hypot(f[0], f[1], f[2])));
         }
     }
+    // The ledger sees every frame, the samples every tenth.
     const Sum over = total(recording, sim::EventKind::kOverForce);
+    peak = std::max({peak, over.peak, total(recording, sim::EventKind::kPlacodeContact).peak});
     double torn_m3 = 0, torn_skin_m3 = 0;
     for (const sim::Event& event : recording.events) {
         if (event.kind != sim::EventKind::kTorn) continue;
         torn_m3 += event.value;
         if (is_skin(event.tissue)) torn_skin_m3 += event.value;
     }
-    out.push_back({"peak_force_mn", std::max(peak, over.peak) * 1e3});
+    out.push_back({"peak_force_mn", peak * 1e3});
     out.push_back({"over_force_count", static_cast<double>(over.count)});
     out.push_back({"over_force_s", over.value});
     out.push_back({"torn_volume_mm3", torn_m3 * 1e9});

@@ -256,6 +256,12 @@ TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     }
 }
 
+TEST(TissueMetrics, ADoseBeyondAllNumbersIsStillAMetric) {
+    sim::Recording recording = ring(0, 359, 0);
+    recording.samples[1].placode_peak_cem43_min = INFINITY;
+    EXPECT_EQ(compute_metrics(recording).find("placode_peak_cem43_min"), 1e6);
+}
+
 TEST(TissueMetrics, OddRecordingsDoNotThrow) {
     EXPECT_TRUE(compute_metrics({}).values.empty());
     sim::Recording recording = ring(0, 10, 0);
