@@ -38,6 +38,7 @@ OperatorProfile expert() {
     p.press_limit_m = 6e-4;
     p.wander_m = 7e-5;
     p.wander_inward_m = -3e-4;  // Keeps a little outside the line: heat runs inwards as well.
+    p.lean_out_m = 4e-4;
     p.watch = 0.55;
     p.wait_s = 0.3;
     p.burst_s = 3;
@@ -52,12 +53,12 @@ OperatorProfile intermediate() {
     p.free_speed_m_s = 0.018;
     p.descend_m_s = 0.004;
     p.cut_speed_m_s = 0.0032;
-    p.wander_inward_m = -1e-4;
+    p.wander_inward_m = -2e-4;
     p.press_m = 4e-4;
     p.press_limit_m = 7e-4;
     p.speed_noise = 0.25;
     p.tremor_m = 1.7e-4;
-    p.wander_m = 3e-4;
+    p.wander_m = 2.5e-4;
     p.watch = 0.6;
     p.wait_s = 0.6;
     p.burst_s = 2.5;
@@ -65,8 +66,8 @@ OperatorProfile intermediate() {
     p.settle_s = 0.25;
     p.early_chance = 0.4;
     p.early_s = 0.5;
-    p.hesitate_hz = 0.12;
-    p.hesitate_s = {0.5, 0.9};
+    p.hesitate_hz = 0.1;
+    p.hesitate_s = {0.3, 0.6};
     p.skip_per_m = 40;
     p.skip_m = {0.8e-3, 1.4e-3};
     p.submovements = 2;
@@ -443,7 +444,8 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     slip(dt_s);
     if (slip_s_ < 0) advance(dt_s);
     const Frame f = frame(s_m_);
-    const double offset = wander_smooth_ + slip_offset_;
+    const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
+    const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean;
     tip_m_ = f.point + lift_m_ * f.normal + offset * f.inward;
     if (s_m_ < run_.end_m + kOverrunM) return;
     // End of the piece: the next one may be near enough to go on.
