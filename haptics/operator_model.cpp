@@ -33,12 +33,12 @@ OperatorProfile expert() {
     OperatorProfile p;
     p.look_s = 2;
     p.free_speed_m_s = 0.02;
-    p.cut_speed_m_s = 0.0036;
+    p.cut_speed_m_s = 0.0038;
     p.press_m = 4e-4;
     p.press_limit_m = 6e-4;
     p.wander_m = 7e-5;
-    p.wander_inward_m = -3e-4;  // Keeps a little outside the line: heat runs inwards as well.
-    p.lean_out_m = 4e-4;
+    p.wander_inward_m = -4e-4;  // Keeps a little outside the line: heat runs inwards as well.
+    p.lean_out_m = 5e-4;
     p.watch = 0.55;
     p.wait_s = 0.3;
     p.burst_s = 3;
@@ -253,8 +253,12 @@ OperatorModel::Frame OperatorModel::frame(double s_m) const noexcept {
     Frame f;
     f.point = (1 - w) * contour_[i] + w * contour_[j];
     f.normal = ((1 - w) * normal_[i] + w * normal_[j]).normalized();
-    // The tangent over a few points: single segments of a deformed contour are noisy.
-    const Vec3 along = contour_[(i + 3) % n] - contour_[(i + n - 2) % n];
+    // The tangent over a few points, because single segments of a deformed contour are noisy, and
+    // blended like the rest: a hand beside the line must not jump where the segments meet.
+    const auto tangent = [&](size_t k) {
+        return Vec3(contour_[(k + 2) % n] - contour_[(k + n - 2) % n]);
+    };
+    const Vec3 along = (1 - w) * tangent(i) + w * tangent(j);
     Vec3 inward = f.normal.cross(along);
     inward = inward.norm() > 0 ? Vec3(inward.normalized()) : Vec3(Vec3::UnitY());
     f.inward = inward.dot(centre_ - f.point) < 0 ? Vec3(-inward) : inward;

@@ -45,10 +45,10 @@ struct FlatWorld {
         if (!pedal || !in_contact) return;
         for (int i = 0; i < kPoints; ++i) {
             const double d = std::hypot(tip.x() - contour[i].x(), tip.y() - contour[i].y());
-            // In the simulation an incision up to 1 mm beside the line counts; 0.6 mm is stricter.
-            // 1.2 mm at 3 mm/s is 0.4 s; a quarter of it parts the tissue.
-            if (d < 0.0006) energy[i] += kFrameS;
-            if (energy[i] > 0.1) cut[i] = 1;
+            // As in the simulation, an incision up to 1 mm beside the line counts. 1 to 2 mm at
+            // 3 mm/s are 0.3 to 0.7 s; less than half of that parts the tissue.
+            if (d < 0.001) energy[i] += kFrameS;
+            if (energy[i] > 0.15) cut[i] = 1;
         }
     }
     std::vector<Vec3> contour, normal;
@@ -58,7 +58,8 @@ struct FlatWorld {
 };
 
 struct Outcome {
-    double time_s = 0, cut_fraction = 0, mean_deviation_m = 0, worst_inward_m = 0;
+    double time_s = 0, cut_fraction = 0, mean_deviation_m = 0, deviation_spread_m = 0,
+           worst_inward_m = 0;
     double energy_in_air_s = 0, longest_dwell_s = 0, jerk = 0;
     bool finished = false, finite = true;
     Vec3 last = Vec3::Zero();
@@ -78,7 +79,7 @@ Outcome perform(const std::string& level, uint64_t seed) {
     std::array<sim::ToolInput, 2> inputs{};
     std::array<sim::ToolFeedback, 2> feedback{};
     Outcome out;
-    double deviations = 0, samples = 0, dwell = 0;
+    double deviations = 0, signed_sum = 0, squares = 0, samples = 0, dwell = 0;
     Vec3 dwell_at = Vec3::Zero(), p1 = Vec3::Zero(), p2 = Vec3::Zero(), p3 = Vec3::Zero();
     for (int i = 1; i < 120'000 && !servo.finish_requested(); ++i) {
         Perception seen;
@@ -99,6 +100,8 @@ Outcome perform(const std::string& level, uint64_t seed) {
         if (pedal && world.in_contact) {
             const double d = world.deviation(tip);
             deviations += std::abs(d);
+            signed_sum += d;
+            squares += d * d;
             samples += 1;
         }
         if (world.in_contact)
@@ -118,6 +121,9 @@ Outcome perform(const std::string& level, uint64_t seed) {
     out.cut_fraction = static_cast<double>(std::count(world.cut.begin(), world.cut.end(), 1)) /
                        static_cast<double>(kPoints);
     out.mean_deviation_m = samples > 0 ? deviations / samples : 1;
+    if (samples > 0)
+        out.deviation_spread_m =
+            std::sqrt(std::max(0.0, squares / samples - std::pow(signed_sum / samples, 2)));
     return out;
 }
 
@@ -126,7 +132,7 @@ TEST(Operator, ExpertCompletesTheRingCleanly) {
         const Outcome expert = perform("expert", seed);
         EXPECT_TRUE(expert.finished);
         EXPECT_EQ(expert.cut_fraction, 1) << "seed " << seed;
-        EXPECT_LT(expert.mean_deviation_m, 4e-4);
+        EXPECT_LT(expert.mean_deviation_m, 7e-4);
         EXPECT_LT(expert.worst_inward_m, 0.5e-3);
         EXPECT_LT(expert.longest_dwell_s, 1.0);
         EXPECT_LT(expert.energy_in_air_s, 0.3);
@@ -139,8 +145,9 @@ TEST(Operator, LevelsDifferByWhatTheyDo) {
     for (const uint64_t seed : {1u, 2u}) {
         const Outcome expert = perform("expert", seed), middle = perform("intermediate", seed),
                       novice = perform("novice", seed);
-        EXPECT_LT(expert.mean_deviation_m, novice.mean_deviation_m);
-        EXPECT_LT(middle.mean_deviation_m, novice.mean_deviation_m);
+        // The expert is off the line on purpose, outwards; what counts is how steady the hand is.
+        EXPECT_LT(expert.deviation_spread_m, middle.deviation_spread_m);
+        EXPECT_LT(middle.deviation_spread_m, novice.deviation_spread_m);
         EXPECT_LT(expert.worst_inward_m, middle.worst_inward_m);
         EXPECT_LT(expert.time_s, middle.time_s);
         EXPECT_LT(expert.time_s, novice.time_s);
