@@ -258,7 +258,8 @@ void find_contacts(const Scene& scene, State& state) noexcept {
         const int t = set.candidates[i] % 4;
         Triangle x, x_T;
         for (int k = 0; k < 3; ++k) {
-            x[k] = position(state.body, tri.vertex[k]);
+            const Float4& before = state.body.x_start[tri.vertex[k]];
+            x[k] = Vec3(before.x, before.y, before.z);
             x_T[k] = to_tool[t] * x[k];
         }
         const ToolShape& shape = set.shapes[t];
@@ -303,7 +304,8 @@ void find_contacts(const Scene& scene, State& state) noexcept {
     for (int i = 0; i < set.previous_count; ++i) {
         if (set.slot[set.previous[i]] < 0) state.friction[set.previous[i]] = {};
     }
-    // A vertex between instrument and tissue starts from where it was: with the swept guess of its
+    // A vertex between instrument and tissue starts from where it was (the gaps above are those of
+    // that place, or the deepest-overlap bound would mean nothing): with the swept guess of its
     // momentum a pressed patch was seen to burst into oscillation (60 kPa, h = .25 ms, one sweep).
     for (int i = 0; i < set.vertex_count; ++i) {
         Float4& x = state.body.x[set.vertices[i].vertex];

@@ -20,6 +20,7 @@ constexpr double kSpreadK = 0.001;            // a vertex this warm wakes its ne
 constexpr double kDoseFloorC = 38;            // below, a dose grows by less than 0.001 min/min
 constexpr float kOmegaFrozen = 10;
 constexpr double kDryConduction = 0.01;  // electrical conductivity of dry against wet tissue
+constexpr double kStillWet = 0.6;        // dried fraction from which conduction falls
 constexpr double kSafety = 0.9;          // of the explicit stability limit
 constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
@@ -352,7 +353,7 @@ double deposit_power(const SoftBody&, const SoftBodyState& tissue, HeatState& st
         const double r = (Vec3(x.x, x.y, x.z) - tip).norm();
         if (r > reach || c <= 0 || state.dried[v] > limits.dried_limit) return 0.0;
         const double s = a_m / std::max(r, a_m);
-        return c * s * s * s * s * (1 - (1 - kDryConduction) * state.dried[v]);
+        return c * s * s * s * s;
     };
     // Most that the vertex may hold, and most that it may take in one step.
     const auto room_w = [&](int v) noexcept {
@@ -364,29 +365,25 @@ double deposit_power(const SoftBody&, const SoftBodyState& tissue, HeatState& st
         const double rise = std::min(room, 0.5 * (sensible + state.latent_j[v]));
         return std::max(0.0, rise / limits.step_s - state.power_w[v]);
     };
-    double left = power_w;
-    for (int round = 0; round < 4 && left > 1e-9 * power_w; ++round) {
-        double total = 0;
-        for (const int32_t v : candidates) {
-            if (room_w(v) > 0) total += weight(v);
+    // Shares are those of wet tissue: what dried tissue does not conduct is not pressed into its
+    // neighbours; the generator sees a higher resistance and delivers less.
+    double total = 0;
+    for (const int32_t v : candidates) total += weight(v);
+    if (total <= 0) return 0;
+    double taken = 0;
+    for (const int32_t v : candidates) {
+        const double dry = smoothstep(kStillWet, 1, state.dried[v]);
+        const double conducts = 1 - (1 - kDryConduction) * dry;
+        const double p = std::min(power_w * conducts * (weight(v) / total), room_w(v));
+        if (p <= 0) continue;
+        state.power_w[v] += p;
+        taken += p;
+        if (state.warm[v] == 0) {
+            state.warm[v] = 1;
+            state.warm_list[state.warm_count++] = v;
         }
-        if (total <= 0) break;
-        double taken = 0;
-        for (const int32_t v : candidates) {
-            const double w = weight(v);
-            if (w <= 0) continue;
-            const double p = std::min(left * (w / total), room_w(v));
-            if (p <= 0) continue;
-            state.power_w[v] += p;
-            taken += p;
-            if (state.warm[v] == 0) {
-                state.warm[v] = 1;
-                state.warm_list[state.warm_count++] = v;
-            }
-        }
-        left -= taken;
     }
-    return power_w - std::max(left, 0.0);
+    return taken;
 }
 
 }  // namespace placode::sim

@@ -111,9 +111,9 @@ struct DepositLimits {
 };
 
 /// Spreads `power_w` around `tip` as P a / (2 pi r^4), r in [a, 4a], normalised on the mesh
-/// (nearer vertices count as r = a, dried ones conduct 1 % of wet ones). No vertex takes more than
-/// half of what boils it in one step; what it refuses goes to the others. Returns the power that
-/// found tissue [W].
+/// (nearer vertices count as r = a). A dried vertex conducts 1 % of a wet one, and none takes more
+/// than half of what boils it in one step; what they refuse is not delivered. Returns the power
+/// that found tissue [W].
 double deposit_power(const SoftBody& body, const SoftBodyState& tissue, HeatState& state,
                      std::span<const int32_t> candidates, const Vec3& tip, double a_m,
                      double power_w, const DepositLimits& limits = {}) noexcept;
