@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An attempt in its window. Keys that belong to the menu never reach the device.
 
+#include <algorithm>
 #include <chrono>
 #include <thread>
 
@@ -44,10 +45,17 @@ class WindowSession {
             publish();
             status_.print(runner_.status());
             if (Clock::now() >= next_picture) {
-                // The physics shares the processor with a software renderer: leave it some.
-                const auto pause = std::chrono::milliseconds(view_.software() ? 40 : 16);
-                next_picture = Clock::now() + pause;
+                const Clock::time_point start = Clock::now();
                 picture();
+                // The physics shares the processor with a software renderer: at most half of the
+                // time goes into pictures, however slow they are.
+                const Clock::duration spent = Clock::now() - start;
+                const Clock::duration pause =
+                    view_.software()
+                        ? std::max<Clock::duration>(spent, std::chrono::milliseconds(30))
+                        : Clock::duration::zero();
+                next_picture =
+                    std::max(start + std::chrono::milliseconds(16), Clock::now() + pause);
             } else {
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
