@@ -49,6 +49,8 @@ Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
     for (int i = 0; i < snapshot.tool_count; ++i) {
         const ToolSnapshot& tool = snapshot.tools[static_cast<size_t>(i)];
         if (tool.kind != ToolKind::kScope) continue;
+        // Before the first input nobody holds the scope: it would look from inside the tissue.
+        if (tool.pose.p.isZero(1e-9)) break;
         const ToolSpec spec =
             static_cast<size_t>(i) < tools.size() ? tools[static_cast<size_t>(i)] : ToolSpec{};
         Camera camera;
@@ -63,7 +65,7 @@ Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
         camera.forward = q * Vec3::UnitZ();
         return camera;
     }
-    return look_at(Vec3(-24, 0, 40), Vec3(0, 0, 0), 70);
+    return look_at(Vec3(-15.4, 0, 25.7), Vec3(0, 0, 0), 70);
 }
 
 }  // namespace placode::sim

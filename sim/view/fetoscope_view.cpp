@@ -83,6 +83,7 @@ struct FetoscopeView::Impl {
     int slow = 0, fast = 0;
     uint32_t frames = 0;
     double last_time_s = -1;
+    Clock::time_point last_picture{};
     unsigned error = 0;
     bool software = false;
 };
@@ -293,22 +294,32 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     post.width = width;
     post.height = height;
     post.dt_s = s.last_time_s < 0 ? 0 : std::clamp(snapshot.time_s - s.last_time_s, 0.0, 1.0);
+    // In a window the iris follows the watcher's clock: the simulation may be paused or slow.
+    if (!s.settings.offscreen && s.frames > 0) {
+        post.dt_s = std::chrono::duration<double>(start - s.last_picture).count();
+    }
+    s.last_picture = start;
     s.last_time_s = snapshot.time_s;
     post.haze = s.smoke.haze();
     post.dim = overlay.menu ? 0.45 : 1.0;
     post.noise_seed = ++s.frames;
-    if (s.settings.offscreen) {
-        s.output.allocate(width, height, GL_RGBA8, false);
-        s.output.begin();
-        GLint id = 0;
-        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &id);
-        post.output = static_cast<GLuint>(id);
-    }
+    // Always through a target of our own: what a window shows cannot be read back reliably.
+    s.output.allocate(width, height, GL_RGBA8, false);
+    s.output.begin();
+    GLint id = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &id);
+    post.output = static_cast<GLuint>(id);
     s.post.run(s.picture.texture(), size, post);
     s.times.render_scale = s.quality.render_scale;
     s.times.samples = s.quality.samples;
     s.overlay_painter.draw(s.painter, snapshot, overlay, post.circle, s.camera, s.times, width,
                            height);
+    if (!s.settings.offscreen) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, post.output);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
     const GLenum error = glGetError();
     if (s.error == 0) s.error = error;
     glFinish();  // the time of this picture, not of the queue
@@ -335,17 +346,10 @@ std::vector<uint8_t> FetoscopeView::pixels() {
     const int w = width(), h = height();
     const size_t row = static_cast<size_t>(w) * 3;
     std::vector<uint8_t> bottom_up(row * static_cast<size_t>(h)), top_down(bottom_up.size());
-    if (impl_->settings.offscreen) {
-        impl_->output.allocate(w, h, GL_RGBA8, false);
-        impl_->output.begin();
-    } else {
-        // After the swap the picture is the front buffer.
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        glReadBuffer(GL_FRONT);
-    }
+    impl_->output.allocate(w, h, GL_RGBA8, false);
+    impl_->output.begin();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glReadPixels(0, 0, w, h, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
-    if (!impl_->settings.offscreen) glReadBuffer(GL_BACK);
     for (int y = 0; y < h; ++y) {
         std::copy_n(bottom_up.begin() + static_cast<std::ptrdiff_t>(row) * (h - 1 - y), row,
                     top_down.begin() + static_cast<std::ptrdiff_t>(row) * y);
