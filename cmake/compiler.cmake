@@ -99,11 +99,15 @@ function(placode_ui_programs)
   file(GLOB shell_sources CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h)
   list(FILTER shell_sources EXCLUDE REGEX "ui/shell/main\\.cpp$")
   add_library(placode_shell STATIC ${shell_sources})
-  set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX)
+  set_target_properties(placode_shell PROPERTIES AUTOMOC ON AUTORCC ON LINKER_LANGUAGE CXX
+    AUTOGEN_ORIGIN_DEPENDS OFF)
   target_link_libraries(placode_shell PUBLIC placode_reports Qt6::Widgets Qt6::PrintSupport)
   if(EXISTS ${PROJECT_SOURCE_DIR}/ui/shell/shell.qrc)
     target_sources(placode_shell PRIVATE ui/shell/shell.qrc)
   endif()
+  # The .ts must exist at configure time: otherwise Qt 6.4 makes an empty one and everything stays
+  # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
+  qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n)
   placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
   placode_program(placode-sim SOURCES ui/attempt/*.cpp LINK placode_view placode_db CLI11::CLI11)
   placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_reports CLI11::CLI11)

@@ -1,0 +1,391 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shell from the first start on, through the real windows: accounts, log-in, course, task,
+// questionnaire, export, administration, and what it says when something is broken.
+
+#include <QApplication>
+#include <QRadioButton>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+#include <QXmlStreamReader>
+
+#include "assessment/metrics.h"
+#include "curriculum/definitions.h"
+#include "curriculum/questionnaire.h"
+#include "haptics/device.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+class ShellFlowTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase() { shell_ = std::make_unique<ShellHarness>(); }
+    void cleanupTestCase() { shell_.reset(); }
+
+    void firstStartAsksForAnAdministrator();
+    void wrongPasswordIsToldAndLosesNothing();
+    void administratorAddsPeople();
+    void weakPasswordIsRefusedWithAReason();
+    void traineeSeesTodayCourseAndTask();
+    void traineeCannotOpenWhatIsNotHis();
+    void coordinatorRunsAParticipantAndExports();
+    void questionnaireKeepsAnswersWhenTheLanguageChanges();
+    void administratorChecksBacksUpAndReadsTheAudit();
+    void deactivatedPersonCannotSignIn();
+    void everyControlCanBeReachedAndIsNamed();
+    void lockedStoreIsABannerAndNothingIsLost();
+    void brokenTaskIsNamedAndTheRestGoesOn();
+    void missingSimulatorIsABanner();
+    void everyStringHasAPolishTranslation();
+
+ private:
+    std::unique_ptr<ShellHarness> shell_;
+};
+
+void ShellFlowTest::firstStartAsksForAnAdministrator() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.arrives(PageId::kSetup));
+    shell.shot("01_first_start");
+    QVERIFY(shell.type("display_name", "Ada Admin"));
+    QVERIFY(shell.type("login", "ada"));
+    QVERIFY(shell.type("password", "correct horse"));
+    QVERIFY(shell.type("password_again", "correct hose"));
+    QVERIFY(shell.click("create_administrator"));
+    QVERIFY(shell.text("setup_message").contains("differ"));
+    QCOMPARE(shell.context().store().users().size(), size_t{0});
+    QVERIFY(shell.type("password_again", "correct horse"));
+    QVERIFY(shell.click("create_administrator"));
+    QVERIFY(shell.arrives(PageId::kLogin));
+    const auto users = shell.context().store().users();
+    QCOMPARE(users.size(), size_t{1});
+    QVERIFY(db::has_role(users[0].roles, db::Role::kAdministrator));
+    QVERIFY(!db::has_role(users[0].roles, db::Role::kTrainee));
+}
+
+void ShellFlowTest::wrongPasswordIsToldAndLosesNothing() {
+    ShellHarness& shell = *shell_;
+    QCOMPARE(shell.find<QLineEdit>("login")->text(), QString("ada"));
+    QVERIFY(!shell.signIn("ada", "wrong horse!!"));
+    QVERIFY(shell.text("login_message").contains("wrong"));
+    QVERIFY(shell.find<QLineEdit>("password")->text().isEmpty());
+    shell.shot("02_login_wrong_password");
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(shell.arrives(PageId::kPeople));
+}
+
+void ShellFlowTest::administratorAddsPeople() {
+    ShellHarness& shell = *shell_;
+    const std::tuple<const char*, const char*, int> people[] = {
+        {"Tom Trainee", "tom", 1}, {"Eva Educator", "eva", 2}, {"Cor Coordinator", "cor", 4}};
+    for (const auto& [name, login, role] : people) {
+        QVERIFY(shell.type("new_name", name));
+        QVERIFY(shell.type("new_login", login));
+        QVERIFY(shell.type("new_password", "first password"));
+        for (const int bit : {1, 2, 4, 8}) {
+            auto* box = shell.find<QAbstractButton>(QString("role_%1").arg(bit));
+            QVERIFY(box != nullptr);
+            box->setChecked(bit == role);
+        }
+        QVERIFY(shell.click("add_person"));
+        QVERIFY(shell.bannerSays(name));
+    }
+    QCOMPARE(shell.find<QTableWidget>("people_table")->rowCount(), 4);
+    shell.find<QTableWidget>("people_table")->selectRow(0);
+    shell.shot("03_people");
+    QCOMPARE(int(shell.context().store().user_by_login("eva")->roles), 2);
+}
+
+void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.type("new_name", "Weak"));
+    QVERIFY(shell.type("new_login", "weak"));
+    QVERIFY(shell.type("new_password", "short"));
+    QVERIFY(shell.click("add_person"));
+    QVERIFY(shell.bannerSays("5 characters"));
+    shell.shot("04_banner_weak_password");
+    QVERIFY(!shell.context().store().user_by_login("weak"));
+}
+
+void ShellFlowTest::traineeSeesTodayCourseAndTask() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("tom", "first password"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    shell.shot("05_today_first_day");
+    QVERIFY(shell.click("rail_course"));
+    QVERIFY(shell.arrives(PageId::kCourse));
+    shell.shot("06_course");
+    // The second stage is locked: there is no way to open it.
+    QVERIFY(shell.find<QPushButton>("open_diathermy_ring_small") != nullptr);
+    QVERIFY(shell.find<QPushButton>("open_diathermy_ring") == nullptr);
+    QVERIFY(shell.click("open_diathermy_ring_small"));
+    QVERIFY(shell.arrives(PageId::kTask));
+    shell.shot("07_task");
+    auto* devices = shell.find<QComboBox>("device");
+    QVERIFY(devices->findData("mouse") >= 0);
+    QVERIFY(devices->findData("keyboard") >= 0);
+    // A scripted operator's score is nobody's skill: not for a real trainee.
+    QCOMPARE(devices->findData("script:expert"), -1);
+    QVERIFY(shell.click("rail_history"));
+    QVERIFY(shell.arrives(PageId::kHistory));
+    shell.shot("08_history_empty");
+}
+
+void ShellFlowTest::traineeCannotOpenWhatIsNotHis() {
+    ShellHarness& shell = *shell_;
+    for (const char* button : {"rail_people", "rail_studies", "rail_attempts", "rail_audit"})
+        QVERIFY2(shell.find<QToolButton>(button) == nullptr, button);
+    shell.window().open({PageId::kAttempts, 0, {}, {}});
+    QVERIFY(shell.bannerSays("may not"));
+    QVERIFY(shell.window().page() == nullptr);
+}
+
+void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("cor", "first password"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+    QVERIFY(!shell.find<QPushButton>("export_csv")->isEnabled());
+    for (int participant = 0; participant < 3; ++participant) {
+        QVERIFY(shell.click("new_participant"));
+        QVERIFY(shell.arrives(PageId::kParticipant));
+        if (participant == 0) shell.shot("09_questionnaire");
+        QVERIFY(shell.click("review"));
+        QVERIFY(shell.text("participant_message").contains("A"));
+        for (const auto& item : curriculum::load_questionnaire("face_validity").items) {
+            if (item.kind != curriculum::ItemKind::kLikert) continue;
+            auto* radio = shell.find<QRadioButton>(
+                QString("answer_%1_%2").arg(item.id.c_str()).arg(3 + participant % 3));
+            QVERIFY(radio != nullptr);
+            QVERIFY(radio->width() >= 44 && radio->height() >= 44);
+            radio->click();
+        }
+        QVERIFY(shell.click("review"));
+        QVERIFY(shell.find<QPushButton>("submit_answers") != nullptr);
+        QCOMPARE(shell.context().store().answers("face_validity").size(), size_t(participant));
+        QVERIFY(shell.click("submit_answers"));
+        QVERIFY(shell.click("participant_done"));
+        QVERIFY(shell.arrives(PageId::kStudies));
+    }
+    shell.shot("10_studies");
+    auto* items = shell.find<QTableWidget>("item_table");
+    QCOMPARE(items->item(0, 2)->text(), QString("3"));     // n
+    QCOMPARE(items->item(0, 3)->text(), QString("4.00"));  // mean of 3, 4, 5
+    QCOMPARE(items->item(0, 4)->text(), QString("1.00"));  // sample SD
+    shell.save_as = shell.path("answers.csv");
+    QVERIFY(shell.click("export_csv"));
+    QVERIFY(shell.bannerSays("answers.csv"));
+    QFile file(shell.save_as);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 4);  // header and three participants
+    QVERIFY(lines[0].contains("A") && lines[0].contains("F"));
+    for (const auto& record : shell.context().store().answers("face_validity"))
+        QVERIFY(lines.join('\n').contains(QString::fromStdString(record.participant)));
+}
+
+void ShellFlowTest::questionnaireKeepsAnswersWhenTheLanguageChanges() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("new_participant"));
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    shell.find<QRadioButton>("answer_C_2")->click();
+    shell.context().setLanguage("pl");
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    QVERIFY(shell.find<QRadioButton>("answer_C_2")->isChecked());
+    QCOMPARE(shell.find<QPushButton>("review")->text(), QString("Przejrzyj odpowiedzi"));
+    shell.shot("11_questionnaire_polish");
+    // Leaving asks, because an answer would be lost.
+    shell.confirmNext();
+    QVERIFY(shell.click("cancel_participant"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+    shell.context().setLanguage("en");
+    QCOMPARE(shell.context().store().answers("face_validity").size(), size_t{3});
+}
+
+void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(shell.click("rail_health"));
+    QVERIFY(shell.arrives(PageId::kHealth));
+    QVERIFY(shell.click("check_store"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.text("check_outcome").contains("Sound"); }, 10000));
+    shell.save_as = shell.path("copy.db");
+    QVERIFY(shell.click("backup_now"));
+    QVERIFY(shell.bannerSays("copy.db"));
+    const auto copy = db::open_store("sqlite:" + shell.save_as.toStdString());
+    QCOMPARE(copy->users().size(), size_t{4});
+    shell.shot("12_health");
+    QVERIFY(shell.click("rail_audit"));
+    QVERIFY(shell.arrives(PageId::kAudit));
+    auto* table = shell.find<QTableWidget>("audit_table");
+    QVERIFY(table->rowCount() >= 8);
+    QVERIFY(shell.type("audit_search", "study.export"));
+    int shown = 0;
+    for (int row = 0; row < table->rowCount(); ++row) shown += table->isRowHidden(row) ? 0 : 1;
+    QCOMPARE(shown, 1);
+    QVERIFY(shell.type("audit_search", ""));
+    shell.shot("13_audit");
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAccount));
+    shell.shot("14_account");
+}
+
+void ShellFlowTest::deactivatedPersonCannotSignIn() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_people"));
+    QVERIFY(shell.arrives(PageId::kPeople));
+    auto* table = shell.find<QTableWidget>("people_table");
+    for (int row = 0; row < table->rowCount(); ++row) {
+        if (table->item(row, 1)->text() == "eva") table->selectRow(row);
+    }
+    shell.confirmNext();
+    QVERIFY(shell.click("toggle_active"));
+    QVERIFY(!shell.context().store().user_by_login("eva")->active);
+    QVERIFY(!shell.signIn("eva", "first password"));
+    QVERIFY(shell.text("login_message").contains("deactivated"));
+}
+
+void ShellFlowTest::everyControlCanBeReachedAndIsNamed() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("tom", "first password"));
+    for (const PageId page : {PageId::kToday, PageId::kCourse, PageId::kTask, PageId::kHistory,
+                              PageId::kAccount, PageId::kRecovery}) {
+        shell.window().open({page, 0, "diathermy_ring_small", {}});
+        QVERIFY(shell.arrives(page));
+        for (QWidget* widget : shell.window().findChildren<QWidget*>()) {
+            if (!widget->isVisibleTo(&shell.window())) continue;
+            auto* button = qobject_cast<QAbstractButton*>(widget);
+            auto* line = qobject_cast<QLineEdit*>(widget);
+            auto* box = qobject_cast<QComboBox*>(widget);
+            if (button == nullptr && line == nullptr && box == nullptr) continue;
+            if (qobject_cast<QTableWidget*>(widget->parentWidget()) != nullptr) continue;
+            const QString what =
+                QString::fromLatin1(widget->metaObject()->className()) + " " + widget->objectName();
+            const bool named =
+                !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
+            QVERIFY2(named, qPrintable(what + " has no name"));
+            QVERIFY2((widget->focusPolicy() & Qt::TabFocus) != 0,
+                     qPrintable(what + " cannot be reached by Tab"));
+            QVERIFY2(widget->height() >= 40, qPrintable(what + " is too small for a finger"));
+        }
+    }
+}
+
+void ShellFlowTest::lockedStoreIsABannerAndNothingIsLost() {
+    ShellHarness& shell = *shell_;
+    shell.context().signOut();
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "other program");
+        other.setDatabaseName(shell.path("placode.db"));
+        QVERIFY(other.open());
+        QSqlQuery lock(other);
+        QVERIFY(lock.exec("BEGIN IMMEDIATE"));
+        QVERIFY(!shell.signIn("tom", "first password"));
+        QVERIFY(shell.bannerSays("locked"));
+        shell.shot("15_banner_locked");
+        QVERIFY(lock.exec("ROLLBACK"));
+    }
+    QSqlDatabase::removeDatabase("other program");
+    QVERIFY(shell.signIn("tom", "first password"));
+}
+
+void ShellFlowTest::brokenTaskIsNamedAndTheRestGoesOn() {
+    ShellHarness& shell = *shell_;
+    // A copy of the shipped data in which one task has a wrong unit.
+    const QString data = shell.path("data");
+    const QString shipped = QString::fromStdString(curriculum::data_folder().string());
+    for (const char* kind : {"tasks", "scenes", "courses", "questionnaires", "schemas"}) {
+        QVERIFY(QDir().mkpath(data + "/" + kind));
+        for (const QString& name : QDir(shipped + "/" + kind).entryList(QDir::Files))
+            QVERIFY(QFile::copy(shipped + "/" + kind + "/" + name, data + "/" + kind + "/" + name));
+    }
+    QFile task(data + "/tasks/diathermy_ring_small.json");
+    QVERIFY(task.open(QIODevice::ReadOnly));
+    QByteArray text = task.readAll();
+    task.close();
+    QVERIFY(text.contains("time_limit_s"));
+    text.replace("time_limit_s", "time_limit_min");
+    QVERIFY(task.setPermissions(QFile::ReadOwner | QFile::WriteOwner));
+    QVERIFY(task.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    task.write(text);
+    task.close();
+    qputenv("PLACODE_DATA", data.toLocal8Bit());
+    shell.window().open({PageId::kCourse, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kCourse));
+    shell.shot("16_course_broken_task");
+    QVERIFY(shell.find<QPushButton>("open_diathermy_ring_small") == nullptr);
+    bool named = false;
+    for (const QLabel* label : shell.window().page()->findChildren<QLabel*>())
+        named = named || label->text().contains("time_limit_min");
+    QVERIFY2(named, "the page must name the key that is wrong");
+    shell.window().open({PageId::kTask, 0, "diathermy_ring_small", {}});
+    QVERIFY(shell.bannerSays("diathermy_ring_small.json"));
+    QVERIFY(shell.find<QPushButton>("try_again") != nullptr);
+    qunsetenv("PLACODE_DATA");
+    QVERIFY(shell.click("try_again"));
+    QVERIFY(shell.arrives(PageId::kTask));
+}
+
+void ShellFlowTest::missingSimulatorIsABanner() {
+    ShellHarness& shell = *shell_;
+    LaunchOptions options;
+    options.program = shell.path("nowhere/placode-sim");
+    AttemptLauncher launcher(options);
+    AttemptOrder order;
+    order.task = "diathermy_ring_small";
+    order.device = "mouse";
+    QVERIFY(!shell.context().guard("Starting",
+                                   [&] { launcher.start(order, shell.path("recordings")); }));
+    QVERIFY(shell.bannerSays("nowhere/placode-sim"));
+    QVERIFY(QDir(shell.path("recordings")).entryList(QDir::Files).isEmpty());
+}
+
+void ShellFlowTest::everyStringHasAPolishTranslation() {
+    QFile file(PLACODE_SOURCE_DIR "/ui/shell/translations/placode_pl.ts");
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QXmlStreamReader xml(&file);
+    int messages = 0;
+    QString source;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement()) continue;
+        if (xml.name() == QLatin1String("source")) source = xml.readElementText();
+        if (xml.name() != QLatin1String("translation")) continue;
+        ++messages;
+        const QString type = xml.attributes().value("type").toString();
+        const QString translation = xml.readElementText();
+        QVERIFY2(type.isEmpty() && !translation.isEmpty(), qPrintable(source + ": " + type));
+        for (const char* mark : {"%1", "%2", "%3"})
+            QVERIFY2(source.contains(mark) == translation.contains(mark), qPrintable(source));
+    }
+    QVERIFY(!xml.hasError());
+    QVERIFY(messages > 300);
+    // What other folders say in English is in the list, too.
+    AppContext& context = shell_->context();
+    context.setLanguage("pl");
+    for (const auto& metric : assessment::metric_definitions()) {
+        const QByteArray name(metric.name.data(), static_cast<qsizetype>(metric.name.size()));
+        const bool same = QCoreApplication::translate("Metric", name) == QString::fromUtf8(name);
+        QVERIFY2(!same, name.constData());
+    }
+    for (const char* device : {"mouse", "keyboard", "gamepad"}) {
+        const auto help = haptics::controls(device);
+        QVERIFY(!help.empty());
+        for (const auto& line : help) {
+            const QString action = QCoreApplication::translate("Controls", line.action.c_str());
+            QVERIFY2(action != QString::fromStdString(line.action), line.action.c_str());
+        }
+    }
+    context.setLanguage("en");
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellFlowTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_flow_test.moc"

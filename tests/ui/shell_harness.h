@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Drives the real windows of the shell on a store of its own in a temporary folder. Every helper
+// works through widgets that a person could reach; screenshots go to $PLACODE_SCREENSHOTS.
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <memory>
+
+#include "ui/shell/main_window.h"
+
+namespace placode::ui {
+
+class ShellHarness {
+ public:
+    ShellHarness() { start(); }
+
+    /// Starts the shell anew on the same store, as after a restart of the machine.
+    void start() {
+        window_.reset();
+        context_.reset();
+        ShellOptions options;
+        // A lock is reported after 0.3 s instead of 5 s.
+        options.store_url = "sqlite:" + path("placode.db").toStdString() + "?timeout_ms=300";
+        options.language = "en";
+        options.theme = "light";
+        options.settings_file = path("settings.ini");
+        options.launch.program = PLACODE_BIN_DIR "/placode-sim";
+        options.launch.more_arguments = QStringList{"--headless", "--fast"};
+        options.ask_save_file = [this](QWidget*, const QString&, const QString&, const QString&) {
+            return save_as;
+        };
+        context_ = std::make_unique<AppContext>(options);
+        window_ = std::make_unique<MainWindow>(*context_);
+        window_->resize(1366, 768);
+        window_->show();
+        window_->begin();
+    }
+
+    [[nodiscard]] AppContext& context() { return *context_; }
+    [[nodiscard]] MainWindow& window() { return *window_; }
+    [[nodiscard]] QString path(const QString& name) const { return folder_.filePath(name); }
+
+    /// A widget of the page that is shown, or of the frame around it.
+    template <typename T>
+    [[nodiscard]] T* find(const QString& name) const {
+        if (window_->page() != nullptr) {
+            if (T* found = window_->page()->template findChild<T*>(name)) return found;
+        }
+        return window_->template findChild<T*>(name);
+    }
+
+    [[nodiscard]] bool click(const QString& name) {
+        auto* button = find<QAbstractButton>(name);
+        if (button == nullptr || !button->isEnabled()) return false;
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCoreApplication::processEvents();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return true;
+    }
+
+    [[nodiscard]] bool type(const QString& name, const QString& text) {
+        auto* field = find<QLineEdit>(name);
+        if (field == nullptr) return false;
+        field->setFocus();
+        field->clear();
+        QTest::keyClicks(field, text);
+        return field->text() == text;
+    }
+
+    [[nodiscard]] QString text(const QString& name) const {
+        const auto* label = find<QLabel>(name);
+        return label != nullptr ? label->text() : QString();
+    }
+
+    /// Waits until a page is shown; false after `seconds`.
+    [[nodiscard]] bool arrives(PageId page, int seconds = 10) {
+        return QTest::qWaitFor(
+            [&] { return window_->page() != nullptr && window_->current() == page; },
+            seconds * 1000);
+    }
+
+    [[nodiscard]] bool bannerSays(const QString& words, int seconds = 10) {
+        return QTest::qWaitFor(
+            [&] {
+                return window_->banner().isVisible() && window_->banner().text().contains(words);
+            },
+            seconds * 1000);
+    }
+
+    /// Presses the affirming button of the next question.
+    void confirmNext() {
+        QTimer::singleShot(50, window_.get(), [this] { pressInDialog("confirm_yes"); });
+    }
+
+    [[nodiscard]] bool signIn(const QString& login, const QString& password) {
+        if (context_->signedIn()) context_->signOut();
+        if (!arrives(PageId::kLogin)) return false;
+        if (!type("login", login) || !type("password", password)) return false;
+        QTest::keyClick(find<QLineEdit>("password"), Qt::Key_Return);
+        QCoreApplication::processEvents();
+        return context_->signedIn();
+    }
+
+    /// What is on the screen, in both themes.
+    void shot(const QString& name) {
+        const QString folder =
+            qEnvironmentVariable("PLACODE_SCREENSHOTS", PLACODE_BIN_DIR "/../screenshots");
+        QDir().mkpath(folder);
+        for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+            context_->setTheme(theme);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            QTest::qWait(60);  // Lets layouts settle and pictures load; nothing depends on it.
+            window_->grab().save(
+                QString("%1/%2_%3.png")
+                    .arg(folder, name, theme == ThemeKind::kDark ? "dark" : "light"));
+        }
+    }
+
+    QString save_as;  ///< Answer to the next file dialog.
+
+ private:
+    void pressInDialog(const QString& name) {
+        QWidget* dialog = QApplication::activeModalWidget();
+        auto* button = dialog != nullptr ? dialog->findChild<QPushButton*>(name) : nullptr;
+        if (button != nullptr) {
+            QTest::mouseClick(button, Qt::LeftButton);
+        } else {
+            QTimer::singleShot(50, window_.get(), [this, name] { pressInDialog(name); });
+        }
+    }
+
+    QTemporaryDir folder_;
+    std::unique_ptr<AppContext> context_;
+    std::unique_ptr<MainWindow> window_;
+};
+
+/// Works without a display, too.
+inline void prepare_display() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY") && qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") &&
+        qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+}
+
+}  // namespace placode::ui

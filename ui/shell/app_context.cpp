@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/app_context.h"
+
+#include <QApplication>
+#include <QFileDialog>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QPointer>
+#include <QThreadPool>
+#include <QTranslator>
+
+#include "haptics/device.h"
+
+namespace placode::ui {
+namespace {
+
+/// What kind of trouble it is, in the user's language; the exact message follows as detail.
+Problem describe(const std::exception_ptr& error, const QString& doing) {
+    Problem problem;
+    problem.title = AppContext::tr("%1 did not work.").arg(doing);
+    try {
+        std::rethrow_exception(error);
+    } catch (const db::StoreError& e) {
+        using Kind = db::StoreError::Kind;
+        problem.detail = QString::fromUtf8(e.what());
+        switch (e.kind()) {
+            case Kind::kLocked:
+                problem.title = AppContext::tr("The store is locked by another program.");
+                problem.way_out = AppContext::tr("Close the other program, or wait and try again.");
+                break;
+            case Kind::kDamaged:
+                problem.title = AppContext::tr("A file is damaged and was left as it is.");
+                problem.way_out = AppContext::tr("Restore a backup; nothing has been overwritten.");
+                break;
+            case Kind::kTooNew:
+                problem.title = AppContext::tr("This file was written by a newer Placode.");
+                problem.way_out = AppContext::tr("Update Placode on this machine.");
+                break;
+            case Kind::kUnavailable:
+                problem.title = AppContext::tr("The store cannot be reached.");
+                problem.way_out =
+                    AppContext::tr("Check the path or the connection, then try again.");
+                break;
+            case Kind::kConflict:
+                problem.title = AppContext::tr("This name is already taken.");
+                problem.way_out = AppContext::tr("Choose another one.");
+                break;
+            case Kind::kRefused:
+                problem.title = AppContext::tr("This was refused.");
+                break;
+            default:
+                break;
+        }
+    } catch (const curriculum::DefinitionError& e) {
+        problem.title = AppContext::tr("A definition file cannot be used.");
+        problem.way_out = AppContext::tr("Correct the file at the place named, then try again.");
+        problem.detail = QString::fromUtf8(e.what());
+    } catch (const haptics::DeviceError& e) {
+        problem.title = AppContext::tr("The device cannot be used.");
+        problem.way_out = AppContext::tr("Choose another device, or connect it and try again.");
+        problem.detail = QString::fromUtf8(e.what());
+    } catch (const LaunchError& e) {
+        problem.title = AppContext::tr("The simulator could not be started.");
+        problem.detail = QString::fromUtf8(e.what());
+    } catch (const std::exception& e) {
+        problem.detail = QString::fromUtf8(e.what());
+    }
+    return problem;
+}
+
+}  // namespace
+
+AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
+    store_url_ = options.store_url.empty() ? db::default_store_url() : options.store_url;
+    settings_ = options.settings_file.isEmpty()
+                    ? std::make_unique<QSettings>("Placode", "placode")
+                    : std::make_unique<QSettings>(options.settings_file, QSettings::IniFormat);
+    const QString desktop = QLocale::system().language() == QLocale::Polish ? "pl" : "en";
+    language_ = !options.language.isEmpty() ? options.language
+                                            : settings_->value("language", desktop).toString();
+    const QString theme =
+        !options.theme.isEmpty() ? options.theme : settings_->value("theme", "light").toString();
+    theme_ = theme == "dark" ? ThemeKind::kDark : ThemeKind::kLight;
+    ask_save_file_ = options.ask_save_file;
+    options.launch.language = language_;
+    launcher_ = std::make_unique<AttemptLauncher>(options.launch);
+    installTranslators();
+    apply_theme(*qApp, theme_);
+}
+
+AppContext::~AppContext() { QThreadPool::globalInstance()->waitForDone(); }
+
+bool AppContext::openStore() {
+    return guard(tr("Opening the store"), [this] { store_ = db::open_store(store_url_); });
+}
+
+db::Store& AppContext::store() {
+    if (!store_) {
+        throw db::StoreError(db::StoreError::Kind::kUnavailable,
+                             "store " + store_url_ + ": not open; try again");
+    }
+    return *store_;
+}
+
+void AppContext::signIn(const db::UserRecord& user) {
+    user_ = user;
+    settings_->setValue("last_login", QString::fromStdString(user.login));
+    Q_EMIT userChanged();
+}
+
+void AppContext::signOut() {
+    user_.reset();
+    if (store_) store_->act_as("unknown");
+    Q_EMIT userChanged();
+}
+
+bool AppContext::may(db::Action action, db::Scope scope) const {
+    return user_ && db::allowed(user_->roles, action, scope);
+}
+
+void AppContext::require(db::Action action, db::Scope scope) const {
+    if (!may(action, scope))
+        throw db::StoreError(db::StoreError::Kind::kRefused, db::refusal(action));
+}
+
+void AppContext::audit(const char* action, const QString& object, const QString& detail) {
+    store().audit(user_ ? user_->login : "(nobody)", action, object.toStdString(),
+                  detail.toStdString());
+}
+
+void AppContext::setTheme(ThemeKind theme) {
+    if (theme == theme_) return;
+    theme_ = theme;
+    settings_->setValue("theme", theme == ThemeKind::kDark ? "dark" : "light");
+    apply_theme(*qApp, theme_);
+    Q_EMIT appearanceChanged();
+}
+
+void AppContext::setLanguage(const QString& language) {
+    if (language == language_) return;
+    language_ = language;
+    settings_->setValue("language", language);
+    launcher_->setLanguage(language);
+    installTranslators();
+    Q_EMIT appearanceChanged();
+}
+
+QString AppContext::in(const curriculum::LocalText& text) const {
+    return QString::fromStdString(text.in(language_.toStdString()));
+}
+
+QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& proposal,
+                                const QString& filter) const {
+    if (ask_save_file_) return ask_save_file_(parent, title, proposal, filter);
+    return QFileDialog::getSaveFileName(parent, title, proposal, filter);
+}
+
+void AppContext::installTranslators() {
+    own_strings_ = std::make_unique<QTranslator>();
+    qt_strings_ = std::make_unique<QTranslator>();
+    const QLocale locale(language_ == "pl" ? QLocale(QLocale::Polish, QLocale::Poland)
+                                           : QLocale(QLocale::English, QLocale::UnitedKingdom));
+    QLocale::setDefault(locale);
+    if (language_ == "en") return;  // English is the source language.
+    if (qt_strings_->load(locale, "qtbase", "_",
+                          QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+        QCoreApplication::installTranslator(qt_strings_.get());
+    if (own_strings_->load(":/i18n/placode_" + language_ + ".qm"))
+        QCoreApplication::installTranslator(own_strings_.get());
+}
+
+std::optional<Problem> AppContext::problemOf(const std::function<void()>& work) {
+    try {
+        work();
+        return std::nullopt;
+    } catch (...) {
+        return describe(std::current_exception(), tr("This"));
+    }
+}
+
+bool AppContext::guard(const QString& doing, const std::function<void()>& work) {
+    try {
+        work();
+        return true;
+    } catch (...) {
+        report(describe(std::current_exception(), doing));
+        return false;
+    }
+}
+
+void AppContext::background(QObject* receiver, const QString& doing,
+                            std::function<void(db::Store&)> work, std::function<void(bool)> done) {
+    ++busy_;
+    Q_EMIT busyChanged(doing);
+    const QPointer<QObject> alive(receiver);
+    QThreadPool::globalInstance()->start([this, alive, doing, work = std::move(work),
+                                          done = std::move(done), url = store_url_,
+                                          actor = user_ ? user_->login : "unknown"] {
+        std::exception_ptr error;
+        try {
+            const std::unique_ptr<db::Store> own = db::open_store(url);
+            own->act_as(actor);
+            work(*own);
+        } catch (...) {
+            error = std::current_exception();
+        }
+        const auto deliver = [this, alive, doing, done, error] {
+            if (--busy_ == 0) Q_EMIT busyChanged({});
+            if (error) report(describe(error, doing));
+            if (alive) done(!error);
+        };
+        QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
+    });
+}
+
+}  // namespace placode::ui

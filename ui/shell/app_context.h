@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What every page is given: the store, who is signed in, language and theme, the attempt that
+// runs. The one place of the shell that catches exceptions and turns them into a banner.
+
+#include <QObject>
+#include <QSettings>
+#include <QString>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "curriculum/task.h"
+#include "db/access.h"
+#include "db/store.h"
+#include "ui/shell/attempt_launcher.h"
+#include "ui/shell/theme.h"
+
+class QTranslator;
+
+namespace placode::ui {
+
+/// Asks for a file to write: parent, title, proposal, filter. Empty: the user gave up.
+using AskFile = std::function<QString(QWidget*, const QString&, const QString&, const QString&)>;
+
+/// From the command line; tests set more of it.
+struct ShellOptions {
+    std::string store_url;  ///< Empty: the user's data folder.
+    QString language;       ///< "en", "pl"; empty: as last time, else the desktop's.
+    QString theme;          ///< "light", "dark"; empty: as last time.
+    QString settings_file;  ///< Empty: the user's settings.
+    LaunchOptions launch;
+    AskFile ask_save_file;  ///< Empty: the desktop's file dialog.
+};
+
+/// Something went wrong: the thing, what was found, and the way out.
+struct Problem {
+    QString title;    ///< "The store is locked by another program."
+    QString way_out;  ///< "Close it, or wait and try again."
+    QString detail;   ///< The exact message of the part that failed.
+};
+
+/// Main thread. Outlives all pages.
+class AppContext : public QObject {
+    Q_OBJECT
+ public:
+    explicit AppContext(ShellOptions options, QObject* parent = nullptr);
+    ~AppContext() override;
+
+    /// Opens the store; on failure reports a problem and returns false. May be called again.
+    [[nodiscard]] bool openStore();
+    [[nodiscard]] bool storeIsOpen() const { return store_ != nullptr; }
+    /// @pre storeIsOpen(); throws StoreError(kUnavailable) otherwise.
+    [[nodiscard]] db::Store& store();
+    [[nodiscard]] const std::string& storeUrl() const { return store_url_; }
+    [[nodiscard]] QString recordingsFolder() const { return recordings_folder(store_url_); }
+
+    [[nodiscard]] bool signedIn() const { return user_.has_value(); }
+    [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
+    void signIn(const db::UserRecord& user);
+    void signOut();
+    [[nodiscard]] bool may(db::Action action, db::Scope scope = db::Scope::kOwn) const;
+    /// Throws StoreError(kRefused) with the reason when `may` is false.
+    void require(db::Action action, db::Scope scope = db::Scope::kOwn) const;
+    /// For what the store does not write into the audit trail by itself.
+    void audit(const char* action, const QString& object, const QString& detail = {});
+
+    [[nodiscard]] ThemeKind theme() const { return theme_; }
+    [[nodiscard]] const Tokens& colors() const { return tokens(theme_); }
+    void setTheme(ThemeKind theme);
+    [[nodiscard]] const QString& language() const { return language_; }
+    void setLanguage(const QString& language);
+    [[nodiscard]] QString in(const curriculum::LocalText& text) const;
+    [[nodiscard]] QSettings& settings() { return *settings_; }
+
+    [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title,
+                                      const QString& proposal, const QString& filter) const;
+
+    [[nodiscard]] AttemptLauncher& launcher() { return *launcher_; }
+
+    /// Runs `work`; an exception becomes a banner and `false`. `doing` names the operation.
+    bool guard(const QString& doing, const std::function<void()>& work);
+    /// The problem of the exception that `work` throws, if it does; nothing is reported.
+    [[nodiscard]] std::optional<Problem> problemOf(const std::function<void()>& work);
+    /// Runs `work` on a worker thread with a store of its own, then `done` on this thread if
+    /// `receiver` still lives. An exception becomes a banner; `done` then gets false.
+    void background(QObject* receiver, const QString& doing, std::function<void(db::Store&)> work,
+                    std::function<void(bool)> done);
+    void report(const Problem& problem) { Q_EMIT problemReported(problem); }
+
+ Q_SIGNALS:
+    void userChanged();
+    void appearanceChanged();  ///< Theme or language: rebuild what is shown.
+    void problemReported(const placode::ui::Problem& problem);
+    void busyChanged(const QString& what);  ///< Empty: nothing is running.
+
+ private:
+    void installTranslators();
+
+    std::string store_url_;
+    AskFile ask_save_file_;
+    std::unique_ptr<QSettings> settings_;
+    std::unique_ptr<db::Store> store_;
+    std::optional<db::UserRecord> user_;
+    ThemeKind theme_ = ThemeKind::kLight;
+    QString language_ = "en";
+    std::unique_ptr<QTranslator> own_strings_, qt_strings_;
+    std::unique_ptr<AttemptLauncher> launcher_;
+    int busy_ = 0;
+};
+
+}  // namespace placode::ui

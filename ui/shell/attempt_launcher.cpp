@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/attempt_launcher.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTimer>
+
+namespace placode::ui {
+namespace {
+
+constexpr int kPatienceMs = 5000;  ///< For closing the recording after Stop.
+constexpr int kKeptErrorBytes = 4000;
+
+}  // namespace
+
+AttemptLauncher::AttemptLauncher(LaunchOptions options, QObject* parent)
+    : QObject(parent), options_(std::move(options)) {
+    connect(&process_, &QProcess::readyReadStandardOutput, this, &AttemptLauncher::readStatus);
+    connect(&process_, &QProcess::readyReadStandardError, this, [this] {
+        errors_ += process_.readAllStandardError();
+        errors_ = errors_.right(kKeptErrorBytes);
+    });
+    connect(&process_, &QProcess::finished, this, &AttemptLauncher::onFinished);
+    connect(&process_, &QProcess::started, this, &AttemptLauncher::started);
+}
+
+AttemptLauncher::~AttemptLauncher() {
+    if (!running()) return;
+    // The shell is closing: the recording is complete up to here and is offered at the next start.
+    process_.disconnect(this);
+    process_.terminate();
+    if (!process_.waitForFinished(kPatienceMs)) process_.kill();
+    process_.waitForFinished(1000);
+}
+
+QString AttemptLauncher::program() const {
+    QString path = options_.program;
+    if (path.isEmpty()) path = qEnvironmentVariable("PLACODE_SIM");
+    if (path.isEmpty()) path = QCoreApplication::applicationDirPath() + "/placode-sim";
+    const QFileInfo info(path);
+    return info.isFile() && info.isExecutable() ? path : QString();
+}
+
+bool AttemptLauncher::running() const { return process_.state() != QProcess::NotRunning; }
+
+qint64 AttemptLauncher::processId() const { return process_.processId(); }
+
+void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
+    if (running()) throw LaunchError("another attempt is still running; stop it first");
+    const QString path = program();
+    if (path.isEmpty()) {
+        const QString looked =
+            options_.program.isEmpty() ? qEnvironmentVariable("PLACODE_SIM") : options_.program;
+        throw LaunchError(
+            "placode-sim: not found at " +
+            (looked.isEmpty() ? QCoreApplication::applicationDirPath() + "/placode-sim" : looked)
+                .toStdString() +
+            "; build or install it beside placode, or set PLACODE_SIM to its path");
+    }
+    write_order(order, folder);
+    order_ = order;
+    status_ = {};
+    errors_.clear();
+    asked_ = false;
+    QStringList arguments{"--task",   order.task,           "--device", order.device,
+                          "--record", order.recording_file, "--status"};
+    if (order.demonstration) arguments << "--demonstration";
+    arguments << "--language" << options_.language << options_.more_arguments;
+    process_.start(path, arguments);
+    if (!process_.waitForStarted(kPatienceMs)) {
+        const QString reason = process_.errorString();
+        remove_recording(order.recording_file);
+        throw LaunchError(path.toStdString() + ": " + reason.toStdString() +
+                          "; check that it is a program of this machine");
+    }
+}
+
+void AttemptLauncher::finish() {
+    if (!running()) return;
+    asked_ = true;
+    process_.terminate();
+    QTimer::singleShot(kPatienceMs, this, [this, id = process_.processId()] {
+        if (running() && process_.processId() == id) process_.kill();
+    });
+}
+
+void AttemptLauncher::abort() {
+    if (!running()) return;
+    asked_ = true;
+    process_.kill();
+}
+
+void AttemptLauncher::readStatus() {
+    bool changed = false;
+    while (process_.canReadLine()) {
+        const QJsonDocument line = QJsonDocument::fromJson(process_.readLine());
+        if (!line.isObject() || !line.object().contains("t_s")) continue;
+        const QJsonObject json = line.object();
+        status_.time_s = json["t_s"].toDouble();
+        status_.physics_hz = json["physics_hz"].toDouble();
+        status_.cut_fraction = json["cut_fraction"].toDouble();
+        status_.servo_p999_us = json["servo_p999_us"].toDouble();
+        status_.dropped = json["dropped"].toInteger();
+        status_.phase = json["phase"].toString();
+        status_.warning = json["warning"].toString();
+        changed = true;
+    }
+    if (changed) Q_EMIT statusChanged();
+}
+
+void AttemptLauncher::onFinished(int exit_code, QProcess::ExitStatus status) {
+    readStatus();
+    errors_ += process_.readAllStandardError();
+    AttemptEnding ending;
+    ending.order = order_;
+    ending.crashed = status == QProcess::CrashExit;
+    ending.exit_code = exit_code;
+    ending.asked = asked_;
+    ending.message = QString::fromUtf8(errors_.right(kKeptErrorBytes)).trimmed();
+    Q_EMIT ended(ending);
+}
+
+}  // namespace placode::ui

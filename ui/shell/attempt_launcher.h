@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Starts placode-sim for one attempt, follows its status lines and tells how it ended. The
+// simulator is a process of its own: it may crash, the shell goes on.
+
+#include <QObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+#include <stdexcept>
+
+#include "ui/shell/attempt_order.h"
+
+namespace placode::ui {
+
+/// placode-sim cannot be started. Names the program and the way out.
+class LaunchError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
+
+/// How the simulator is found and called.
+struct LaunchOptions {
+    QString program;             ///< Empty: $PLACODE_SIM, else beside this program.
+    QStringList more_arguments;  ///< E.g. --headless --fast.
+    QString language = "en";
+};
+
+/// The newest status line of the running attempt.
+struct LiveStatus {
+    double time_s = 0, physics_hz = 0, cut_fraction = 0, servo_p999_us = 0;
+    qint64 dropped = 0;
+    QString phase, warning;
+};
+
+/// How an attempt's process ended.
+struct AttemptEnding {
+    AttemptOrder order;
+    bool crashed = false;  ///< Killed by a signal.
+    bool asked = false;    ///< The user pressed Stop or Abort.
+    int exit_code = 0;
+    QString message;  ///< Last lines of its error output.
+};
+
+/// Main thread.
+class AttemptLauncher : public QObject {
+    Q_OBJECT
+ public:
+    explicit AttemptLauncher(LaunchOptions options, QObject* parent = nullptr);
+    ~AttemptLauncher() override;
+
+    /// Writes the order into `folder` and starts the simulator. One attempt at a time.
+    /// Throws LaunchError or db::StoreError.
+    void start(AttemptOrder order, const QString& folder);
+    void finish();  ///< Stop and score: the simulator ends by itself and closes the recording.
+    void abort();   ///< Ends at once; the recording is left as interrupted.
+    void setLanguage(const QString& language) { options_.language = language; }
+
+    [[nodiscard]] bool running() const;
+    [[nodiscard]] qint64 processId() const;
+    [[nodiscard]] const AttemptOrder& order() const { return order_; }
+    [[nodiscard]] const LiveStatus& status() const { return status_; }
+    /// Path of the simulator, or empty when it is not there.
+    [[nodiscard]] QString program() const;
+
+ Q_SIGNALS:
+    void started();
+    void statusChanged();
+    void ended(const placode::ui::AttemptEnding& ending);
+
+ private:
+    void readStatus();
+    void onFinished(int exit_code, QProcess::ExitStatus status);
+
+    LaunchOptions options_;
+    QProcess process_;
+    AttemptOrder order_;
+    LiveStatus status_;
+    QByteArray errors_;
+    bool asked_ = false;
+};
+
+}  // namespace placode::ui

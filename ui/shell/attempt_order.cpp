@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/attempt_order.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+#include "assessment/metrics.h"
+#include "curriculum/task.h"
+#include "db/recording_file.h"
+
+namespace placode::ui {
+namespace {
+
+QString order_file(const QString& recording_file) { return recording_file + ".order.json"; }
+
+/// Phases, energy and damage are kept with the attempt; every vaporised element and every hash
+/// stay in the recording only.
+std::vector<sim::Event> ledger(const sim::Recording& recording) {
+    std::vector<sim::Event> kept;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind == sim::EventKind::kVaporised || event.kind == sim::EventKind::kStateHash)
+            continue;
+        kept.push_back(event);
+    }
+    return kept;
+}
+
+}  // namespace
+
+QString recordings_folder(const std::string& store_url) {
+    const QString url = QString::fromStdString(store_url);
+    if (url.startsWith("sqlite:") && !url.contains(":memory:"))
+        return QFileInfo(url.mid(7).section('?', 0, 0)).absolutePath() + "/recordings";
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation) +
+           "/placode/recordings";
+}
+
+void write_order(AttemptOrder& order, const QString& folder) {
+    using db::StoreError;
+    if (!QDir().mkpath(folder)) {
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "create folder " + folder.toStdString() +
+                             ": not allowed or disk full; choose another data folder");
+    }
+    const QString stamp = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss-zzz");
+    order.recording_file =
+        QString("%1/attempt-%2-%3.placode").arg(folder, stamp).arg(order.user_id);
+    const QJsonObject json{{"user_id", static_cast<qint64>(order.user_id)},
+                           {"user_name", order.user_name},
+                           {"task", order.task},
+                           {"title", order.title},
+                           {"device", order.device},
+                           {"started_utc", order.started_utc},
+                           {"demonstration", order.demonstration}};
+    QSaveFile file(order_file(order.recording_file));
+    const QByteArray text = QJsonDocument(json).toJson();
+    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
+        throw StoreError(StoreError::Kind::kUnavailable,
+                         "write " + file.fileName().toStdString() + ": " +
+                             file.errorString().toStdString() + "; free space and try again");
+    }
+}
+
+std::optional<AttemptOrder> read_order(const QString& recording_file) {
+    QFile file(order_file(recording_file));
+    if (!file.open(QIODevice::ReadOnly)) return std::nullopt;
+    const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
+    if (!json.contains("user_id")) return std::nullopt;
+    AttemptOrder order;
+    order.user_id = json["user_id"].toInteger();
+    order.user_name = json["user_name"].toString();
+    order.task = json["task"].toString();
+    order.title = json["title"].toString();
+    order.device = json["device"].toString();
+    order.started_utc = json["started_utc"].toString();
+    order.demonstration = json["demonstration"].toBool();
+    order.recording_file = recording_file;
+    return order;
+}
+
+std::vector<Leftover> find_leftovers(const QString& folder) {
+    std::vector<Leftover> found;
+    if (!QDir(folder).exists()) return found;
+    for (const std::string& path : db::leftover_recordings(folder.toStdString())) {
+        Leftover leftover;
+        leftover.recording_file = QString::fromStdString(path);
+        leftover.order = read_order(leftover.recording_file);
+        if (leftover.order) {
+            leftover.started_utc = leftover.order->started_utc;
+            leftover.task = leftover.order->title;
+        }
+        // A damaged file is shown with its reason instead of hiding all the others.
+        try {
+            const db::RecoveredRecording recovered = db::recover_recording_file(path);
+            const sim::Recording& recording = recovered.recording;
+            leftover.damage = QString::fromStdString(recovered.damage);
+            leftover.duration_s = recording.end.duration_s;
+            leftover.complete = recording.end.reason != sim::EndReason::kInterrupted &&
+                                recording.end.reason != sim::EndReason::kRunning;
+            if (leftover.started_utc.isEmpty())
+                leftover.started_utc = QString::fromStdString(recording.header.started_utc);
+            if (leftover.task.isEmpty())
+                leftover.task = QString::fromStdString(recording.header.task_id);
+        } catch (const db::StoreError& error) {
+            leftover.problem = QString::fromUtf8(error.what());
+        }
+        found.push_back(std::move(leftover));
+    }
+    return found;
+}
+
+void remove_recording(const QString& recording_file) {
+    for (const char* suffix : {"", "-wal", "-shm", "-journal", ".order.json"})
+        QFile::remove(recording_file + suffix);
+}
+
+SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
+    const std::string file = order.recording_file.toStdString();
+    // Left over from a crash between saving and removing.
+    if (const std::optional<int64_t> known = store.attempt_of_recording(file)) {
+        remove_recording(order.recording_file);
+        return {Saving::kSaved, *known};
+    }
+    const sim::Recording recording = db::recover_recording_file(file).recording;
+    if (recording.inputs.empty()) {
+        remove_recording(order.recording_file);
+        return {};
+    }
+    const curriculum::Task task = curriculum::load_task_text(recording.header.task_json, file);
+    db::AttemptResult result;
+    result.header = recording.header;
+    result.header.demonstration = recording.header.demonstration || order.demonstration;
+    result.end = recording.end;
+    result.metrics = assessment::compute_metrics(recording);
+    result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
+    result.events = ledger(recording);
+    result.recording_file = file;
+    const int64_t id = store.save_attempt(order.user_id, result);
+    remove_recording(order.recording_file);
+    return {Saving::kSaved, id};
+}
+
+sim::Recording stored_recording(db::Store& store, int64_t attempt_id) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("attempt.placode").toStdString();
+    store.extract_recording(attempt_id, path);
+    return db::recover_recording_file(path).recording;
+}
+
+}  // namespace placode::ui

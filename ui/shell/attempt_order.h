@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whose attempt it is, what was asked for, and how its recording reaches the store. The order lies
+// as a small JSON file beside the recording, so that an attempt left over from a crash still
+// knows its owner.
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "db/store.h"
+
+namespace placode::ui {
+
+/// One attempt, from Start to the store.
+struct AttemptOrder {
+    int64_t user_id = 0;
+    QString user_name;
+    QString task;    ///< Task id.
+    QString title;   ///< Task title as it was shown.
+    QString device;  ///< As on the command line.
+    QString started_utc;
+    QString recording_file;
+    bool demonstration = false;  ///< Of a demonstration account.
+};
+
+/// A recording that was not saved: crash, power cut, or a store that could not be reached.
+struct Leftover {
+    QString recording_file;
+    std::optional<AttemptOrder> order;  ///< Absent: nobody knows whose it is.
+    double duration_s = 0;
+    bool complete = false;  ///< The recording has an end: only the saving failed.
+    QString started_utc;
+    QString task;
+    QString damage;   ///< Not empty: what of it is damaged and how much is whole.
+    QString problem;  ///< Not empty: cannot be read at all, and why.
+};
+
+/// Folder for recordings of a store: beside an embedded one, else in the user's data folder.
+[[nodiscard]] QString recordings_folder(const std::string& store_url);
+
+/// Fills `recording_file` with a fresh name in `folder` and writes the order beside it.
+/// Throws db::StoreError(kUnavailable) when the folder cannot be written.
+void write_order(AttemptOrder& order, const QString& folder);
+
+/// The order beside a recording, if there is a readable one.
+[[nodiscard]] std::optional<AttemptOrder> read_order(const QString& recording_file);
+
+/// Recordings in `folder` that nobody writes to, oldest first.
+[[nodiscard]] std::vector<Leftover> find_leftovers(const QString& folder);
+
+/// Removes a recording and its order.
+void remove_recording(const QString& recording_file);
+
+/// What became of a recording.
+enum class Saving : uint8_t {
+    kSaved,
+    kEmpty,  ///< Nothing was recorded: there is no attempt to save.
+};
+struct SavedAttempt {
+    Saving outcome = Saving::kEmpty;
+    int64_t attempt_id = 0;
+};
+
+/// Reads the recording, computes metrics and score, saves all of it in one transaction and only
+/// then removes the files. A file that the store already holds is not saved twice. Throws what the
+/// parts throw; the files then stay. Any thread, with a store of that thread.
+[[nodiscard]] SavedAttempt save_recording(db::Store& store, const AttemptOrder& order);
+
+/// The recording of a stored attempt, read back up to a damage. Any thread, with a store of that
+/// thread.
+[[nodiscard]] sim::Recording stored_recording(db::Store& store, int64_t attempt_id);
+
+}  // namespace placode::ui

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/attempts_table.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <map>
+
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+struct AttemptsTable {
+    Q_DECLARE_TR_FUNCTIONS(AttemptsTable)
+};
+
+constexpr int kAttemptIdRole = Qt::UserRole + 1;
+
+/// Time as shown; sorted by the time itself.
+QTableWidgetItem* when_cell(const std::string& utc) {
+    const QDateTime when = QDateTime::fromString(qstr(utc), Qt::ISODate);
+    QTableWidgetItem* cell =
+        make_number_cell(format_when(utc), static_cast<double>(when.toSecsSinceEpoch()));
+    cell->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    return cell;
+}
+
+QTableWidgetItem* verdict_cell(const AppContext& context, const db::AttemptRecord& attempt) {
+    QTableWidgetItem* cell = make_cell(verdict_word(attempt));
+    const Tokens& colors = context.colors();
+    const std::string tone = verdict_tone(attempt);
+    cell->setForeground(tone == "good"       ? colors.good
+                        : tone == "critical" ? colors.critical
+                        : tone == "warn"     ? colors.warn
+                                             : colors.muted);
+    return cell;
+}
+
+}  // namespace
+
+QTableWidget* make_attempts_table(AppContext& context,
+                                  const std::vector<db::AttemptRecord>& attempts,
+                                  AttemptColumns columns) {
+    QStringList headers{AttemptsTable::tr("When")};
+    const bool everybody = columns == AttemptColumns::kEverybody;
+    if (everybody) headers << AttemptsTable::tr("Person") << AttemptsTable::tr("Task");
+    headers << AttemptsTable::tr("Points") << AttemptsTable::tr("Verdict")
+            << AttemptsTable::tr("Time") << AttemptsTable::tr("Device")
+            << AttemptsTable::tr("Remark");
+    QTableWidget* table = make_table(headers, AttemptsTable::tr("Attempts"));
+    table->setSortingEnabled(false);
+    table->setRowCount(static_cast<int>(attempts.size()));
+    std::map<std::string, QString> titles;
+    int row = 0;
+    for (const db::AttemptRecord& attempt : attempts) {
+        int column = 0;
+        QTableWidgetItem* when = when_cell(attempt.started_utc);
+        when->setData(kAttemptIdRole, QVariant::fromValue<qint64>(attempt.id));
+        table->setItem(row, column++, when);
+        if (everybody) {
+            auto title = titles.find(attempt.task_id);
+            if (title == titles.end())
+                title = titles.emplace(attempt.task_id, task_title(context, attempt.task_id)).first;
+            table->setItem(row, column++, make_cell(qstr(attempt.user_name)));
+            table->setItem(row, column++, make_cell(title->second));
+        }
+        table->setItem(row, column++,
+                       make_number_cell(format_points(attempt.points), attempt.points));
+        table->setItem(row, column++, verdict_cell(context, attempt));
+        table->setItem(row, column++,
+                       make_number_cell(format_duration(attempt.duration_s), attempt.duration_s));
+        table->setItem(row, column++, make_cell(device_name(attempt.device)));
+        table->setItem(row, column++,
+                       make_cell(attempt.demonstration ? AttemptsTable::tr("DEMONSTRATION")
+                                                       : end_word(attempt.end)));
+        ++row;
+    }
+    fit_columns(table, everybody ? 2 : table->columnCount() - 1);
+    table->setSortingEnabled(true);
+    table->sortByColumn(0, Qt::DescendingOrder);
+    return table;
+}
+
+int64_t attempt_of_row(const QTableWidget* table, int row) {
+    const QTableWidgetItem* item = table->item(row, 0);
+    return item != nullptr ? item->data(kAttemptIdRole).toLongLong() : 0;
+}
+
+}  // namespace placode::ui

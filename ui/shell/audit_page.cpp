@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Audit: who did what and when. Read only.
+
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kShownEntries = 1000;
+
+class AuditPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(AuditPage)
+ public:
+    AuditPage(AppContext& context, const Place& place) : Page(context) {
+        context.require(db::Action::kViewAudit, db::Scope::kOther);
+        const std::vector<db::AuditRecord> trail = context.store().audit_trail(kShownEntries);
+        auto* layout = new QVBoxLayout(this);
+        layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
+        layout->setSpacing(kSpace16);
+        layout->addWidget(make_label(tr("Audit"), "display"));
+        search_ = new QLineEdit(place.state.value("search").toString());
+        search_->setObjectName("audit_search");
+        search_->setMaximumWidth(320);
+        layout->addLayout(make_field(tr("Find in the list"), search_));
+        count_ = make_label({}, "muted");
+        layout->addWidget(count_);
+        table_ =
+            make_table({tr("When"), tr("Who"), tr("What"), tr("On"), tr("Detail")}, tr("Audit"));
+        table_->setObjectName("audit_table");
+        table_->setSortingEnabled(false);
+        table_->setRowCount(static_cast<int>(trail.size()));
+        int row = 0;
+        for (const db::AuditRecord& entry : trail) {
+            QTableWidgetItem* when =
+                make_number_cell(format_when(entry.at_utc), static_cast<double>(entry.id));
+            when->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+            table_->setItem(row, 0, when);
+            table_->setItem(row, 1, make_cell(qstr(entry.actor)));
+            table_->setItem(row, 2, make_cell(qstr(entry.action)));
+            table_->setItem(row, 3, make_cell(qstr(entry.object)));
+            table_->setItem(row, 4, make_cell(qstr(entry.detail)));
+            ++row;
+        }
+        fit_columns(table_, 4);
+        table_->setSortingEnabled(true);
+        table_->sortByColumn(0, Qt::DescendingOrder);
+        layout->addWidget(table_, 1);
+        connect(search_, &QLineEdit::textChanged, this, [this] { filter(); });
+        filter();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Audit"); }
+    [[nodiscard]] QVariantMap state() const override { return {{"search", search_->text()}}; }
+
+ private:
+    void filter() {
+        const QString wanted = search_->text().trimmed();
+        int shown = 0;
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            bool fits = wanted.isEmpty();
+            for (int column = 0; column < table_->columnCount() && !fits; ++column)
+                fits = table_->item(row, column)->text().contains(wanted, Qt::CaseInsensitive);
+            table_->setRowHidden(row, !fits);
+            shown += fits ? 1 : 0;
+        }
+        count_->setText(tr("Shown: %1 of %2").arg(shown).arg(table_->rowCount()));
+    }
+
+    QLineEdit* search_ = nullptr;
+    QLabel* count_ = nullptr;
+    QTableWidget* table_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_audit_page(AppContext& context, const Place& place) {
+    return new AuditPage(context, place);
+}
+
+}  // namespace placode::ui

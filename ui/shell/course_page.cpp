@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Course: the stages as a path, what is open, what locks the rest and why, what is next.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QPainter>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::StageStatus;
+
+/// The piece of the path beside one stage: a numbered station, lines to its neighbours.
+class Station : public QWidget {
+ public:
+    Station(const Tokens& colors, int number, StageStatus status, bool first, bool last, bool next)
+        : colors_(colors),
+          number_(number),
+          status_(status),
+          first_(first),
+          last_(last),
+          next_(next) {
+        setFixedWidth(56);
+    }
+
+ protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const QPointF centre(width() / 2.0, height() / 2.0);
+        const double r = 18;
+        painter.setPen(QPen(colors_.line, 3));
+        if (!first_) painter.drawLine(QPointF(centre.x(), 0), centre - QPointF(0, r));
+        if (!last_) painter.drawLine(centre + QPointF(0, r), QPointF(centre.x(), height()));
+        const bool mastered = status_ == StageStatus::kMastered;
+        const QColor edge = mastered ? colors_.good : next_ ? colors_.accent : colors_.field;
+        painter.setPen(QPen(edge, 2.5));
+        painter.setBrush(mastered ? colors_.good_soft
+                         : next_  ? colors_.accent_soft
+                                  : colors_.raised);
+        painter.drawEllipse(centre, r, r);
+        const QRect box(static_cast<int>(centre.x()) - 10, static_cast<int>(centre.y()) - 10, 20,
+                        20);
+        if (mastered) {
+            line_icon("check", colors_.good).paint(&painter, box);
+        } else if (status_ == StageStatus::kLocked) {
+            line_icon("lock", colors_.muted).paint(&painter, box);
+        } else {
+            QFont bold = font();
+            bold.setBold(true);
+            painter.setFont(bold);
+            painter.setPen(next_ ? colors_.accent : colors_.text);
+            painter.drawText(rect(), Qt::AlignCenter, QString::number(number_));
+        }
+    }
+
+ private:
+    const Tokens& colors_;
+    int number_;
+    StageStatus status_;
+    bool first_, last_, next_;
+};
+
+class CoursePage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(CoursePage)
+ public:
+    explicit CoursePage(AppContext& context) : Page(context), training_(load_training(context)) {
+        QVBoxLayout* column = make_column(this, 960);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(context.in(training_.course.title), "display"), 1);
+        addChooser(head);
+        column->addLayout(head);
+        column->addWidget(make_label(context.in(training_.course.description), "muted"));
+        auto* path = new QVBoxLayout;
+        path->setSpacing(0);
+        for (size_t i = 0; i < training_.stages.size(); ++i) path->addLayout(stageRow(i));
+        column->addLayout(path);
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Course"); }
+
+ private:
+    void addChooser(QHBoxLayout* head) {
+        const std::vector<std::string> ids = course_ids(context_);
+        if (ids.size() < 2) return;
+        auto* chooser = new QComboBox;
+        chooser->setAccessibleName(tr("Course"));
+        for (const std::string& id : ids) {
+            QString name = qstr(id);
+            (void)context_.problemOf(
+                [&] { name = context_.in(curriculum::load_course(id).title); });
+            chooser->addItem(name, qstr(id));
+        }
+        connect(chooser, &QComboBox::activated, this, [this, chooser] {
+            context_.settings().setValue("course", chooser->currentData().toString());
+            Q_EMIT go({PageId::kCourse, 0, {}, {}});
+        });
+        head->addWidget(chooser);
+    }
+
+    QHBoxLayout* stageRow(size_t index) {
+        const TrainingStage& stage = training_.stages[index];
+        const bool next = static_cast<int>(index) == training_.next_stage;
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        row->addWidget(new Station(context_.colors(), static_cast<int>(index) + 1,
+                                   stage.progress.status, index == 0,
+                                   index + 1 == training_.stages.size(), next));
+        auto* content = new QHBoxLayout;
+        content->setSpacing(kSpace16);
+        content->addLayout(stageText(stage, next), 1);
+        const QString id = qstr(stage.task_id);
+        const QString title = training_.taskTitle(context_, stage.task_id);
+        if (!stage.problem && stage.progress.status != StageStatus::kLocked) {
+            QPushButton* open =
+                make_button(context_, stage.progress.attempts == 0 ? tr("Begin") : tr("Repeat"),
+                            next ? "primary" : "secondary", "play");
+            open->setObjectName("open_" + id);
+            open->setAccessibleName(tr("Open task %1").arg(title));
+            connect(open, &QPushButton::clicked, this, [this, id] {
+                Q_EMIT go({PageId::kTask, 0, id, {}});
+            });
+            content->addWidget(open, 0, Qt::AlignVCenter);
+        }
+        QFrame* card = make_card(content);
+        if (next) card->setProperty("tone", "accent");
+        auto* padded = new QVBoxLayout;
+        padded->setContentsMargins(0, kSpace8, 0, kSpace8);
+        padded->addWidget(card);
+        row->addLayout(padded, 1);
+        return row;
+    }
+
+    QVBoxLayout* stageText(const TrainingStage& stage, bool next) {
+        auto* text = new QVBoxLayout;
+        text->setSpacing(kSpace4);
+        auto* head = new QHBoxLayout;
+        head->setSpacing(kSpace8);
+        QLabel* name = make_label(training_.taskTitle(context_, stage.task_id), "heading");
+        name->setWordWrap(false);
+        head->addWidget(name);
+        head->addWidget(statusBadge(stage, next));
+        head->addStretch();
+        text->addLayout(head);
+        if (stage.task) text->addWidget(make_label(context_.in(stage.task->goal), "muted"));
+        if (stage.problem) {
+            text->addWidget(make_label(stage.problem->title, "critical"));
+            text->addWidget(make_label(stage.problem->detail, "small"));
+        }
+        text->addWidget(make_label(standing(stage), "small"));
+        return text;
+    }
+
+    QLabel* statusBadge(const TrainingStage& stage, bool next) {
+        if (stage.problem) return make_badge(tr("Cannot be used"), "critical");
+        switch (stage.progress.status) {
+            case StageStatus::kMastered:
+                return make_badge(tr("Mastered"), "good");
+            case StageStatus::kLocked:
+                return make_badge(tr("Locked"));
+            default:
+                return next ? make_badge(tr("Next"), "accent") : make_badge(tr("Open"), "accent");
+        }
+    }
+
+    [[nodiscard]] QString standing(const TrainingStage& stage) const {
+        if (stage.progress.status == StageStatus::kLocked) {
+            QStringList missing;
+            for (const std::string& id : stage.progress.missing)
+                missing << training_.taskTitle(context_, id);
+            return tr("Opens when mastered: %1").arg(missing.join(", "));
+        }
+        const QString rule = tr("Benchmark %1 points, %2 times in a row")
+                                 .arg(format_points(stage.rule.benchmark_points))
+                                 .arg(stage.rule.consecutive);
+        if (stage.progress.attempts == 0) return rule + tr(" · not tried yet");
+        return rule + tr(" · streak %1 · best %2 · attempts %3")
+                          .arg(stage.progress.streak)
+                          .arg(format_points(stage.progress.best_points))
+                          .arg(stage.progress.attempts);
+    }
+
+    Training training_;
+};
+
+}  // namespace
+
+Page* make_course_page(AppContext& context, const Place&) { return new CoursePage(context); }
+
+}  // namespace placode::ui

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Backup and health: is the store sound, and a consistent copy of it.
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QStandardPaths>
+#include <memory>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+class HealthPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(HealthPage)
+ public:
+    explicit HealthPage(AppContext& context) : Page(context) {
+        context.require(db::Action::kBackup, db::Scope::kOther);
+        QVBoxLayout* column = make_column(this, 860);
+        column->addWidget(make_label(tr("Backup and health"), "display"));
+        column->addWidget(checkCard());
+        column->addWidget(backupCard());
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Backup and health"); }
+
+ private:
+    QWidget* checkCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("The store"), "heading"));
+        const QString place = qstr(context_.store().url());
+        QLabel* url = make_label(place, "muted");
+        url->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+        layout->addWidget(url);
+        const QFileInfo file(place.mid(7));
+        if (place.startsWith("sqlite:") && file.exists())
+            layout->addWidget(make_label(
+                tr("Size: %1")
+                    .arg(QLocale().formattedDataSize(file.size() +
+                                                     QFileInfo(file.filePath() + "-wal").size())),
+                "muted"));
+        outcome_ = make_label(tr("Not checked since this page was opened."));
+        outcome_->setObjectName("check_outcome");
+        layout->addWidget(outcome_);
+        QPushButton* check = make_button(context_, tr("Check the store"), "secondary", "health");
+        check->setObjectName("check_store");
+        connect(check, &QPushButton::clicked, this, [this] { this->check(); });
+        layout->addWidget(check, 0, Qt::AlignLeft);
+        return make_card(layout);
+    }
+
+    void check() {
+        auto problems = std::make_shared<std::vector<std::string>>();
+        context_.background(
+            this, tr("Checking the store"),
+            [problems](db::Store& store) { *problems = store.check(); },
+            [this, problems](bool done) {
+                QStringList lines;
+                for (const std::string& problem : *problems) lines << "• " + qstr(problem);
+                outcome_->setProperty("role", !done || !lines.isEmpty() ? "critical" : "good");
+                outcome_->style()->unpolish(outcome_);
+                outcome_->style()->polish(outcome_);
+                outcome_->setText(!done ? tr("The check could not be finished.")
+                                  : lines.isEmpty()
+                                      ? tr("✓ Sound: no problem found.")
+                                      : tr("Problems found:") + "\n" + lines.join("\n"));
+            });
+    }
+
+    QWidget* backupCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("Backup"), "heading"));
+        layout->addWidget(make_label(
+            tr("A consistent copy, also while people work: accounts, attempts with their "
+               "recordings, answers, audit. It holds personal data; keep it as safe as the store."),
+            "muted"));
+        const QString last = context_.settings().value("last_backup").toString();
+        last_ = make_label(last.isEmpty() ? tr("No backup was made from this machine yet.")
+                                          : tr("Last backup: %1").arg(last),
+                           "small");
+        last_->setObjectName("last_backup");
+        layout->addWidget(last_);
+        QPushButton* backup = make_button(context_, tr("Back up now"), "primary", "download");
+        backup->setObjectName("backup_now");
+        connect(backup, &QPushButton::clicked, this, [this] { this->backup(); });
+        layout->addWidget(backup, 0, Qt::AlignLeft);
+        return make_card(layout);
+    }
+
+    void backup() {
+        const QString proposal =
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/placode-" +
+            QDateTime::currentDateTime().toString("yyyyMMdd-HHmm") + ".backup.db";
+        const QString path = context_.askSaveFile(this, tr("Back up the store"), proposal,
+                                                  tr("Placode store (*.db)"));
+        if (path.isEmpty()) return;
+        context_.background(
+            this, tr("Backing up the store"),
+            [path](db::Store& store) { store.backup(path.toStdString()); },
+            [this, path](bool done) {
+                if (!done) return;
+                context_.guard(tr("Noting the backup"), [&] {
+                    const QString note =
+                        QLocale().toString(QDateTime::currentDateTime(), "d MMM yyyy, HH:mm") +
+                        ", " + path;
+                    context_.settings().setValue("last_backup", note);
+                    last_->setText(tr("Last backup: %1").arg(note));
+                    Q_EMIT notice(tr("Backup written: %1").arg(path));
+                });
+            });
+    }
+
+    QLabel *outcome_ = nullptr, *last_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_health_page(AppContext& context, const Place&) { return new HealthPage(context); }
+
+}  // namespace placode::ui

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// History: the own scores as a chart and a table; a row opens its result.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+
+#include "ui/shell/attempts_table.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+class HistoryPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(HistoryPage)
+ public:
+    HistoryPage(AppContext& context, const Place& place)
+        : Page(context), all_(context.store().attempts(context.user().id)) {
+        column_ = make_column(this);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(tr("History"), "display"), 1);
+        column_->addLayout(head);
+        if (all_.empty()) {
+            showEmpty();
+            return;
+        }
+        tasks_ = new QComboBox;
+        tasks_->setObjectName("history_task");
+        tasks_->setAccessibleName(tr("Task"));
+        for (const db::AttemptRecord& attempt : all_) {
+            const QString id = qstr(attempt.task_id);
+            if (tasks_->findData(id) < 0) tasks_->addItem(task_title(context, attempt.task_id), id);
+        }
+        tasks_->setCurrentIndex(
+            std::max(0, tasks_->findData(place.state.value("task", qstr(all_.back().task_id)))));
+        head->addWidget(tasks_);
+        connect(tasks_, &QComboBox::currentIndexChanged, this, [this] { showTask(); });
+        body_ = new QVBoxLayout;
+        body_->setSpacing(kSpace16);
+        column_->addLayout(body_, 1);
+        showTask();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("History"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return tasks_ ? QVariantMap{{"task", tasks_->currentData()}} : QVariantMap{};
+    }
+
+ private:
+    void showEmpty() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("No attempts yet"), "heading"));
+        layout->addWidget(make_label(
+            tr("After your first attempt this page shows how your score develops."), "muted"));
+        QPushButton* open = make_button(context_, tr("Open the course"), "primary", "course");
+        connect(open, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kCourse, 0, {}, {}});
+        });
+        layout->addWidget(open, 0, Qt::AlignLeft);
+        column_->addWidget(make_card(layout));
+        column_->addStretch();
+    }
+
+    void showTask() {
+        while (QLayoutItem* item = body_->takeAt(0)) {
+            delete item->widget();
+            delete item;
+        }
+        const std::string id = tasks_->currentData().toString().toStdString();
+        std::vector<db::AttemptRecord> shown, counted;
+        for (const db::AttemptRecord& attempt : all_) {
+            if (attempt.task_id != id) continue;
+            shown.push_back(attempt);
+            if (attempt.end != sim::EndReason::kInterrupted) counted.push_back(attempt);
+        }
+        double pass = 70;
+        (void)context_.problemOf([&] { pass = curriculum::load_task(id).rubric.pass_points; });
+        auto* layout = new QVBoxLayout;
+        layout->addWidget(make_label(tr("Score over attempts"), "heading"));
+        const reports::ChartStyle style = chart_style(context_.theme());
+        QWidget* chart = make_picture(
+            [counted, pass, style](QPainter& painter, const QRectF& where) {
+                reports::draw_history(painter, where, counted, pass, style);
+            },
+            QSize(320, 260), tr("Score over attempts"),
+            tr("The same numbers stand in the table below."));
+        chart->setObjectName("history_chart");
+        layout->addWidget(chart);
+        body_->addWidget(make_card(layout));
+        QTableWidget* table = make_attempts_table(context_, shown, AttemptColumns::kOwn);
+        table->setObjectName("history_table");
+        table->setMinimumHeight(260);
+        connect(table, &QTableWidget::cellActivated, this, [this, table](int row, int) {
+            Q_EMIT go({PageId::kResult, attempt_of_row(table, row), {}, {}});
+        });
+        body_->addWidget(table, 1);
+        body_->addWidget(make_label(tr("Enter or double click opens the result."), "small"));
+    }
+
+    std::vector<db::AttemptRecord> all_;
+    QVBoxLayout *column_ = nullptr, *body_ = nullptr;
+    QComboBox* tasks_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_history_page(AppContext& context, const Place& place) {
+    return new HistoryPage(context, place);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Log-in: large, keyboard first. Name and password, the last people of this machine one touch away.
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QTimer>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kRememberedPeople = 4;
+
+class LoginPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(LoginPage)
+ public:
+    LoginPage(AppContext& context, const Place& place) : Page(context) {
+        auto* outer = new QVBoxLayout(this);
+        outer->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
+        outer->addStretch(2);
+        outer->addWidget(buildCard(), 0, Qt::AlignHCenter);
+        outer->addStretch(3);
+        timer_.setInterval(1000);
+        connect(&timer_, &QTimer::timeout, this, [this] { countDown(); });
+        const QString login =
+            place.state.value("login", context_.settings().value("last_login")).toString();
+        login_->setText(login);
+        const QString said = place.state.value("message").toString();
+        if (!said.isEmpty()) say(said);
+        QTimer::singleShot(0, this, [this] {
+            (login_->text().isEmpty() ? login_ : password_)->setFocus(Qt::OtherFocusReason);
+        });
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Sign in"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"login", login_->text()},
+                {"message", message_->isHidden() ? QString() : message_->text()}};
+    }
+
+ private:
+    QWidget* buildCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace16);
+        auto* head = new QHBoxLayout;
+        auto* mark = new QLabel;
+        mark->setPixmap(line_icon("placode", context_.colors().accent).pixmap(40, 40));
+        head->addWidget(mark);
+        head->addSpacing(kSpace8);
+        head->addWidget(make_label("Placode", "display"), 1);
+        layout->addLayout(head);
+        layout->addWidget(
+            make_label(tr("Fetoscopic spina bifida repair: practise, see, repeat."), "muted"));
+        addPeople(layout);
+        login_ = new QLineEdit;
+        login_->setObjectName("login");
+        password_ = new QLineEdit;
+        password_->setObjectName("password");
+        password_->setEchoMode(QLineEdit::Password);
+        layout->addLayout(make_field(tr("Name"), login_));
+        layout->addLayout(make_field(tr("Password"), password_));
+        message_ = make_label({}, "critical");
+        message_->setObjectName("login_message");
+        message_->hide();
+        layout->addWidget(message_);
+        button_ = make_button(context_, tr("Sign in"), "primary", "next");
+        button_->setObjectName("sign_in");
+        button_->setLayoutDirection(Qt::RightToLeft);
+        button_->setProperty("scale", "large");
+        layout->addWidget(button_);
+        connect(button_, &QPushButton::clicked, this, [this] { signIn(); });
+        connect(login_, &QLineEdit::returnPressed, this,
+                [this] { password_->text().isEmpty() ? password_->setFocus() : signIn(); });
+        connect(password_, &QLineEdit::returnPressed, this, [this] { signIn(); });
+        QFrame* card = make_card(layout);
+        layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
+        card->setFixedWidth(460);
+        return card;
+    }
+
+    /// The people who signed in here last, as long as they still may.
+    void addPeople(QVBoxLayout* layout) {
+        const QStringList recent = context_.settings().value("recent_logins").toStringList();
+        if (recent.isEmpty()) return;
+        auto* grid = new QGridLayout;
+        grid->setSpacing(kSpace8);
+        int count = 0;
+        for (const QString& login : recent.mid(0, kRememberedPeople)) {
+            QPushButton* person = make_button(context_, login, "secondary", "account");
+            person->setAccessibleName(tr("Sign in as %1").arg(login));
+            connect(person, &QPushButton::clicked, this, [this, login] {
+                login_->setText(login);
+                password_->clear();
+                password_->setFocus();
+            });
+            grid->addWidget(person, count / 2, count % 2);
+            ++count;
+        }
+        layout->addLayout(grid);
+    }
+
+    void signIn() {
+        if (!button_->isEnabled()) return;
+        if (login_->text().trimmed().isEmpty() || password_->text().isEmpty()) {
+            say(tr("Type your name and your password."));
+            return;
+        }
+        context_.guard(tr("Signing in"), [this] {
+            const db::SignIn result = context_.store().sign_in(
+                login_->text().trimmed().toStdString(), password_->text().toStdString());
+            answer(result);
+        });
+    }
+
+    void answer(const db::SignIn& result) {
+        password_->clear();
+        switch (result.outcome) {
+            case db::SignInOutcome::kOk:
+                remember(qstr(result.user->login));
+                context_.signIn(*result.user);
+                return;
+            case db::SignInOutcome::kThrottled:
+                wait_s_ = std::max(1, result.wait_s);
+                button_->setEnabled(false);
+                timer_.start();
+                countDown();
+                break;
+            case db::SignInOutcome::kDeactivated:
+                say(tr("This account is deactivated. An administrator can open it again."));
+                break;
+            default:
+                say(tr("Name or password is wrong. Try again."));
+        }
+        password_->setFocus();
+    }
+
+    void remember(const QString& login) {
+        QStringList recent = context_.settings().value("recent_logins").toStringList();
+        recent.removeAll(login);
+        recent.prepend(login);
+        context_.settings().setValue("recent_logins", recent.mid(0, kRememberedPeople));
+    }
+
+    void countDown() {
+        if (wait_s_ <= 0) {
+            timer_.stop();
+            button_->setEnabled(true);
+            message_->hide();
+            return;
+        }
+        say(tr("Too many wrong passwords. Try again in %1 s.").arg(wait_s_--));
+    }
+
+    void say(const QString& text) {
+        message_->setText(text);
+        message_->show();
+    }
+
+    QLineEdit* login_ = nullptr;
+    QLineEdit* password_ = nullptr;
+    QLabel* message_ = nullptr;
+    QPushButton* button_ = nullptr;
+    QTimer timer_;
+    int wait_s_ = 0;
+};
+
+}  // namespace
+
+Page* make_login_page(AppContext& context, const Place& place) {
+    return new LoginPage(context, place);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The frame of the shell: rail, top bar, banner and the page that is shown.
+
+#include <QMainWindow>
+#include <QPointer>
+#include <vector>
+
+#include "ui/shell/banner.h"
+#include "ui/shell/pages.h"
+
+class QHBoxLayout;
+class QLabel;
+class QProgressBar;
+class QToolButton;
+class QVBoxLayout;
+
+namespace placode::ui {
+
+/// Main thread. Does not own the context.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+ public:
+    explicit MainWindow(AppContext& context);
+
+    /// Opens the store and shows set-up, log-in or, when that fails, why and "Try again".
+    void begin();
+    void open(const Place& place);
+    [[nodiscard]] PageId current() const { return place_.page; }
+    [[nodiscard]] Page* page() const { return page_; }
+    [[nodiscard]] const Banner& banner() const { return *banner_; }
+
+ protected:
+    void closeEvent(QCloseEvent* event) override;
+
+ private:
+    void buildFrame();
+    [[nodiscard]] QWidget* buildRail();
+    [[nodiscard]] QWidget* buildTopBar();
+    void addUserMenu(QHBoxLayout* bar);
+    void rebuild();
+    void showPlace(const Place& place);
+    void showRetry(const QString& text, const std::function<void()>& again);
+    void goBack();
+    void onUserChanged();
+    void onAttemptEnded(const AttemptEnding& ending);
+    void saveAttempt(const AttemptEnding& ending);
+    void offerLeftovers();
+    [[nodiscard]] Place home() const;
+    void updateFrame();
+
+    AppContext& context_;
+    Place place_;
+    std::vector<Place> trail_;
+    QPointer<Page> page_;
+    QPointer<Banner> banner_;
+    QWidget *rail_ = nullptr, *bar_ = nullptr;
+    QVBoxLayout* content_ = nullptr;
+    QPointer<QWidget> shown_;
+    QLabel *title_ = nullptr, *busy_text_ = nullptr;
+    QWidget* busy_ = nullptr;
+    QToolButton* running_ = nullptr;
+    std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
+};
+
+}  // namespace placode::ui

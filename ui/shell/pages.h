@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The pages of the shell. Each stands in `<name>_page.cpp` and needs no header of its own.
+
+#include <QCoreApplication>
+#include <QVariantMap>
+#include <QWidget>
+
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+enum class PageId : uint8_t {
+    kSetup,
+    kLogin,
+    kToday,
+    kCourse,
+    kTask,
+    kRunning,
+    kResult,
+    kHistory,
+    kAttempts,
+    kStudies,
+    kParticipant,
+    kPeople,
+    kHealth,
+    kAudit,
+    kAccount,
+    kRecovery,
+};
+
+/// Where to go: a page and what it shows.
+struct Place {
+    PageId page = PageId::kLogin;
+    qint64 number = 0;  ///< Attempt id.
+    QString text;       ///< Task id, participant code.
+    QVariantMap state;  ///< What a page wants back when it is rebuilt in another language.
+};
+
+/// A page is built for one visit and thrown away afterwards: what it shows is always fresh.
+class Page : public QWidget {
+    Q_OBJECT
+ public:
+    explicit Page(AppContext& context);
+    [[nodiscard]] virtual QString title() const = 0;
+    /// What to hand back in Place::state after a change of language or theme.
+    [[nodiscard]] virtual QVariantMap state() const { return {}; }
+    /// False keeps the user here (unsaved answers).
+    [[nodiscard]] virtual bool mayLeave() { return true; }
+    /// No rail and no user menu: a participant is at the screen.
+    [[nodiscard]] virtual bool alone() const { return false; }
+
+ Q_SIGNALS:
+    void go(const placode::ui::Place& place);
+    void back();
+    void notice(const QString& text);
+
+ protected:
+    AppContext& context_;
+};
+
+[[nodiscard]] Page* make_setup_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_login_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_today_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_course_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_task_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_running_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_result_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_history_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_attempts_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_studies_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_participant_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_people_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_health_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_audit_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_account_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_recovery_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_page(AppContext& context, const Place& place);
+
+}  // namespace placode::ui

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Participant: one person answers one questionnaire. Answer, review, submit; the rail is hidden,
+// because the screen belongs to somebody who has no account here.
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::ItemKind;
+using curriculum::QuestionnaireItem;
+
+class ParticipantPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
+ public:
+    ParticipantPage(AppContext& context, const Place& place)
+        : Page(context),
+          code_(place.text),
+          questionnaire_(curriculum::load_questionnaire(
+              place.state.value("questionnaire").toString().toStdString())) {
+        context.require(db::Action::kRunQuestionnaire);
+        const QVariantMap kept = place.state.value("answers").toMap();
+        for (auto it = kept.begin(); it != kept.end(); ++it)
+            answers_[it.key().toStdString()] = it.value().toString().toStdString();
+        auto* layout = new QVBoxLayout(this);
+        layout->setContentsMargins(0, 0, 0, 0);
+        steps_ = new QStackedWidget;
+        layout->addWidget(steps_);
+        steps_->addWidget(answerStep());
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
+    [[nodiscard]] bool alone() const override { return true; }
+    [[nodiscard]] QVariantMap state() const override {
+        QVariantMap kept;
+        for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
+        return {{"answers", kept}, {"questionnaire", qstr(questionnaire_.id)}};
+    }
+    [[nodiscard]] bool mayLeave() override {
+        if (submitted_ || answers_.empty()) return true;
+        return confirm(this, tr("Leave without submitting?"),
+                       tr("The answers given so far are not saved."), tr("Leave"));
+    }
+
+ private:
+    QWidget* answerStep() {
+        auto* step = new QWidget;
+        QVBoxLayout* column = make_column(step, 900);
+        column->addWidget(make_label(context_.in(questionnaire_.title), "display"));
+        column->addWidget(make_label(context_.in(questionnaire_.introduction), "muted"));
+        for (const QuestionnaireItem& item : questionnaire_.items)
+            column->addWidget(itemCard(item));
+        message_ = make_label({}, "critical");
+        message_->setObjectName("participant_message");
+        message_->hide();
+        column->addWidget(message_);
+        auto* row = new QHBoxLayout;
+        QPushButton* cancel = make_button(context_, tr("Cancel"), "quiet", "close");
+        cancel->setObjectName("cancel_participant");
+        connect(cancel, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kStudies, 0, qstr(questionnaire_.id), {}});
+        });
+        QPushButton* review = make_button(context_, tr("Review the answers"), "primary", "next");
+        review->setObjectName("review");
+        connect(review, &QPushButton::clicked, this, [this] { this->review(); });
+        row->addWidget(cancel);
+        row->addStretch();
+        row->addWidget(review);
+        column->addLayout(row);
+        column->addStretch();
+        return step;
+    }
+
+    /// The letter of an item, or its number where the id is a word for machines.
+    [[nodiscard]] QString markOf(const QuestionnaireItem& item) const {
+        if (item.id.size() <= 2) return qstr(item.id);
+        return QString::number(&item - questionnaire_.items.data() + 1);
+    }
+
+    QWidget* itemCard(const QuestionnaireItem& item) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        QString text = markOf(item) + "  " + context_.in(item.text);
+        if (!item.required) text += tr(" (may be left out)");
+        layout->addWidget(make_label(text, "heading"));
+        switch (item.kind) {
+            case ItemKind::kLikert:
+                layout->addLayout(scale(item));
+                break;
+            case ItemKind::kChoice:
+                layout->addWidget(choice(item));
+                break;
+            default:
+                layout->addWidget(line(item));
+        }
+        QFrame* card = make_card(layout);
+        cards_[item.id] = card;
+        return card;
+    }
+
+    QHBoxLayout* scale(const QuestionnaireItem& item) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        QLabel* low = make_label(context_.in(item.anchor_low), "muted");
+        low->setFixedWidth(150);
+        low->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        row->addWidget(low);
+        auto* group = new QButtonGroup(this);
+        for (int value = item.scale_min; value <= item.scale_max; ++value) {
+            auto* button = new QRadioButton(QString::number(value));
+            button->setObjectName(QString("answer_%1_%2").arg(qstr(item.id)).arg(value));
+            QString name = tr("%1: %2 of %3").arg(markOf(item)).arg(value).arg(item.scale_max);
+            if (value == item.scale_min) name += ", " + context_.in(item.anchor_low);
+            if (value == item.scale_max) name += ", " + context_.in(item.anchor_high);
+            button->setAccessibleName(name);
+            button->setMinimumSize(72, kTouchTarget);
+            button->setChecked(answer(item.id) == QString::number(value));
+            group->addButton(button, value);
+            row->addWidget(button);
+        }
+        QLabel* high = make_label(context_.in(item.anchor_high), "muted");
+        high->setFixedWidth(150);
+        row->addWidget(high);
+        row->addStretch();
+        connect(group, &QButtonGroup::idClicked, this, [this, id = item.id](int value) {
+            answers_[id] = std::to_string(value);
+            unmark(id);
+        });
+        return row;
+    }
+
+    QWidget* choice(const QuestionnaireItem& item) {
+        auto* box = new QComboBox;
+        box->setObjectName("answer_" + qstr(item.id));
+        box->setAccessibleName(context_.in(item.text));
+        box->addItem(tr("Choose …"), -1);
+        for (size_t i = 0; i < item.choices.size(); ++i)
+            box->addItem(context_.in(item.choices[i]), static_cast<int>(i));
+        const QString given = answer(item.id);
+        if (!given.isEmpty()) box->setCurrentIndex(given.toInt() + 1);
+        box->setMaximumWidth(420);
+        connect(box, &QComboBox::currentIndexChanged, this, [this, box, id = item.id] {
+            const int value = box->currentData().toInt();
+            keep(id, value < 0 ? QString() : QString::number(value));
+        });
+        return box;
+    }
+
+    QWidget* line(const QuestionnaireItem& item) {
+        if (item.kind == ItemKind::kText) {
+            auto* edit = new QPlainTextEdit(answer(item.id));
+            edit->setObjectName("answer_" + qstr(item.id));
+            edit->setAccessibleName(context_.in(item.text));
+            edit->setTabChangesFocus(true);
+            edit->setFixedHeight(110);
+            connect(edit, &QPlainTextEdit::textChanged, this,
+                    [this, edit, id = item.id] { keep(id, edit->toPlainText().trimmed()); });
+            return edit;
+        }
+        auto* edit = new QLineEdit(answer(item.id));
+        edit->setObjectName("answer_" + qstr(item.id));
+        edit->setAccessibleName(context_.in(item.text));
+        edit->setPlaceholderText(qstr(item.unit));
+        edit->setMaximumWidth(240);
+        // A comma is a decimal point to half of Europe; the store always holds '.'.
+        connect(edit, &QLineEdit::textChanged, this,
+                [this, edit, id = item.id] { keep(id, edit->text().trimmed().replace(',', '.')); });
+        return edit;
+    }
+
+    [[nodiscard]] QString answer(const std::string& id) const {
+        const auto found = answers_.find(id);
+        return found == answers_.end() ? QString() : qstr(found->second);
+    }
+
+    void keep(const std::string& id, const QString& text) {
+        if (text.isEmpty()) {
+            answers_.erase(id);
+        } else {
+            answers_[id] = text.toStdString();
+        }
+        unmark(id);
+    }
+
+    void unmark(const std::string& id) {
+        mark(id, "");
+        message_->hide();
+    }
+
+    void mark(const std::string& id, const char* tone) {
+        QFrame* card = cards_[id];
+        card->setProperty("tone", tone);
+        card->style()->unpolish(card);
+        card->style()->polish(card);
+    }
+
+    /// All answers that are missing are marked; the message names the first problem.
+    [[nodiscard]] bool complete() {
+        const QuestionnaireItem* first = nullptr;
+        for (const QuestionnaireItem& item : questionnaire_.items) {
+            const bool missing = item.required && answers_.count(item.id) == 0;
+            mark(item.id, missing ? "accent" : "");
+            if (missing && first == nullptr) first = &item;
+        }
+        if (first != nullptr) {
+            message_->setText(tr("Question %1 needs an answer.").arg(markOf(*first)));
+            message_->show();
+            if (auto* scroll = steps_->currentWidget()->findChild<QScrollArea*>())
+                scroll->ensureWidgetVisible(cards_[first->id]);
+            return false;
+        }
+        const auto problem = curriculum::check_answers(questionnaire_, answers_);
+        message_->setText(problem ? qstr(*problem) : QString());
+        message_->setVisible(problem.has_value());
+        return !problem;
+    }
+
+    void review() {
+        if (!complete()) return;
+        auto* step = new QWidget;
+        QVBoxLayout* column = make_column(step, 900);
+        column->addWidget(make_label(tr("Review"), "display"));
+        column->addWidget(make_label(
+            tr("Nothing is saved yet. Go back to change an answer, or submit."), "muted"));
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        for (const QuestionnaireItem& item : questionnaire_.items) {
+            auto* row = new QHBoxLayout;
+            row->setSpacing(kSpace16);
+            row->addWidget(make_label(markOf(item) + "  " + context_.in(item.text)), 1);
+            QLabel* given = make_label(shown(item), "heading");
+            given->setAlignment(Qt::AlignRight);
+            given->setMaximumWidth(320);
+            row->addWidget(given);
+            layout->addLayout(row);
+            layout->addWidget(make_rule());
+        }
+        column->addWidget(make_card(layout));
+        auto* row = new QHBoxLayout;
+        QPushButton* change = make_button(context_, tr("Change"), "secondary", "back");
+        change->setObjectName("change_answers");
+        connect(change, &QPushButton::clicked, this, [this, step] {
+            steps_->removeWidget(step);
+            step->deleteLater();
+        });
+        QPushButton* submit = make_button(context_, tr("Submit"), "primary", "check");
+        submit->setObjectName("submit_answers");
+        connect(submit, &QPushButton::clicked, this, [this] { this->submit(); });
+        row->addWidget(change);
+        row->addStretch();
+        row->addWidget(submit);
+        column->addLayout(row);
+        column->addStretch();
+        steps_->addWidget(step);
+        steps_->setCurrentWidget(step);
+        submit->setFocus();
+    }
+
+    [[nodiscard]] QString shown(const QuestionnaireItem& item) const {
+        const QString given = answer(item.id);
+        if (given.isEmpty()) return "–";
+        if (item.kind == ItemKind::kChoice) return context_.in(item.choices.at(given.toUInt()));
+        if (item.kind == ItemKind::kLikert) return tr("%1 of %2").arg(given).arg(item.scale_max);
+        return item.unit.empty() ? given : given + " " + qstr(item.unit);
+    }
+
+    void submit() {
+        if (submitted_) return;
+        context_.guard(tr("Saving the answers"), [this] {
+            db::AnswerRecord record;
+            record.study_id = questionnaire_.id;
+            record.participant = code_.toStdString();
+            record.questionnaire_id = questionnaire_.id;
+            record.questionnaire_version = questionnaire_.version;
+            record.answered_utc =
+                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+            record.answers = answers_;
+            record.demonstration = context_.user().demonstration;
+            context_.store().save_answers(record);
+            submitted_ = true;
+            showThanks();
+        });
+    }
+
+    void showThanks() {
+        auto* step = new QWidget;
+        auto* layout = new QVBoxLayout(step);
+        layout->setSpacing(kSpace16);
+        layout->addStretch();
+        for (QLabel* label : {make_label(tr("Thank you."), "display"),
+                              make_label(tr("The answers of %1 are saved. Please hand the screen "
+                                            "back to the coordinator.")
+                                             .arg(code_),
+                                         "muted")}) {
+            label->setAlignment(Qt::AlignCenter);
+            layout->addWidget(label);
+        }
+        QPushButton* done = make_button(context_, tr("Back to the study"), "primary", "next");
+        done->setObjectName("participant_done");
+        connect(done, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kStudies, 0, qstr(questionnaire_.id), {}});
+        });
+        layout->addWidget(done, 0, Qt::AlignHCenter);
+        layout->addStretch();
+        steps_->addWidget(step);
+        steps_->setCurrentWidget(step);
+        done->setFocus();
+    }
+
+    QString code_;
+    curriculum::Questionnaire questionnaire_;
+    curriculum::Answers answers_;
+    std::map<std::string, QFrame*> cards_;
+    QStackedWidget* steps_ = nullptr;
+    QLabel* message_ = nullptr;
+    bool submitted_ = false;
+};
+
+}  // namespace
+
+Page* make_participant_page(AppContext& context, const Place& place) {
+    return new ParticipantPage(context, place);
+}
+
+}  // namespace placode::ui

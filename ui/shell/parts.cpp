@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/parts.h"
+
+#include <QCoreApplication>
+#include <QHeaderView>
+#include <QLocale>
+#include <QMessageBox>
+#include <QPainter>
+#include <QScrollArea>
+#include <cmath>
+
+namespace placode::ui {
+namespace {
+
+/// Strings of this file share one context for translators.
+struct Parts {
+    Q_DECLARE_TR_FUNCTIONS(Parts)
+};
+
+class NumberItem : public QTableWidgetItem {
+ public:
+    using QTableWidgetItem::QTableWidgetItem;
+    bool operator<(const QTableWidgetItem& other) const override {
+        return data(Qt::UserRole).toDouble() < other.data(Qt::UserRole).toDouble();
+    }
+};
+
+class Picture : public QWidget {
+ public:
+    explicit Picture(std::function<void(QPainter&, const QRectF&)> draw) : draw_(std::move(draw)) {}
+
+ protected:
+    void paintEvent(QPaintEvent*) override {
+        const qreal ratio = devicePixelRatioF();
+        if (cache_.size() != size() * ratio) {
+            cache_ = QPixmap(size() * ratio);
+            cache_.setDevicePixelRatio(ratio);
+            cache_.fill(Qt::transparent);
+            QPainter painter(&cache_);
+            painter.setRenderHint(QPainter::Antialiasing);
+            draw_(painter, QRectF(rect()));
+        }
+        QPainter(this).drawPixmap(0, 0, cache_);
+    }
+
+ private:
+    std::function<void(QPainter&, const QRectF&)> draw_;
+    QPixmap cache_;
+};
+
+QDateTime parse_utc(const QString& utc) {
+    QDateTime when = QDateTime::fromString(utc, Qt::ISODate);
+    when.setTimeSpec(Qt::UTC);
+    return when.toLocalTime();
+}
+
+}  // namespace
+
+QLabel* make_label(const QString& text, const char* role) {
+    auto* label = new QLabel(text);
+    label->setProperty("role", role);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::NoTextInteraction);
+    return label;
+}
+
+QLabel* make_badge(const QString& text, const char* tone) {
+    QLabel* label = make_label(text, "badge");
+    label->setProperty("tone", tone);
+    label->setWordWrap(false);
+    label->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Maximum);
+    return label;
+}
+
+QLabel* make_demonstration_badge() {
+    QLabel* badge = make_badge(Parts::tr("DEMONSTRATION"), "warn");
+    badge->setToolTip(Parts::tr("Made by a scripted operator or a demonstration account."));
+    return badge;
+}
+
+QPushButton* make_button(const AppContext& context, const QString& text, const char* role,
+                         const QString& icon) {
+    auto* button = new QPushButton(text);
+    button->setProperty("role", role);
+    button->setAutoDefault(true);  // Enter presses what has the focus.
+    button->setCursor(Qt::PointingHandCursor);
+    if (!icon.isEmpty()) {
+        const Tokens& colors = context.colors();
+        const QString kind = role;
+        button->setIcon(line_icon(icon, kind == "primary"  ? colors.on_accent
+                                        : kind == "danger" ? colors.critical
+                                                           : colors.text));
+        button->setIconSize(QSize(20, 20));
+    }
+    return button;
+}
+
+QFrame* make_card(QLayout* content) {
+    auto* card = new QFrame;
+    card->setProperty("role", "card");
+    content->setContentsMargins(kSpace24, kSpace16, kSpace24, kSpace16);
+    card->setLayout(content);
+    return card;
+}
+
+QFrame* make_rule() {
+    auto* rule = new QFrame;
+    rule->setProperty("role", "rule");
+    return rule;
+}
+
+QVBoxLayout* make_field(const QString& name, QWidget* field) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace4);
+    QLabel* label = make_label(name, "muted");
+    label->setBuddy(field);
+    field->setAccessibleName(name);
+    layout->addWidget(label);
+    layout->addWidget(field);
+    return layout;
+}
+
+QTableWidget* make_table(const QStringList& headers, const QString& name) {
+    auto* table = new QTableWidget(0, static_cast<int>(headers.size()));
+    table->setHorizontalHeaderLabels(headers);
+    table->setAccessibleName(name);
+    table->verticalHeader()->hide();
+    table->verticalHeader()->setDefaultSectionSize(kTouchTarget);
+    table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    table->horizontalHeader()->setHighlightSections(false);
+    table->setShowGrid(false);
+    table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    table->setSelectionMode(QAbstractItemView::SingleSelection);
+    table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table->setTabKeyNavigation(false);  // Tab leaves the table: no trap for keyboard users.
+    table->setSortingEnabled(true);
+    table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    return table;
+}
+
+QTableWidgetItem* make_cell(const QString& text) { return new QTableWidgetItem(text); }
+
+QTableWidgetItem* make_number_cell(const QString& text, double value) {
+    auto* item = new NumberItem(text);
+    item->setData(Qt::UserRole, value);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+}
+
+void fit_columns(QTableWidget* table, int stretch) {
+    table->resizeColumnsToContents();
+    QHeaderView* header = table->horizontalHeader();
+    for (int c = 0; c < table->columnCount(); ++c) {
+        // Room for the padding of the style sheet, which the size hint of a cell leaves out.
+        header->setSectionResizeMode(
+            c, c == stretch ? QHeaderView::Stretch : QHeaderView::Interactive);
+        if (c != stretch) table->setColumnWidth(c, table->columnWidth(c) + kSpace24);
+        const QTableWidgetItem* first = table->item(0, c);
+        if (first != nullptr && (first->textAlignment() & Qt::AlignRight) != 0)
+            table->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    }
+}
+
+bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb) {
+    QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, parent);
+    box.setObjectName("confirm");
+    QPushButton* yes = box.addButton(verb, QMessageBox::DestructiveRole);
+    yes->setObjectName("confirm_yes");
+    yes->setProperty("role", "danger");
+    QPushButton* no = box.addButton(Parts::tr("Keep"), QMessageBox::RejectRole);
+    no->setObjectName("confirm_no");
+    no->setProperty("role", "secondary");
+    box.setDefaultButton(no);
+    box.setEscapeButton(no);
+    box.exec();
+    return box.clickedButton() == yes;
+}
+
+QWidget* make_picture(std::function<void(QPainter&, const QRectF&)> draw, QSize least,
+                      const QString& name, const QString& description) {
+    auto* picture = new Picture(std::move(draw));
+    picture->setMinimumSize(least);
+    picture->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    picture->setAccessibleName(name);
+    picture->setAccessibleDescription(description);
+    return picture;
+}
+
+QVBoxLayout* make_column(QWidget* page, int width) {
+    auto* outer = new QVBoxLayout(page);
+    outer->setContentsMargins(0, 0, 0, 0);
+    auto* scroll = new QScrollArea;
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* inside = new QWidget;
+    inside->setProperty("role", "page");
+    auto* centre = new QHBoxLayout(inside);
+    centre->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace32);
+    auto* column_widget = new QWidget;
+    column_widget->setMaximumWidth(width);
+    auto* column = new QVBoxLayout(column_widget);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace16);
+    centre->addStretch(1);
+    centre->addWidget(column_widget, 1000);
+    centre->addStretch(1);
+    scroll->setWidget(inside);
+    outer->addWidget(scroll);
+    return column;
+}
+
+QString format_number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QString format_value(double value) {
+    const double size = std::abs(value);
+    if (size == 0) return "0";
+    if (size >= 1e5) return QLocale().toString(value, 'g', 3);
+    return format_number(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
+}
+
+QString format_duration(double seconds) {
+    const int whole = static_cast<int>(std::lround(seconds));
+    if (whole < 60) return Parts::tr("%1 s").arg(whole);
+    return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')) + " min";
+}
+
+QString format_when(const std::string& utc) {
+    const QDateTime when = parse_utc(qstr(utc));
+    return when.isValid() ? QLocale().toString(when, "d MMM yyyy, HH:mm") : qstr(utc);
+}
+
+QString format_clock(const QString& utc) {
+    const QDateTime when = parse_utc(utc);
+    if (!when.isValid()) return utc;
+    const bool today = when.date() == QDate::currentDate();
+    return QLocale().toString(when, today ? "HH:mm" : "d MMM HH:mm");
+}
+
+QString format_points(double points) { return format_number(points, 0); }
+
+QString verdict_word(const db::AttemptRecord& attempt) {
+    if (attempt.end == sim::EndReason::kInterrupted) return Parts::tr("Interrupted");
+    switch (attempt.verdict) {
+        case assessment::Verdict::kPassed:
+            return Parts::tr("Passed");
+        case assessment::Verdict::kFailed:
+            return Parts::tr("Failed: critical error");
+        default:
+            return Parts::tr("Not yet");
+    }
+}
+
+const char* verdict_tone(const db::AttemptRecord& attempt) {
+    if (attempt.end == sim::EndReason::kInterrupted) return "";
+    switch (attempt.verdict) {
+        case assessment::Verdict::kPassed:
+            return "good";
+        case assessment::Verdict::kFailed:
+            return "critical";
+        default:
+            return "warn";
+    }
+}
+
+QString end_word(sim::EndReason reason) {
+    switch (reason) {
+        case sim::EndReason::kFinished:
+            return Parts::tr("finished");
+        case sim::EndReason::kTimeLimit:
+            return Parts::tr("time limit");
+        case sim::EndReason::kClosed:
+            return Parts::tr("stopped");
+        default:
+            return Parts::tr("interrupted");
+    }
+}
+
+QString role_names(db::Roles roles) {
+    QStringList names;
+    if (db::has_role(roles, db::Role::kTrainee)) names << Parts::tr("Trainee");
+    if (db::has_role(roles, db::Role::kEducator)) names << Parts::tr("Educator");
+    if (db::has_role(roles, db::Role::kCoordinator)) names << Parts::tr("Coordinator");
+    if (db::has_role(roles, db::Role::kAdministrator)) names << Parts::tr("Administrator");
+    return names.join(", ");
+}
+
+QString device_name(const std::string& device) {
+    if (device == "mouse") return Parts::tr("Mouse");
+    if (device == "keyboard") return Parts::tr("Keyboard");
+    if (device == "gamepad") return Parts::tr("Gamepad");
+    if (device == "script:expert") return Parts::tr("Scripted operator: expert");
+    if (device == "script:intermediate") return Parts::tr("Scripted operator: intermediate");
+    if (device == "script:novice") return Parts::tr("Scripted operator: novice");
+    return qstr(device);
+}
+
+QString unit_sign(std::string_view unit) {
+    if (unit == "C") return "°C";
+    if (unit == "deg") return "°";
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()))
+        .replace("mm3", "mm³");
+}
+
+QString metric_name(std::string_view english) {
+    return QCoreApplication::translate("Metric", std::string(english).c_str());
+}
+
+}  // namespace placode::ui

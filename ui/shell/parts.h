@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Parts that pages are built from, so that every page has the same labels, buttons, tables and
+// numbers. They look by their `role` property, which the style sheet knows.
+
+#include <QDateTime>
+#include <QFrame>
+#include <QLabel>
+#include <QPushButton>
+#include <QString>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <functional>
+
+#include "db/records.h"
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+[[nodiscard]] inline QString qstr(const std::string& text) { return QString::fromStdString(text); }
+
+/// Roles: display, title, heading, body, muted, small, good, warn, critical.
+[[nodiscard]] QLabel* make_label(const QString& text, const char* role = "body");
+/// Tones: "", accent, good, warn, critical.
+[[nodiscard]] QLabel* make_badge(const QString& text, const char* tone = "");
+[[nodiscard]] QLabel* make_demonstration_badge();
+/// Roles: primary, secondary, danger, quiet. `icon` may be empty.
+[[nodiscard]] QPushButton* make_button(const AppContext& context, const QString& text,
+                                       const char* role, const QString& icon = {});
+/// A raised card; the layout has the card's margins set.
+[[nodiscard]] QFrame* make_card(QLayout* content);
+[[nodiscard]] QFrame* make_rule();
+/// A label above a field; the field gets the label as accessible name.
+[[nodiscard]] QVBoxLayout* make_field(const QString& name, QWidget* field);
+
+/// Table with sorting, whole rows, 44 px rows and a name for screen readers.
+[[nodiscard]] QTableWidget* make_table(const QStringList& headers, const QString& name);
+/// Text cell; sorted as text.
+[[nodiscard]] QTableWidgetItem* make_cell(const QString& text);
+/// Number cell: right-aligned, sorted by `value`.
+[[nodiscard]] QTableWidgetItem* make_number_cell(const QString& text, double value);
+/// Sizes columns to content and lets `stretch` take the rest.
+void fit_columns(QTableWidget* table, int stretch);
+
+/// Asks with verbs on the buttons; true when `verb` was chosen. Escape and Enter keep.
+[[nodiscard]] bool confirm(QWidget* parent, const QString& title, const QString& text,
+                           const QString& verb);
+
+/// A picture drawn by a function, cached per size. `description` is read to those who cannot see.
+[[nodiscard]] QWidget* make_picture(std::function<void(QPainter&, const QRectF&)> draw, QSize least,
+                                    const QString& name, const QString& description);
+
+/// A scrolling column of at most `width` px that holds a page's content.
+[[nodiscard]] QVBoxLayout* make_column(QWidget* page, int width = 1080);
+
+[[nodiscard]] QString format_number(double value, int decimals);
+/// A metric's value with decimals that fit its size.
+[[nodiscard]] QString format_value(double value);
+[[nodiscard]] QString format_duration(double seconds);      ///< "1:05", "34 s"
+[[nodiscard]] QString format_when(const std::string& utc);  ///< Local date and time.
+[[nodiscard]] QString format_clock(const QString& utc);     ///< Local time only.
+[[nodiscard]] QString format_points(double points);         ///< "84"
+[[nodiscard]] QString verdict_word(const db::AttemptRecord& attempt);
+[[nodiscard]] const char* verdict_tone(const db::AttemptRecord& attempt);
+[[nodiscard]] QString end_word(sim::EndReason reason);
+[[nodiscard]] QString role_names(db::Roles roles);
+[[nodiscard]] QString device_name(const std::string& device);
+[[nodiscard]] QString metric_name(std::string_view english);
+/// "mm3" as it is printed: "mm³"; "C" as "°C".
+[[nodiscard]] QString unit_sign(std::string_view unit);
+
+}  // namespace placode::ui

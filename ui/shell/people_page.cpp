@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// People: an administrator creates accounts, closes and opens them, and gives a new password.
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kUserIdRole = Qt::UserRole + 1;
+
+class PeoplePage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(PeoplePage)
+ public:
+    explicit PeoplePage(AppContext& context) : Page(context) {
+        context.require(db::Action::kManageUsers, db::Scope::kOther);
+        auto* layout = new QVBoxLayout(this);
+        layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
+        layout->setSpacing(kSpace16);
+        layout->addWidget(make_label(tr("People"), "display"));
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace16);
+        auto* left = new QVBoxLayout;
+        left->setSpacing(kSpace16);
+        table_ = make_table({tr("Name"), tr("Log-in name"), tr("Roles"), tr("State"), tr("Since")},
+                            tr("People"));
+        table_->setObjectName("people_table");
+        connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showSelected(); });
+        left->addWidget(table_, 1);
+        left->addWidget(selectedCard());
+        row->addLayout(left, 1);
+        auto* right = new QVBoxLayout;
+        right->addWidget(newCard());
+        right->addStretch();
+        row->addLayout(right);
+        layout->addLayout(row, 1);
+        fill();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("People"); }
+
+ private:
+    QWidget* newCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("Add a person"), "heading"));
+        name_ = new QLineEdit;
+        name_->setObjectName("new_name");
+        login_ = new QLineEdit;
+        login_->setObjectName("new_login");
+        password_ = new QLineEdit;
+        password_->setObjectName("new_password");
+        password_->setEchoMode(QLineEdit::Password);
+        layout->addLayout(make_field(tr("Name"), name_));
+        layout->addLayout(make_field(tr("Log-in name"), login_));
+        layout->addLayout(make_field(tr("First password"), password_));
+        auto* roles = new QVBoxLayout;
+        roles->setSpacing(0);
+        for (const db::Role role : {db::Role::kTrainee, db::Role::kEducator, db::Role::kCoordinator,
+                                    db::Role::kAdministrator}) {
+            auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
+            box->setObjectName(QString("role_%1").arg(static_cast<int>(role)));
+            box->setChecked(role == db::Role::kTrainee);
+            roles_.emplace_back(box, role);
+            roles->addWidget(box);
+        }
+        layout->addLayout(roles);
+        QPushButton* add = make_button(context_, tr("Add the person"), "primary", "plus");
+        add->setObjectName("add_person");
+        connect(add, &QPushButton::clicked, this, [this] { this->add(); });
+        layout->addWidget(add);
+        QFrame* card = make_card(layout);
+        card->setFixedWidth(320);
+        return card;
+    }
+
+    QWidget* selectedCard() {
+        auto* layout = new QHBoxLayout;
+        layout->setSpacing(kSpace12);
+        selected_ = make_label(tr("Select a person to change the account."), "muted");
+        layout->addWidget(selected_, 1);
+        new_password_ = new QLineEdit;
+        new_password_->setObjectName("reset_password_field");
+        new_password_->setEchoMode(QLineEdit::Password);
+        new_password_->setPlaceholderText(tr("New password"));
+        new_password_->setAccessibleName(tr("New password"));
+        new_password_->setFixedWidth(200);
+        reset_ = make_button(context_, tr("Set password"), "secondary", "key");
+        reset_->setObjectName("reset_password");
+        active_ = make_button(context_, tr("Deactivate"), "danger");
+        active_->setObjectName("toggle_active");
+        layout->addWidget(new_password_);
+        layout->addWidget(reset_);
+        layout->addWidget(active_);
+        connect(reset_, &QPushButton::clicked, this, [this] { resetPassword(); });
+        connect(active_, &QPushButton::clicked, this, [this] { toggleActive(); });
+        return make_card(layout);
+    }
+
+    void fill() {
+        const int64_t kept = selectedId();
+        people_ = context_.store().users();
+        table_->setSortingEnabled(false);
+        table_->setRowCount(static_cast<int>(people_.size()));
+        int row = 0;
+        for (const db::UserRecord& person : people_) {
+            QTableWidgetItem* name = make_cell(qstr(person.display_name));
+            name->setData(kUserIdRole, QVariant::fromValue<qint64>(person.id));
+            table_->setItem(row, 0, name);
+            table_->setItem(row, 1, make_cell(qstr(person.login)));
+            table_->setItem(row, 2, make_cell(role_names(person.roles)));
+            QTableWidgetItem* state = make_cell(!person.active         ? tr("Deactivated")
+                                                : person.demonstration ? tr("DEMONSTRATION")
+                                                                       : tr("Active"));
+            state->setForeground(!person.active         ? context_.colors().muted
+                                 : person.demonstration ? context_.colors().warn
+                                                        : context_.colors().good);
+            table_->setItem(row, 3, state);
+            table_->setItem(row, 4, make_cell(format_when(person.created_utc)));
+            ++row;
+        }
+        fit_columns(table_, 2);
+        table_->setSortingEnabled(true);
+        table_->sortByColumn(0, Qt::AscendingOrder);
+        for (int r = 0; r < table_->rowCount(); ++r) {
+            if (kept != 0 && table_->item(r, 0)->data(kUserIdRole).toLongLong() == kept)
+                table_->selectRow(r);
+        }
+        showSelected();
+    }
+
+    [[nodiscard]] int64_t selectedId() const {
+        const auto rows = table_->selectionModel()->selectedRows();
+        if (rows.isEmpty()) return 0;
+        return table_->item(rows.front().row(), 0)->data(kUserIdRole).toLongLong();
+    }
+
+    [[nodiscard]] const db::UserRecord* selected() const {
+        const int64_t id = selectedId();
+        for (const db::UserRecord& person : people_) {
+            if (person.id == id) return &person;
+        }
+        return nullptr;
+    }
+
+    void showSelected() {
+        const db::UserRecord* person = selected();
+        for (QWidget* part : std::initializer_list<QWidget*>{new_password_, reset_, active_})
+            part->setVisible(person != nullptr);
+        if (person == nullptr) {
+            selected_->setText(tr("Select a person to change the account."));
+            return;
+        }
+        selected_->setText(qstr(person->display_name));
+        active_->setText(person->active ? tr("Deactivate") : tr("Activate"));
+        // Nobody locks himself out.
+        active_->setEnabled(person->id != context_.user().id);
+    }
+
+    void add() {
+        db::NewUser user;
+        user.display_name = name_->text().trimmed().toStdString();
+        user.login = login_->text().trimmed().toStdString();
+        user.password = password_->text().toStdString();
+        user.roles = 0;
+        for (const auto& [box, role] : roles_) {
+            if (box->isChecked()) user.roles |= static_cast<db::Roles>(role);
+        }
+        context_.guard(tr("Adding the person"), [&] {
+            using db::StoreError;
+            if (user.display_name.empty() || user.login.empty())
+                throw StoreError(StoreError::Kind::kRefused,
+                                 tr("A person needs a name and a log-in name.").toStdString());
+            if (user.roles == 0)
+                throw StoreError(StoreError::Kind::kRefused,
+                                 tr("A person needs at least one role.").toStdString());
+            context_.store().create_user(user);
+            for (QLineEdit* field : {name_, login_, password_}) field->clear();
+            fill();
+            Q_EMIT notice(tr("%1 was added.").arg(qstr(user.display_name)));
+        });
+    }
+
+    void resetPassword() {
+        const db::UserRecord* person = selected();
+        if (person == nullptr) return;
+        context_.guard(tr("Setting the password"), [&] {
+            context_.store().set_password(person->id, new_password_->text().toStdString());
+            new_password_->clear();
+            Q_EMIT notice(tr("%1 has a new password.").arg(qstr(person->display_name)));
+        });
+    }
+
+    void toggleActive() {
+        const db::UserRecord* person = selected();
+        if (person == nullptr) return;
+        const bool active = !person->active;
+        if (!active && !confirm(this, tr("Deactivate %1?").arg(qstr(person->display_name)),
+                                tr("The person can no longer sign in. Attempts and answers stay."),
+                                tr("Deactivate")))
+            return;
+        context_.guard(tr("Changing the account"), [&] {
+            context_.store().set_active(person->id, active);
+            fill();
+        });
+    }
+
+    std::vector<db::UserRecord> people_;
+    std::vector<std::pair<QCheckBox*, db::Role>> roles_;
+    QTableWidget* table_ = nullptr;
+    QLabel* selected_ = nullptr;
+    QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *new_password_ = nullptr;
+    QPushButton *reset_ = nullptr, *active_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_people_page(AppContext& context, const Place&) { return new PeoplePage(context); }
+
+}  // namespace placode::ui

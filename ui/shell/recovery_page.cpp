@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recovery: recordings that a crash, a power cut or a failed saving left behind. Save, keep for
+// later, or delete; nothing happens by itself.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <memory>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+class RecoveryPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(RecoveryPage)
+ public:
+    explicit RecoveryPage(AppContext& context) : Page(context) {
+        QVBoxLayout* column = make_column(this, 860);
+        column->addWidget(make_label(tr("Attempts that were not finished"), "display"));
+        column->addWidget(make_label(
+            tr("Everything up to half a second before the end is in the recording."), "muted"));
+        int shown = 0;
+        for (const Leftover& leftover : find_leftovers(context.recordingsFolder())) {
+            if (!mine(leftover)) continue;
+            column->addWidget(card(leftover, shown++));
+        }
+        if (shown == 0) {
+            column->addWidget(make_label(tr("Nothing is left to recover."), "heading"));
+        }
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Recovery"); }
+
+ private:
+    /// One's own; an administrator also sees those of others and those without an owner.
+    [[nodiscard]] bool mine(const Leftover& leftover) const {
+        if (leftover.order && leftover.order->user_id == context_.user().id) return true;
+        return context_.may(db::Action::kManageUsers, db::Scope::kOther);
+    }
+
+    QWidget* card(const Leftover& leftover, int index) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(headline(leftover), "heading"));
+        if (leftover.order && leftover.order->user_id != context_.user().id)
+            layout->addWidget(
+                make_label(tr("Belongs to %1.").arg(leftover.order->user_name), "muted"));
+        if (!leftover.problem.isEmpty()) {
+            layout->addWidget(
+                make_label(tr("The recording is damaged and cannot be scored."), "critical"));
+            layout->addWidget(make_label(leftover.problem, "small"));
+        }
+        if (!leftover.damage.isEmpty()) {
+            layout->addWidget(make_label(
+                tr("A part of the recording is damaged; what is whole can be saved."), "warn"));
+            layout->addWidget(make_label(leftover.damage, "small"));
+        }
+        QComboBox* owner = nullptr;
+        if (!leftover.order && leftover.problem.isEmpty()) {
+            owner = ownerChooser();
+            layout->addLayout(make_field(tr("Nobody knows whose it is. Save it for"), owner));
+        }
+        layout->addWidget(make_label(leftover.recording_file, "small"));
+        layout->addLayout(buttons(leftover, owner, index));
+        return make_card(layout);
+    }
+
+    [[nodiscard]] static QString headline(const Leftover& leftover) {
+        const QString when = format_clock(leftover.started_utc);
+        if (!leftover.problem.isEmpty()) return tr("Recording of %1").arg(when);
+        const QString length = format_duration(leftover.duration_s);
+        return leftover.complete
+                   ? tr("%1 of %2 (%3) was finished but could not be saved. Save it now?")
+                         .arg(leftover.task, when, length)
+                   : tr("%1 of %2 was not finished (%3). Save it as interrupted?")
+                         .arg(leftover.task, when, length);
+    }
+
+    QComboBox* ownerChooser() {
+        auto* box = new QComboBox;
+        for (const db::UserRecord& person : context_.store().users()) {
+            if (db::has_role(person.roles, db::Role::kTrainee))
+                box->addItem(qstr(person.display_name), QVariant::fromValue<qint64>(person.id));
+        }
+        return box;
+    }
+
+    QHBoxLayout* buttons(const Leftover& leftover, QComboBox* owner, int index) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        const QString file = leftover.recording_file;
+        if (leftover.problem.isEmpty()) {
+            QPushButton* save = make_button(context_, tr("Save"), "primary", "check");
+            save->setObjectName(QString("recover_save_%1").arg(index));
+            save->setEnabled(owner == nullptr || owner->count() > 0);
+            connect(save, &QPushButton::clicked, this, [this, leftover, owner] {
+                AttemptOrder order = leftover.order.value_or(AttemptOrder{});
+                order.recording_file = leftover.recording_file;
+                if (owner != nullptr) order.user_id = owner->currentData().toLongLong();
+                this->save(order);
+            });
+            row->addWidget(save);
+        }
+        QPushButton* keep = make_button(context_, tr("Keep for later"), "secondary");
+        keep->setObjectName(QString("recover_keep_%1").arg(index));
+        connect(keep, &QPushButton::clicked, this, [this] { Q_EMIT back(); });
+        QPushButton* remove = make_button(context_, tr("Delete"), "danger", "close");
+        remove->setObjectName(QString("recover_delete_%1").arg(index));
+        connect(remove, &QPushButton::clicked, this, [this, file] {
+            if (!confirm(this, tr("Delete this recording?"), tr("The attempt is lost for good."),
+                         tr("Delete")))
+                return;
+            context_.guard(tr("Deleting the recording"), [&] {
+                context_.audit("recording.delete", file);
+                remove_recording(file);
+                Q_EMIT go({PageId::kRecovery, 0, {}, {}});
+            });
+        });
+        row->addWidget(keep);
+        row->addStretch();
+        row->addWidget(remove);
+        return row;
+    }
+
+    void save(const AttemptOrder& order) {
+        auto saved = std::make_shared<SavedAttempt>();
+        context_.background(
+            this, tr("Saving the attempt"),
+            [saved, order](db::Store& store) { *saved = save_recording(store, order); },
+            [this, saved, order](bool done) {
+                if (!done) return;
+                if (saved->outcome == Saving::kEmpty) {
+                    Q_EMIT notice(tr("Nothing had been recorded; the empty file was removed."));
+                    Q_EMIT go({PageId::kRecovery, 0, {}, {}});
+                    return;
+                }
+                Q_EMIT notice(tr("The attempt was saved."));
+                Q_EMIT go({PageId::kResult, saved->attempt_id, {}, {}});
+            });
+    }
+};
+
+}  // namespace
+
+Page* make_recovery_page(AppContext& context, const Place&) { return new RecoveryPage(context); }
+
+}  // namespace placode::ui

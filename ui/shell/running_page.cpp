@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Running: what the simulator reports while the attempt goes on, and the two ways to end it.
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QProgressBar>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+class RunningPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(RunningPage)
+ public:
+    explicit RunningPage(AppContext& context) : Page(context) {
+        QVBoxLayout* column = make_column(this, 860);
+        const AttemptLauncher& launcher = context.launcher();
+        auto* head = new QHBoxLayout;
+        head->setSpacing(kSpace12);
+        QLabel* name = make_label(launcher.order().title, "display");
+        name->setWordWrap(false);
+        head->addWidget(name);
+        if (launcher.order().demonstration || launcher.order().device.startsWith("script"))
+            head->addWidget(make_demonstration_badge());
+        head->addStretch();
+        column->addLayout(head);
+        state_ = make_label({}, "muted");
+        column->addWidget(state_);
+        column->addWidget(numbersCard());
+        warning_ = make_label({}, "warn");
+        column->addWidget(warning_);
+        column->addLayout(buttons());
+        column->addWidget(make_label(
+            tr("Stop and score ends the attempt here and scores what was done. Abort keeps it in "
+               "the history as interrupted; it does not count for the course."),
+            "small"));
+        column->addStretch();
+        connect(&context.launcher(), &AttemptLauncher::statusChanged, this, [this] { update(); });
+        connect(&context.launcher(), &AttemptLauncher::ended, this, [this] { update(); });
+        update();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Attempt is running"); }
+
+ private:
+    QLabel* number(QGridLayout* grid, int column, const QString& name, const char* object) {
+        grid->addWidget(make_label(name, "muted"), 0, column);
+        QLabel* value = make_label("–", "display");
+        value->setWordWrap(false);
+        value->setObjectName(object);
+        value->setAccessibleName(name);
+        grid->addWidget(value, 1, column);
+        grid->setColumnStretch(column, 1);
+        return value;
+    }
+
+    QWidget* numbersCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace16);
+        auto* grid = new QGridLayout;
+        grid->setHorizontalSpacing(kSpace24);
+        grid->setVerticalSpacing(kSpace4);
+        time_ = number(grid, 0, tr("Time"), "live_time");
+        phase_ = number(grid, 1, tr("Phase"), "live_phase");
+        physics_ = number(grid, 2, tr("Physics"), "live_physics");
+        ring_ = number(grid, 3, tr("Ring cut"), "live_ring");
+        layout->addLayout(grid);
+        bar_ = new QProgressBar;
+        bar_->setRange(0, 100);
+        bar_->setTextVisible(false);
+        bar_->setAccessibleName(tr("Ring cut"));
+        layout->addWidget(bar_);
+        return make_card(layout);
+    }
+
+    QHBoxLayout* buttons() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        stop_ = make_button(context_, tr("Stop and score"), "primary", "stop");
+        stop_->setObjectName("stop_and_score");
+        abort_ = make_button(context_, tr("Abort"), "danger", "close");
+        abort_->setObjectName("abort");
+        row->addWidget(stop_);
+        row->addWidget(abort_);
+        row->addStretch();
+        connect(stop_, &QPushButton::clicked, this, [this] { context_.launcher().finish(); });
+        connect(abort_, &QPushButton::clicked, this, [this] {
+            if (confirm(this, tr("Abort the attempt?"),
+                        tr("It is kept as interrupted and does not count for the course."),
+                        tr("Abort")))
+                context_.launcher().abort();
+        });
+        return row;
+    }
+
+    [[nodiscard]] static QString phaseName(const QString& phase) {
+        if (phase == "inspect") return tr("Inspect");
+        if (phase == "incise") return tr("Incise");
+        if (phase == "release") return tr("Release");
+        if (phase == "resect") return tr("Resect");
+        if (phase == "check") return tr("Check");
+        return phase.isEmpty() ? "–" : phase;
+    }
+
+    void update() {
+        const AttemptLauncher& launcher = context_.launcher();
+        const LiveStatus& live = launcher.status();
+        const bool begun = live.time_s > 0;
+        state_->setText(!launcher.running() ? tr("The attempt has ended; the score is computed.")
+                        : begun             ? tr("Runs in the fetoscope's window: %1.")
+                                      .arg(device_name(launcher.order().device.toStdString()))
+                                : tr("The fetoscope's window is opening."));
+        time_->setText(begun ? format_duration(live.time_s) : "–");
+        phase_->setText(phaseName(live.phase));
+        physics_->setText(begun ? tr("%1 Hz").arg(format_number(live.physics_hz, 0)) : "–");
+        ring_->setText(begun ? format_number(100 * live.cut_fraction, 0) + " %" : "–");
+        bar_->setValue(static_cast<int>(100 * live.cut_fraction));
+        QStringList warnings;
+        if (!live.warning.isEmpty()) warnings << live.warning;
+        if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
+        warning_->setText(warnings.join(" "));
+        warning_->setVisible(!warnings.isEmpty());
+        stop_->setEnabled(launcher.running());
+        abort_->setEnabled(launcher.running());
+    }
+
+    QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
+           *ring_ = nullptr, *warning_ = nullptr;
+    QProgressBar* bar_ = nullptr;
+    QPushButton *stop_ = nullptr, *abort_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_running_page(AppContext& context, const Place&) { return new RunningPage(context); }
+
+}  // namespace placode::ui

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// First start: nobody has an account yet. Creates the administrator and, if wanted, one
+// demonstration account a role.
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QTimer>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr const char* kDemonstrationPassword = "demonstration";
+
+class SetupPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(SetupPage)
+ public:
+    SetupPage(AppContext& context, const Place& place) : Page(context) {
+        QVBoxLayout* column = make_column(this, 620);
+        column->addStretch(1);
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace16);
+        layout->addWidget(make_label(tr("Welcome to Placode"), "display"));
+        layout->addWidget(make_label(
+            tr("This machine has no accounts yet. Create the first one: the administrator, who "
+               "adds people, keeps backups and reads the audit list."),
+            "muted"));
+        addFields(layout, place);
+        message_ = make_label({}, "critical");
+        message_->setObjectName("setup_message");
+        message_->hide();
+        layout->addWidget(message_);
+        QPushButton* create =
+            make_button(context_, tr("Create the administrator"), "primary", "check");
+        create->setObjectName("create_administrator");
+        create->setProperty("scale", "large");
+        connect(create, &QPushButton::clicked, this, [this] { this->create(); });
+        layout->addWidget(create);
+        QFrame* card = make_card(layout);
+        layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
+        column->addWidget(card);
+        column->addStretch(2);
+        QTimer::singleShot(0, this, [this] { name_->setFocus(Qt::OtherFocusReason); });
+    }
+
+    [[nodiscard]] QString title() const override { return tr("First start"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"name", name_->text()}, {"login", login_->text()}};
+    }
+
+ private:
+    void addFields(QVBoxLayout* layout, const Place& place) {
+        name_ = new QLineEdit(place.state.value("name").toString());
+        name_->setObjectName("display_name");
+        name_->setPlaceholderText(tr("for example Anna Nowak"));
+        login_ = new QLineEdit(place.state.value("login").toString());
+        login_->setObjectName("login");
+        login_->setPlaceholderText(tr("short, for signing in"));
+        password_ = new QLineEdit;
+        password_->setObjectName("password");
+        password_->setEchoMode(QLineEdit::Password);
+        again_ = new QLineEdit;
+        again_->setObjectName("password_again");
+        again_->setEchoMode(QLineEdit::Password);
+        auto* first = new QHBoxLayout;
+        first->setSpacing(kSpace16);
+        first->addLayout(make_field(tr("Your name"), name_));
+        first->addLayout(make_field(tr("Log-in name"), login_));
+        auto* second = new QHBoxLayout;
+        second->setSpacing(kSpace16);
+        second->addLayout(make_field(tr("Password"), password_));
+        second->addLayout(make_field(tr("Password again"), again_));
+        layout->addLayout(first);
+        layout->addLayout(second);
+        trains_ = new QCheckBox(tr("I also train here (trainee)"));
+        trains_->setObjectName("also_trainee");
+        demonstration_ = new QCheckBox(tr("Add demonstration accounts to look around"));
+        demonstration_->setObjectName("add_demonstration");
+        layout->addWidget(trains_);
+        layout->addWidget(demonstration_);
+        layout->addWidget(
+            make_label(tr("demo.trainee, demo.educator, demo.coordinator, each with the password "
+                          "\"%1\"; their data is marked as demonstration everywhere.")
+                           .arg(kDemonstrationPassword),
+                       "small"));
+    }
+
+    void create() {
+        message_->hide();
+        if (login_->text().trimmed().isEmpty() || name_->text().trimmed().isEmpty())
+            return say(tr("Give your name and a log-in name."));
+        if (password_->text() != again_->text())
+            return say(tr("The two passwords differ. Type them again."));
+        db::NewUser user;
+        user.login = login_->text().trimmed().toStdString();
+        user.display_name = name_->text().trimmed().toStdString();
+        user.password = password_->text().toStdString();
+        user.roles = static_cast<db::Roles>(db::Role::kAdministrator);
+        if (trains_->isChecked()) user.roles |= static_cast<db::Roles>(db::Role::kTrainee);
+        context_.guard(tr("Creating the administrator"), [&] {
+            context_.store().create_user(user);
+            if (demonstration_->isChecked()) addDemonstrationAccounts();
+            context_.settings().setValue("last_login", login_->text().trimmed());
+            Q_EMIT notice(tr("The administrator was created. Sign in to add people."));
+            Q_EMIT go({PageId::kLogin, 0, {}, {}});
+        });
+    }
+
+    void addDemonstrationAccounts() {
+        const std::tuple<const char*, QString, db::Role> people[] = {
+            {"demo.trainee", tr("Demonstration trainee"), db::Role::kTrainee},
+            {"demo.educator", tr("Demonstration educator"), db::Role::kEducator},
+            {"demo.coordinator", tr("Demonstration coordinator"), db::Role::kCoordinator}};
+        for (const auto& [login, name, role] : people) {
+            db::NewUser user;
+            user.login = login;
+            user.display_name = name.toStdString();
+            user.password = kDemonstrationPassword;
+            user.roles = static_cast<db::Roles>(role);
+            user.demonstration = true;
+            context_.store().create_user(user);
+        }
+    }
+
+    void say(const QString& text) {
+        message_->setText(text);
+        message_->show();
+    }
+
+    QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *again_ = nullptr;
+    QCheckBox *trains_ = nullptr, *demonstration_ = nullptr;
+    QLabel* message_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_setup_page(AppContext& context, const Place& place) {
+    return new SetupPage(context, place);
+}
+
+}  // namespace placode::ui

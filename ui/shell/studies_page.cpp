@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies: a coordinator hands the screen to a participant, sees the answers so far, exports them.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QStandardPaths>
+
+#include "assessment/statistics.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::ItemKind;
+
+class StudiesPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(StudiesPage)
+ public:
+    StudiesPage(AppContext& context, const Place& place) : Page(context) {
+        context.require(db::Action::kRunQuestionnaire);
+        chosen_ = place.text;
+        const std::vector<std::string> ids = curriculum::list_definitions("questionnaires");
+        if (chosen_.isEmpty() && !ids.empty()) chosen_ = qstr(ids.front());
+        questionnaire_ = curriculum::load_questionnaire(chosen_.toStdString());
+        answers_ = context.store().answers(questionnaire_.id);
+        QVBoxLayout* column = make_column(this);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(context.in(questionnaire_.title), "display"), 1);
+        addChooser(head, ids);
+        column->addLayout(head);
+        column->addWidget(make_label(context.in(questionnaire_.introduction), "muted"));
+        column->addWidget(runCard());
+        column->addWidget(itemsCard());
+        column->addWidget(participantsCard());
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Studies"); }
+
+ private:
+    void addChooser(QHBoxLayout* head, const std::vector<std::string>& ids) {
+        if (ids.size() < 2) return;
+        auto* chooser = new QComboBox;
+        chooser->setAccessibleName(tr("Questionnaire"));
+        for (const std::string& id : ids) chooser->addItem(qstr(id), qstr(id));
+        chooser->setCurrentIndex(std::max(0, chooser->findData(chosen_)));
+        connect(chooser, &QComboBox::activated, this, [this, chooser] {
+            Q_EMIT go({PageId::kStudies, 0, chooser->currentData().toString(), {}});
+        });
+        head->addWidget(chooser);
+    }
+
+    QWidget* runCard() {
+        auto* layout = new QHBoxLayout;
+        layout->setSpacing(kSpace12);
+        auto* text = new QVBoxLayout;
+        text->addWidget(make_label(tr("New participant"), "heading"));
+        text->addWidget(make_label(
+            tr("Placode gives a code without a name. Hand over the screen; the participant "
+               "answers, reviews and submits."),
+            "muted"));
+        layout->addLayout(text, 1);
+        QPushButton* run = make_button(context_, tr("Start a participant"), "primary", "plus");
+        run->setObjectName("new_participant");
+        connect(run, &QPushButton::clicked, this, [this] {
+            context_.guard(tr("Making a participant code"), [this] {
+                const std::string code = context_.store().new_participant(questionnaire_.id);
+                Q_EMIT go({PageId::kParticipant,
+                           0,
+                           qstr(code),
+                           {{"questionnaire", qstr(questionnaire_.id)}}});
+            });
+        });
+        layout->addWidget(run, 0, Qt::AlignVCenter);
+        QFrame* card = make_card(layout);
+        card->setProperty("tone", "accent");
+        return card;
+    }
+
+    /// Answers of one item as numbers, in participant order.
+    [[nodiscard]] std::vector<double> numbers(const std::string& item) const {
+        std::vector<double> values;
+        for (const db::AnswerRecord& record : answers_) {
+            const auto found = record.answers.find(item);
+            if (found == record.answers.end()) continue;
+            bool ok = false;
+            const double value = QLocale::c().toDouble(qstr(found->second), &ok);
+            if (ok) values.push_back(value);
+        }
+        return values;
+    }
+
+    QWidget* itemsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(tr("Answers by item"), "heading"), 1);
+        QPushButton* csv = make_button(context_, tr("Export CSV"), "secondary", "download");
+        csv->setObjectName("export_csv");
+        csv->setEnabled(!answers_.empty() && context_.may(db::Action::kExportStudy));
+        connect(csv, &QPushButton::clicked, this, [this] { exportCsv(); });
+        head->addWidget(csv);
+        layout->addLayout(head);
+        QTableWidget* table = make_table(
+            {tr("Item"), tr("Question"), tr("n"), tr("Mean"), tr("SD")}, tr("Answers by item"));
+        table->setObjectName("item_table");
+        table->setSortingEnabled(false);
+        for (const curriculum::QuestionnaireItem& item : questionnaire_.items) {
+            if (item.kind != ItemKind::kLikert && item.kind != ItemKind::kNumber) continue;
+            const int row = table->rowCount();
+            table->insertRow(row);
+            const std::vector<double> values = numbers(item.id);
+            const std::optional<double> mean = assessment::mean_of(values);
+            const std::optional<double> sd = assessment::sample_sd(values);
+            const int n = static_cast<int>(values.size());
+            table->setItem(
+                row, 0,
+                make_cell(item.id.size() <= 2
+                              ? qstr(item.id)
+                              : QString::number(&item - questionnaire_.items.data() + 1)));
+            table->setItem(row, 1, make_cell(context_.in(item.text)));
+            table->item(row, 1)->setToolTip(context_.in(item.text));
+            table->setItem(row, 2, make_number_cell(QString::number(n), n));
+            table->setItem(
+                row, 3, make_number_cell(mean ? format_number(*mean, 2) : "–", mean.value_or(0)));
+            table->setItem(row, 4,
+                           make_number_cell(sd ? format_number(*sd, 2) : "–", sd.value_or(0)));
+        }
+        fit_columns(table, 1);
+        table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        table->setFixedHeight(table->rowCount() * kTouchTarget + 46);
+        layout->addWidget(table);
+        layout->addWidget(make_label(
+            tr("SD is the sample standard deviation (n − 1); missing answers are left out."),
+            "small"));
+        return make_card(layout);
+    }
+
+    QWidget* participantsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("Participants: %1").arg(answers_.size()), "heading"));
+        if (answers_.empty()) {
+            layout->addWidget(
+                make_label(tr("No answers yet. Start the first participant above."), "muted"));
+            return make_card(layout);
+        }
+        QTableWidget* table =
+            make_table({tr("Code"), tr("Answered"), tr("Version"), tr("Answers"), tr("Remark")},
+                       tr("Participants"));
+        table->setObjectName("participant_table");
+        table->setSortingEnabled(false);
+        table->setRowCount(static_cast<int>(answers_.size()));
+        int row = 0;
+        for (const db::AnswerRecord& record : answers_) {
+            table->setItem(row, 0, make_cell(qstr(record.participant)));
+            table->setItem(row, 1, make_cell(format_when(record.answered_utc)));
+            table->setItem(row, 2,
+                           make_number_cell(QString::number(record.questionnaire_version),
+                                            record.questionnaire_version));
+            table->setItem(
+                row, 3,
+                make_number_cell(
+                    tr("%1 of %2").arg(record.answers.size()).arg(questionnaire_.items.size()),
+                    static_cast<double>(record.answers.size())));
+            table->setItem(row, 4,
+                           make_cell(record.demonstration ? tr("DEMONSTRATION") : QString()));
+            ++row;
+        }
+        fit_columns(table, 4);
+        table->setSortingEnabled(true);
+        table->setMinimumHeight(std::min<int>(8, row + 1) * kTouchTarget + 10);
+        layout->addWidget(table);
+        return make_card(layout);
+    }
+
+    void exportCsv() {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        const QString path = context_.askSaveFile(
+            this, tr("Export the answers"), folder + "/" + chosen_ + ".csv", tr("CSV (*.csv)"));
+        if (path.isEmpty()) return;
+        context_.guard(tr("Exporting the answers"), [&] {
+            context_.require(db::Action::kExportStudy);
+            reports::write_answers_csv(questionnaire_, answers_, path.toStdString());
+            context_.audit("study.export", chosen_, path);
+            Q_EMIT notice(
+                tr("Answers of %1 participants written: %2").arg(answers_.size()).arg(path));
+        });
+    }
+
+    QString chosen_;
+    curriculum::Questionnaire questionnaire_;
+    std::vector<db::AnswerRecord> answers_;
+};
+
+}  // namespace
+
+Page* make_studies_page(AppContext& context, const Place& place) {
+    return new StudiesPage(context, place);
+}
+
+}  // namespace placode::ui

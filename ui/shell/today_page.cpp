@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Today: what to do next and why, the last score, and how far the streak is.
+
+#include <QHBoxLayout>
+
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+class TodayPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(TodayPage)
+ public:
+    explicit TodayPage(AppContext& context) : Page(context), training_(load_training(context)) {
+        QVBoxLayout* column = make_column(this);
+        const QString name = qstr(context.user().display_name);
+        column->addWidget(make_label(tr("Good to see you, %1.").arg(name), "display"));
+        column->addWidget(nextCard());
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace16);
+        row->addWidget(lastScoreCard(), 1);
+        row->addWidget(streakCard(), 1);
+        row->addWidget(courseCard(), 1);
+        column->addLayout(row);
+        if (training_.attempts.size() >= 2) column->addWidget(chartCard());
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Today"); }
+
+ private:
+    [[nodiscard]] const TrainingStage* next() const {
+        if (training_.next_stage < 0) return nullptr;
+        return &training_.stages[static_cast<size_t>(training_.next_stage)];
+    }
+
+    QWidget* nextCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        const TrainingStage* stage = next();
+        layout->addWidget(make_label(stage ? tr("Next task") : tr("Course completed"), "muted"));
+        QPushButton* open = nullptr;
+        if (stage == nullptr) {
+            layout->addWidget(make_label(tr("Every stage is mastered."), "title"));
+            layout->addWidget(
+                make_label(tr("Repeat any task from the course to keep the skill."), "muted"));
+            open = make_button(context_, tr("Open the course"), "primary", "course");
+            connect(open, &QPushButton::clicked, this, [this] {
+                Q_EMIT go({PageId::kCourse, 0, {}, {}});
+            });
+        } else {
+            const QString id = qstr(stage->task_id);
+            layout->addWidget(make_label(training_.taskTitle(context_, stage->task_id), "title"));
+            layout->addWidget(make_label(why(*stage), "muted"));
+            open = make_button(context_, tr("Open the task"), "primary", "play");
+            connect(open, &QPushButton::clicked, this, [this, id] {
+                Q_EMIT go({PageId::kTask, 0, id, {}});
+            });
+        }
+        open->setObjectName("open_next");
+        auto* row = new QHBoxLayout;
+        row->addWidget(open);
+        row->addStretch();
+        layout->addLayout(row);
+        QFrame* card = make_card(layout);
+        card->setProperty("tone", "accent");
+        return card;
+    }
+
+    [[nodiscard]] QString why(const TrainingStage& stage) const {
+        if (stage.progress.attempts == 0)
+            return tr("It is the first stage of the course that you have not tried.");
+        const int missing = stage.rule.consecutive - stage.progress.streak;
+        return tr("Benchmark: %1 points, %2 times in a row without a critical error. "
+                  "Still missing: %3.")
+            .arg(format_points(stage.rule.benchmark_points))
+            .arg(stage.rule.consecutive)
+            .arg(missing);
+    }
+
+    QWidget* lastScoreCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Last score"), "muted"));
+        if (training_.attempts.empty()) {
+            layout->addWidget(make_label("–", "display"));
+            layout->addWidget(
+                make_label(tr("No attempt yet. Your first one shows up here."), "small"));
+        } else {
+            const db::AttemptRecord& last = training_.attempts.back();
+            auto* line = new QHBoxLayout;
+            line->addWidget(make_label(format_points(last.points), "display"));
+            line->addWidget(make_badge(verdict_word(last), verdict_tone(last)));
+            if (last.demonstration) line->addWidget(make_demonstration_badge());
+            line->addStretch();
+            layout->addLayout(line);
+            layout->addWidget(make_label(
+                training_.taskTitle(context_, last.task_id) + ", " + format_when(last.started_utc),
+                "small"));
+            QPushButton* open = make_button(context_, tr("Why this score"), "quiet", "next");
+            open->setObjectName("open_last");
+            connect(open, &QPushButton::clicked, this, [this, id = last.id] {
+                Q_EMIT go({PageId::kResult, id, {}, {}});
+            });
+            layout->addWidget(open, 0, Qt::AlignLeft);
+        }
+        layout->addStretch();
+        return make_card(layout);
+    }
+
+    QWidget* streakCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Streak"), "muted"));
+        const TrainingStage* stage = next();
+        const int streak = stage ? stage->progress.streak : 0;
+        const int wanted = stage ? stage->rule.consecutive : 0;
+        layout->addWidget(
+            make_label(stage ? tr("%1 of %2").arg(streak).arg(wanted) : "–", "display"));
+        layout->addWidget(make_label(
+            stage ? tr("benchmarks met in a row on the next task") : tr("nothing is open"),
+            "small"));
+        layout->addStretch();
+        return make_card(layout);
+    }
+
+    QWidget* courseCard() {
+        int mastered = 0;
+        for (const TrainingStage& stage : training_.stages)
+            mastered += stage.progress.status == curriculum::StageStatus::kMastered ? 1 : 0;
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Course"), "muted"));
+        layout->addWidget(
+            make_label(tr("%1 of %2").arg(mastered).arg(training_.stages.size()), "display"));
+        layout->addWidget(make_label(
+            tr("stages mastered: %1").arg(context_.in(training_.course.title)), "small"));
+        layout->addStretch();
+        return make_card(layout);
+    }
+
+    QWidget* chartCard() {
+        const std::string task = training_.attempts.back().task_id;
+        std::vector<db::AttemptRecord> shown;
+        for (const db::AttemptRecord& attempt : training_.attempts) {
+            if (attempt.task_id == task && attempt.end != sim::EndReason::kInterrupted)
+                shown.push_back(attempt);
+        }
+        double pass = 70;
+        for (const TrainingStage& stage : training_.stages) {
+            if (stage.task_id == task && stage.task) pass = stage.task->rubric.pass_points;
+        }
+        auto* layout = new QVBoxLayout;
+        const QString name = tr("Scores of %1").arg(training_.taskTitle(context_, task));
+        layout->addWidget(make_label(name, "heading"));
+        const reports::ChartStyle style = chart_style(context_.theme());
+        layout->addWidget(make_picture(
+            [shown, pass, style](QPainter& painter, const QRectF& where) {
+                reports::draw_history(painter, where, shown, pass, style);
+            },
+            QSize(320, 220), name, tr("The same numbers stand in the history table.")));
+        return make_card(layout);
+    }
+
+    Training training_;
+};
+
+}  // namespace
+
+Page* make_today_page(AppContext& context, const Place&) { return new TodayPage(context); }
+
+}  // namespace placode::ui

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Where a trainee stands: the course, what the attempts so far have opened, and what is next.
+// Read by the pages Today, Course and Task.
+
+#include <optional>
+#include <vector>
+
+#include "curriculum/course.h"
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+/// One stage with its task; a task that cannot be loaded keeps its place and says why.
+struct TrainingStage {
+    std::string task_id;
+    std::optional<curriculum::Task> task;
+    std::optional<Problem> problem;
+    curriculum::CourseStage rule;
+    curriculum::StageProgress progress;
+};
+
+struct Training {
+    curriculum::Course course;
+    std::vector<TrainingStage> stages;
+    int next_stage = -1;                      ///< -1 = all mastered.
+    std::vector<db::AttemptRecord> attempts;  ///< Own, oldest first.
+    /// Title of a task in the user's language; its id when the task cannot be loaded.
+    [[nodiscard]] QString taskTitle(const AppContext& context, const std::string& task_id) const;
+};
+
+/// Courses by id, the one chosen last first. Throws DefinitionError when there is none.
+[[nodiscard]] std::vector<std::string> course_ids(AppContext& context);
+
+/// Throws DefinitionError (course) and StoreError.
+[[nodiscard]] Training load_training(AppContext& context);
+
+/// Title of any task, also outside the course.
+[[nodiscard]] QString task_title(AppContext& context, const std::string& task_id);
+
+}  // namespace placode::ui

@@ -1,0 +1,1920 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="pl_PL">
+<context>
+    <name>AccountPage</name>
+    <message>
+        <source>My account</source>
+        <translation>Moje konto</translation>
+    </message>
+    <message>
+        <source>Log-in name: %1</source>
+        <translation>Login: %1</translation>
+    </message>
+    <message>
+        <source>Roles: %1</source>
+        <translation>Role: %1</translation>
+    </message>
+    <message>
+        <source>Since: %1</source>
+        <translation>Od: %1</translation>
+    </message>
+    <message>
+        <source>New password</source>
+        <translation>Nowe hasło</translation>
+    </message>
+    <message>
+        <source>Present password</source>
+        <translation>Obecne hasło</translation>
+    </message>
+    <message>
+        <source>New password again</source>
+        <translation>Powtórz nowe hasło</translation>
+    </message>
+    <message>
+        <source>Change the password</source>
+        <translation>Zmień hasło</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type them again.</source>
+        <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Changing the password</source>
+        <translation>Zmiana hasła</translation>
+    </message>
+    <message>
+        <source>Too many wrong passwords. Try again in %1 s.</source>
+        <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
+    </message>
+    <message>
+        <source>The present password is wrong.</source>
+        <translation>Obecne hasło jest błędne.</translation>
+    </message>
+    <message>
+        <source>The password was changed.</source>
+        <translation>Hasło zostało zmienione.</translation>
+    </message>
+</context>
+<context>
+    <name>AttemptsPage</name>
+    <message>
+        <source>Attempts of all trainees</source>
+        <translation>Próby wszystkich uczestników szkolenia</translation>
+    </message>
+    <message>
+        <source>Enter or double click opens the result.</source>
+        <translation>Enter lub dwukrotne kliknięcie otwiera wynik.</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>Everybody</source>
+        <translation>Wszyscy</translation>
+    </message>
+    <message>
+        <source>All tasks</source>
+        <translation>Wszystkie zadania</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Nobody has made an attempt yet. Once a trainee has, it shows up here.</source>
+        <translation>Nikt jeszcze nie wykonał próby. Pierwsza pojawi się tutaj.</translation>
+    </message>
+    <message>
+        <source>Shown: %1 of %2</source>
+        <translation>Pokazano: %1 z %2</translation>
+    </message>
+</context>
+<context>
+    <name>AttemptsTable</name>
+    <message>
+        <source>When</source>
+        <translation>Kiedy</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Ocena</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+</context>
+<context>
+    <name>AuditPage</name>
+    <message>
+        <source>Audit</source>
+        <translation>Dziennik</translation>
+    </message>
+    <message>
+        <source>Find in the list</source>
+        <translation>Szukaj na liście</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Kiedy</translation>
+    </message>
+    <message>
+        <source>Who</source>
+        <translation>Kto</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Czego dotyczy</translation>
+    </message>
+    <message>
+        <source>Detail</source>
+        <translation>Szczegóły</translation>
+    </message>
+    <message>
+        <source>Shown: %1 of %2</source>
+        <translation>Pokazano: %1 z %2</translation>
+    </message>
+</context>
+<context>
+    <name>Controls</name>
+    <message>
+        <source>Move the tip in the picture</source>
+        <translation>Ruch końcówki w obrazie</translation>
+    </message>
+    <message>
+        <source>move the mouse</source>
+        <translation>poruszaj myszą</translation>
+    </message>
+    <message>
+        <source>Go deeper / come back</source>
+        <translation>Głębiej / z powrotem</translation>
+    </message>
+    <message>
+        <source>wheel away from you / towards you (1 mm a notch)</source>
+        <translation>kółko od siebie / do siebie (1 mm na ząbek)</translation>
+    </message>
+    <message>
+        <source>Cut (yellow pedal)</source>
+        <translation>Cięcie (żółty pedał)</translation>
+    </message>
+    <message>
+        <source>hold the left button, or X</source>
+        <translation>przytrzymaj lewy przycisk lub X</translation>
+    </message>
+    <message>
+        <source>Coagulate (blue pedal)</source>
+        <translation>Koagulacja (niebieski pedał)</translation>
+    </message>
+    <message>
+        <source>hold the right button, or C</source>
+        <translation>przytrzymaj prawy przycisk lub C</translation>
+    </message>
+    <message>
+        <source>Precision (a fifth of the motion)</source>
+        <translation>Precyzja (jedna piąta ruchu)</translation>
+    </message>
+    <message>
+        <source>hold Ctrl</source>
+        <translation>przytrzymaj Ctrl</translation>
+    </message>
+    <message>
+        <source>Clutch: move the mouse, not the tip</source>
+        <translation>Sprzęgło: ruch myszy bez ruchu końcówki</translation>
+    </message>
+    <message>
+        <source>hold Space</source>
+        <translation>przytrzymaj spację</translation>
+    </message>
+    <message>
+        <source>Turn the instrument</source>
+        <translation>Obrót narzędzia</translation>
+    </message>
+    <message>
+        <source>hold Shift and move sideways</source>
+        <translation>przytrzymaj Shift i przesuń w bok</translation>
+    </message>
+    <message>
+        <source>Steer the scope</source>
+        <translation>Prowadzenie fetoskopu</translation>
+    </message>
+    <message>
+        <source>hold the middle button and move; wheel for distance</source>
+        <translation>przytrzymaj środkowy przycisk i przesuń; kółko zmienia odległość</translation>
+    </message>
+    <message>
+        <source>Other hand, when there are two</source>
+        <translation>Druga ręka, jeśli są dwie</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Finish the task</source>
+        <translation>Zakończenie zadania</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Enter</translation>
+    </message>
+    <message>
+        <source>Move the tip left, right, up, down in the picture</source>
+        <translation>Ruch końcówki w lewo, prawo, górę, dół obrazu</translation>
+    </message>
+    <message>
+        <source>A, D, W, S</source>
+        <translation>A, D, W, S</translation>
+    </message>
+    <message>
+        <source>F / R</source>
+        <translation>F / R</translation>
+    </message>
+    <message>
+        <source>Cut (yellow pedal); slows the tip</source>
+        <translation>Cięcie (żółty pedał); spowalnia końcówkę</translation>
+    </message>
+    <message>
+        <source>hold X</source>
+        <translation>przytrzymaj X</translation>
+    </message>
+    <message>
+        <source>Coagulate (blue pedal); slows the tip</source>
+        <translation>Koagulacja (niebieski pedał); spowalnia końcówkę</translation>
+    </message>
+    <message>
+        <source>hold C</source>
+        <translation>przytrzymaj C</translation>
+    </message>
+    <message>
+        <source>Precision (a tenth of the speed)</source>
+        <translation>Precyzja (jedna dziesiąta prędkości)</translation>
+    </message>
+    <message>
+        <source>Stop the hand</source>
+        <translation>Zatrzymanie ręki</translation>
+    </message>
+    <message>
+        <source>Q / E</source>
+        <translation>Q / E</translation>
+    </message>
+    <message>
+        <source>left stick</source>
+        <translation>lewa gałka</translation>
+    </message>
+    <message>
+        <source>right trigger / left trigger</source>
+        <translation>prawy spust / lewy spust</translation>
+    </message>
+    <message>
+        <source>hold the lower button (A or cross)</source>
+        <translation>przytrzymaj dolny przycisk (A lub krzyżyk)</translation>
+    </message>
+    <message>
+        <source>hold the right button (B or circle)</source>
+        <translation>przytrzymaj prawy przycisk (B lub kółko)</translation>
+    </message>
+    <message>
+        <source>hold the left bumper</source>
+        <translation>przytrzymaj lewy bumper</translation>
+    </message>
+    <message>
+        <source>right stick sideways</source>
+        <translation>prawa gałka w bok</translation>
+    </message>
+    <message>
+        <source>hold Space on the keyboard</source>
+        <translation>przytrzymaj spację na klawiaturze</translation>
+    </message>
+    <message>
+        <source>Start, or Enter on the keyboard</source>
+        <translation>Start albo Enter na klawiaturze</translation>
+    </message>
+</context>
+<context>
+    <name>CoursePage</name>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwarte</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Powtórz</translation>
+    </message>
+    <message>
+        <source>Open task %1</source>
+        <translation>Otwórz zadanie %1</translation>
+    </message>
+    <message>
+        <source>Cannot be used</source>
+        <translation>Nie działa</translation>
+    </message>
+    <message>
+        <source>Mastered</source>
+        <translation>Zaliczone</translation>
+    </message>
+    <message>
+        <source>Locked</source>
+        <translation>Zamknięte</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Następne</translation>
+    </message>
+    <message>
+        <source>Opens when mastered: %1</source>
+        <translation>Otworzy się po zaliczeniu: %1</translation>
+    </message>
+    <message>
+        <source>Benchmark %1 points, %2 times in a row</source>
+        <translation>Próg %1 punktów, razy z rzędu: %2</translation>
+    </message>
+    <message>
+        <source> · not tried yet</source>
+        <translation> · jeszcze bez prób</translation>
+    </message>
+    <message>
+        <source> · streak %1 · best %2 · attempts %3</source>
+        <translation> · seria %1 · najlepszy wynik %2 · próby %3</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Rozpocznij</translation>
+    </message>
+</context>
+<context>
+    <name>Device</name>
+    <message>
+        <source>tip in the picture's plane, wheel for depth; no force</source>
+        <translation>końcówka w płaszczyźnie obrazu, kółko to głębokość; bez siły</translation>
+    </message>
+    <message>
+        <source>fixed speeds; no force</source>
+        <translation>stałe prędkości; bez siły</translation>
+    </message>
+    <message>
+        <source>sticks and triggers; no force; needs a pad with a standard mapping</source>
+        <translation>gałki i spusty; bez siły; potrzebny pad o standardowym układzie</translation>
+    </message>
+    <message>
+        <source>3Dconnexion SpaceMouse over spacenavd</source>
+        <translation>3Dconnexion SpaceMouse przez spacenavd</translation>
+    </message>
+    <message>
+        <source>Touch, Touch X, Omni over OpenHaptics</source>
+        <translation>Touch, Touch X, Omni przez OpenHaptics</translation>
+    </message>
+    <message>
+        <source>Haply Inverse3</source>
+        <translation>Haply Inverse3</translation>
+    </message>
+    <message>
+        <source>Follou Haptic Avatar</source>
+        <translation>Follou Haptic Avatar</translation>
+    </message>
+    <message>
+        <source>Force Dimension omega, delta, sigma, lambda</source>
+        <translation>Force Dimension omega, delta, sigma, lambda</translation>
+    </message>
+</context>
+<context>
+    <name>HealthPage</name>
+    <message>
+        <source>Backup and health</source>
+        <translation>Kopie i stan</translation>
+    </message>
+    <message>
+        <source>The store</source>
+        <translation>Baza danych</translation>
+    </message>
+    <message>
+        <source>Size: %1</source>
+        <translation>Rozmiar: %1</translation>
+    </message>
+    <message>
+        <source>Not checked since this page was opened.</source>
+        <translation>Nie sprawdzono od otwarcia tej strony.</translation>
+    </message>
+    <message>
+        <source>Check the store</source>
+        <translation>Sprawdź bazę</translation>
+    </message>
+    <message>
+        <source>Checking the store</source>
+        <translation>Sprawdzanie bazy</translation>
+    </message>
+    <message>
+        <source>The check could not be finished.</source>
+        <translation>Nie udało się dokończyć sprawdzenia.</translation>
+    </message>
+    <message>
+        <source>✓ Sound: no problem found.</source>
+        <translation>✓ W porządku: nie znaleziono problemów.</translation>
+    </message>
+    <message>
+        <source>Problems found:</source>
+        <translation>Znalezione problemy:</translation>
+    </message>
+    <message>
+        <source>Backup</source>
+        <translation>Kopia zapasowa</translation>
+    </message>
+    <message>
+        <source>A consistent copy, also while people work: accounts, attempts with their recordings, answers, audit. It holds personal data; keep it as safe as the store.</source>
+        <translation>Spójna kopia, także podczas pracy: konta, próby z nagraniami, odpowiedzi, dziennik. Zawiera dane osobowe; chroń ją tak samo jak bazę.</translation>
+    </message>
+    <message>
+        <source>No backup was made from this machine yet.</source>
+        <translation>Z tego komputera nie wykonano jeszcze kopii.</translation>
+    </message>
+    <message>
+        <source>Last backup: %1</source>
+        <translation>Ostatnia kopia: %1</translation>
+    </message>
+    <message>
+        <source>Back up now</source>
+        <translation>Wykonaj kopię</translation>
+    </message>
+    <message>
+        <source>Back up the store</source>
+        <translation>Kopia bazy</translation>
+    </message>
+    <message>
+        <source>Placode store (*.db)</source>
+        <translation>Baza Placode (*.db)</translation>
+    </message>
+    <message>
+        <source>Backing up the store</source>
+        <translation>Tworzenie kopii bazy</translation>
+    </message>
+    <message>
+        <source>Noting the backup</source>
+        <translation>Zapis informacji o kopii</translation>
+    </message>
+    <message>
+        <source>Backup written: %1</source>
+        <translation>Kopia zapisana: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HistoryPage</name>
+    <message>
+        <source>History</source>
+        <translation>Historia</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>No attempts yet</source>
+        <translation>Nie ma jeszcze prób</translation>
+    </message>
+    <message>
+        <source>After your first attempt this page shows how your score develops.</source>
+        <translation>Po pierwszej próbie ta strona pokaże, jak zmienia się wynik.</translation>
+    </message>
+    <message>
+        <source>Open the course</source>
+        <translation>Otwórz kurs</translation>
+    </message>
+    <message>
+        <source>Score over attempts</source>
+        <translation>Wynik w kolejnych próbach</translation>
+    </message>
+    <message>
+        <source>The same numbers stand in the table below.</source>
+        <translation>Te same liczby są w tabeli poniżej.</translation>
+    </message>
+    <message>
+        <source>Enter or double click opens the result.</source>
+        <translation>Enter lub dwukrotne kliknięcie otwiera wynik.</translation>
+    </message>
+</context>
+<context>
+    <name>LoginPage</name>
+    <message>
+        <source>Sign in</source>
+        <translation>Zaloguj się</translation>
+    </message>
+    <message>
+        <source>Fetoscopic spina bifida repair: practise, see, repeat.</source>
+        <translation>Fetoskopowa operacja rozszczepu kręgosłupa: ćwicz, zobacz, powtórz.</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Hasło</translation>
+    </message>
+    <message>
+        <source>Sign in as %1</source>
+        <translation>Zaloguj się jako %1</translation>
+    </message>
+    <message>
+        <source>Type your name and your password.</source>
+        <translation>Wpisz nazwę i hasło.</translation>
+    </message>
+    <message>
+        <source>Signing in</source>
+        <translation>Logowanie</translation>
+    </message>
+    <message>
+        <source>This account is deactivated. An administrator can open it again.</source>
+        <translation>To konto jest wyłączone. Administrator może je włączyć.</translation>
+    </message>
+    <message>
+        <source>Name or password is wrong. Try again.</source>
+        <translation>Nazwa lub hasło jest błędne. Spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Too many wrong passwords. Try again in %1 s.</source>
+        <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
+    </message>
+</context>
+<context>
+    <name>Metric</name>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Ring completeness</source>
+        <translation>Kompletność okręgu</translation>
+    </message>
+    <message>
+        <source>Largest gap</source>
+        <translation>Największa przerwa</translation>
+    </message>
+    <message>
+        <source>Deviation from the plan</source>
+        <translation>Odchylenie od planu</translation>
+    </message>
+    <message>
+        <source>Deviation, 95th percentile</source>
+        <translation>Odchylenie, 95. percentyl</translation>
+    </message>
+    <message>
+        <source>Deviation, largest</source>
+        <translation>Odchylenie największe</translation>
+    </message>
+    <message>
+        <source>Deviation, signed</source>
+        <translation>Odchylenie ze znakiem</translation>
+    </message>
+    <message>
+        <source>Width of the kerf</source>
+        <translation>Szerokość szczeliny cięcia</translation>
+    </message>
+    <message>
+        <source>Length off the planned line</source>
+        <translation>Długość poza planowaną linią</translation>
+    </message>
+    <message>
+        <source>Length in healthy skin</source>
+        <translation>Długość w zdrowej skórze</translation>
+    </message>
+    <message>
+        <source>Length too near the placode</source>
+        <translation>Długość zbyt blisko płytki</translation>
+    </message>
+    <message>
+        <source>Placode contacts</source>
+        <translation>Dotknięcia płytki</translation>
+    </message>
+    <message>
+        <source>Placode contact time</source>
+        <translation>Czas kontaktu z płytką</translation>
+    </message>
+    <message>
+        <source>Peak force on the placode</source>
+        <translation>Największa siła na płytce</translation>
+    </message>
+    <message>
+        <source>Energised placode contact</source>
+        <translation>Kontakt z płytką pod energią</translation>
+    </message>
+    <message>
+        <source>Placode thermal dose</source>
+        <translation>Dawka cieplna płytki</translation>
+    </message>
+    <message>
+        <source>Placode peak temperature</source>
+        <translation>Najwyższa temperatura płytki</translation>
+    </message>
+    <message>
+        <source>Placode overheated</source>
+        <translation>Przegrzanie płytki</translation>
+    </message>
+    <message>
+        <source>Placode burned</source>
+        <translation>Oparzenie płytki</translation>
+    </message>
+    <message>
+        <source>Placode cut</source>
+        <translation>Nacięcie płytki</translation>
+    </message>
+    <message>
+        <source>Activations</source>
+        <translation>Włączenia energii</translation>
+    </message>
+    <message>
+        <source>Energy on</source>
+        <translation>Czas z energią</translation>
+    </message>
+    <message>
+        <source>Energy in the air</source>
+        <translation>Energia w powietrzu</translation>
+    </message>
+    <message>
+        <source>Activations in the air</source>
+        <translation>Włączenia w powietrzu</translation>
+    </message>
+    <message>
+        <source>Energy near the placode</source>
+        <translation>Energia blisko płytki</translation>
+    </message>
+    <message>
+        <source>Energy delivered</source>
+        <translation>Energia oddana</translation>
+    </message>
+    <message>
+        <source>Resting on one spot</source>
+        <translation>Zatrzymanie w miejscu</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Największa siła</translation>
+    </message>
+    <message>
+        <source>Too much force</source>
+        <translation>Zbyt duża siła</translation>
+    </message>
+    <message>
+        <source>Time with too much force</source>
+        <translation>Czas ze zbyt dużą siłą</translation>
+    </message>
+    <message>
+        <source>Torn tissue</source>
+        <translation>Rozdarta tkanka</translation>
+    </message>
+    <message>
+        <source>Torn skin</source>
+        <translation>Rozdarta skóra</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Długość drogi</translation>
+    </message>
+    <message>
+        <source>Depth path</source>
+        <translation>Droga w głąb</translation>
+    </message>
+    <message>
+        <source>Angular path</source>
+        <translation>Droga kątowa</translation>
+    </message>
+    <message>
+        <source>Mean speed</source>
+        <translation>Średnia prędkość</translation>
+    </message>
+    <message>
+        <source>Movements</source>
+        <translation>Liczba ruchów</translation>
+    </message>
+    <message>
+        <source>Idle time</source>
+        <translation>Czas bezruchu</translation>
+    </message>
+    <message>
+        <source>Smoothness (SPARC)</source>
+        <translation>Płynność (SPARC)</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ-V)</source>
+        <translation>Płynność (LDLJ-V)</translation>
+    </message>
+    <message>
+        <source>Out of view</source>
+        <translation>Poza obrazem</translation>
+    </message>
+</context>
+<context>
+    <name>ParticipantPage</name>
+    <message>
+        <source>Participant %1</source>
+        <translation>Uczestnik badania %1</translation>
+    </message>
+    <message>
+        <source>Leave without submitting?</source>
+        <translation>Wyjść bez wysłania?</translation>
+    </message>
+    <message>
+        <source>The answers given so far are not saved.</source>
+        <translation>Dotychczasowe odpowiedzi nie są zapisane.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
+    </message>
+    <message>
+        <source>Review the answers</source>
+        <translation>Przejrzyj odpowiedzi</translation>
+    </message>
+    <message>
+        <source> (may be left out)</source>
+        <translation> (można pominąć)</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 z %3</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Wybierz …</translation>
+    </message>
+    <message>
+        <source>Question %1 needs an answer.</source>
+        <translation>Pytanie %1 wymaga odpowiedzi.</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Przegląd</translation>
+    </message>
+    <message>
+        <source>Nothing is saved yet. Go back to change an answer, or submit.</source>
+        <translation>Nic jeszcze nie zapisano. Wróć, aby zmienić odpowiedź, albo wyślij.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Zmień</translation>
+    </message>
+    <message>
+        <source>Submit</source>
+        <translation>Wyślij</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Saving the answers</source>
+        <translation>Zapis odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Thank you.</source>
+        <translation>Dziękujemy.</translation>
+    </message>
+    <message>
+        <source>The answers of %1 are saved. Please hand the screen back to the coordinator.</source>
+        <translation>Odpowiedzi %1 są zapisane. Proszę oddać ekran koordynatorowi.</translation>
+    </message>
+    <message>
+        <source>Back to the study</source>
+        <translation>Powrót do badania</translation>
+    </message>
+</context>
+<context>
+    <name>Parts</name>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+    <message>
+        <source>Made by a scripted operator or a demonstration account.</source>
+        <translation>Wykonane przez program lub konto demonstracyjne.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Zostaw</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Przerwana</translation>
+    </message>
+    <message>
+        <source>Passed</source>
+        <translation>Zaliczone</translation>
+    </message>
+    <message>
+        <source>Failed: critical error</source>
+        <translation>Niezaliczone: błąd krytyczny</translation>
+    </message>
+    <message>
+        <source>Not yet</source>
+        <translation>Jeszcze nie</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>zakończona</translation>
+    </message>
+    <message>
+        <source>time limit</source>
+        <translation>limit czasu</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>zatrzymana</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>przerwana</translation>
+    </message>
+    <message>
+        <source>Trainee</source>
+        <translation>Uczestnik szkolenia</translation>
+    </message>
+    <message>
+        <source>Educator</source>
+        <translation>Instruktor</translation>
+    </message>
+    <message>
+        <source>Coordinator</source>
+        <translation>Koordynator</translation>
+    </message>
+    <message>
+        <source>Administrator</source>
+        <translation>Administrator</translation>
+    </message>
+    <message>
+        <source>Mouse</source>
+        <translation>Mysz</translation>
+    </message>
+    <message>
+        <source>Keyboard</source>
+        <translation>Klawiatura</translation>
+    </message>
+    <message>
+        <source>Gamepad</source>
+        <translation>Pad</translation>
+    </message>
+    <message>
+        <source>Scripted operator: expert</source>
+        <translation>Program: ekspert</translation>
+    </message>
+    <message>
+        <source>Scripted operator: intermediate</source>
+        <translation>Program: średnio zaawansowany</translation>
+    </message>
+    <message>
+        <source>Scripted operator: novice</source>
+        <translation>Program: początkujący</translation>
+    </message>
+</context>
+<context>
+    <name>PeoplePage</name>
+    <message>
+        <source>People</source>
+        <translation>Osoby</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Imię i nazwisko</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Roles</source>
+        <translation>Role</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Add a person</source>
+        <translation>Dodaj osobę</translation>
+    </message>
+    <message>
+        <source>First password</source>
+        <translation>Pierwsze hasło</translation>
+    </message>
+    <message>
+        <source>Add the person</source>
+        <translation>Dodaj osobę</translation>
+    </message>
+    <message>
+        <source>Select a person to change the account.</source>
+        <translation>Wybierz osobę, aby zmienić jej konto.</translation>
+    </message>
+    <message>
+        <source>New password</source>
+        <translation>Nowe hasło</translation>
+    </message>
+    <message>
+        <source>Set password</source>
+        <translation>Ustaw hasło</translation>
+    </message>
+    <message>
+        <source>Deactivate</source>
+        <translation>Wyłącz</translation>
+    </message>
+    <message>
+        <source>Deactivated</source>
+        <translation>Wyłączone</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+    <message>
+        <source>Active</source>
+        <translation>Włączone</translation>
+    </message>
+    <message>
+        <source>Activate</source>
+        <translation>Włącz</translation>
+    </message>
+    <message>
+        <source>Adding the person</source>
+        <translation>Dodawanie osoby</translation>
+    </message>
+    <message>
+        <source>A person needs a name and a log-in name.</source>
+        <translation>Osoba musi mieć nazwę i login.</translation>
+    </message>
+    <message>
+        <source>A person needs at least one role.</source>
+        <translation>Osoba musi mieć co najmniej jedną rolę.</translation>
+    </message>
+    <message>
+        <source>%1 was added.</source>
+        <translation>Dodano: %1.</translation>
+    </message>
+    <message>
+        <source>Setting the password</source>
+        <translation>Ustawianie hasła</translation>
+    </message>
+    <message>
+        <source>%1 has a new password.</source>
+        <translation>%1 ma nowe hasło.</translation>
+    </message>
+    <message>
+        <source>Deactivate %1?</source>
+        <translation>Wyłączyć konto: %1?</translation>
+    </message>
+    <message>
+        <source>The person can no longer sign in. Attempts and answers stay.</source>
+        <translation>Ta osoba nie będzie mogła się zalogować. Próby i odpowiedzi pozostaną.</translation>
+    </message>
+    <message>
+        <source>Changing the account</source>
+        <translation>Zmiana konta</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryPage</name>
+    <message>
+        <source>Attempts that were not finished</source>
+        <translation>Niedokończone próby</translation>
+    </message>
+    <message>
+        <source>Everything up to half a second before the end is in the recording.</source>
+        <translation>Nagranie zawiera wszystko do pół sekundy przed końcem.</translation>
+    </message>
+    <message>
+        <source>Nothing is left to recover.</source>
+        <translation>Nie ma nic do odzyskania.</translation>
+    </message>
+    <message>
+        <source>Recovery</source>
+        <translation>Odzyskiwanie</translation>
+    </message>
+    <message>
+        <source>Belongs to %1.</source>
+        <translation>Należy do: %1.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged and cannot be scored.</source>
+        <translation>Nagranie jest uszkodzone i nie można go ocenić.</translation>
+    </message>
+    <message>
+        <source>A part of the recording is damaged; what is whole can be saved.</source>
+        <translation>Część nagrania jest uszkodzona; to, co całe, można zapisać.</translation>
+    </message>
+    <message>
+        <source>Nobody knows whose it is. Save it for</source>
+        <translation>Nie wiadomo, czyje to nagranie. Zapisz dla</translation>
+    </message>
+    <message>
+        <source>Recording of %1</source>
+        <translation>Nagranie z %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (%3) was finished but could not be saved. Save it now?</source>
+        <translation>%1 z %2 (%3): próba zakończona, ale niezapisana. Zapisać teraz?</translation>
+    </message>
+    <message>
+        <source>%1 of %2 was not finished (%3). Save it as interrupted?</source>
+        <translation>%1 z %2: próba niedokończona (%3). Zapisać jako przerwaną?</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Zapisz</translation>
+    </message>
+    <message>
+        <source>Keep for later</source>
+        <translation>Zostaw na później</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Delete this recording?</source>
+        <translation>Usunąć to nagranie?</translation>
+    </message>
+    <message>
+        <source>The attempt is lost for good.</source>
+        <translation>Próba przepadnie na zawsze.</translation>
+    </message>
+    <message>
+        <source>Deleting the recording</source>
+        <translation>Usuwanie nagrania</translation>
+    </message>
+    <message>
+        <source>Saving the attempt</source>
+        <translation>Zapis próby</translation>
+    </message>
+    <message>
+        <source>Nothing had been recorded; the empty file was removed.</source>
+        <translation>Nic nie nagrano; pusty plik usunięto.</translation>
+    </message>
+    <message>
+        <source>The attempt was saved.</source>
+        <translation>Próba została zapisana.</translation>
+    </message>
+</context>
+<context>
+    <name>ResultPage</name>
+    <message>
+        <source>Result</source>
+        <translation>Wynik</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 punktów</translation>
+    </message>
+    <message>
+        <source>The attempt was interrupted: it is kept, and does not count for the course.</source>
+        <translation>Próba została przerwana: jest zachowana i nie liczy się do kursu.</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Raport</translation>
+    </message>
+    <message>
+        <source>Write a PDF of this attempt</source>
+        <translation>Zapisz PDF tej próby</translation>
+    </message>
+    <message>
+        <source>Again</source>
+        <translation>Jeszcze raz</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>No points were lost</source>
+        <translation>Bez straty punktów</translation>
+    </message>
+    <message>
+        <source>What cost most</source>
+        <translation>Co kosztowało najwięcej</translation>
+    </message>
+    <message>
+        <source>Nothing in the rubric took points off.</source>
+        <translation>Żadne kryterium nie odjęło punktów.</translation>
+    </message>
+    <message>
+        <source>Smaller reasons: %1, together −%2 points.</source>
+        <translation>Mniejsze powody: %1, razem −%2 pkt.</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>błąd krytyczny</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>w chwili %1</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Pomiary</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Pomiar</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wartość</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Own last</source>
+        <translation>Poprzednio</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Zmiana</translation>
+    </message>
+    <message>
+        <source>= same</source>
+        <translation>= tak samo</translation>
+    </message>
+    <message>
+        <source>▲ better</source>
+        <translation>▲ lepiej</translation>
+    </message>
+    <message>
+        <source>▼ worse</source>
+        <translation>▼ gorzej</translation>
+    </message>
+    <message>
+        <source>The incision</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Odczyt nagrania …</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Odczyt nagrania</translation>
+    </message>
+    <message>
+        <source>The recording cannot be shown.</source>
+        <translation>Nie można pokazać nagrania.</translation>
+    </message>
+    <message>
+        <source>The field from above: planned contour, what was cut, the needle's path. The measures beside it say the same in numbers.</source>
+        <translation>Pole z góry: planowany kontur, wykonane cięcie, droga igły. Pomiary obok mówią to samo w liczbach.</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Zapis raportu</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Raport zapisany: %1</translation>
+    </message>
+    <message>
+        <source>All measures</source>
+        <translation>Wszystkie pomiary</translation>
+    </message>
+    <message>
+        <source>Only what counts</source>
+        <translation>Tylko to, co się liczy</translation>
+    </message>
+</context>
+<context>
+    <name>RunningPage</name>
+    <message>
+        <source>Stop and score ends the attempt here and scores what was done. Abort keeps it in the history as interrupted; it does not count for the course.</source>
+        <translation>„Zakończ i oceń” kończy próbę w tym miejscu i ocenia wykonaną część. „Przerwij” zachowuje ją w historii jako przerwaną; nie liczy się do kursu.</translation>
+    </message>
+    <message>
+        <source>Attempt is running</source>
+        <translation>Próba trwa</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Etap</translation>
+    </message>
+    <message>
+        <source>Physics</source>
+        <translation>Fizyka</translation>
+    </message>
+    <message>
+        <source>Ring cut</source>
+        <translation>Nacięty okrąg</translation>
+    </message>
+    <message>
+        <source>Stop and score</source>
+        <translation>Zakończ i oceń</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Przerwij</translation>
+    </message>
+    <message>
+        <source>Abort the attempt?</source>
+        <translation>Przerwać próbę?</translation>
+    </message>
+    <message>
+        <source>It is kept as interrupted and does not count for the course.</source>
+        <translation>Zostanie zachowana jako przerwana i nie liczy się do kursu.</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Oględziny</translation>
+    </message>
+    <message>
+        <source>Incise</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Uwolnienie</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Wycięcie</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <source>The attempt has ended; the score is computed.</source>
+        <translation>Próba się zakończyła; trwa obliczanie wyniku.</translation>
+    </message>
+    <message>
+        <source>Runs in the fetoscope's window: %1.</source>
+        <translation>Trwa w oknie fetoskopu: %1.</translation>
+    </message>
+    <message>
+        <source>The fetoscope's window is opening.</source>
+        <translation>Otwiera się okno fetoskopu.</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>The recording lost entries: %1.</source>
+        <translation>Nagranie straciło wpisy: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPage</name>
+    <message>
+        <source>Welcome to Placode</source>
+        <translation>Witamy w Placode</translation>
+    </message>
+    <message>
+        <source>This machine has no accounts yet. Create the first one: the administrator, who adds people, keeps backups and reads the audit list.</source>
+        <translation>Na tym komputerze nie ma jeszcze kont. Utwórz pierwsze: administratora, który dodaje osoby, pilnuje kopii i czyta dziennik.</translation>
+    </message>
+    <message>
+        <source>Create the administrator</source>
+        <translation>Utwórz administratora</translation>
+    </message>
+    <message>
+        <source>First start</source>
+        <translation>Pierwsze uruchomienie</translation>
+    </message>
+    <message>
+        <source>for example Anna Nowak</source>
+        <translation>na przykład Anna Nowak</translation>
+    </message>
+    <message>
+        <source>short, for signing in</source>
+        <translation>krótki, do logowania</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Imię i nazwisko</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Hasło</translation>
+    </message>
+    <message>
+        <source>Password again</source>
+        <translation>Powtórz hasło</translation>
+    </message>
+    <message>
+        <source>I also train here (trainee)</source>
+        <translation>Ja też tu ćwiczę (uczestnik szkolenia)</translation>
+    </message>
+    <message>
+        <source>Add demonstration accounts to look around</source>
+        <translation>Dodaj konta demonstracyjne, aby się rozejrzeć</translation>
+    </message>
+    <message>
+        <source>demo.trainee, demo.educator, demo.coordinator, each with the password "%1"; their data is marked as demonstration everywhere.</source>
+        <translation>demo.trainee, demo.educator, demo.coordinator, każde z hasłem „%1”; ich dane są wszędzie oznaczone jako demonstracja.</translation>
+    </message>
+    <message>
+        <source>Give your name and a log-in name.</source>
+        <translation>Podaj imię i nazwisko oraz login.</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type them again.</source>
+        <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Creating the administrator</source>
+        <translation>Tworzenie administratora</translation>
+    </message>
+    <message>
+        <source>The administrator was created. Sign in to add people.</source>
+        <translation>Administrator został utworzony. Zaloguj się, aby dodać osoby.</translation>
+    </message>
+    <message>
+        <source>Demonstration trainee</source>
+        <translation>Uczestnik demonstracyjny</translation>
+    </message>
+    <message>
+        <source>Demonstration educator</source>
+        <translation>Instruktor demonstracyjny</translation>
+    </message>
+    <message>
+        <source>Demonstration coordinator</source>
+        <translation>Koordynator demonstracyjny</translation>
+    </message>
+</context>
+<context>
+    <name>StudiesPage</name>
+    <message>
+        <source>Studies</source>
+        <translation>Badania</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Kwestionariusz</translation>
+    </message>
+    <message>
+        <source>New participant</source>
+        <translation>Nowy uczestnik badania</translation>
+    </message>
+    <message>
+        <source>Placode gives a code without a name. Hand over the screen; the participant answers, reviews and submits.</source>
+        <translation>Placode nadaje kod bez nazwiska. Oddaj ekran; uczestnik odpowiada, przegląda i wysyła.</translation>
+    </message>
+    <message>
+        <source>Start a participant</source>
+        <translation>Rozpocznij</translation>
+    </message>
+    <message>
+        <source>Making a participant code</source>
+        <translation>Nadawanie kodu uczestnika</translation>
+    </message>
+    <message>
+        <source>Answers by item</source>
+        <translation>Odpowiedzi według pytań</translation>
+    </message>
+    <message>
+        <source>Export CSV</source>
+        <translation>Eksport CSV</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Pozycja</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Pytanie</translation>
+    </message>
+    <message>
+        <source>n</source>
+        <translation>n</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Średnia</translation>
+    </message>
+    <message>
+        <source>SD</source>
+        <translation>SD</translation>
+    </message>
+    <message>
+        <source>SD is the sample standard deviation (n − 1); missing answers are left out.</source>
+        <translation>SD to odchylenie standardowe z próby (n − 1); brakujące odpowiedzi są pominięte.</translation>
+    </message>
+    <message>
+        <source>Participants: %1</source>
+        <translation>Uczestnicy: %1</translation>
+    </message>
+    <message>
+        <source>No answers yet. Start the first participant above.</source>
+        <translation>Nie ma jeszcze odpowiedzi. Rozpocznij pierwszego uczestnika powyżej.</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kod</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Wypełniono</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Uczestnicy</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+    <message>
+        <source>Export the answers</source>
+        <translation>Eksport odpowiedzi</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exporting the answers</source>
+        <translation>Eksport odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Answers of %1 participants written: %2</source>
+        <translation>Zapisano odpowiedzi (uczestnicy: %1): %2</translation>
+    </message>
+</context>
+<context>
+    <name>TaskPage</name>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Step by step</source>
+        <translation>Krok po kroku</translation>
+    </message>
+    <message>
+        <source>What is scored</source>
+        <translation>Co jest oceniane</translation>
+    </message>
+    <message>
+        <source>You start with %1 points and pass with %2.</source>
+        <translation>Zaczynasz z %1 punktami; zaliczenie od %2.</translation>
+    </message>
+    <message>
+        <source>critical error</source>
+        <translation>błąd krytyczny</translation>
+    </message>
+    <message>
+        <source>up to −%1</source>
+        <translation>do −%1</translation>
+    </message>
+    <message>
+        <source>%1: at least %2</source>
+        <translation>%1: co najmniej %2</translation>
+    </message>
+    <message>
+        <source>%1: at most %2</source>
+        <translation>%1: najwyżej %2</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>Start the attempt</source>
+        <translation>Rozpocznij próbę</translation>
+    </message>
+    <message>
+        <source>A window with the fetoscope's view opens. Time limit %1.</source>
+        <translation>Otworzy się okno z obrazem fetoskopu. Limit czasu %1.</translation>
+    </message>
+    <message>
+        <source>Controls</source>
+        <translation>Sterowanie</translation>
+    </message>
+    <message>
+        <source>A program operates; you watch. Marked as demonstration.</source>
+        <translation>Operuje program, Ty patrzysz. Oznaczone jako demonstracja.</translation>
+    </message>
+    <message>
+        <source>Nothing to hold. Escape in the window opens the menu.</source>
+        <translation>Nic nie trzeba trzymać. Escape w oknie otwiera menu.</translation>
+    </message>
+    <message>
+        <source>Starting the attempt</source>
+        <translation>Rozpoczynanie próby</translation>
+    </message>
+    <message>
+        <source>F1 in the window shows them again, Escape pauses.</source>
+        <translation>F1 w oknie pokazuje je ponownie, Escape wstrzymuje.</translation>
+    </message>
+</context>
+<context>
+    <name>TodayPage</name>
+    <message>
+        <source>Good to see you, %1.</source>
+        <translation>Dzień dobry, %1.</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Dzisiaj</translation>
+    </message>
+    <message>
+        <source>Next task</source>
+        <translation>Następne zadanie</translation>
+    </message>
+    <message>
+        <source>Course completed</source>
+        <translation>Kurs ukończony</translation>
+    </message>
+    <message>
+        <source>Every stage is mastered.</source>
+        <translation>Wszystkie etapy są zaliczone.</translation>
+    </message>
+    <message>
+        <source>Repeat any task from the course to keep the skill.</source>
+        <translation>Powtarzaj dowolne zadanie kursu, aby utrzymać umiejętność.</translation>
+    </message>
+    <message>
+        <source>Open the course</source>
+        <translation>Otwórz kurs</translation>
+    </message>
+    <message>
+        <source>Open the task</source>
+        <translation>Otwórz zadanie</translation>
+    </message>
+    <message>
+        <source>It is the first stage of the course that you have not tried.</source>
+        <translation>To pierwszy etap kursu, którego jeszcze nie próbowano.</translation>
+    </message>
+    <message>
+        <source>Benchmark: %1 points, %2 times in a row without a critical error. Still missing: %3.</source>
+        <translation>Próg: %1 punktów, razy z rzędu: %2, bez błędu krytycznego. Brakuje jeszcze: %3.</translation>
+    </message>
+    <message>
+        <source>Last score</source>
+        <translation>Ostatni wynik</translation>
+    </message>
+    <message>
+        <source>No attempt yet. Your first one shows up here.</source>
+        <translation>Nie ma jeszcze prób. Pierwsza pojawi się tutaj.</translation>
+    </message>
+    <message>
+        <source>Why this score</source>
+        <translation>Skąd ten wynik</translation>
+    </message>
+    <message>
+        <source>Streak</source>
+        <translation>Seria</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>benchmarks met in a row on the next task</source>
+        <translation>progów z rzędu w następnym zadaniu</translation>
+    </message>
+    <message>
+        <source>nothing is open</source>
+        <translation>nic nie jest otwarte</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>stages mastered: %1</source>
+        <translation>zaliczone etapy: %1</translation>
+    </message>
+    <message>
+        <source>Scores of %1</source>
+        <translation>Wyniki: %1</translation>
+    </message>
+    <message>
+        <source>The same numbers stand in the history table.</source>
+        <translation>Te same liczby są w tabeli historii.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::AppContext</name>
+    <message>
+        <source>%1 did not work.</source>
+        <translation>%1: nie udało się.</translation>
+    </message>
+    <message>
+        <source>The store is locked by another program.</source>
+        <translation>Baza jest zablokowana przez inny program.</translation>
+    </message>
+    <message>
+        <source>Close the other program, or wait and try again.</source>
+        <translation>Zamknij tamten program albo poczekaj i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>A file is damaged and was left as it is.</source>
+        <translation>Plik jest uszkodzony i został bez zmian.</translation>
+    </message>
+    <message>
+        <source>Restore a backup; nothing has been overwritten.</source>
+        <translation>Przywróć kopię; niczego nie nadpisano.</translation>
+    </message>
+    <message>
+        <source>This file was written by a newer Placode.</source>
+        <translation>Ten plik zapisała nowsza wersja Placode.</translation>
+    </message>
+    <message>
+        <source>Update Placode on this machine.</source>
+        <translation>Zaktualizuj Placode na tym komputerze.</translation>
+    </message>
+    <message>
+        <source>The store cannot be reached.</source>
+        <translation>Baza jest nieosiągalna.</translation>
+    </message>
+    <message>
+        <source>Check the path or the connection, then try again.</source>
+        <translation>Sprawdź ścieżkę lub połączenie i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>This name is already taken.</source>
+        <translation>Ta nazwa jest już zajęta.</translation>
+    </message>
+    <message>
+        <source>Choose another one.</source>
+        <translation>Wybierz inną.</translation>
+    </message>
+    <message>
+        <source>A definition file cannot be used.</source>
+        <translation>Nie można użyć pliku definicji.</translation>
+    </message>
+    <message>
+        <source>Correct the file at the place named, then try again.</source>
+        <translation>Popraw plik we wskazanym miejscu i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The device cannot be used.</source>
+        <translation>Nie można użyć urządzenia.</translation>
+    </message>
+    <message>
+        <source>Choose another device, or connect it and try again.</source>
+        <translation>Wybierz inne urządzenie albo podłącz je i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The simulator could not be started.</source>
+        <translation>Nie udało się uruchomić symulatora.</translation>
+    </message>
+    <message>
+        <source>Opening the store</source>
+        <translation>Otwieranie bazy</translation>
+    </message>
+    <message>
+        <source>This</source>
+        <translation>To</translation>
+    </message>
+    <message>
+        <source>This was refused.</source>
+        <translation>Odmówiono.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::Banner</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Zamknij ten komunikat</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::MainWindow</name>
+    <message>
+        <source>Reading the accounts</source>
+        <translation>Odczyt kont</translation>
+    </message>
+    <message>
+        <source>Placode cannot open its store.</source>
+        <translation>Placode nie może otworzyć swojej bazy.</translation>
+    </message>
+    <message>
+        <source>Work in progress</source>
+        <translation>Trwa praca</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Strony</translation>
+    </message>
+    <message>
+        <source>Today</source>
+        <translation>Dzisiaj</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Historia</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Badania</translation>
+    </message>
+    <message>
+        <source>People</source>
+        <translation>Osoby</translation>
+    </message>
+    <message>
+        <source>Health</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Audit</source>
+        <translation>Dziennik</translation>
+    </message>
+    <message>
+        <source>Attempt is running</source>
+        <translation>Próba trwa</translation>
+    </message>
+    <message>
+        <source>Light theme</source>
+        <translation>Jasny motyw</translation>
+    </message>
+    <message>
+        <source>Dark theme</source>
+        <translation>Ciemny motyw</translation>
+    </message>
+    <message>
+        <source>Account of %1</source>
+        <translation>Konto: %1</translation>
+    </message>
+    <message>
+        <source>My account</source>
+        <translation>Moje konto</translation>
+    </message>
+    <message>
+        <source>Unfinished attempts</source>
+        <translation>Niedokończone próby</translation>
+    </message>
+    <message>
+        <source>Switch user</source>
+        <translation>Zmień użytkownika</translation>
+    </message>
+    <message>
+        <source>Sign out</source>
+        <translation>Wyloguj się</translation>
+    </message>
+    <message>
+        <source>Opening the page</source>
+        <translation>Otwieranie strony</translation>
+    </message>
+    <message>
+        <source>This page cannot be shown.</source>
+        <translation>Nie można pokazać tej strony.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Spróbuj ponownie</translation>
+    </message>
+    <message>
+        <source>The attempt could not be started.</source>
+        <translation>Nie udało się rozpocząć próby.</translation>
+    </message>
+    <message>
+        <source>Choose another device or try again.</source>
+        <translation>Wybierz inne urządzenie albo spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Scoring and saving the attempt</source>
+        <translation>Ocena i zapis próby</translation>
+    </message>
+    <message>
+        <source>The attempt ended before anything was recorded.</source>
+        <translation>Próba skończyła się, zanim cokolwiek nagrano.</translation>
+    </message>
+    <message>
+        <source>Try again.</source>
+        <translation>Spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>Your attempt was saved.</source>
+        <translation>Twoja próba została zapisana.</translation>
+    </message>
+    <message>
+        <source>Open the result</source>
+        <translation>Otwórz wynik</translation>
+    </message>
+    <message>
+        <source>The simulator ended unexpectedly.</source>
+        <translation>Symulator zakończył się nieoczekiwanie.</translation>
+    </message>
+    <message>
+        <source>Looking for unfinished attempts</source>
+        <translation>Szukanie niedokończonych prób</translation>
+    </message>
+    <message>
+        <source>An attempt of %1 was not finished or not saved (%2).</source>
+        <translation>Próba z %1 nie została dokończona lub zapisana (%2).</translation>
+    </message>
+    <message>
+        <source>Attempts that were not finished or not saved: %1.</source>
+        <translation>Próby niedokończone lub niezapisane: %1.</translation>
+    </message>
+    <message>
+        <source>Look at it</source>
+        <translation>Zobacz</translation>
+    </message>
+    <message>
+        <source>Close Placode while an attempt is running?</source>
+        <translation>Zamknąć Placode podczas próby?</translation>
+    </message>
+    <message>
+        <source>The attempt ends. Its recording is kept and offered at the next start.</source>
+        <translation>Próba się skończy. Nagranie zostanie i pojawi się przy następnym uruchomieniu.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept and can be saved as interrupted.</source>
+        <translation>To, co nagrano, jest zachowane i można to zapisać jako przerwane.</translation>
+    </message>
+</context>
+</TS>
