@@ -39,6 +39,7 @@ OperatorProfile expert() {
     p.wander_m = 7e-5;
     p.wander_inward_m = -4e-4;  // Keeps a little outside the line: heat runs inwards as well.
     p.lean_out_m = 5e-4;
+    p.lean_up_m = 3e-4;
     p.watch = 0.55;
     p.wait_s = 0.3;
     p.burst_s = 3;
@@ -49,11 +50,11 @@ OperatorProfile expert() {
 
 OperatorProfile intermediate() {
     OperatorProfile p;
-    p.look_s = 2;
-    p.free_speed_m_s = 0.018;
+    p.look_s = 4;
+    p.free_speed_m_s = 0.012;
     p.descend_m_s = 0.004;
     p.cut_speed_m_s = 0.0032;
-    p.wander_inward_m = -2e-4;
+    p.wander_inward_m = -3e-4;
     p.press_m = 4e-4;
     p.press_limit_m = 7e-4;
     p.speed_noise = 0.25;
@@ -61,8 +62,8 @@ OperatorProfile intermediate() {
     p.wander_m = 2.5e-4;
     p.watch = 0.6;
     p.wait_s = 0.6;
-    p.burst_s = 2.5;
-    p.pause_s = 0.5;
+    p.burst_s = 2;
+    p.pause_s = 1.2;
     p.settle_s = 0.25;
     p.early_chance = 0.4;
     p.early_s = 0.5;
@@ -450,7 +451,7 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     const Frame f = frame(s_m_);
     const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
     const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean;
-    tip_m_ = f.point + lift_m_ * f.normal + offset * f.inward;
+    tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
     if (s_m_ < run_.end_m + kOverrunM) return;
     // End of the piece: the next one may be near enough to go on.
     const double here = s_m_;

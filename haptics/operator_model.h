@@ -34,6 +34,7 @@ struct OperatorProfile {
     double wander_s = 0.8;         ///< Its correlation time.
     double wander_inward_m = 0;    ///< Mean deviation towards the placode.
     double lean_out_m = 0;         ///< Further out where the needle leans over the placode.
+    double lean_up_m = 0;          ///< And less deep there.
     double press_m = 2.5e-4;       ///< Depth of the tip below the contour.
     double press_limit_m = 1e-3;   ///< Deepest search for contact.
     double force_limit_n = 0.05;   ///< Backs off above.
