@@ -32,18 +32,20 @@ bool nobody_else_uses(const std::string& path, int timeout_ms) {
     return (code & 0xff) != SQLITE_BUSY && (code & 0xff) != SQLITE_LOCKED;
 }
 
-void prove(const std::string& copy, const std::string& backup_path, const std::string& operation) {
+void prove(const std::string& copy, const std::string& backup_path, const std::string& operation,
+           const std::string& actor) {
     const auto store = open_store("sqlite:" + copy);
     const auto problems = store->check();
     if (!problems.empty())
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");
-    store->audit("restore", "store.restore", backup_path, "");
+    store->audit(actor, "store.restore", backup_path, "");
 }
 
 }  // namespace
 
-std::string restore_store(const std::string& url, const std::string& backup_path) {
+std::string restore_store(const std::string& url, const std::string& backup_path,
+                          const std::string& actor) {
     const StoreUrl target = parse_store_url(url);
     const std::string operation = "restore " + backup_path + " to " + target.shown;
     if (target.engine != Engine::kSqlite || target.path == ":memory:")
@@ -63,7 +65,7 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         prepare_sqlite_file(fresh, operation);  // Folder, and file with mode 0600.
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
-        prove(fresh, backup_path, operation);
+        prove(fresh, backup_path, operation, actor);
         // 2. The old store steps aside, whole, with its log if it has one.
         if (fs::exists(target.path)) {
             if (!nobody_else_uses(target.path, target.timeout_ms))

@@ -120,7 +120,8 @@ struct StoreOptions {
 /// Puts a backup in the place of an embedded store; the old file is kept beside it. Returns where
 /// ("" when there was none). Throws kLocked when a program uses the store, kDamaged or kTooNew for
 /// the backup; the store is then as it was.
-std::string restore_store(const std::string& url, const std::string& backup_path);
+std::string restore_store(const std::string& url, const std::string& backup_path,
+                          const std::string& actor = "restore");
 
 /// "sqlite:" + the user's data folder + "/placode.db" (the folder is created by open_store).
 [[nodiscard]] std::string default_store_url();

@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The programs as people and scripts meet them: exit status, messages, and that bad input changes
+// nothing.
+
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "db/recording_file.h"
+
+using namespace placode;
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+struct Outcome {
+    int status = -1;
+    std::string out, err;
+};
+
+std::string read_text(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void write_text(const std::string& path, const std::string& text) {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
+}
+
+class Programs : public testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = (fs::temp_directory_path() / "placode-programs-XXXXXX").string();
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder = name;
+        store = folder + "/placode.db";
+    }
+    void TearDown() override { fs::remove_all(folder); }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return folder + "/" + name; }
+
+    /// Runs a program as the shell would. `environment` is like "A=b C=d". No terminal.
+    [[nodiscard]] Outcome run(const std::string& program, const std::string& arguments,
+                              const std::string& environment = "") const {
+        const std::string command =
+            "cd '" + folder + "' && env HOME='" + folder + "' XDG_DATA_HOME='" + folder +
+            "/data' " + environment + " timeout 120 '" PLACODE_BIN_DIR "/" + program + "' " +
+            arguments + " < /dev/null > '" + file("out") + "' 2> '" + file("err") + "'";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(file("out")),
+                read_text(file("err"))};
+    }
+    [[nodiscard]] Outcome ctl(const std::string& arguments,
+                              const std::string& environment = "") const {
+        return run("placodectl", "--store sqlite:" + store + "?timeout_ms=200 " + arguments,
+                   environment);
+    }
+    void add_user(const std::string& login, const std::string& role) const {
+        const Outcome added =
+            ctl("user add " + login + " --role " + role, "PLACODE_NEW_PASSWORD='long enough 1'");
+        ASSERT_EQ(added.status, 0) << added.err;
+    }
+
+    std::string folder, store;
+};
+
+constexpr const char* kRight = "PLACODE_PASSWORD='long enough 1'";
+
+void write_recording(const std::string& path) {
+    const auto sink = db::create_recording_file(path);
+    sim::RecordingHeader header;
+    header.task_id = "diathermy_ring";
+    header.task_json = "{}";
+    header.tools.emplace_back();
+    sink->begin(header);
+    for (int half = 0; half < 4; ++half) {
+        std::vector<sim::Input> inputs(500);
+        std::vector<sim::Sample> samples(50);
+        for (size_t i = 0; i < inputs.size(); ++i)
+            inputs[i].frame = half * 500 + static_cast<int64_t>(i);
+        for (size_t i = 0; i < samples.size(); ++i) {
+            samples[i].time_s = half * 0.5 + 0.01 * static_cast<double>(i + 1);
+            samples[i].tools[0].tip_m[0] = static_cast<float>(0.001 * samples[i].time_s);
+        }
+        sink->append(inputs, samples, {});
+    }
+    sink->finish({sim::EndReason::kFinished, 2.0, 1, 0});
+}
+
+void damage_chunk(const std::string& path, int chunk) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    const std::string sql = "UPDATE chunks SET checksum = 'x' WHERE id = " + std::to_string(chunk);
+    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+}
+
+/// Number after `"key": ` in a JSON text.
+double number_in(const std::string& json, const std::string& key) {
+    const size_t at = json.find("\"" + key + "\": ");
+    if (at == std::string::npos) return std::nan("");
+    double value = 0;
+    const size_t begin = at + key.size() + 4;
+    std::from_chars(json.data() + begin, json.data() + json.size(), value);
+    return value;
+}
+
+}  // namespace
+
+TEST_F(Programs, UsageErrorsHaveStatusTwoAndHelpHasNone) {
+    EXPECT_EQ(ctl("").status, 2);
+    EXPECT_EQ(ctl("fly").status, 2);
+    EXPECT_EQ(ctl("backup").status, 2);
+    EXPECT_EQ(ctl("--help").status, 0);
+    EXPECT_THAT(ctl("--help").out, AllOf(HasSubstr("user"), HasSubstr("restore")));
+    EXPECT_FALSE(fs::exists(store)) << "asking for help made a store";
+}
+
+TEST_F(Programs, AccountsAreMadeListedAndDeactivated) {
+    add_user("admin", "administrator");
+    add_user("anna", "trainee");
+    const Outcome list = ctl("user list --json");
+    EXPECT_EQ(list.status, 0) << list.err;
+    EXPECT_THAT(list.out, AllOf(HasSubstr("\"login\": \"anna\""), HasSubstr("administrator")));
+    EXPECT_EQ(ctl("user deactivate anna").status, 0);
+    EXPECT_THAT(ctl("user list").out, HasSubstr("deactivated"));
+    const Outcome last = ctl("user deactivate admin");
+    EXPECT_EQ(last.status, 1);
+    EXPECT_THAT(last.err, HasSubstr("last active administrator"));
+    EXPECT_THAT(ctl("audit").out, HasSubstr("local administrator ("));
+}
+
+TEST_F(Programs, BadAccountsAreRefusedAndNothingIsMade) {
+    add_user("anna", "trainee");
+    const auto add = [&](const std::string& arguments, const std::string& password) {
+        return ctl("user add " + arguments, "PLACODE_NEW_PASSWORD='" + password + "'");
+    };
+    EXPECT_EQ(add("ANNA", "long enough 1").status, 1);
+    EXPECT_EQ(add("bert", "short").status, 1);
+    EXPECT_THAT(add("bert", "short").err, HasSubstr("at least 10"));
+    const Outcome role = add("bert --role surgeon", "long enough 1");
+    EXPECT_EQ(role.status, 2);
+    EXPECT_THAT(role.err, AllOf(HasSubstr("surgeon"), HasSubstr("educator")));
+    EXPECT_EQ(ctl("user add bert").status, 2) << "no password, no terminal";
+    EXPECT_THAT(ctl("user list").out, Not(HasSubstr("bert")));
+    EXPECT_EQ(ctl("user password bert", "PLACODE_NEW_PASSWORD='long enough 2'").status, 2);
+}
+
+TEST_F(Programs, AWrongPasswordIsRefusedAndAfterSixTriesHasToWait) {
+    add_user("anna", "trainee");
+    const Outcome wrong = ctl("--as anna attempts", "PLACODE_PASSWORD=wrong");
+    EXPECT_EQ(wrong.status, 1);
+    EXPECT_THAT(wrong.err, AllOf(HasSubstr("sign in as anna"), HasSubstr("password is wrong")));
+    EXPECT_EQ(ctl("--as anna attempts", kRight).status, 0);
+    for (int i = 0; i < 5; ++i)
+        EXPECT_EQ(ctl("--as anna attempts", "PLACODE_PASSWORD=wrong").status, 1);
+    const Outcome waits = ctl("--as anna attempts", kRight);
+    EXPECT_EQ(waits.status, 1);
+    EXPECT_THAT(waits.err, HasSubstr("try again in"));
+}
+
+TEST_F(Programs, RightsAreThoseOfTheRole) {
+    add_user("anna", "trainee");
+    add_user("bert", "trainee");
+    add_user("eve", "educator");
+    EXPECT_EQ(ctl("--as anna attempts --user bert", kRight).status, 1);
+    EXPECT_EQ(ctl("--as eve attempts --user bert", kRight).status, 0);
+    for (const char* command : {"user list", "check", "backup copy.db", "audit"}) {
+        const Outcome refused = ctl(std::string("--as eve ") + command, kRight);
+        EXPECT_EQ(refused.status, 1) << command;
+        EXPECT_THAT(refused.err, HasSubstr("an administrator can")) << command;
+    }
+    EXPECT_FALSE(fs::exists(file("copy.db")));
+    EXPECT_THAT(ctl("--as eve export csv --study pilot", kRight).err, HasSubstr("coordinator"));
+    EXPECT_EQ(ctl("--as anna user password anna",
+                  std::string(kRight) + " PLACODE_NEW_PASSWORD='another one 2'")
+                  .status,
+              0)
+        << "everybody may change the own password";
+    EXPECT_EQ(ctl("--as anna user password bert",
+                  "PLACODE_PASSWORD='another one 2' PLACODE_NEW_PASSWORD='another one 3'")
+                  .status,
+              1);
+}
+
+TEST_F(Programs, AStoreThatIsNotThereIsNotMadeByLooking) {
+    const Outcome missing = ctl("check");
+    EXPECT_EQ(missing.status, 2);
+    EXPECT_THAT(missing.err, AllOf(HasSubstr(store), HasSubstr("no such store")));
+    EXPECT_FALSE(fs::exists(store));
+    EXPECT_EQ(run("placodectl", "--store mysql://x/y check").status, 2);
+}
+
+TEST_F(Programs, ALockedStoreIsNamedAndUnchanged) {
+    add_user("anna", "trainee");
+    sqlite3* other = nullptr;
+    ASSERT_EQ(sqlite3_open(store.c_str(), &other), SQLITE_OK);
+    ASSERT_EQ(sqlite3_exec(other, "BEGIN EXCLUSIVE", nullptr, nullptr, nullptr), SQLITE_OK);
+    const Outcome locked = ctl("user deactivate anna");
+    EXPECT_EQ(locked.status, 1);
+    EXPECT_THAT(locked.err, AllOf(HasSubstr("sqlite:" + store), HasSubstr("another program")));
+    sqlite3_exec(other, "ROLLBACK", nullptr, nullptr, nullptr);
+    sqlite3_close(other);
+    EXPECT_THAT(ctl("user list").out, Not(HasSubstr("deactivated")));
+}
+
+TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {
+    add_user("anna", "trainee");
+    const std::string copy = file("copy.db");
+    ASSERT_EQ(ctl("backup " + copy).status, 0);
+    EXPECT_EQ(ctl("backup " + copy).status, 1) << "a backup is never overwritten";
+    EXPECT_EQ(ctl("check").status, 0);
+    write_text(store, "scrambled eggs");
+    const Outcome damaged = ctl("check");
+    EXPECT_EQ(damaged.status, 1);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr("not a database"), HasSubstr("placodectl restore")));
+    EXPECT_EQ(read_text(store), "scrambled eggs");
+    EXPECT_EQ(ctl("restore " + file("nothing.db")).status, 2);
+    EXPECT_EQ(ctl("restore " + file("err")).status, 1);
+    EXPECT_EQ(read_text(store), "scrambled eggs");
+    const Outcome restored = ctl("restore " + copy);
+    EXPECT_EQ(restored.status, 0) << restored.err;
+    EXPECT_THAT(restored.out, HasSubstr("the old store is kept as"));
+    EXPECT_THAT(ctl("user list").out, HasSubstr("anna"));
+}
+
+TEST_F(Programs, ADamagedRecordingNamesTheChunkAndCanBeRecovered) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    EXPECT_EQ(ctl("metrics " + path).status, 0);
+    damage_chunk(path, 5);
+    const Outcome damaged = ctl("metrics " + path);
+    EXPECT_EQ(damaged.status, 2);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr(path), HasSubstr("chunk 5"), HasSubstr("1.00 s"),
+                                   HasSubstr("--recover")));
+    const Outcome recovered = ctl("--json metrics --recover " + path);
+    EXPECT_EQ(recovered.status, 0) << recovered.err;
+    EXPECT_THAT(recovered.out, AllOf(HasSubstr("\"interrupted\""), HasSubstr("chunk 5")));
+    write_text(path, read_text(path).substr(0, 6000));
+    EXPECT_EQ(ctl("score " + path).status, 2);
+    EXPECT_EQ(ctl("metrics " + file("missing.placode")).status, 2);
+    EXPECT_FALSE(fs::exists(store)) << "metrics need no store";
+}
+
+TEST_F(Programs, ATaskWithAWrongUnitNamesFileAndPlace) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    std::string task = read_text(PLACODE_SOURCE_DIR "/data/tasks/diathermy_ring.json");
+    ASSERT_NE(task.find("\"time_limit_s\""), std::string::npos);
+    task.replace(task.find("\"time_limit_s\""), 14, "\"time_limit_min\"");
+    write_text(file("task.json"), task);
+    const Outcome wrong = ctl("score " + path + " --task " + file("task.json"));
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err,
+                AllOf(HasSubstr("task.json"), HasSubstr("time_limit_min"), HasSubstr("/")));
+    EXPECT_EQ(ctl("score " + path + " --task no_such_task").status, 2);
+}
+
+TEST_F(Programs, ASpeedProfileGivesThePublishedSmoothness) {
+    // Minimum-jerk movement, 100 mm in 1 s at 100 Hz. Expected: the code of siva82kb/SPARC.
+    std::string csv = "t_s,speed_mm_s\n";
+    for (int k = 0; k <= 100; ++k) {
+        const double u = k / 100.0;
+        csv += std::to_string(k / 100.0) + "," +
+               std::to_string(100 * (30 * u * u - 60 * u * u * u + 30 * u * u * u * u)) + "\n";
+    }
+    write_text(file("a.csv"), csv);
+    const Outcome outcome = ctl("metrics --json --raw " + file("a.csv"));
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    // 1e-4: std::to_string leaves six decimals of the speed.
+    EXPECT_NEAR(number_in(outcome.out, "sparc"), -1.405829, 1e-4);
+    EXPECT_NEAR(number_in(outcome.out, "ldlj_speed"), -5.301633, 1e-4);
+    EXPECT_NEAR(number_in(outcome.out, "path_length_mm"), 100, 1e-3);
+    // A comma as decimal sign in the user's language changes nothing.
+    const Outcome polish = ctl("metrics --json --raw " + file("a.csv"), "LC_ALL=pl_PL.UTF-8");
+    EXPECT_EQ(polish.out, outcome.out);
+}
+
+TEST_F(Programs, AStraightWayAHeatRampAndAForceHaveTheirClosedForms) {
+    std::string way = "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz\n", heat = "t_s,T_C\n",
+                force = "t_s,force_N\n";
+    for (int k = 0; k <= 200; ++k) {
+        const std::string t = std::to_string(k * 0.01);
+        const double turn = k * 0.005;  // Half the angle: 2 rad in all.
+        way += t + "," + std::to_string(k * 0.3) + "," + std::to_string(k * 0.4) + ",0," +
+               std::to_string(std::cos(turn)) + ",0,0," + std::to_string(std::sin(turn)) + "\n";
+        heat += t + ",45\n";
+        force += t + "," + std::to_string(k * 0.01) + "\n";
+    }
+    write_text(file("way.csv"), way);
+    write_text(file("heat.csv"), heat);
+    write_text(file("force.csv"), force);
+    const std::string pose = ctl("metrics --json --raw way.csv").out;
+    EXPECT_NEAR(number_in(pose, "path_length_mm"), 100, 1e-3);
+    EXPECT_NEAR(number_in(pose, "mean_speed_mm_s"), 50, 1e-3);
+    EXPECT_NEAR(number_in(pose, "angular_path_deg"), 2 * 180 / M_PI, 0.01);
+    EXPECT_NEAR(number_in(pose, "depth_path_mm"), 0, 1e-6);
+    // 2 s at 45 C = 2/60 min x 2^2.
+    EXPECT_NEAR(number_in(ctl("metrics --json heat.csv").out, "cem43_min"), 8.0 / 60, 1e-9);
+    const std::string forces = ctl("metrics --json --threshold 1 force.csv").out;
+    EXPECT_NEAR(number_in(forces, "peak_force_n"), 2, 1e-9);
+    EXPECT_NEAR(number_in(forces, "impulse_n_s"), 2, 1e-9);
+    EXPECT_NEAR(number_in(forces, "excess_impulse_n_s"), 0.5, 1e-4);
+}
+
+TEST_F(Programs, ABadSignalFileNamesLineAndColumn) {
+    const auto fails = [&](const std::string& csv) {
+        write_text(file("a.csv"), csv);
+        const Outcome outcome = ctl("metrics a.csv");
+        EXPECT_EQ(outcome.status, 2) << csv;
+        return outcome.err;
+    };
+    EXPECT_THAT(fails("t_s,speed_m_s\n0,1\n"),
+                AllOf(HasSubstr("a.csv:1"), HasSubstr("speed_m_s"), HasSubstr("t_s,speed_mm_s")));
+    EXPECT_THAT(fails("t_s,speed_mm_s\n0,1\n0.01,1;5\n"),
+                AllOf(HasSubstr("a.csv:3: speed_mm_s"), HasSubstr("1;5")));
+    EXPECT_THAT(fails("t_s,speed_mm_s\n0,1\n0.01\n"), HasSubstr("a.csv:3: found 1 columns"));
+    EXPECT_THAT(fails("t_s,T_C\n0,37\n2,37\n1,37\n3,37\n"), HasSubstr("a.csv:4: t_s: found 1"));
+    EXPECT_THAT(fails(""), HasSubstr("a.csv"));
+    EXPECT_EQ(ctl("metrics a.txt").status, 2);
+}
+
+TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {
+    const Outcome outcome = ctl("--json check");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("{"), HasSubstr("\"error\""),
+                                   HasSubstr("\"exit_status\": 2")));
+}

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl: the command line of Placode.
+
+#include <QGuiApplication>
+#include <clocale>
+#include <iostream>
+
+#include "curriculum/definitions.h"
+#include "db/store.h"
+#include "ui/cli/cli.h"
+
+namespace {
+
+using namespace placode;
+
+int fail(const cli::Context& context, int status, const std::string& message) {
+    if (context.json) cli::print(context, {{"error", message}, {"exit_status", status}}, "");
+    std::cerr << "placodectl: " << message << '\n';
+    return status;
+}
+
+// A recording or an order that cannot be used is bad input; a store that cannot is a failure.
+int status_of(const db::StoreError& error) {
+    return error.kind() == db::StoreError::Kind::kNotFound ? 2 : 1;
+}
+
+int run(const cli::Context& context) {
+    try {
+        return context.run();
+    } catch (const cli::InputError& error) {
+        return fail(context, 2, error.what());
+    } catch (const curriculum::DefinitionError& error) {
+        return fail(context, 2, error.what());
+    } catch (const db::StoreError& error) {
+        return fail(context, status_of(error), error.what());
+    } catch (const std::exception& error) {
+        return fail(context, 1, error.what());
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    // No window, ever: a display is not needed, also not for a report.
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    QGuiApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("placode"));
+    // Qt takes over the user's locale; numbers on the command line and in files have a '.'.
+    std::setlocale(LC_NUMERIC, "C");
+
+    cli::Context context;
+    CLI::App app(
+        "Placode on the command line: accounts, scores, exports, reports, backup, benchmarks",
+        "placodectl");
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.add_option("--store", context.store_url,
+                   "sqlite:PATH or postgresql://USER:PASSWORD@HOST:PORT/NAME (default: the user's "
+                   "data folder)");
+    app.add_option("--as", context.as_user,
+                   "Act as this user; the password comes from $PLACODE_PASSWORD or is asked for");
+    app.add_flag("--json", context.json, "One JSON document instead of text");
+    cli::add_user_commands(app, context);
+    cli::add_store_commands(app, context);
+    cli::add_metrics_commands(app, context);
+    cli::add_report_commands(app, context);
+    cli::add_bench_commands(app, context);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& help) {
+        return app.exit(help);
+    } catch (const CLI::ParseError& error) {
+        (void)app.exit(error);
+        return 2;
+    }
+    return run(context);
+}

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl metrics | score
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "assessment/scoring.h"
+#include "curriculum/task.h"
+#include "db/recording_file.h"
+#include "db/store.h"
+#include "ui/cli/cli.h"
+#include "ui/cli/signal_file.h"
+
+namespace placode::cli {
+namespace {
+
+struct Options {
+    std::string file, task;
+    bool recover = false;
+    double threshold_n = -1;
+    SignalOptions signal;
+};
+
+bool ends_with(const std::string& text, const std::string& end) {
+    return text.size() >= end.size() &&
+           text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+// A recording that cannot be read is bad input.
+sim::Recording load_recording(const Options& options, std::string& damage) {
+    try {
+        auto recovered = db::recover_recording_file(options.file);
+        damage = recovered.damage;
+        if (!damage.empty() && !options.recover)
+            throw InputError("read the recording " + options.file + ": " + damage +
+                             "; --recover uses what is whole");
+        return std::move(recovered.recording);
+    } catch (const db::StoreError& error) {
+        throw InputError(error.what());
+    }
+}
+
+Json recording_head(const sim::Recording& recording, const std::string& damage) {
+    constexpr std::array<const char*, 5> kEnds{"running", "finished", "time limit", "closed",
+                                               "interrupted"};
+    Json json{{"task", recording.header.task_id},
+              {"task_version", recording.header.task_version},
+              {"device", recording.header.device},
+              {"seed", recording.header.seed},
+              {"build", recording.header.build},
+              {"demonstration", recording.header.demonstration},
+              {"duration_s", recording.end.duration_s},
+              {"end", kEnds[static_cast<size_t>(recording.end.reason) % kEnds.size()]},
+              {"dropped", recording.end.dropped}};
+    if (!damage.empty()) json["damage"] = damage;
+    return json;
+}
+
+Json to_json(const assessment::MetricSet& metrics) {
+    Json values = Json::object();
+    for (const auto& metric : metrics.values) values[metric.id] = metric.value;
+    return values;
+}
+
+std::string metric_table(const assessment::MetricSet& metrics) {
+    const auto definitions = assessment::metric_definitions();
+    std::vector<std::vector<std::string>> rows{{"metric", "value", "unit"}};
+    for (const auto& metric : metrics.values) {
+        const auto found = std::find_if(definitions.begin(), definitions.end(),
+                                        [&](const auto& one) { return one.id == metric.id; });
+        const std::string unit = found == definitions.end() ? "" : std::string(found->unit);
+        rows.push_back({metric.id, fixed(metric.value, 3), unit});
+    }
+    return table(rows);
+}
+
+int metrics_of_recording(const Context& context, const Options& options) {
+    std::string damage;
+    const sim::Recording recording = load_recording(options, damage);
+    const auto metrics = assessment::compute_metrics(recording);
+    Json json = recording_head(recording, damage);
+    json["metric_set_version"] = metrics.version;
+    json["metrics"] = to_json(metrics);
+    print(context, json,
+          (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics));
+    return 0;
+}
+
+int metrics_of_signal(const Context& context, const Options& options) {
+    SignalOptions signal = options.signal;
+    if (options.threshold_n >= 0) signal.threshold_n = options.threshold_n;
+    const SignalFile file = read_signal_file(options.file);
+    Json json = Json::object();
+    std::vector<std::vector<std::string>> rows{{"metric", "value"}};
+    for (const auto& [key, value] : signal_metrics(file, signal)) {
+        json[key] = value;
+        rows.push_back({key, shortest(value)});
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
+int metrics(const Context& context, const Options& options) {
+    if (ends_with(options.file, ".placode")) return metrics_of_recording(context, options);
+    if (ends_with(options.file, ".csv")) return metrics_of_signal(context, options);
+    throw InputError(options.file + ": expected FILE.placode (a recording) or FILE.csv (a signal)");
+}
+
+int score(const Context& context, const Options& options) {
+    std::string damage;
+    const sim::Recording recording = load_recording(options, damage);
+    const curriculum::Task task =
+        options.task.empty()
+            ? curriculum::load_task_text(recording.header.task_json, options.file + " (its task)")
+            : curriculum::load_task(options.task);
+    const auto metrics = assessment::compute_metrics(recording);
+    const auto result = assessment::score_attempt(task.rubric, metrics, recording);
+    constexpr std::array<const char*, 3> kVerdicts{"passed", "not yet", "failed"};
+    const std::string verdict = kVerdicts[static_cast<size_t>(result.verdict) % kVerdicts.size()];
+    Json json = recording_head(recording, damage);
+    json["points"] = result.points;
+    json["verdict"] = verdict;
+    json["rubric"] = result.rubric_id;
+    json["rubric_version"] = result.rubric_version;
+    json["metric_set_version"] = result.metric_set_version;
+    json["reasons"] = Json::array();
+    std::string text = "score " + fixed(result.points, 1) + " of 100: " + verdict + " (" + task.id +
+                       " version " + std::to_string(task.version) + ", " + recording.header.device +
+                       (recording.header.demonstration ? ", demonstration" : "") + ")\n";
+    if (!damage.empty()) text += "damaged: " + damage + "\n";
+    std::vector<std::vector<std::string>> rows;
+    for (const auto& reason : result.reasons) {
+        json["reasons"].push_back({{"item", reason.item},
+                                   {"text", reason.text},
+                                   {"points", reason.points},
+                                   {"time_s", reason.time_s},
+                                   {"critical", reason.critical}});
+        rows.push_back({"  -" + fixed(reason.points, 1), reason.text,
+                        reason.time_s < 0 ? "" : "at " + fixed(reason.time_s, 1) + " s",
+                        reason.critical ? "critical" : ""});
+    }
+    json["metrics"] = to_json(metrics);
+    print(context, json, text + table(rows) + "\n" + metric_table(metrics));
+    return 0;
+}
+
+}  // namespace
+
+void add_metrics_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* metrics_command = app.add_subcommand(
+        "metrics", "Every metric that a recording, or the columns of a CSV signal, allow");
+    metrics_command->add_option("FILE", options->file, "FILE.placode or FILE.csv")->required();
+    metrics_command->add_flag("--raw", options->signal.raw,
+                              "Signal: no filter and no resampling, it is clean already");
+    metrics_command->add_option("--threshold", options->threshold_n,
+                                "Force signal: what counts as too much [N]");
+    metrics_command->add_flag("--recover", options->recover,
+                              "Recording: use what stands before the damage");
+    metrics_command->callback([&context, options] {
+        context.run = [&context, options] { return metrics(context, *options); };
+    });
+
+    CLI::App* score_command =
+        app.add_subcommand("score", "Metrics, score and reasons of a recording");
+    score_command->add_option("FILE", options->file, "FILE.placode")->required();
+    score_command->add_option("--task", options->task,
+                              "Task id or FILE.json (default: the task in the recording)");
+    score_command->add_flag("--recover", options->recover, "Use what stands before the damage");
+    score_command->callback([&context, options] {
+        context.run = [&context, options] { return score(context, *options); };
+    });
+}
+
+}  // namespace placode::cli

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <iostream>
+
+#include "ui/cli/cli.h"
+
+namespace placode::cli {
+namespace {
+
+// Characters, not bytes: names have letters beyond ASCII.
+size_t width_of(const std::string& text) {
+    size_t width = 0;
+    for (const char c : text) width += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
+    return width;
+}
+
+std::string read_line() {
+    std::string line;
+    std::getline(std::cin, line);
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    return line;
+}
+
+std::string ask_without_echo(const std::string& prompt) {
+    std::cerr << prompt << ": " << std::flush;
+    termios before{};
+    tcgetattr(STDIN_FILENO, &before);
+    termios silent = before;
+    silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+    tcsetattr(STDIN_FILENO, TCSAFLUSH, &silent);
+    const std::string line = read_line();
+    tcsetattr(STDIN_FILENO, TCSAFLUSH, &before);
+    std::cerr << '\n';
+    return line;
+}
+
+}  // namespace
+
+void print(const Context& context, const Json& json, const std::string& text) {
+    if (context.json)
+        std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else
+        std::cout << text << (text.empty() || text.back() == '\n' ? "" : "\n");
+}
+
+std::string fixed(double value, int decimals) {
+    if (!std::isfinite(value)) return "-";
+    std::array<char, 400> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                            std::chars_format::fixed, decimals);
+    return error == std::errc{} ? std::string(text.data(), end) : "-";
+}
+
+std::string shortest(double value) {
+    std::array<char, 40> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} ? std::string(text.data(), end) : "-";
+}
+
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+    std::vector<size_t> widths;
+    for (const auto& row : rows)
+        for (size_t i = 0; i < row.size(); ++i) {
+            if (widths.size() <= i) widths.push_back(0);
+            widths[i] = std::max(widths[i], width_of(row[i]));
+        }
+    std::string text;
+    for (const auto& row : rows) {
+        std::string line;
+        for (size_t i = 0; i < row.size(); ++i)
+            line += row[i] +
+                    std::string(i + 1 < row.size() ? widths[i] - width_of(row[i]) + 2 : 0, ' ');
+        line.erase(line.find_last_not_of(' ') + 1);
+        text += line + '\n';
+    }
+    return text;
+}
+
+std::string read_password(const char* variable, const std::string& prompt, bool twice) {
+    if (const char* set = std::getenv(variable); set != nullptr) return set;
+    if (isatty(STDIN_FILENO) == 0) {
+        const std::string line = read_line();
+        if (line.empty())
+            throw InputError(prompt + ": no terminal to ask at; set " + variable +
+                             " or give it on the standard input");
+        return line;
+    }
+    const std::string first = ask_without_echo(prompt);
+    if (twice && ask_without_echo(prompt + " (again)") != first)
+        throw InputError(prompt + ": the two passwords differ; nothing was changed");
+    return first;
+}
+
+}  // namespace placode::cli

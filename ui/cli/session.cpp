@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/session.h"
+
+#include <pwd.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <charconv>
+
+#include "db/store_url.h"
+
+namespace placode::cli {
+namespace {
+
+std::string name_of_the_one_at_the_machine() {
+    const passwd* user = ::getpwuid(::geteuid());
+    return user != nullptr ? user->pw_name : std::to_string(::geteuid());
+}
+
+/// An address that cannot be read is bad input.
+db::StoreUrl parse_url(const std::string& url) {
+    try {
+        return db::parse_store_url(url);
+    } catch (const db::StoreError& error) {
+        throw InputError(error.what());
+    }
+}
+
+bool file_is_there(const db::StoreUrl& url) {
+    struct stat status {};
+    return ::stat(url.path.c_str(), &status) == 0;
+}
+
+}  // namespace
+
+std::string store_url_of(const Context& context) {
+    return context.store_url.empty() ? db::default_store_url() : context.store_url;
+}
+
+std::string need_local_administrator(const std::string& url) {
+    const db::StoreUrl parsed = parse_url(url);
+    const std::string way_out = "; give --as USER with the role for it";
+    if (parsed.engine != db::Engine::kSqlite)
+        throw AccessError(parsed.shown +
+                          ": nobody is administrator of a server just by being here" + way_out);
+    struct stat status {};
+    if (::stat(parsed.path.c_str(), &status) == 0 && status.st_uid != ::geteuid())
+        throw AccessError(parsed.shown + ": the file belongs to another user of this machine" +
+                          way_out);
+    return "local administrator (" + name_of_the_one_at_the_machine() + ")";
+}
+
+Session::Session(const Context& context, Missing missing) {
+    const std::string url = store_url_of(context);
+    const db::StoreUrl parsed = parse_url(url);
+    if (context.as_user.empty()) actor_ = need_local_administrator(url);
+    if (missing == Missing::kRefuse && parsed.engine == db::Engine::kSqlite &&
+        !file_is_there(parsed))
+        throw InputError("open " + parsed.shown +
+                         ": there is no such store; give the right one with --store, or create it "
+                         "with `placodectl user add`");
+    const std::string password =
+        context.as_user.empty()
+            ? std::string()
+            : read_password("PLACODE_PASSWORD", "Password of " + context.as_user, false);
+    store_ = db::open_store(url);
+    if (context.as_user.empty()) {
+        store_->act_as(actor_);
+        return;
+    }
+    const db::SignIn sign_in = store_->sign_in(context.as_user, password);
+    const std::string prefix = "sign in as " + context.as_user + " to " + parsed.shown + ": ";
+    switch (sign_in.outcome) {
+        case db::SignInOutcome::kOk:
+            user_ = sign_in.user;
+            actor_ = user_->login;
+            return;
+        case db::SignInOutcome::kWrong:
+            throw AccessError(
+                prefix +
+                "login or password is wrong; try again, or have an administrator set a "
+                "new password");
+        case db::SignInOutcome::kThrottled:
+            throw AccessError(prefix + "too many wrong passwords; try again in " +
+                              std::to_string(sign_in.wait_s) + " s");
+        case db::SignInOutcome::kDeactivated:
+            throw AccessError(prefix + "the account is deactivated; ask an administrator");
+    }
+}
+
+bool Session::may(db::Action action, db::Scope scope) const {
+    return !user_ || db::allowed(user_->roles, action, scope);
+}
+
+void Session::need(db::Action action, db::Scope scope) const {
+    if (!may(action, scope)) throw AccessError(user_->login + ": " + db::refusal(action));
+}
+
+db::UserRecord Session::find_user(const std::string& login_or_id) {
+    if (auto found = store_->user_by_login(login_or_id)) return *found;
+    int64_t id = 0;
+    const char* end = login_or_id.data() + login_or_id.size();
+    const auto [rest, error] = std::from_chars(login_or_id.data(), end, id);
+    if (error == std::errc{} && rest == end)
+        if (auto found = store_->user(id)) return *found;
+    throw InputError("there is no user \"" + login_or_id + "\" in " + store_->url() +
+                     "; `placodectl user list` shows them");
+}
+
+}  // namespace placode::cli

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Who acts on which store. Rights are those of db/access.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "db/access.h"
+#include "db/store.h"
+#include "ui/cli/cli.h"
+
+namespace placode::cli {
+
+/// What to do when an embedded store is not there.
+enum class Missing : uint8_t { kRefuse, kCreate };
+
+class Session {
+ public:
+    /// Signs in as --as; without it acts as local administrator, which only the owner of an
+    /// embedded store's file may, and the audit trail says so. Throws AccessError, InputError or
+    /// StoreError.
+    Session(const Context& context, Missing missing);
+
+    [[nodiscard]] db::Store& store() { return *store_; }
+    /// nullopt: local administrator.
+    [[nodiscard]] const std::optional<db::UserRecord>& user() const { return user_; }
+    [[nodiscard]] const std::string& actor() const { return actor_; }
+    /// Throws AccessError naming the role that could.
+    void need(db::Action action, db::Scope scope) const;
+    [[nodiscard]] bool may(db::Action action, db::Scope scope) const;
+    /// By login or number. Throws InputError.
+    [[nodiscard]] db::UserRecord find_user(const std::string& login_or_id);
+
+ private:
+    std::unique_ptr<db::Store> store_;
+    std::optional<db::UserRecord> user_;
+    std::string actor_;
+};
+
+[[nodiscard]] std::string store_url_of(const Context& context);
+
+/// Throws AccessError unless the store is embedded and its file, if it is there, belongs to whoever
+/// runs the program. Returns the name for the audit trail.
+std::string need_local_administrator(const std::string& url);
+
+}  // namespace placode::cli

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl check | backup | restore | attempts | audit
+
+#include <array>
+#include <memory>
+
+#include "ui/cli/session.h"
+
+namespace placode::cli {
+namespace {
+
+using db::Action;
+using db::Scope;
+
+int check(const Context& context) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kBackup, Scope::kOther);
+    const auto problems = session.store().check();
+    std::string text;
+    for (const std::string& problem : problems) text += problem + "\n";
+    if (problems.empty())
+        text = session.store().url() + ": sound";
+    else
+        text += session.store().url() + ": " + std::to_string(problems.size()) +
+                " problem(s); restore a backup with `placodectl restore FILE`";
+    print(context,
+          {{"store", session.store().url()}, {"sound", problems.empty()}, {"problems", problems}},
+          text);
+    return problems.empty() ? 0 : 1;
+}
+
+int backup(const Context& context, const std::string& path) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kBackup, Scope::kOther);
+    session.store().backup(path);
+    print(context, {{"store", session.store().url()}, {"backup", path}},
+          "backed up " + session.store().url() + " to " + path);
+    return 0;
+}
+
+int restore(const Context& context, const std::string& path) {
+    const std::string url = store_url_of(context);
+    // The store may be damaged: its own accounts cannot be asked. Its file's owner may do it.
+    std::string actor = context.as_user;
+    if (actor.empty()) {
+        actor = need_local_administrator(url);
+    } else {
+        Session(context, Missing::kRefuse).need(Action::kBackup, Scope::kOther);
+    }
+    const std::string aside = db::restore_store(url, path, actor);
+    Json json{{"store", url}, {"restored_from", path}};
+    if (!aside.empty()) json["old_store"] = aside;
+    print(context, json,
+          "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside));
+    return 0;
+}
+
+const char* verdict_name(assessment::Verdict verdict) {
+    constexpr std::array<const char*, 3> kNames{"passed", "not yet", "failed"};
+    return kNames[static_cast<size_t>(verdict) % kNames.size()];
+}
+
+const char* end_name(sim::EndReason reason) {
+    constexpr std::array<const char*, 5> kNames{"running", "finished", "time limit", "closed",
+                                                "interrupted"};
+    return kNames[static_cast<size_t>(reason) % kNames.size()];
+}
+
+int attempts(const Context& context, const std::string& login, const std::string& task) {
+    Session session(context, Missing::kRefuse);
+    int64_t whose = 0;
+    if (!login.empty()) {
+        whose = session.find_user(login).id;
+    } else if (!session.may(Action::kViewAttempts, Scope::kOther)) {
+        whose = session.user()->id;  // Without --user a trainee sees the own ones.
+    }
+    const bool own = session.user() && whose == session.user()->id;
+    session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{
+        {"id", "started (UTC)", "person", "task", "device", "time s", "points", "verdict", "end"}};
+    for (const auto& attempt : session.store().attempts(whose, task)) {
+        json.push_back({{"id", attempt.id},
+                        {"user_id", attempt.user_id},
+                        {"user_name", attempt.user_name},
+                        {"task", attempt.task_id},
+                        {"task_version", attempt.task_version},
+                        {"started_utc", attempt.started_utc},
+                        {"duration_s", attempt.duration_s},
+                        {"device", attempt.device},
+                        {"seed", attempt.seed},
+                        {"build", attempt.build},
+                        {"end", end_name(attempt.end)},
+                        {"demonstration", attempt.demonstration},
+                        {"points", attempt.points},
+                        {"verdict", verdict_name(attempt.verdict)},
+                        {"rubric", attempt.rubric_id},
+                        {"rubric_version", attempt.rubric_version},
+                        {"metric_set_version", attempt.metric_set_version}});
+        rows.push_back({std::to_string(attempt.id), attempt.started_utc, attempt.user_name,
+                        attempt.task_id,
+                        attempt.device + (attempt.demonstration ? " (demonstration)" : ""),
+                        fixed(attempt.duration_s, 1), fixed(attempt.points, 1),
+                        verdict_name(attempt.verdict), end_name(attempt.end)});
+    }
+    print(context, json, rows.size() == 1 ? "no attempts" : table(rows));
+    return 0;
+}
+
+int audit(const Context& context, int limit) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kViewAudit, Scope::kOther);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{{"at (UTC)", "who", "did", "what", "detail"}};
+    for (const auto& entry : session.store().audit_trail(limit)) {
+        json.push_back({{"id", entry.id},
+                        {"at_utc", entry.at_utc},
+                        {"actor", entry.actor},
+                        {"action", entry.action},
+                        {"object", entry.object},
+                        {"detail", entry.detail}});
+        rows.push_back({entry.at_utc, entry.actor, entry.action, entry.object, entry.detail});
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
+}  // namespace
+
+void add_store_commands(CLI::App& app, Context& context) {
+    app.add_subcommand("check", "Checks the store: file, references, audit trail, recordings")
+        ->callback([&context] { context.run = [&context] { return check(context); }; });
+
+    auto file = std::make_shared<std::string>();
+    CLI::App* backup_command =
+        app.add_subcommand("backup", "Copies the embedded store to FILE while others may use it");
+    backup_command->add_option("FILE", *file)->required();
+    backup_command->callback(
+        [&context, file] { context.run = [&context, file] { return backup(context, *file); }; });
+
+    CLI::App* restore_command = app.add_subcommand(
+        "restore", "Puts the backup FILE in the place of the store; the old one is kept beside it");
+    restore_command->add_option("FILE", *file)->required();
+    restore_command->callback(
+        [&context, file] { context.run = [&context, file] { return restore(context, *file); }; });
+
+    auto user = std::make_shared<std::string>();
+    auto task = std::make_shared<std::string>();
+    CLI::App* attempts_command = app.add_subcommand("attempts", "Lists attempts, oldest first");
+    attempts_command->add_option("--user", *user, "Login or number");
+    attempts_command->add_option("--task", *task, "Task id");
+    attempts_command->callback([&context, user, task] {
+        context.run = [&context, user, task] { return attempts(context, *user, *task); };
+    });
+
+    auto limit = std::make_shared<int>(50);
+    CLI::App* audit_command = app.add_subcommand("audit", "Shows the audit trail, newest first");
+    audit_command->add_option("--limit", *limit, "Number of entries")
+        ->check(CLI::Range(1, 1000000));
+    audit_command->callback(
+        [&context, limit] { context.run = [&context, limit] { return audit(context, *limit); }; });
+}
+
+}  // namespace placode::cli
