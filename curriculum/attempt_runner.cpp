@@ -24,7 +24,8 @@ sim::RecordingHeader make_header(const Task& task, uint64_t seed, const AttemptO
     header.build = std::string("placode ") + PLACODE_VERSION + " " + sim::kernel_target();
     header.device = options.device;
     header.started_utc = options.started_utc;
-    header.demonstration = options.demonstration;
+    // A scripted operator is never taken for a person, whoever started it.
+    header.demonstration = options.demonstration || options.device.rfind("script:", 0) == 0;
     header.frame_s = task.scene.solver.frame_s;
     header.tools = scene.tools;
     header.geometry = scene.geometry;

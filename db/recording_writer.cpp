@@ -87,8 +87,17 @@ class FileSink final : public sim::RecordingSink {
         execute("COMMIT");
     }
 
+    /// An attempt that never began (its device was not there) leaves no file.
+    ~FileSink() override {
+        database_.reset();
+        if (!began_) ::unlink(path_.c_str());
+    }
+    FileSink(const FileSink&) = delete;
+    FileSink& operator=(const FileSink&) = delete;
+
     void begin(const sim::RecordingHeader& header) override {
         transact([&] { put_meta("header", header_to_json(header)); });
+        began_ = true;
     }
 
     void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
@@ -157,6 +166,7 @@ class FileSink final : public sim::RecordingSink {
     std::string path_;
     SqlitePointer database_;
     int64_t inputs_ = 0, samples_ = 0, events_ = 0;
+    bool began_ = false;
 };
 
 bool has_living_writer(const std::string& path) {

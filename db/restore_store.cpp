@@ -5,8 +5,10 @@
 #include <sqlite3.h>
 
 #include <QDateTime>
+#include <array>
 #include <filesystem>
 
+#include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
 #include "db/store.h"
 #include "db/store_url.h"
@@ -32,8 +34,22 @@ bool nobody_else_uses(const std::string& path, int timeout_ms) {
     return (code & 0xff) != SQLITE_BUSY && (code & 0xff) != SQLITE_LOCKED;
 }
 
+// An empty file would open as a new store: a backup is told by its mark before it is opened as one.
+bool is_marked_as_store(const std::string& path) {
+    sqlite3* database = nullptr;
+    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+    const SqlitePointer owner(database);
+    if (code != SQLITE_OK) return false;
+    RawStatement query(database, "PRAGMA application_id");
+    return query.prepared() == SQLITE_OK && query.step() == SQLITE_ROW &&
+           query.integer(0) == kStoreApplicationId;
+}
+
 void prove(const std::string& copy, const std::string& backup_path, const std::string& operation,
            const std::string& actor) {
+    if (!is_marked_as_store(copy))
+        throw StoreError(Kind::kDamaged,
+                         operation + ": the file is not a backup of a store; nothing was changed");
     const auto store = open_store("sqlite:" + copy);
     const auto problems = store->check();
     if (!problems.empty())

@@ -54,14 +54,18 @@ std::map<std::string, Applied> applied_migrations(Connection& connection) {
     return applied;
 }
 
-void create_register(Connection& connection) {
-    // Looked for first: opening a store that is up to date takes no write lock.
+bool has_register(Connection& connection) {
     Statement there(connection,
                     connection.is_sqlite()
                         ? "SELECT COUNT(*) FROM sqlite_schema WHERE name = 'schema_migrations'"
                         : "SELECT COUNT(*) FROM information_schema.tables WHERE table_schema = "
                           "current_schema() AND table_name = 'schema_migrations'");
-    if (there.run().next() && there.integer(0) > 0) return;
+    return there.run().next() && there.integer(0) > 0;
+}
+
+void create_register(Connection& connection) {
+    // Looked for first: opening a store that is up to date takes no write lock.
+    if (has_register(connection)) return;
     UnitOfWork work(connection);
     // Two programs that start on an empty server at once would both create it.
     if (!connection.is_sqlite()) connection.execute("SELECT pg_advisory_xact_lock(1347371844)");

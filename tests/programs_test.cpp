@@ -227,7 +227,8 @@ TEST_F(Programs, ADamagedStoreIsLeftAsItIsAndABackupTakesItsPlace) {
     EXPECT_THAT(damaged.err, AllOf(HasSubstr("not a database"), HasSubstr("placodectl restore")));
     EXPECT_EQ(read_text(store), "scrambled eggs");
     EXPECT_EQ(ctl("restore " + file("nothing.db")).status, 2);
-    EXPECT_EQ(ctl("restore " + file("err")).status, 1);
+    write_text(file("empty.db"), "");
+    EXPECT_EQ(ctl("restore " + file("empty.db")).status, 1);
     EXPECT_EQ(read_text(store), "scrambled eggs");
     const Outcome restored = ctl("restore " + copy);
     EXPECT_EQ(restored.status, 0) << restored.err;
@@ -336,4 +337,59 @@ TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("{"), HasSubstr("\"error\""),
                                    HasSubstr("\"exit_status\": 2")));
+}
+
+// --- placode-sim -------------------------------------------------------------------------------
+
+TEST_F(Programs, ADeviceThatIsNotThereIsNamedWithWhatThereIs) {
+    for (const char* device : {"warp", "openhaptics"}) {
+        const Outcome outcome =
+            run("placode-sim", std::string("--headless --task diathermy_ring_small --device ") +
+                                   device + " --record a.placode");
+        EXPECT_EQ(outcome.status, 2) << device;
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr(device), HasSubstr("script:expert")));
+        EXPECT_FALSE(fs::exists(file("a.placode")));
+    }
+}
+
+TEST_F(Programs, AnAttemptWithAWrongTaskNeverStarts) {
+    std::string task = read_text(PLACODE_SOURCE_DIR "/data/tasks/diathermy_ring.json");
+    task.replace(task.find("\"time_limit_s\""), 14, "\"time_limit_min\"");
+    write_text(file("task.json"), task);
+    const std::string rest = " --headless --fast --device script:expert --record a.placode";
+    const Outcome wrong = run("placode-sim", "--task task.json" + rest);
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, AllOf(HasSubstr("task.json"), HasSubstr("time_limit_min")));
+    EXPECT_FALSE(fs::exists(file("a.placode")));
+    EXPECT_EQ(run("placode-sim", "--task nowhere" + rest).status, 2);
+    EXPECT_EQ(run("placode-sim", "--fly").status, 2);
+}
+
+TEST_F(Programs, ARecordingIsNeverOverwrittenAndADamagedOneIsNotReplayed) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    const std::string before = read_text(path);
+    const Outcome taken = run("placode-sim",
+                              "--task diathermy_ring_small --headless --fast --duration 0.1 "
+                              "--device script:expert --record a.placode");
+    EXPECT_NE(taken.status, 0);
+    EXPECT_THAT(taken.err, HasSubstr("not overwritten"));
+    EXPECT_EQ(read_text(path), before);
+    damage_chunk(path, 3);
+    const Outcome damaged = run("placode-sim", "--headless --fast --device play:a.placode");
+    EXPECT_EQ(damaged.status, 2);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr("a.placode"), HasSubstr("chunk 3")));
+}
+
+TEST_F(Programs, AnAttemptIsRecordedMeasuredAndScored) {
+    const Outcome attempt = run("placode-sim",
+                                "--task diathermy_ring_small --headless --fast --duration 0.5 "
+                                "--device script:expert --seed 7 --record a.placode");
+    ASSERT_EQ(attempt.status, 0) << attempt.err;
+    const Outcome score = ctl("score --json a.placode");
+    ASSERT_EQ(score.status, 0) << score.err;
+    EXPECT_NEAR(number_in(score.out, "duration_s"), 0.5, 0.0011);  // Whole frames of 1 ms.
+    EXPECT_EQ(number_in(score.out, "seed"), 7);
+    EXPECT_THAT(score.out, AllOf(HasSubstr("\"demonstration\": true"), HasSubstr("\"reasons\"")));
+    EXPECT_EQ(ctl("score a.placode --task diathermy_ring_small").status, 0);
 }

@@ -379,10 +379,18 @@ TEST(RecordingFile, WhatIsNoRecordingIsToldApart) {
     EXPECT_EQ(failure_of(path).first, db::StoreError::Kind::kDamaged);
 }
 
-TEST(RecordingFile, OneThatNeverBeganSaysSo) {
+TEST(RecordingFile, AnAttemptThatNeverBeganLeavesNoFile) {
     const Folder folder;
     const std::string path = folder.file("a.placode");
     (void)db::create_recording_file(path);
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST(RecordingFile, OneWithoutAHeaderSaysThatItNeverBegan) {
+    const Folder folder;
+    const std::string path = folder.file("a.placode");
+    write_recording(path, 1);
+    execute(path, "DELETE FROM meta WHERE key = 'header'");
     EXPECT_TRUE(contains(failure_of(path).second, "never began"));
 }
 

@@ -210,9 +210,18 @@ TEST_F(SqliteFile, RestoringRefusesABadBackupAndAStoreInUse) {
     const std::string copy = folder.file("copy.db");
     open()->backup(copy);
     const std::string before = read_text(path);
+    {
+        RawConnection raw("QSQLITE", folder.file("songs.db"));
+        ASSERT_TRUE(raw.run("CREATE TABLE songs (title TEXT)"));
+    }
     write_text(folder.file("bad.db"), "not a backup");
-    EXPECT_EQ(failure_of([&] { db::restore_store(url, folder.file("bad.db")); }).kind(),
-              StoreError::Kind::kDamaged);
+    write_text(folder.file("empty.db"), "");
+    write_text(folder.file("cut.db"), read_text(copy).substr(0, 30000));
+    for (const char* bad : {"bad.db", "empty.db", "songs.db", "cut.db"})
+        EXPECT_EQ(failure_of([&] { db::restore_store(url, folder.file(bad)); }).kind(),
+                  StoreError::Kind::kDamaged)
+            << bad;
+    EXPECT_EQ(read_text(path), before);
     EXPECT_EQ(failure_of([&] { db::restore_store(url, folder.file("none.db")); }).kind(),
               StoreError::Kind::kNotFound);
     const auto in_use = open();

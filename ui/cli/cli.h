@@ -40,6 +40,7 @@ void add_store_commands(CLI::App& app, Context& context);
 void add_metrics_commands(CLI::App& app, Context& context);
 void add_report_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
+void add_demo_commands(CLI::App& app, Context& context);
 
 /// Prints one JSON document with --json, else the text.
 void print(const Context& context, const Json& json, const std::string& text);

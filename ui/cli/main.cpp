@@ -25,6 +25,12 @@ int status_of(const db::StoreError& error) {
     return error.kind() == db::StoreError::Kind::kNotFound ? 2 : 1;
 }
 
+// What Qt says to itself (no XDG_RUNTIME_DIR, ...) is not for whoever reads our output.
+void keep_quiet(QtMsgType type, const QMessageLogContext&, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::cerr << "placodectl: " << message.toStdString() << '\n';
+}
+
 int run(const cli::Context& context) {
     try {
         return context.run();
@@ -44,6 +50,7 @@ int run(const cli::Context& context) {
 int main(int argc, char** argv) {
     // No window, ever: a display is not needed, also not for a report.
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(keep_quiet);
     QGuiApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("placode"));
     // Qt takes over the user's locale; numbers on the command line and in files have a '.'.
@@ -66,6 +73,7 @@ int main(int argc, char** argv) {
     cli::add_metrics_commands(app, context);
     cli::add_report_commands(app, context);
     cli::add_bench_commands(app, context);
+    cli::add_demo_commands(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl demo: people and attempts to look at. Every attempt is really simulated, by a scripted
+// operator, and recorded; everything is marked as demonstration. A second run adds what is missing.
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <thread>
+
+#include "assessment/scoring.h"
+#include "curriculum/attempt_runner.h"
+#include "db/recording_file.h"
+#include "ui/cli/session.h"
+
+namespace placode::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Person {
+    const char *login, *name;
+    db::Role role;
+};
+constexpr std::array kPeople{
+    Person{"demo-anna", "Anna Demo", db::Role::kTrainee},
+    Person{"demo-jan", "Jan Demo", db::Role::kTrainee},
+    Person{"demo-educator", "Ewa Demo", db::Role::kEducator},
+    Person{"demo-coordinator", "Karol Demo", db::Role::kCoordinator},
+    Person{"demo-admin", "Adam Demo", db::Role::kAdministrator},
+};
+/// Printed, and the same for all: these accounts are for looking around.
+constexpr const char* kDemoPassword = "placode-demo";
+
+struct Planned {
+    const char *login, *device;
+    uint64_t seed;
+};
+constexpr std::array kAttempts{
+    Planned{"demo-anna", "script:novice", 11},      Planned{"demo-anna", "script:intermediate", 12},
+    Planned{"demo-anna", "script:expert", 13},      Planned{"demo-jan", "script:novice", 21},
+    Planned{"demo-jan", "script:intermediate", 22},
+};
+
+struct Options {
+    std::string task = "diathermy_ring";
+    int attempts = static_cast<int>(kAttempts.size());
+    int threads = 2;
+};
+
+std::atomic<bool> cancelled{false};
+void cancel(int) { cancelled = true; }
+
+/// Ctrl-C ends the attempt that runs, and keeps what is complete.
+class CancelOnInterrupt {
+ public:
+    CancelOnInterrupt() : before_(std::signal(SIGINT, cancel)) {}
+    ~CancelOnInterrupt() { std::signal(SIGINT, before_); }
+    CancelOnInterrupt(const CancelOnInterrupt&) = delete;
+    CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
+
+ private:
+    void (*before_)(int);
+};
+
+class ScratchFolder {
+ public:
+    ScratchFolder() {
+        path_ = (fs::temp_directory_path() / "placode-demo-XXXXXX").string();
+        if (::mkdtemp(path_.data()) == nullptr)
+            throw std::runtime_error("cannot make a temporary folder in " +
+                                     fs::temp_directory_path().string());
+    }
+    ~ScratchFolder() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+    std::string path_;
+};
+
+/// Creates those who are missing; never changes an account that is there.
+void add_people(Session& session, std::vector<std::string>& created) {
+    for (const Person& person : kPeople) {
+        if (session.store().user_by_login(person.login)) continue;
+        session.store().create_user(
+            {person.login, person.name, kDemoPassword, static_cast<db::Roles>(person.role), true});
+        created.emplace_back(person.login);
+    }
+}
+
+bool is_there(Session& session, const Planned& planned, const std::string& task) {
+    const auto user = session.store().user_by_login(planned.login);
+    for (const auto& attempt : session.store().attempts(user->id, task))
+        if (attempt.device == planned.device && attempt.seed == planned.seed &&
+            attempt.demonstration)
+            return true;
+    return false;
+}
+
+void show_progress(const std::string& what, const curriculum::AttemptStatus& status) {
+    if (isatty(STDERR_FILENO) == 0) return;
+    std::cerr << '\r' << what << ": " << fixed(status.time_s, 1) << " s, "
+              << sim::phase_name(status.phase) << ", " << fixed(100 * status.cut_fraction, 0)
+              << " % cut   " << std::flush;
+}
+
+std::string utc_now() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.000Z", &utc);
+    return text.data();
+}
+
+/// Simulates, records, scores and saves one attempt. Returns false when it was cancelled.
+bool run_attempt(Session& session, const Planned& planned, const Options& options,
+                 const std::string& what, Json& json) {
+    const ScratchFolder scratch;
+    const std::string file = scratch.file("attempt.placode");
+    const curriculum::Task task = curriculum::load_task(options.task);
+    curriculum::AttemptOptions how;
+    how.device = planned.device;
+    how.threads = options.threads;
+    how.fast = true;
+    how.demonstration = true;
+    how.started_utc = utc_now();
+    const auto start = std::chrono::steady_clock::now();
+    {
+        curriculum::AttemptRunner runner(task, planned.seed, how, db::create_recording_file(file));
+        runner.start();
+        while (!runner.finished()) {
+            if (cancelled) runner.request_finish(sim::EndReason::kClosed);
+            show_progress(what, runner.status());
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+        }
+        runner.wait();
+    }
+    if (isatty(STDERR_FILENO) != 0) std::cerr << '\r' << std::string(79, ' ') << '\r';
+    if (cancelled) return false;
+    const sim::Recording recording = db::read_recording_file(file);
+    db::AttemptResult result;
+    result.header = recording.header;
+    result.end = recording.end;
+    result.events = recording.events;
+    result.metrics = assessment::compute_metrics(recording);
+    result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
+    result.recording_file = file;
+    const auto user = session.store().user_by_login(planned.login);
+    const int64_t id = session.store().save_attempt(user->id, result);
+    const double wall_s =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    json["attempts"].push_back({{"id", id},
+                                {"user", planned.login},
+                                {"device", planned.device},
+                                {"seed", planned.seed},
+                                {"points", result.score.points},
+                                {"simulated_s", result.end.duration_s},
+                                {"wall_s", wall_s}});
+    std::cerr << what << ": " << fixed(result.score.points, 1) << " points after "
+              << fixed(result.end.duration_s, 1) << " s simulated in " << fixed(wall_s, 1)
+              << " s\n";
+    return true;
+}
+
+int demo(const Context& context, const Options& options) {
+    Session session(context, Missing::kCreate);
+    session.need(db::Action::kManageUsers, db::Scope::kOther);
+    const CancelOnInterrupt on_interrupt;
+    std::vector<std::string> created;
+    add_people(session, created);
+    Json json{{"store", session.store().url()},
+              {"created_users", created},
+              {"password", kDemoPassword},
+              {"attempts", Json::array()}};
+    int there = 0;
+    const auto count = std::min<size_t>(kAttempts.size(), static_cast<size_t>(options.attempts));
+    for (size_t i = 0; i < count && !cancelled; ++i) {
+        const Planned& planned = kAttempts[i];
+        if (is_there(session, planned, options.task)) {
+            ++there;
+            continue;
+        }
+        (void)run_attempt(session, planned, options,
+                          "attempt " + std::to_string(i + 1) + " of " + std::to_string(count) +
+                              " (" + planned.login + ", " + planned.device + ")",
+                          json);
+    }
+    json["already_there"] = there;
+    json["cancelled"] = cancelled.load();
+    std::string text = "demonstration accounts in " + session.store().url() + ", password \"" +
+                       kDemoPassword + "\":\n";
+    for (const Person& person : kPeople) text += std::string("  ") + person.login + "\n";
+    text += std::to_string(json["attempts"].size()) + " attempts simulated, " +
+            std::to_string(there) + " were there";
+    if (cancelled) text += "; cancelled, what is complete is kept: run it again for the rest";
+    print(context, json, text);
+    return cancelled ? 1 : 0;
+}
+
+}  // namespace
+
+void add_demo_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "demo", "Fills the store with demonstration accounts and attempts of scripted operators");
+    command->add_option("--task", options->task, "Task id")->capture_default_str();
+    command->add_option("--attempts", options->attempts, "How many attempts at most")
+        ->check(CLI::Range(0, static_cast<int>(kAttempts.size())))
+        ->capture_default_str();
+    command->add_option("--threads", options->threads, "Threads of the simulation")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command->callback([&context, options] {
+        context.run = [&context, options] { return demo(context, *options); };
+    });
+}
+
+}  // namespace placode::cli
