@@ -21,7 +21,8 @@ class ReportError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// PDF of one attempt: verdict, reasons, metrics, incision picture. Needs a QGuiApplication.
+/// PDF of one attempt: verdict, reasons, metrics, incision picture. Needs a QApplication: the
+/// charts are QCustomPlot.
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
                        const std::vector<db::AttemptRecord>& history, const std::string& path);
 

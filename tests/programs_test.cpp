@@ -15,8 +15,11 @@
 #include <fstream>
 
 #include "db/recording_file.h"
+#include "db/store.h"
+#include "tests/store_fixture.h"
 
 using namespace placode;
+using placode::test::read_text;
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -24,15 +27,12 @@ using testing::Not;
 
 namespace {
 
+test::World* const world = test::World::install();
+
 struct Outcome {
     int status = -1;
     std::string out, err;
 };
-
-std::string read_text(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void write_text(const std::string& path, const std::string& text) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
@@ -337,6 +337,57 @@ TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {
     EXPECT_EQ(outcome.status, 2);
     EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("{"), HasSubstr("\"error\""),
                                    HasSubstr("\"exit_status\": 2")));
+}
+
+TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
+    ASSERT_NE(world, nullptr);
+    const std::string recording = file("a.placode");
+    ASSERT_EQ(run("placode-sim",
+                  "--task diathermy_ring_small --headless --fast --duration 0.3 --device "
+                  "script:expert --record a.placode")
+                  .status,
+              0);
+    const std::string zofia = "Zażółć, \"Zofia\"";
+    {
+        const auto direct = db::open_store("sqlite:" + store);
+        const int64_t user = direct->create_user({"zofia", zofia, "long enough 1", 1, true});
+        direct->create_user({"carl", "Carl", "long enough 1", 4, true});
+        db::AttemptResult result;
+        const sim::Recording read = db::read_recording_file(recording);
+        result.header = read.header;
+        result.end = read.end;
+        result.events = read.events;
+        result.metrics = assessment::compute_metrics(read);
+        result.score.points = 12.5;
+        result.recording_file = recording;
+        direct->save_attempt(user, result);
+        db::AnswerRecord answers;
+        answers.study_id = "pilot/1";
+        answers.participant = direct->new_participant("pilot/1");
+        answers.questionnaire_id = "face_validity";
+        answers.answers = {{"A", "5"}, {"B", "4"}};
+        direct->save_answers(answers);
+    }
+    const Outcome attempts = ctl("--as zofia attempts --json", kRight);
+    EXPECT_EQ(attempts.status, 0) << attempts.err;
+    EXPECT_EQ(number_in(attempts.out, "points"), 12.5);
+    const Outcome user = ctl("--as zofia export csv --user zofia --out exported", kRight);
+    EXPECT_EQ(user.status, 0) << user.err;
+    EXPECT_THAT(read_text(file("exported/attempts_zofia.csv")),
+                AllOf(HasSubstr("12.5"), HasSubstr("path_length_mm")));
+    const Outcome study = ctl("--as carl export csv --study pilot/1 --out exported", kRight);
+    EXPECT_EQ(study.status, 0) << study.err;
+    EXPECT_THAT(read_text(file("exported/pilot_1_face_validity.csv")), HasSubstr("P001-"));
+    EXPECT_EQ(ctl("--as carl export csv --study none", kRight).status, 2);
+    EXPECT_EQ(ctl("export csv").status, 2) << "neither study nor user";
+    const Outcome report = ctl("--as zofia report attempt 1 --out a.pdf", kRight);
+    EXPECT_EQ(report.status, 0) << report.err;
+    EXPECT_THAT(read_text(file("a.pdf")), testing::StartsWith("%PDF-"));
+    EXPECT_EQ(ctl("--as carl report attempt 1 --out b.pdf", kRight).status, 1);
+    EXPECT_FALSE(fs::exists(file("b.pdf")));
+    EXPECT_EQ(ctl("report attempt 99 --out b.pdf").status, 2);
+    EXPECT_EQ(ctl("report attempt first --out b.pdf").status, 2);
+    EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("export.csv"), HasSubstr("report.pdf")));
 }
 
 // --- placode-sim -------------------------------------------------------------------------------

@@ -236,6 +236,10 @@ int speed(const Context& context, const Options& options) {
     }
     if (!options.out.empty()) write_files(options.out, json, rows);
     const Json& at = json["machine"];
+    const double busy = json["machine"]["load_average_1min_before"].get<double>();
+    if (busy > 0.5)
+        std::cerr << "placodectl: other programs were running (load " << fixed(busy, 1)
+                  << "): the figures are too low; measure again on an idle machine\n";
     print(context, json,
           table(cells) + at["processor"].get<std::string>() + ", " +
               std::to_string(at["logical_cores"].get<int>()) + " logical cores, kernels " +

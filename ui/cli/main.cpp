@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl: the command line of Placode.
 
-#include <QGuiApplication>
+#include <QApplication>
 #include <clocale>
 #include <iostream>
 
@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
     // No window, ever: a display is not needed, also not for a report.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(keep_quiet);
-    QGuiApplication application(argc, argv);
+    QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("placode"));
     // Qt takes over the user's locale; numbers on the command line and in files have a '.'.
     std::setlocale(LC_NUMERIC, "C");
