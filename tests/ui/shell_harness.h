@@ -14,6 +14,7 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThreadPool>
 #include <QTimer>
 #include <QToolButton>
 #include <memory>
@@ -121,6 +122,8 @@ class ShellHarness {
         for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
             context_->setTheme(theme);
             QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            (void)QTest::qWaitFor(
+                [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
             QTest::qWait(60);  // Lets layouts settle and pictures load; nothing depends on it.
             window_->grab().save(
                 QString("%1/%2_%3.png")

@@ -23,6 +23,7 @@ void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
     }
     runner.start();
     while (!runner.finished()) {
+        if (finish_requested()) runner.request_finish(sim::EndReason::kClosed);
         if (stop_requested()) runner.request_finish(sim::EndReason::kInterrupted);
         status.print(runner.status());
         if (view) {

@@ -19,7 +19,9 @@
 namespace placode::ui {
 namespace {
 
-std::atomic<bool> g_stop{false};  // the one thing a signal handler may touch
+// All that a signal handler may touch.
+std::atomic<bool> g_stop{false};
+std::atomic<bool> g_finish{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
 std::string utc_now() {
@@ -93,10 +95,13 @@ int run(int argc, char** argv) {
 
 bool stop_requested() noexcept { return g_stop.load(std::memory_order_relaxed); }
 
+bool finish_requested() noexcept { return g_finish.load(std::memory_order_relaxed); }
+
 void catch_stop_signals() {
     const auto handler = [](int) { g_stop.store(true, std::memory_order_relaxed); };
     std::signal(SIGINT, handler);
     std::signal(SIGTERM, handler);
+    std::signal(SIGUSR1, [](int) { g_finish.store(true, std::memory_order_relaxed); });
     std::signal(SIGPIPE, SIG_IGN);  // the shell may go away; the attempt is recorded all the same
 }
 

@@ -14,6 +14,8 @@ namespace placode::ui {
 
 /// Set by SIGINT and SIGTERM.
 [[nodiscard]] bool stop_requested() noexcept;
+/// True after SIGUSR1: the shell asks to end the attempt here and score what was done.
+[[nodiscard]] bool finish_requested() noexcept;
 void catch_stop_signals();
 
 /// Runs until finished; draws, handles keys and menu. Main thread.

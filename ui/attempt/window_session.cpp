@@ -39,7 +39,8 @@ class WindowSession {
         Clock::time_point next_picture = Clock::now();
         while (!runner_.finished()) {
             view_.poll(input_);
-            if (view_.close_requested()) runner_.request_finish(sim::EndReason::kClosed);
+            if (view_.close_requested() || finish_requested())
+                runner_.request_finish(sim::EndReason::kClosed);
             if (stop_requested()) runner_.request_finish(sim::EndReason::kInterrupted);
             handle_keys();
             publish();

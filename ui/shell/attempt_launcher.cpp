@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTimer>
+#include <csignal>
 
 namespace placode::ui {
 namespace {
@@ -81,16 +82,21 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
 void AttemptLauncher::finish() {
     if (!running()) return;
     asked_ = true;
-    process_.terminate();
-    QTimer::singleShot(kPatienceMs, this, [this, id = process_.processId()] {
-        if (running() && process_.processId() == id) process_.kill();
-    });
+    ::kill(static_cast<pid_t>(process_.processId()), SIGUSR1);
+    killLater();
 }
 
 void AttemptLauncher::abort() {
     if (!running()) return;
     asked_ = true;
-    process_.kill();
+    process_.terminate();
+    killLater();
+}
+
+void AttemptLauncher::killLater() {
+    QTimer::singleShot(kPatienceMs, this, [this, id = process_.processId()] {
+        if (running() && process_.processId() == id) process_.kill();
+    });
 }
 
 void AttemptLauncher::readStatus() {

@@ -54,7 +54,7 @@ class AttemptLauncher : public QObject {
     /// Throws LaunchError or db::StoreError.
     void start(AttemptOrder order, const QString& folder);
     void finish();  ///< Stop and score: the simulator ends by itself and closes the recording.
-    void abort();   ///< Ends at once; the recording is left as interrupted.
+    void abort();   ///< Ends at once; the recording ends as interrupted.
     void setLanguage(const QString& language) { options_.language = language; }
 
     [[nodiscard]] bool running() const;
@@ -71,6 +71,7 @@ class AttemptLauncher : public QObject {
 
  private:
     void readStatus();
+    void killLater();  ///< A simulator that does not end by itself; its recording stays readable.
     void onFinished(int exit_code, QProcess::ExitStatus status);
 
     LaunchOptions options_;

@@ -387,7 +387,10 @@ void MainWindow::updateFrame() {
 void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     updateFrame();
     const bool waiting = place_.page == PageId::kRunning;
-    if (!QFile::exists(ending.order.recording_file)) {
+    // Exit status 2 before the first frame: bad input, e.g. a device that is not there.
+    const bool never_began =
+        !ending.crashed && ending.exit_code == 2 && context_.launcher().status().time_s <= 0;
+    if (never_began || !QFile::exists(ending.order.recording_file)) {
         remove_recording(ending.order.recording_file);
         context_.report({tr("The attempt could not be started."),
                          tr("Choose another device or try again."), ending.message});

@@ -156,7 +156,7 @@ void fit_columns(QTableWidget* table, int stretch) {
         // Room for the padding of the style sheet, which the size hint of a cell leaves out.
         header->setSectionResizeMode(
             c, c == stretch ? QHeaderView::Stretch : QHeaderView::Interactive);
-        if (c != stretch) table->setColumnWidth(c, table->columnWidth(c) + kSpace24);
+        if (c != stretch) table->setColumnWidth(c, table->columnWidth(c) + kSpace12);
         const QTableWidgetItem* first = table->item(0, c);
         if (first != nullptr && (first->textAlignment() & Qt::AlignRight) != 0)
             table->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -292,9 +292,9 @@ QString device_name(const std::string& device) {
     if (device == "mouse") return Parts::tr("Mouse");
     if (device == "keyboard") return Parts::tr("Keyboard");
     if (device == "gamepad") return Parts::tr("Gamepad");
-    if (device == "script:expert") return Parts::tr("Scripted operator: expert");
-    if (device == "script:intermediate") return Parts::tr("Scripted operator: intermediate");
-    if (device == "script:novice") return Parts::tr("Scripted operator: novice");
+    if (device == "script:expert") return Parts::tr("Scripted expert");
+    if (device == "script:intermediate") return Parts::tr("Scripted intermediate");
+    if (device == "script:novice") return Parts::tr("Scripted novice");
     return qstr(device);
 }
 

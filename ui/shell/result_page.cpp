@@ -101,7 +101,10 @@ class ResultPage : public Page {
     QWidget* reasonsCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
-        const auto& reasons = detail_.score.reasons;
+        // A critical error decides the verdict, whatever it costs: it comes first.
+        std::vector<assessment::Reason> reasons = detail_.score.reasons;
+        std::stable_partition(reasons.begin(), reasons.end(),
+                              [](const assessment::Reason& reason) { return reason.critical; });
         layout->addWidget(make_label(
             reasons.empty() ? tr("No points were lost") : tr("What cost most"), "heading"));
         if (reasons.empty())
@@ -115,7 +118,7 @@ class ResultPage : public Page {
             for (size_t i = kShownReasons; i < reasons.size(); ++i) rest += reasons[i].points;
             layout->addWidget(make_label(tr("Smaller reasons: %1, together −%2 points.")
                                              .arg(reasons.size() - kShownReasons)
-                                             .arg(format_value(rest)),
+                                             .arg(format_number(rest, 1)),
                                          "small"));
         }
         return make_card(layout);
@@ -124,8 +127,9 @@ class ResultPage : public Page {
     QHBoxLayout* reasonLine(const assessment::Reason& reason) {
         auto* line = new QHBoxLayout;
         line->setSpacing(kSpace12);
-        QLabel* points =
-            make_badge("−" + format_points(reason.points), reason.critical ? "critical" : "warn");
+        const QString cost =
+            reason.points >= 0.5 ? "−" + format_points(reason.points) : QString("!");
+        QLabel* points = make_badge(cost, reason.critical ? "critical" : "warn");
         points->setAlignment(Qt::AlignCenter);
         points->setMinimumWidth(48);
         line->addWidget(points, 0, Qt::AlignTop);

@@ -115,7 +115,8 @@ class RunningPage : public Page {
                                 : tr("The fetoscope's window is opening."));
         time_->setText(begun ? format_duration(live.time_s) : "–");
         phase_->setText(phaseName(live.phase));
-        physics_->setText(begun ? tr("%1 Hz").arg(format_number(live.physics_hz, 0)) : "–");
+        physics_->setText(live.physics_hz > 0 ? tr("%1 Hz").arg(format_number(live.physics_hz, 0))
+                                              : "–");
         ring_->setText(begun ? format_number(100 * live.cut_fraction, 0) + " %" : "–");
         bar_->setValue(static_cast<int>(100 * live.cut_fraction));
         QStringList warnings;

@@ -900,15 +900,15 @@
         <translation>Pad</translation>
     </message>
     <message>
-        <source>Scripted operator: expert</source>
+        <source>Scripted expert</source>
         <translation>Program: ekspert</translation>
     </message>
     <message>
-        <source>Scripted operator: intermediate</source>
+        <source>Scripted intermediate</source>
         <translation>Program: średnio zaawansowany</translation>
     </message>
     <message>
-        <source>Scripted operator: novice</source>
+        <source>Scripted novice</source>
         <translation>Program: początkujący</translation>
     </message>
 </context>

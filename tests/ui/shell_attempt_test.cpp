@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attempts from Start to the score with the real simulator: scored, stopped, killed, recovered.
+// The scripted operators run headless on the small task, as fast as the machine can.
+
+#include <signal.h>
+
+#include <QApplication>
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <QSqlQuery>
+
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+/// For what a busy machine with two cores does slowly; a full ring takes it a minute or more.
+constexpr int kPatienceMs = 240000;
+}  // namespace
+
+class ShellAttemptTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void expertFinishesAndSeesWhy();
+    void reportIsAPdf();
+    void stoppedAttemptIsScoredForWhatWasDone();
+    void historyHoldsBothAndOpensThem();
+    void killedSimulatorIsOfferedAndStoredAsInterrupted();
+    void leftoverIsOfferedAfterARestart();
+    void recordingStaysWhenTheStoreIsLocked();
+    void abortedAttemptCountsAsInterrupted();
+    void unknownDeviceComesBackWithTheReason();
+    void educatorSeesAllOfThem();
+
+ private:
+    /// From the course to a running attempt.
+    void startAttempt(const QString& device);
+    [[nodiscard]] std::vector<db::AttemptRecord> attempts() {
+        return shell_->context().store().attempts(0);
+    }
+    [[nodiscard]] QStringList recordings() const {
+        return QDir(shell_->context().recordingsFolder()).entryList({"*.placode"}, QDir::Files);
+    }
+
+    std::unique_ptr<ShellHarness> shell_;
+    double expert_points_ = 0;
+};
+
+void ShellAttemptTest::initTestCase() {
+    QVERIFY2(QFileInfo(PLACODE_BIN_DIR "/placode-sim").isExecutable(),
+             "build placode-sim first: this test starts the real simulator");
+    shell_ = std::make_unique<ShellHarness>();
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.arrives(PageId::kSetup));
+    QVERIFY(shell.type("display_name", "Ada Admin"));
+    QVERIFY(shell.type("login", "ada"));
+    QVERIFY(shell.type("password", "correct horse"));
+    QVERIFY(shell.type("password_again", "correct horse"));
+    auto* demonstration = shell.find<QAbstractButton>("add_demonstration");
+    demonstration->setChecked(true);
+    QVERIFY(shell.click("create_administrator"));
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.signIn("demo.trainee", "demonstration"));
+    QVERIFY(shell.arrives(PageId::kToday));
+}
+
+void ShellAttemptTest::startAttempt(const QString& device) {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_course"));
+    QVERIFY(shell.arrives(PageId::kCourse));
+    QVERIFY(shell.click("open_diathermy_ring_small"));
+    QVERIFY(shell.arrives(PageId::kTask));
+    auto* devices = shell.find<QComboBox>("device");
+    QVERIFY(devices->findData(device) >= 0);
+    devices->setCurrentIndex(devices->findData(device));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.arrives(PageId::kRunning));
+    QVERIFY(shell.context().launcher().running());
+}
+
+void ShellAttemptTest::expertFinishesAndSeesWhy() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:expert");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 0.5; },
+                            kPatienceMs));
+    QCoreApplication::processEvents();
+    QVERIFY(shell.text("live_time") != "–");
+    shell.shot("20_running");
+    QVERIFY(shell.arrives(PageId::kResult, 600));
+    const auto all = attempts();
+    QCOMPARE(all.size(), size_t{1});
+    QCOMPARE(all[0].end, sim::EndReason::kFinished);
+    QVERIFY(all[0].demonstration);
+    expert_points_ = all[0].points;
+    QVERIFY(shell.text("result_points").contains(QString::number(expert_points_, 'f', 0)));
+    QVERIFY(shell.find<QTableWidget>("metrics")->rowCount() > 10);
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 30000));
+    shell.shot("21_result_expert");
+    // Saved in the store, so the file is gone.
+    QVERIFY(recordings().isEmpty());
+}
+
+void ShellAttemptTest::reportIsAPdf() {
+    ShellHarness& shell = *shell_;
+    shell.save_as = shell.path("report.pdf");
+    QVERIFY(shell.click("report_pdf"));
+    QVERIFY(shell.bannerSays("report.pdf", 60));
+    QFile file(shell.save_as);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(5) == "%PDF-");
+    QVERIFY(file.size() > 5000);
+}
+
+void ShellAttemptTest::stoppedAttemptIsScoredForWhatWasDone() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:novice");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 6; },
+                            kPatienceMs));
+    QVERIFY(shell.click("stop_and_score"));
+    QVERIFY(shell.arrives(PageId::kResult, 60));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 30000));
+    shell.shot("22_result_stopped");
+    const auto all = attempts();
+    QCOMPARE(all.size(), size_t{2});
+    QCOMPARE(all[1].end, sim::EndReason::kClosed);
+    // A ring that is not closed costs points, and the reason says so.
+    QVERIFY2(all[1].points < expert_points_,
+             qPrintable(QString("%1 < %2").arg(all[1].points).arg(expert_points_)));
+    QVERIFY(!shell.context().store().attempt(all[1].id).score.reasons.empty());
+}
+
+void ShellAttemptTest::historyHoldsBothAndOpensThem() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_history"));
+    QVERIFY(shell.arrives(PageId::kHistory));
+    auto* table = shell.find<QTableWidget>("history_table");
+    QCOMPARE(table->rowCount(), 2);
+    QVERIFY(shell.find<QWidget>("history_chart") != nullptr);
+    shell.shot("23_history");
+    table = shell.find<QTableWidget>("history_table");
+    table->setFocus();
+    table->setCurrentCell(0, 0);
+    QTest::keyClick(table, Qt::Key_Return);
+    QVERIFY(shell.arrives(PageId::kResult));
+    QVERIFY(shell.click("rail_today"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    shell.shot("24_today");
+    shell.context().setLanguage("pl");
+    shell.shot("25_today_polish");
+    shell.context().setLanguage("en");
+}
+
+void ShellAttemptTest::killedSimulatorIsOfferedAndStoredAsInterrupted() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:intermediate");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
+                            kPatienceMs));
+    ::kill(static_cast<pid_t>(shell.context().launcher().processId()), SIGKILL);
+    QVERIFY(shell.arrives(PageId::kRecovery));
+    QVERIFY(shell.bannerSays("unexpectedly"));
+    shell.shot("26_recovery");
+    QCOMPARE(attempts().size(), size_t{2});
+    QVERIFY(shell.click("recover_save_0"));
+    QVERIFY(shell.arrives(PageId::kResult, 60));
+    shell.shot("27_result_interrupted");
+    const auto all = attempts();
+    QCOMPARE(all.size(), size_t{3});
+    QCOMPARE(all[2].end, sim::EndReason::kInterrupted);
+    // At most the last half second may be missing; 1 s had been reported before the kill.
+    QVERIFY(all[2].duration_s >= 0.5);
+    QVERIFY(recordings().isEmpty());
+}
+
+void ShellAttemptTest::leftoverIsOfferedAfterARestart() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:intermediate");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
+                            kPatienceMs));
+    shell.start();  // The shell goes away in mid-attempt.
+    QVERIFY(shell.signIn("demo.trainee", "demonstration"));
+    QVERIFY(shell.bannerSays("not finished"));
+    shell.shot("28_banner_leftover");
+    QVERIFY(shell.click("banner_offer"));
+    QVERIFY(shell.arrives(PageId::kRecovery));
+    // Deleting asks first, and only then deletes.
+    QCOMPARE(recordings().size(), 1);
+    shell.confirmNext();
+    QVERIFY(shell.click("recover_delete_0"));
+    QVERIFY(QTest::qWaitFor([&] { return recordings().isEmpty(); }, 5000));
+    QCOMPARE(attempts().size(), size_t{3});
+}
+
+void ShellAttemptTest::recordingStaysWhenTheStoreIsLocked() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:intermediate");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 0.5; },
+                            kPatienceMs));
+    {
+        QSqlDatabase other = QSqlDatabase::addDatabase("QSQLITE", "other program");
+        other.setDatabaseName(shell.path("placode.db"));
+        QVERIFY(other.open());
+        QSqlQuery lock(other);
+        QVERIFY(lock.exec("BEGIN IMMEDIATE"));
+        QVERIFY(shell.click("stop_and_score"));
+        QVERIFY(shell.bannerSays("locked", 60));
+        QVERIFY(shell.arrives(PageId::kRecovery));
+        QCOMPARE(recordings().size(), 1);
+        QVERIFY(lock.exec("ROLLBACK"));
+    }
+    QSqlDatabase::removeDatabase("other program");
+    QVERIFY(shell.click("recover_save_0"));
+    QVERIFY(shell.arrives(PageId::kResult, 60));
+    const auto all = attempts();
+    QCOMPARE(all.size(), size_t{4});
+    QCOMPARE(all[3].end, sim::EndReason::kClosed);
+    QVERIFY(recordings().isEmpty());
+}
+
+void ShellAttemptTest::abortedAttemptCountsAsInterrupted() {
+    ShellHarness& shell = *shell_;
+    startAttempt("script:expert");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
+                            kPatienceMs));
+    shell.confirmNext();
+    QVERIFY(shell.click("abort"));
+    QVERIFY(shell.arrives(PageId::kResult, 60));
+    QCOMPARE(attempts().back().end, sim::EndReason::kInterrupted);
+}
+
+void ShellAttemptTest::unknownDeviceComesBackWithTheReason() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_course"));
+    QVERIFY(shell.arrives(PageId::kCourse));
+    AttemptOrder order;
+    order.user_id = shell.context().user().id;
+    order.task = "diathermy_ring_small";
+    order.device = "theremin";
+    shell.context().launcher().start(order, shell.context().recordingsFolder());
+    QVERIFY(shell.bannerSays("theremin", 60));
+    QVERIFY(recordings().isEmpty());
+}
+
+void ShellAttemptTest::educatorSeesAllOfThem() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("demo.educator", "demonstration"));
+    QVERIFY(shell.click("rail_attempts"));
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    auto* table = shell.find<QTableWidget>("attempts_table");
+    QCOMPARE(table->rowCount(), 5);
+    shell.shot("29_attempts");
+    table = shell.find<QTableWidget>("attempts_table");
+    table->setFocus();
+    table->setCurrentCell(0, 0);
+    QTest::keyClick(table, Qt::Key_Return);
+    QVERIFY(shell.arrives(PageId::kResult));
+    // Another person's attempt: it can be read and printed, not repeated.
+    QVERIFY(shell.find<QPushButton>("report_pdf") != nullptr);
+    QVERIFY(shell.find<QPushButton>("again") == nullptr);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellAttemptTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_attempt_test.moc"
