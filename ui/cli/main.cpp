@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
     // No window, ever: a display is not needed, also not for a report.
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(keep_quiet);
+    // Plots are drawn by a widget class, so that the plain GUI application is not enough.
     QApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("placode"));
     // Qt takes over the user's locale; numbers on the command line and in files have a '.'.
@@ -71,6 +72,7 @@ int main(int argc, char** argv) {
     cli::add_user_commands(app, context);
     cli::add_store_commands(app, context);
     cli::add_metrics_commands(app, context);
+    cli::add_stats_commands(app, context);
     cli::add_report_commands(app, context);
     cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);
