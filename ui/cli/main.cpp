@@ -52,7 +52,9 @@ int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler(keep_quiet);
     // Plots are drawn by a widget class, so that the plain GUI application is not enough.
-    QApplication application(argc, argv);
+    // It gets the program's name only: it would swallow arguments of its own such as --reverse.
+    int qt_argc = 1;
+    QApplication application(qt_argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("placode"));
     // Qt takes over the user's locale; numbers on the command line and in files have a '.'.
     std::setlocale(LC_NUMERIC, "C");
