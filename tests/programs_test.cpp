@@ -390,6 +390,29 @@ TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
     EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("export.csv"), HasSubstr("report.pdf")));
 }
 
+TEST_F(Programs, TheDemonstrationIsMadeOnceAndACancelledAttemptLeavesNothing) {
+    const Outcome first = ctl("--json demo --attempts 0");
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.out, AllOf(HasSubstr("demo-anna"), HasSubstr("\"password\"")));
+    const Outcome second = ctl("--json demo --attempts 0");
+    EXPECT_EQ(second.status, 0);
+    EXPECT_THAT(second.out, HasSubstr("\"created_users\": []"));
+    EXPECT_THAT(ctl("user list").out, HasSubstr("active, demonstration"));
+    EXPECT_EQ(ctl("--as demo-educator attempts", "PLACODE_PASSWORD=placode-demo").status, 0);
+    // Ctrl-C after two seconds: the attempt takes far longer.
+    const std::string command = "env TMPDIR='" + folder +
+                                "' timeout --preserve-status -s INT 2 '" PLACODE_BIN_DIR
+                                "/placodectl' --json --store sqlite:" +
+                                store + " demo --task diathermy_ring --attempts 1 > '" +
+                                file("out") + "' 2> '" + file("err") + "'";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << read_text(file("err"));
+    EXPECT_THAT(read_text(file("out")), HasSubstr("\"cancelled\": true"));
+    EXPECT_THAT(ctl("attempts").out, HasSubstr("no attempts"));
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_EQ(entry.path().string().find("placode-demo-"), std::string::npos) << entry;
+}
+
 // --- placode-sim -------------------------------------------------------------------------------
 
 TEST_F(Programs, ADeviceThatIsNotThereIsNamedWithWhatThereIs) {

@@ -60,13 +60,18 @@ void cancel(int) { cancelled = true; }
 /// Ctrl-C ends the attempt that runs, and keeps what is complete.
 class CancelOnInterrupt {
  public:
-    CancelOnInterrupt() : before_(std::signal(SIGINT, cancel)) {}
-    ~CancelOnInterrupt() { std::signal(SIGINT, before_); }
+    CancelOnInterrupt()
+        : interrupt_(std::signal(SIGINT, cancel)), terminate_(std::signal(SIGTERM, cancel)) {}
+    ~CancelOnInterrupt() {
+        std::signal(SIGINT, interrupt_);
+        std::signal(SIGTERM, terminate_);
+    }
     CancelOnInterrupt(const CancelOnInterrupt&) = delete;
     CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
 
  private:
-    void (*before_)(int);
+    void (*interrupt_)(int);
+    void (*terminate_)(int);
 };
 
 class ScratchFolder {
