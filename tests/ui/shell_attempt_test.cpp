@@ -65,7 +65,7 @@ void ShellAttemptTest::initTestCase() {
     demonstration->setChecked(true);
     QVERIFY(shell.click("create_administrator"));
     QVERIFY(shell.arrives(PageId::kLogin));
-    QVERIFY(shell.signIn("demo.trainee", "demonstration"));
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
     QVERIFY(shell.arrives(PageId::kToday));
 }
 
@@ -186,7 +186,7 @@ void ShellAttemptTest::leftoverIsOfferedAfterARestart() {
     QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
                             kPatienceMs));
     shell.start();  // The shell goes away in mid-attempt.
-    QVERIFY(shell.signIn("demo.trainee", "demonstration"));
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
     QVERIFY(shell.bannerSays("not finished"));
     shell.shot("28_banner_leftover");
     QVERIFY(shell.click("banner_offer"));
@@ -253,7 +253,7 @@ void ShellAttemptTest::unknownDeviceComesBackWithTheReason() {
 
 void ShellAttemptTest::educatorSeesAllOfThem() {
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.signIn("demo.educator", "demonstration"));
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
     QVERIFY(shell.click("rail_attempts"));
     QVERIFY(shell.arrives(PageId::kAttempts));
     auto* table = shell.find<QTableWidget>("attempts_table");

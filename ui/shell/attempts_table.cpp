@@ -27,7 +27,12 @@ QTableWidgetItem* when_cell(const std::string& utc) {
 }
 
 QTableWidgetItem* verdict_cell(const AppContext& context, const db::AttemptRecord& attempt) {
-    QTableWidgetItem* cell = make_cell(verdict_word(attempt));
+    // One word here; the result page says what the critical error was.
+    const bool failed = attempt.end != sim::EndReason::kInterrupted &&
+                        attempt.verdict == assessment::Verdict::kFailed;
+    QTableWidgetItem* cell =
+        make_cell(failed ? AttemptsTable::tr("Failed") : verdict_word(attempt));
+    cell->setToolTip(verdict_word(attempt));
     const Tokens& colors = context.colors();
     const std::string tone = verdict_tone(attempt);
     cell->setForeground(tone == "good"       ? colors.good
@@ -64,6 +69,7 @@ QTableWidget* make_attempts_table(AppContext& context,
                 title = titles.emplace(attempt.task_id, task_title(context, attempt.task_id)).first;
             table->setItem(row, column++, make_cell(qstr(attempt.user_name)));
             table->setItem(row, column++, make_cell(title->second));
+            table->item(row, column - 1)->setToolTip(title->second);
         }
         table->setItem(row, column++,
                        make_number_cell(format_points(attempt.points), attempt.points));

@@ -17,7 +17,7 @@ Banner::Banner(AppContext& context) : context_(context) {
     row->setContentsMargins(kSpace16, kSpace12, kSpace12, kSpace12);
     row->setSpacing(kSpace12);
     icon_ = new QLabel;
-    row->addWidget(icon_, 0, Qt::AlignTop);
+    row->addWidget(icon_, 0, Qt::AlignVCenter);
     auto* text = new QVBoxLayout;
     text->setSpacing(kSpace4);
     title_ = make_label({});

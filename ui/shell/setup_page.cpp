@@ -14,7 +14,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr const char* kDemonstrationPassword = "demonstration";
+constexpr const char* kDemonstrationPassword = "placode-demo";
 
 class SetupPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(SetupPage)

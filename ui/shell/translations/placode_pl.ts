@@ -137,6 +137,10 @@
         <source>DEMONSTRATION</source>
         <translation>DEMONSTRACJA</translation>
     </message>
+    <message>
+        <source>Failed</source>
+        <translation>Niezaliczone</translation>
+    </message>
 </context>
 <context>
     <name>AuditPage</name>
