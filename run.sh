@@ -38,5 +38,18 @@ fi
 # No display: the same job without a window.
 echo "placode: there is no display, so the demonstration trainee operates headless (script:intermediate)"
 out=$PWD/build/headless-demo
-mkdir -p "$out"
-exec "$bin/placodectl" --store "sqlite:$data/demonstration.db" demo --headless-run --out "$out"
+store="sqlite:$data/demonstration.db"
+mkdir -p "$data"
+rm -rf "$out"
+mkdir -p "$out/screenshots"
+"$bin/placodectl" --store "$store" demo --attempts 0 >/dev/null
+"$bin/placode-sim" --task diathermy_ring --device script:intermediate --headless --fast --demonstration \
+  --record "$out/attempt.placode" --screenshots "$out/screenshots:10" --size 960x720
+id=$("$bin/placodectl" --store "$store" --json import "$out/attempt.placode" --user demo-anna | sed -n 's/.*"attempt": *\([0-9]*\).*/\1/p')
+"$bin/placodectl" score "$out/attempt.placode"
+"$bin/placodectl" --store "$store" report attempt "$id" --out "$out/attempt.pdf" >/dev/null
+echo
+echo "saved as attempt $id of demo-anna in $store (demonstration)"
+echo "recording    $out/attempt.placode"
+echo "report       $out/attempt.pdf"
+echo "screenshots  $out/screenshots"

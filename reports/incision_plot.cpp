@@ -100,8 +100,11 @@ void draw_harm(QPainter& painter, const sim::Recording& recording, const Map& ma
                const ChartStyle& style) {
     painter.setPen(QPen(colour(style.critical), 2));
     for (const sim::Event& event : recording.events) {
-        const bool harm = event.kind == sim::EventKind::kPlacodeContact ||
-                          event.kind == sim::EventKind::kTorn ||
+        // Tears inside the kerf are part of cutting; a tear of skin or placode is harm.
+        const bool torn_harm =
+            event.kind == sim::EventKind::kTorn &&
+            (event.tissue == sim::Tissue::kSkin || event.tissue == sim::Tissue::kPlacode);
+        const bool harm = torn_harm || event.kind == sim::EventKind::kPlacodeContact ||
                           event.kind == sim::EventKind::kPlacodeEnergised ||
                           event.kind == sim::EventKind::kPlacodeOverheated ||
                           event.kind == sim::EventKind::kPlacodeBurned;

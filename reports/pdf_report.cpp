@@ -78,7 +78,7 @@ QString reasons_html(const assessment::Score& score) {
 
 QString metrics_html(const assessment::MetricSet& metrics) {
     QString html = QStringLiteral(
-        "<h3>Metrics</h3><table cellspacing='0' cellpadding='3' width='100%'>"
+        "<h3>Metrics</h3><table cellspacing='0' cellpadding='1' width='100%'>"
         "<tr style='color:#5f666e'><td>metric</td><td "
         "align='right'>value</td><td>unit</td><td>better</td></tr>");
     for (const assessment::MetricDefinition& definition : assessment::metric_definitions()) {
@@ -141,19 +141,17 @@ void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& r
         y += draw_html(painter, {kMargin, y}, kInner,
                        head_html(attempt.record, attempt.score, style)) +
              8;
-        draw_incision(painter, QRectF(kMargin, y, kInner * 0.62, 360), recording, style);
-        y += 372;
-        y += draw_html(painter, {kMargin, y}, kInner, reasons_html(attempt.score)) + 8;
+        draw_incision(painter, QRectF(kMargin, y, kInner * 0.52, 330), recording, style);
+        draw_html(painter, {kMargin + kInner * 0.56, y}, kInner * 0.44,
+                  QStringLiteral("<b>Own history of this task</b>"));
+        draw_history(painter, QRectF(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240), history,
+                     70, style);
+        y += 346;
+        draw_html(painter, {kMargin, y}, kInner, reasons_html(attempt.score));
         draw_footer(painter, 1, attempt.record);
         writer.newPage();
         y = kMargin;
         y += draw_html(painter, {kMargin, y}, kInner, metrics_html(attempt.metrics)) + 12;
-        if (!history.empty()) {
-            y += draw_html(painter, {kMargin, y}, kInner,
-                           QStringLiteral("<h3>Own history of this task</h3>"));
-            draw_history(painter, QRectF(kMargin, y, kInner, 220), history, 70, style);
-            y += 232;
-        }
         draw_html(painter, {kMargin, y}, kInner, provenance_html(attempt.record, recording));
         draw_footer(painter, 2, attempt.record);
     }

@@ -14,10 +14,9 @@
 #include <memory>
 #include <thread>
 
-#include "assessment/scoring.h"
 #include "curriculum/attempt_runner.h"
 #include "db/recording_file.h"
-#include "ui/cli/session.h"
+#include "ui/cli/save_recording.h"
 
 namespace placode::cli {
 namespace {
@@ -154,28 +153,19 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
     }
     if (isatty(STDERR_FILENO) != 0) std::cerr << '\r' << std::string(79, ' ') << '\r';
     if (cancelled) return false;
-    const sim::Recording recording = db::read_recording_file(file);
-    db::AttemptResult result;
-    result.header = recording.header;
-    result.end = recording.end;
-    result.events = recording.events;
-    result.metrics = assessment::compute_metrics(recording);
-    result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
-    result.recording_file = file;
     const auto user = session.store().user_by_login(planned.login);
-    const int64_t id = session.store().save_attempt(user->id, result);
+    const SavedAttempt saved = save_recording(session, user->id, file);
     const double wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    json["attempts"].push_back({{"id", id},
+    json["attempts"].push_back({{"id", saved.id},
                                 {"user", planned.login},
                                 {"device", planned.device},
                                 {"seed", planned.seed},
-                                {"points", result.score.points},
-                                {"simulated_s", result.end.duration_s},
+                                {"points", saved.score.points},
+                                {"simulated_s", saved.duration_s},
                                 {"wall_s", wall_s}});
-    std::cerr << what << ": " << fixed(result.score.points, 1) << " points after "
-              << fixed(result.end.duration_s, 1) << " s simulated in " << fixed(wall_s, 1)
-              << " s\n";
+    std::cerr << what << ": " << fixed(saved.score.points, 1) << " points after "
+              << fixed(saved.duration_s, 1) << " s simulated in " << fixed(wall_s, 1) << " s\n";
     return true;
 }
 

@@ -74,6 +74,7 @@ int main(int argc, char** argv) {
     cli::add_user_commands(app, context);
     cli::add_store_commands(app, context);
     cli::add_metrics_commands(app, context);
+    cli::add_import_command(app, context);
     cli::add_stats_commands(app, context);
     cli::add_report_commands(app, context);
     cli::add_bench_commands(app, context);
