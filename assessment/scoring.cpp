@@ -211,7 +211,10 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     }
     score.points = std::clamp(points, 0.0, 100.0);
     std::stable_sort(score.reasons.begin(), score.reasons.end(),
-                     [](const Reason& a, const Reason& b) { return a.points > b.points; });
+                     [](const Reason& a, const Reason& b) {
+                         // What failed the attempt comes first, also where it took no points.
+                         return a.critical != b.critical ? a.critical : a.points > b.points;
+                     });
     score.verdict = critical                             ? Verdict::kFailed
                     : score.points >= rubric.pass_points ? Verdict::kPassed
                                                          : Verdict::kNotYet;

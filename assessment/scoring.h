@@ -45,7 +45,7 @@ enum class Verdict : uint8_t { kPassed, kNotYet, kFailed };
 struct Score {
     double points = 0;
     Verdict verdict = Verdict::kNotYet;
-    std::vector<Reason> reasons;  ///< Most costly first.
+    std::vector<Reason> reasons;  ///< Critical ones first, then the most costly.
     std::string rubric_id;
     int rubric_version = 1;
     int metric_set_version = kMetricSetVersion;
