@@ -25,8 +25,8 @@ double draw_html(QPainter& painter, const QPointF& at, double width, const QStri
     QTextDocument document;
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(12);
-    // Any letter spacing switches ligatures off: with them a search for "finished" finds nothing.
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.01);
+    // Letter spacing (at least 1/64 pixel) switches ligatures off: with them a search for "finished" finds nothing.
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
     document.setDefaultFont(font);
     document.setDocumentMargin(0);
     document.setTextWidth(width);
