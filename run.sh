@@ -28,8 +28,8 @@ data=${XDG_DATA_HOME:-$HOME/.local/share}/placode
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
   if [ "$demo" = 1 ]; then
     store="sqlite:$data/demonstration.db"
-    echo "placode: preparing the demonstration store (scripted operators, about two minutes the first time)"
-    "$bin/placodectl" --store "$store" demo
+    echo "placode: preparing the demonstration store (scripted operators, about three minutes the first time)"
+    "$bin/placodectl" --store "$store" demo --attempts 3
     exec "$bin/placode" --store "$store" ${shell_arguments[@]+"${shell_arguments[@]}"}
   fi
   exec "$bin/placode" ${shell_arguments[@]+"${shell_arguments[@]}"}
