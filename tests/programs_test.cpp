@@ -467,3 +467,31 @@ TEST_F(Programs, AnAttemptIsRecordedMeasuredAndScored) {
     EXPECT_THAT(score.out, AllOf(HasSubstr("\"demonstration\": true"), HasSubstr("\"reasons\"")));
     EXPECT_EQ(ctl("score a.placode --task diathermy_ring_small").status, 0);
 }
+
+TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {
+    const std::string table =
+        std::string(PLACODE_SOURCE_DIR) + "/tests/data/statistics/likert_bfi.csv";
+    const Outcome alpha = ctl("--json stats alpha " + table + " --reverse A1 --scale 1:6");
+    ASSERT_EQ(alpha.status, 0) << alpha.err;
+    EXPECT_EQ(number_in(alpha.out, "n"), 80);
+    EXPECT_NEAR(number_in(alpha.out, "raw"), 0.645699152542373, 1e-9);  // psych::alpha
+    write_text(file("bad.csv"), "A,B\n1,2\n3,four\n5,6\n");
+    const Outcome bad = ctl("stats alpha bad.csv");
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_THAT(bad.err, AllOf(HasSubstr("bad.csv"), HasSubstr("line 3"), HasSubstr("column B"),
+                               HasSubstr("four")));
+    EXPECT_EQ(ctl("stats nothing " + table).status, 2);
+}
+
+TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
+    ASSERT_EQ(ctl("demo --attempts 0").status, 0);
+    const Outcome attempt = run("placode-sim",
+                                "--task diathermy_ring_small --headless --fast --duration 0.3 "
+                                "--device script:expert --record b.placode");
+    ASSERT_EQ(attempt.status, 0) << attempt.err;
+    const Outcome saved = ctl("--json import b.placode --user demo-anna");
+    ASSERT_EQ(saved.status, 0) << saved.err;
+    EXPECT_EQ(number_in(saved.out, "attempt"), 1);
+    EXPECT_THAT(ctl("attempts --user demo-anna").out, HasSubstr("diathermy_ring_small"));
+    EXPECT_EQ(ctl("import b.placode --user nobody").status, 2);
+}
