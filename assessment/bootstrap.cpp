@@ -8,6 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "assessment/statistics.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -66,13 +68,6 @@ double acceleration(std::span<const double> values,
 
 }  // namespace
 
-double quantile_type7(std::span<const double> sorted, double p) {
-    const double at = p * static_cast<double>(sorted.size() - 1);
-    const auto below = static_cast<size_t>(at);
-    const size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 Bootstrap bootstrap(std::span<const double> values,
                     const std::function<double(std::span<const double>)>& statistic,
                     int64_t resamples, uint64_t seed) {
@@ -91,7 +86,7 @@ Bootstrap bootstrap(std::span<const double> values,
     double squares = 0;
     for (const double value : results) squares += (value - mean) * (value - mean);
     result.boot_sd = std::sqrt(squares / (result.exact ? n : n - 1));
-    result.percentile95 = {quantile_type7(results, 0.025), quantile_type7(results, 0.975)};
+    result.percentile95 = {quantile(results, 0.025), quantile(results, 0.975)};
 
     // BCa (Efron 1987). Sums of the same values in another order differ in the last bits: "below"
     // leaves those out.
@@ -107,8 +102,7 @@ Bootstrap bootstrap(std::span<const double> values,
         return boost::math::cdf(normal, result.bca_z0 + shifted / (1 - result.bca_a * shifted));
     };
     constexpr double kZ975 = 1.959963984540054;
-    result.bca95 = {quantile_type7(results, adjusted(-kZ975)),
-                    quantile_type7(results, adjusted(kZ975))};
+    result.bca95 = {quantile(results, adjusted(-kZ975)), quantile(results, adjusted(kZ975))};
     return result;
 }
 

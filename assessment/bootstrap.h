@@ -28,7 +28,4 @@ struct Bootstrap {
                                   const std::function<double(std::span<const double>)>& statistic,
                                   int64_t resamples = 20000, uint64_t seed = 1);
 
-/// Quantile of type 7 (R's default) of sorted values. @pre not empty, 0 <= p <= 1.
-[[nodiscard]] double quantile_type7(std::span<const double> sorted, double p);
-
 }  // namespace placode::assessment

@@ -3,6 +3,7 @@
 // Against the exact bootstrap distribution (tests/data/statistics/bootstrap_expected.json).
 
 #include "assessment/bootstrap.h"
+#include "assessment/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +26,7 @@ double mean(std::span<const double> v) {
 double median(std::span<const double> v) {
     std::vector<double> sorted(v.begin(), v.end());
     std::sort(sorted.begin(), sorted.end());
-    return quantile_type7(sorted, 0.5);
+    return quantile(sorted, 0.5);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "assessment/bootstrap.h"
 #include "assessment/correlation.h"
 #include "assessment/roc.h"
+#include "assessment/statistics.h"
 #include "ui/cli/stats_table.h"
 
 namespace placode::cli {
@@ -215,7 +216,7 @@ Json roc(const StatsTable& table, const StatsOptions& options) {
 double median_of(std::span<const double> values) {
     std::vector<double> sorted(values.begin(), values.end());
     std::sort(sorted.begin(), sorted.end());
-    return assessment::quantile_type7(sorted, 0.5);
+    return assessment::quantile(sorted, 0.5);
 }
 
 double mean_of(std::span<const double> values) {

@@ -7,6 +7,7 @@
 
 #include "assessment/bootstrap.h"
 #include "assessment/content_validity.h"
+#include "assessment/statistics.h"
 #include "ui/cli/stats_table.h"
 
 namespace placode::cli {
@@ -29,12 +30,11 @@ Json likert_item(std::vector<double> answers, int missing, const Scale& scale) {
     double mean = 0, squares = 0;
     for (const double answer : answers) mean += answer / n;
     for (const double answer : answers) squares += (answer - mean) * (answer - mean);
-    const double median = assessment::quantile_type7(answers, 0.5);
+    const double median = assessment::quantile(answers, 0.5);
     std::vector<double> deviations;
     for (const double answer : answers) deviations.push_back(std::abs(answer - median));
     std::sort(deviations.begin(), deviations.end());
-    const double q1 = assessment::quantile_type7(answers, 0.25),
-                 q3 = assessment::quantile_type7(answers, 0.75);
+    const double q1 = assessment::quantile(answers, 0.25), q3 = assessment::quantile(answers, 0.75);
     const double q1_6 = quantile_type6(answers, 0.25), q3_6 = quantile_type6(answers, 0.75);
     const auto top = std::count_if(answers.begin(), answers.end(),
                                    [&](double a) { return a >= scale.high - 1; });
@@ -48,7 +48,7 @@ Json likert_item(std::vector<double> answers, int missing, const Scale& scale) {
     item["q1_type6"] = q1_6;
     item["q3_type6"] = q3_6;
     item["iqr_type6"] = q3_6 - q1_6;
-    item["mad_raw"] = assessment::quantile_type7(deviations, 0.5);
+    item["mad_raw"] = assessment::quantile(deviations, 0.5);
     item["top2_count"] = top;
     item["top2_percent"] = 100 * static_cast<double>(top) / n;
     Json counts = Json::object();
