@@ -161,56 +161,48 @@ ContactSet::ContactSet(const Scene& scene)
     for (size_t t = 0; t < scene.tools.size() && t < shapes.size(); ++t) {
         shapes[t] = make_tool_shape(scene.tools[t]);
     }
-    const TetMesh& mesh = scene.body.mesh();
-    for (const auto& tet : mesh.tets) {
-        for (int i = 0; i < 4; ++i) {
-            for (int j = 0; j < i; ++j) {
-                longest_edge_m =
-                    std::max(longest_edge_m, (mesh.rest[tet[i]] - mesh.rest[tet[j]]).norm());
-            }
-        }
-    }
 }
 
 void collect_candidates(const Scene& scene, State& state) noexcept {
     ContactSet& set = state.scratch->contacts;
     set.candidate_count = set.most_contacts = 0;
-    struct Reach {
-        Pose to_tool;
-        double limit_m = 0, near_m = 0, far_m = 0;
-        int tool = 0;
-    };
-    std::array<Reach, kMaxTools> reach;
-    int tools = 0;
+    set.near.fill(0);
+    state.surface.refit(state.body.x);
+    const auto triangles = state.surface.triangles();
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         const ToolState& tool = state.tools[t];
         if (!tool.engaged) continue;
+        const ToolShape& shape = set.shapes[t];
+        const Pose to_tool = tool.proxy.inverse();
         const double way = (tool.hand.p - tool.proxy.p).norm() +
-                           kStepOfRadius * set.shapes[t].parts[0].near_radius_m * state.substeps;
-        // Stretched triangles are longer than at rest: 1.5 covers a stretch beyond any tear.
-        reach[tools++] = {tool.proxy.inverse(),
-                          scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach, 0,
-                          set.shapes[t].parts[set.shapes[t].count - 1].far_m, t};
-    }
-    if (tools == 0) return;
-    const double size = 1.5 * set.longest_edge_m;
-    const auto triangles = state.surface.triangles();
-    for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
-        const Vec3 x = position(state.body, triangles[i].vertex[0]);
-        for (int n = 0; n < tools; ++n) {
-            const Reach& r = reach[n];
-            const Vec3 x_T = r.to_tool * x;
-            const double limit = r.limit_m + size;
-            if (x_T.z() > limit || x_T.z() < -r.far_m - limit) continue;
-            // Cheap bound before the true distance: the shaft's radius around the whole axis.
-            if (x_T.head<2>().norm() > limit + scene.tools[r.tool].shaft_radius_m) continue;
-            if (signed_distance(set.shapes[r.tool], x_T).value_m > limit) continue;
-            if (set.candidate_count == static_cast<int>(set.candidates.size())) {
-                state.flags |= kContactsDropped;
-                return;
-            }
-            set.candidates[set.candidate_count++] = i * 4 + r.tool;
-        }
+                           kStepOfRadius * shape.parts[0].near_radius_m * state.substeps;
+        const double limit = scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach;
+        // A ball around box or triangle: the distance changes by no more than the way.
+        const auto beyond = [&](const Vec3& centre, double radius) noexcept {
+            return signed_distance(shape, to_tool * centre).value_m > limit + radius;
+        };
+        state.surface.tree().walk(
+            [&](const SurfaceTree::Box& box) noexcept {
+                const Vec3 low(box.low[0], box.low[1], box.low[2]);
+                const Vec3 high(box.high[0], box.high[1], box.high[2]);
+                return beyond(0.5 * (low + high), 0.5 * (high - low).norm());
+            },
+            [&](int i) noexcept {
+                const auto& v = triangles[i].vertex;
+                const Vec3 a = position(state.body, v[0]), b = position(state.body, v[1]),
+                           c = position(state.body, v[2]);
+                const Vec3 centre = (a + b + c) / 3;
+                const double radius =
+                    std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
+                                        (c - centre).squaredNorm()}));
+                if (beyond(centre, radius)) return;
+                if (set.candidate_count == static_cast<int>(set.candidates.size())) {
+                    state.flags |= kContactsDropped;
+                    return;
+                }
+                set.near[t] = 1;
+                set.candidates[set.candidate_count++] = i * 4 + t;
+            });
     }
 }
 
@@ -220,11 +212,9 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
         if (!tool.engaged) continue;
-        bool near = false;
-        for (int i = 0; i < set.candidate_count && !near; ++i) near = set.candidates[i] % 4 == t;
         const Vec3 hand = from[t].p + share * (to[t].p - from[t].p);
         tool.proxy.q = between(from[t].q, to[t].q, share);
-        if (!near) {
+        if (!set.near[t]) {
             Vec3 way = hand - tool.proxy.p;
             const double most = kFreeStep / state.substeps, length = way.norm();
             if (length > most) way *= most / length;

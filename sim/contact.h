@@ -47,7 +47,7 @@ struct ContactVertex {
 struct ContactSet {
     explicit ContactSet(const Scene& scene);
     std::array<ToolShape, 3> shapes;
-    double longest_edge_m = 0;
+    std::array<uint8_t, 3> near{};    // 1 = the tool has candidates in this frame
     std::vector<int32_t> candidates;  // triangle * 4 + tool
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;
@@ -58,8 +58,8 @@ struct ContactSet {
     int most_contacts = 0;  // within this frame
 };
 
-/// Start of a frame: triangles that any instrument can reach before its end. A scan of the whole
-/// surface with one load per triangle; below some 20,000 triangles cheaper than keeping a tree fit.
+/// Start of a frame: refits the tree of the surface and collects the triangles that any instrument
+/// can reach before the frame's end.
 void collect_candidates(const Scene& scene, State& state) noexcept;
 
 /// Start of a substep: moves the proxies towards where the hand is after `share` of the frame (no

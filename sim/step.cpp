@@ -18,13 +18,14 @@ namespace placode::sim {
 namespace {
 
 constexpr int kVaporisedPerStep = 64;
-constexpr int kContactPasses = 2;       // over the contact colour for each sweep
-constexpr int kLooseInterval = 128;     // frames between two searches for loose tissue
-constexpr double kTipSearch = 0.003;    // the tip's gap is measured up to here [m]
-constexpr float kSettleDamping = 0.9f;  // of the velocity per substep while settling
-constexpr double kEmbedded = 3e-5;      // deeper than any overlap of mere touch [m]
-constexpr double kShareRecovery = 0.2;  // seconds until the whole contact force is back
-constexpr float kTouchForce = 1e-5f;    // less is rounding, not a touch [N]
+constexpr int kContactPasses = 2;        // over the contact colour for each sweep
+constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
+constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
+constexpr double kFrameMotion = 0.0005;  // of the tissue [m]
+constexpr float kSettleDamping = 0.9f;   // of the velocity per substep while settling
+constexpr double kEmbedded = 3e-5;       // deeper than any overlap of mere touch [m]
+constexpr double kShareRecovery = 0.2;   // seconds until the whole contact force is back
+constexpr float kTouchForce = 1e-5f;     // less is rounding, not a touch [N]
 
 int64_t now_ns() noexcept {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -69,32 +70,37 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
 /// Signed distance of the tip to the surface, for display and metrics; and what lies next to it.
 void measure_tips(const Scene& scene, State& state) noexcept {
     const auto triangles = state.surface.triangles();
-    const double size = 1.5 * state.scratch->contacts.longest_edge_m;
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
         const double radius = state.scratch->contacts.shapes[t].parts[0].near_radius_m;
         const Vec3 centre = tool.proxy * Vec3(0, 0, -radius);
-        const Vec3f c = centre.cast<float>();
         double best = (kTipSearch + radius) * (kTipSearch + radius);
-        const float limit = static_cast<float>(kTipSearch + radius + size);
         int nearest = -1;
         Vec3 weight = Vec3::Zero();
-        for (int i = 0; i < static_cast<int>(triangles.size()); ++i) {
-            const Float4& x0 = state.body.x[triangles[i].vertex[0]];
-            const float dx = x0.x - c.x(), dy = x0.y - c.y(), dz = x0.z - c.z();
-            if (dx * dx + dy * dy + dz * dz > limit * limit) continue;
-            Triangle tri;
-            for (int k = 0; k < 3; ++k) {
-                const Float4& x = state.body.x[triangles[i].vertex[k]];
-                tri[k] = Vec3(x.x, x.y, x.z);
-            }
-            const Vec3 w = closest_on_triangle(centre, tri);
-            const Vec3 d = centre - w.x() * tri[0] - w.y() * tri[1] - w.z() * tri[2];
-            if (d.squaredNorm() >= best) continue;
-            best = d.squaredNorm();
-            nearest = i;
-            weight = w;
-        }
+        state.surface.tree().walk(
+            [&](const SurfaceTree::Box& box) noexcept {
+                // The boxes are those of the frame's start; the tissue has moved a little since.
+                double d2 = 0;
+                for (int k = 0; k < 3; ++k) {
+                    const double low = box.low[k] - kFrameMotion, high = box.high[k] + kFrameMotion;
+                    const double d = std::max({low - centre[k], centre[k] - high, 0.0});
+                    d2 += d * d;
+                }
+                return d2 >= best;
+            },
+            [&](int i) noexcept {
+                Triangle tri;
+                for (int k = 0; k < 3; ++k) {
+                    const Float4& x = state.body.x[triangles[i].vertex[k]];
+                    tri[k] = Vec3(x.x, x.y, x.z);
+                }
+                const Vec3 w = closest_on_triangle(centre, tri);
+                const Vec3 d = centre - w.x() * tri[0] - w.y() * tri[1] - w.z() * tri[2];
+                if (d.squaredNorm() >= best) return;
+                best = d.squaredNorm();
+                nearest = i;
+                weight = w;
+            });
         tool.tip_gap_m = 1;
         if (nearest < 0) continue;
         const SurfaceTriangle& tri = triangles[nearest];

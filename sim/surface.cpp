@@ -70,7 +70,8 @@ Surface::Surface(const TetMesh& mesh) : neighbours_(mesh.tets.size(), {-1, -1, -
 }
 
 SurfaceState::SurfaceState(const Surface& surface, const TetMesh& mesh)
-    : triangles_(4 * mesh.tets.size()),
+    : tree_(mesh, 4 * mesh.tets.size(), mesh.tets.size()),
+      triangles_(4 * mesh.tets.size()),
       slot_of_face_(4 * mesh.tets.size(), -1),
       face_of_slot_(4 * mesh.tets.size(), -1) {
     for (size_t face = 0; face < slot_of_face_.size(); ++face) {
@@ -85,12 +86,15 @@ void SurfaceState::put(int face, const SurfaceTriangle& triangle) noexcept {
     triangles_[count_] = triangle;
     slot_of_face_[face] = count_;
     face_of_slot_[count_] = face;
+    tree_.insert(count_, triangle.tet);
     ++count_;
 }
 
 void SurfaceState::take(int face) noexcept {
     // The last triangle moves into the gap.
     const int slot = slot_of_face_[face], last = --count_;
+    tree_.remove(slot);
+    tree_.renumber(last, slot);
     triangles_[slot] = triangles_[last];
     face_of_slot_[slot] = face_of_slot_[last];
     slot_of_face_[face_of_slot_[slot]] = slot;

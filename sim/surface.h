@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/mesh.h"
+#include "sim/surface_tree.h"
 
 namespace placode::sim {
 
@@ -55,8 +56,12 @@ class SurfaceState {
     /// Updates the boundary after `tet` was removed. @pre it was alive.
     void remove_tet(const Surface& surface, const TetMesh& mesh, std::span<const uint8_t> tet_alive,
                     int tet) noexcept;
+    /// Boxes around the triangles; refit before asking. Slots are indices into triangles().
+    [[nodiscard]] const SurfaceTree& tree() const noexcept { return tree_; }
+    void refit(std::span<const Float4> x) noexcept { tree_.refit(triangles(), x); }
 
  private:
+    SurfaceTree tree_;
     std::vector<SurfaceTriangle> triangles_;  // capacity for every face
     std::vector<int32_t> slot_of_face_;  // (4 T) index into triangles_, -1 when not on the surface
     std::vector<int32_t> face_of_slot_;  // the way back: 4 * tet + local vertex opposite

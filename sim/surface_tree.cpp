@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/surface_tree.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include "sim/surface.h"
+
+namespace placode::sim {
+namespace {
+
+// Tets to a leaf: on the layered field some five to ten triangles in a leaf at the surface.
+constexpr int kLeafTets = 16;
+
+using Lanes = float __attribute__((vector_size(16)));
+
+Lanes load(const Float4& p) noexcept { return Lanes{p.x, p.y, p.z, p.w}; }
+Lanes load(const std::array<float, 4>& p) noexcept { return Lanes{p[0], p[1], p[2], p[3]}; }
+void store(std::array<float, 4>& p, Lanes v) noexcept { p = {v[0], v[1], v[2], v[3]}; }
+// The second one where the first is not a number.
+Lanes least(Lanes a, Lanes b) noexcept { return a < b ? a : b; }
+Lanes most(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
+
+constexpr float kHuge = std::numeric_limits<float>::max();
+
+}  // namespace
+
+SurfaceTree::SurfaceTree(const TetMesh& mesh, size_t capacity, size_t tet_capacity)
+    : leaf_of_tet_(std::max(tet_capacity, mesh.tets.size()), 0),
+      leaf_(capacity, -1),
+      next_(capacity, -1),
+      previous_(capacity, -1) {
+    std::vector<Vec3> centroid;
+    centroid.reserve(mesh.tets.size());
+    for (const auto& tet : mesh.tets) {
+        centroid.push_back(
+            (mesh.rest[tet[0]] + mesh.rest[tet[1]] + mesh.rest[tet[2]] + mesh.rest[tet[3]]) / 4);
+    }
+    std::vector<int32_t> order(mesh.tets.size());
+    std::iota(order.begin(), order.end(), 0);
+    build(centroid, order, 0, static_cast<int>(order.size()), -1);
+    count_.assign(boxes_.size(), 0);
+    first_.assign(boxes_.size(), -1);
+}
+
+int SurfaceTree::build(const std::vector<Vec3>& centroid, std::vector<int32_t>& order, int first,
+                       int last, int parent) {
+    const int node = static_cast<int>(boxes_.size());
+    boxes_.emplace_back();
+    after_.push_back(node + 1);
+    parent_.push_back(parent);
+    if (last - first <= kLeafTets) {
+        for (int i = first; i < last; ++i) leaf_of_tet_[order[i]] = node;
+        return node;
+    }
+    Vec3 low = centroid[order[first]], high = low;
+    for (int i = first; i < last; ++i) {
+        low = low.cwiseMin(centroid[order[i]]);
+        high = high.cwiseMax(centroid[order[i]]);
+    }
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    const int middle = (first + last) / 2;
+    std::nth_element(order.begin() + first, order.begin() + middle, order.begin() + last,
+                     [&](int32_t a, int32_t b) {
+                         const double xa = centroid[a][axis], xb = centroid[b][axis];
+                         return xa != xb ? xa < xb : a < b;
+                     });
+    build(centroid, order, first, middle, node);
+    build(centroid, order, middle, last, node);
+    after_[node] = static_cast<int32_t>(boxes_.size());
+    return node;
+}
+
+void SurfaceTree::insert(int slot, int tet) noexcept {
+    const int32_t leaf = leaf_of_tet_[tet], head = first_[leaf];
+    leaf_[slot] = leaf;
+    next_[slot] = head;
+    previous_[slot] = -1;
+    if (head >= 0) previous_[head] = slot;
+    first_[leaf] = slot;
+    for (int32_t n = leaf; n >= 0; n = parent_[n]) ++count_[n];
+}
+
+void SurfaceTree::remove(int slot) noexcept {
+    const int32_t leaf = leaf_[slot], before = previous_[slot], behind = next_[slot];
+    (before >= 0 ? next_[before] : first_[leaf]) = behind;
+    if (behind >= 0) previous_[behind] = before;
+    leaf_[slot] = next_[slot] = previous_[slot] = -1;
+    for (int32_t n = leaf; n >= 0; n = parent_[n]) --count_[n];
+}
+
+void SurfaceTree::renumber(int from, int to) noexcept {
+    if (from == to) return;
+    const int32_t leaf = leaf_[from], before = previous_[from], behind = next_[from];
+    leaf_[to] = leaf;
+    previous_[to] = before;
+    next_[to] = behind;
+    (before >= 0 ? next_[before] : first_[leaf]) = to;
+    if (behind >= 0) previous_[behind] = to;
+    leaf_[from] = next_[from] = previous_[from] = -1;
+}
+
+void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles,
+                        std::span<const Float4> x) noexcept {
+    const Lanes huge = {kHuge, kHuge, kHuge, kHuge};
+    for (int n = static_cast<int>(boxes_.size()) - 1; n >= 0; --n) {
+        if (count_[n] == 0) continue;
+        Lanes low = huge, high = -huge;
+        if (after_[n] == n + 1) {
+            for (int32_t s = first_[n]; s >= 0; s = next_[s]) {
+                for (const int32_t v : triangles[s].vertex) {
+                    const Lanes p = load(x[v]);
+                    low = least(p, low);
+                    high = most(p, high);
+                }
+            }
+        } else {
+            for (const int child : {n + 1, static_cast<int>(after_[n + 1])}) {
+                if (count_[child] == 0) continue;
+                low = least(low, load(boxes_[child].low));
+                high = most(high, load(boxes_[child].high));
+            }
+        }
+        store(boxes_[n].low, low);
+        store(boxes_[n].high, high);
+    }
+}
+
+}  // namespace placode::sim
