@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Walks through a mesh file: words with their line, numbers with '.' in every locale, raw binary.
+// Every error is a MeshError with file and line. Private to sim/mesh_io.
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "sim/mesh_io/mesh_io.h"
+
+namespace placode::sim {
+
+class FileCursor {
+ public:
+    /// Reads the whole file. @throws MeshError when it cannot be opened or is larger than 2 GiB.
+    explicit FileCursor(const std::string& path);
+
+    [[nodiscard]] const std::string& file() const noexcept { return file_; }
+    [[nodiscard]] int line() const noexcept { return line_; }
+    [[nodiscard]] const std::string& text() const noexcept { return text_; }
+
+    /// '#' starts a comment that ends with the line (TetGen).
+    void hash_comments(bool on) noexcept { hash_comments_ = on; }
+    /// true when only white space (and comments) is left.
+    [[nodiscard]] bool at_end();
+    /// Next word; "" at the end.
+    [[nodiscard]] std::string_view word();
+    /// The next word without taking it.
+    [[nodiscard]] std::string_view peek();
+    /// What is left of the line, trimmed; the cursor moves to the next line.
+    [[nodiscard]] std::string_view rest_of_line();
+    /// Next word as a whole number. `what` names it in the message.
+    [[nodiscard]] int64_t whole(std::string_view what);
+    /// A count: 0 or more, and not more than the file has bytes.
+    [[nodiscard]] int64_t count(std::string_view what);
+    /// Next word as a number; nan and inf are read as such, the caller decides.
+    [[nodiscard]] double real(std::string_view what);
+    /// @throws MeshError unless the next word is `wanted`.
+    void expect(std::string_view wanted);
+    /// Steps over one end of line (before binary data).
+    void end_line();
+
+    /// Next bytes as a value; `swap` turns the byte order round.
+    template <class T>
+    [[nodiscard]] T binary(bool swap, std::string_view what) {
+        unsigned char bytes[sizeof(T)];
+        take(bytes, sizeof(T), what);
+        if (swap) {
+            for (size_t i = 0; i < sizeof(T) / 2; ++i) {
+                std::swap(bytes[i], bytes[sizeof(T) - 1 - i]);
+            }
+        }
+        T value;
+        __builtin_memcpy(&value, bytes, sizeof(T));
+        return value;
+    }
+    /// Steps over n bytes.
+    void skip_bytes(int64_t n, std::string_view what);
+    /// A count read from binary data, checked like count().
+    [[nodiscard]] int64_t checked_count(int64_t n, std::string_view what) const;
+
+    /// Moves to an offset of text(); the line is counted from `line`.
+    void jump(size_t offset, int line) noexcept {
+        at_ = offset;
+        line_ = line;
+    }
+    [[nodiscard]] size_t offset() const noexcept { return at_; }
+
+    /// @throws MeshError "file: line n: message".
+    [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+    void skip_space();
+    void take(unsigned char* out, size_t n, std::string_view what);
+
+    std::string file_, text_;
+    size_t at_ = 0;
+    int line_ = 1;
+    bool hash_comments_ = false;
+};
+
+/// Puts point numbers of any kind (tags, 1-based) to indices. Dense tags use a table.
+class PointNumbers {
+ public:
+    /// @throws MeshError through `cursor` for a number that is there twice.
+    void add(int64_t id, int32_t index, const FileCursor& cursor);
+    /// @throws MeshError through `cursor` for an unknown number.
+    [[nodiscard]] int32_t index(int64_t id, const std::string& element,
+                                const FileCursor& cursor) const;
+
+ private:
+    std::map<int64_t, int32_t> index_;
+};
+
+/// The text in quotation marks, at most 40 characters of it.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// "line 12" or "" in binary files.
+[[nodiscard]] std::string place_of(const FileTet& tet);
+
+}  // namespace placode::sim

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/mesh_io/mesh_io.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "sim/mesh_io/file_cursor.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+/// The first ten of a list of numbers, and how many there are.
+class NumberList {
+ public:
+    void add(const FileTet& tet, const std::string& more = "") {
+        if (++count_ <= kShown)
+            text_ += (text_.empty() ? "" : ", ") + std::to_string(tet.id) + place_of(tet) + more;
+    }
+    [[nodiscard]] int count() const { return count_; }
+    [[nodiscard]] std::string text() const { return text_ + (count_ > kShown ? ", ..." : ""); }
+
+ private:
+    static constexpr int kShown = 10;
+    int count_ = 0;
+    std::string text_;
+};
+
+double signed_volume(const FileMesh& file, const FileTet& tet) {
+    const Vec3& a = file.points[at(tet.point[0])];
+    const Vec3 b = file.points[at(tet.point[1])] - a, c = file.points[at(tet.point[2])] - a,
+               d = file.points[at(tet.point[3])] - a;
+    return b.dot(c.cross(d)) / 6;
+}
+
+double mean_edge(const FileMesh& file, const FileTet& tet) {
+    double sum = 0;
+    for (size_t i = 0; i < 4; ++i) {
+        for (size_t j = 0; j < i; ++j) {
+            sum += (file.points[at(tet.point[i])] - file.points[at(tet.point[j])]).norm();
+        }
+    }
+    return sum / 6;
+}
+
+/// Adds one kind of mistake to what is said at the end.
+void add_problem(std::string& problems, const std::string& text) {
+    problems += (problems.empty() ? "" : "; ") + text;
+}
+
+/// Finds degenerate and some inverted tets; true when all are turned the other way.
+bool check_volumes(const FileMesh& file, std::string& problems) {
+    NumberList flat, inverted;
+    for (const FileTet& tet : file.tets) {
+        const double edge = mean_edge(file, tet), volume = signed_volume(file, tet);
+        // Relative: the unit of the file does not matter. As in check_mesh.
+        if (!(std::abs(volume) > 1e-9 * edge * edge * edge)) {
+            flat.add(tet);
+        } else if (volume < 0) {
+            inverted.add(tet);
+        }
+    }
+    if (flat.count() > 0)
+        add_problem(problems, std::to_string(flat.count()) + " degenerate tetrahedra: number " +
+                                  flat.text() +
+                                  " (the volume must be above 1e-9 of the cubed mean edge)");
+    if (inverted.count() > 0 && inverted.count() < static_cast<int>(file.tets.size()))
+        add_problem(problems, std::to_string(inverted.count()) + " of " +
+                                  std::to_string(file.tets.size()) +
+                                  " tetrahedra are inverted: number " + inverted.text() +
+                                  " (the volume must be above 0 in all; if it is below 0 in all, "
+                                  "they are turned round)");
+    return inverted.count() > 0;
+}
+
+void check_duplicates(const FileMesh& file, std::string& problems) {
+    std::vector<std::pair<std::array<int32_t, 4>, int32_t>> keys;
+    for (size_t t = 0; t < file.tets.size(); ++t) {
+        auto key = file.tets[t].point;
+        std::sort(key.begin(), key.end());
+        keys.emplace_back(key, static_cast<int32_t>(t));
+    }
+    std::sort(keys.begin(), keys.end());
+    NumberList same;
+    for (size_t i = 1; i < keys.size(); ++i) {
+        if (keys[i].first != keys[i - 1].first) continue;
+        const FileTet& first = file.tets[at(keys[i - 1].second)];
+        same.add(file.tets[at(keys[i].second)], " = " + std::to_string(first.id) + place_of(first));
+    }
+    if (same.count() > 0)
+        add_problem(problems, std::to_string(same.count()) +
+                                  " duplicate tetrahedra (same four points): number " +
+                                  same.text());
+}
+
+/// A face belongs to one tet at the boundary and to two inside.
+void check_faces(const FileMesh& file, std::string& problems) {
+    std::vector<std::pair<std::array<int32_t, 3>, int32_t>> faces;
+    for (size_t t = 0; t < file.tets.size(); ++t) {
+        for (size_t skip = 0; skip < 4; ++skip) {
+            std::array<int32_t, 3> face{};
+            for (size_t i = 0, n = 0; i < 4; ++i) {
+                if (i != skip) face[n++] = file.tets[t].point[i];
+            }
+            std::sort(face.begin(), face.end());
+            faces.emplace_back(face, static_cast<int32_t>(t));
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+    NumberList crowded;
+    for (size_t i = 2; i < faces.size(); ++i) {
+        if (faces[i].first == faces[i - 2].first) crowded.add(file.tets[at(faces[i].second)]);
+    }
+    if (crowded.count() > 0)
+        add_problem(
+            problems,
+            "more than two tetrahedra at one face, so that they overlap: number " + crowded.text());
+}
+
+/// Size of every component, largest first, with a point of it.
+std::vector<std::pair<int, int32_t>> components(const FileMesh& file) {
+    std::vector<int32_t> parent(file.points.size());
+    std::iota(parent.begin(), parent.end(), 0);
+    const auto root = [&](int32_t v) {
+        while (parent[at(v)] != v) v = parent[at(v)] = parent[at(parent[at(v)])];
+        return v;
+    };
+    for (const FileTet& tet : file.tets) {
+        for (size_t k = 1; k < 4; ++k) parent[at(root(tet.point[k]))] = root(tet.point[0]);
+    }
+    std::map<int32_t, int> size;
+    for (const FileTet& tet : file.tets) ++size[root(tet.point[0])];
+    std::vector<std::pair<int, int32_t>> out;
+    for (const auto& [point, tets] : size) out.emplace_back(tets, point);
+    std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) {
+        return a.first != b.first ? a.first > b.first : a.second < b.second;
+    });
+    return out;
+}
+
+void check_connected(const FileMesh& file, bool allow, std::vector<std::string>& warnings,
+                     std::string& problems) {
+    const auto parts = components(file);
+    if (parts.size() < 2) return;
+    std::string sizes;
+    for (size_t i = 0; i < std::min<size_t>(parts.size(), 5); ++i) {
+        sizes += (i > 0 ? ", " : "") + std::to_string(parts[i].first) + " tets (around point " +
+                 std::to_string(file.point_id[at(parts[i].second)]) + ")";
+    }
+    const std::string text = std::to_string(parts.size()) +
+                             " pieces that do not hang together: " + sizes +
+                             (parts.size() > 5 ? ", ..." : "");
+    if (allow) {
+        warnings.push_back(text);
+    } else {
+        add_problem(problems, text + " (expected 1; \"allow_disconnected\": true accepts more)");
+    }
+}
+
+}  // namespace
+
+FileMesh read_mesh_file(const std::string& path) {
+    const size_t dot = path.rfind('.');
+    std::string ending = dot == std::string::npos ? "" : path.substr(dot);
+    for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    FileMesh out;
+    if (ending == ".msh") {
+        out = read_gmsh(path);
+    } else if (ending == ".vtk") {
+        out = read_legacy_vtk(path);
+    } else if (ending == ".vtu") {
+        out = read_vtu(path);
+    } else if (ending == ".node" || ending == ".ele") {
+        out = read_tetgen(path);
+    } else {
+        throw MeshError(path + ": ending \"" + ending +
+                        "\"; expected .msh (Gmsh), .vtk, .vtu, or .node (TetGen, with .ele)");
+    }
+    if (out.tets.empty()) {
+        std::string found;
+        for (const auto& [kind, n] : out.skipped)
+            found += (found.empty() ? "; found " : ", ") + std::to_string(n) + " " + kind;
+        throw MeshError(out.file + ": no tetrahedra" + found + "; expected at least 1");
+    }
+    return out;
+}
+
+LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnected,
+                        Tissue tissue) {
+    LoadedMesh out;
+    out.warnings = file.warnings;
+    for (const auto& [kind, n] : file.skipped)
+        out.warnings.push_back("skipped " + std::to_string(n) + " cells: " + kind);
+    for (const FileTet& tet : file.tets) {
+        for (size_t i = 0; i < 4; ++i) {
+            for (size_t j = 0; j < i; ++j) {
+                if (tet.point[i] == tet.point[j])
+                    throw MeshError(file.file + ": tetrahedron number " + std::to_string(tet.id) +
+                                    place_of(tet) + ": point " +
+                                    std::to_string(file.point_id[at(tet.point[i])]) +
+                                    " is there twice; expected four different points");
+            }
+        }
+    }
+    std::string problems;
+    const bool turn = check_volumes(file, problems);
+    check_duplicates(file, problems);
+    check_faces(file, problems);
+    check_connected(file, allow_disconnected, out.warnings, problems);
+    if (!problems.empty()) throw MeshError(file.file + ": " + problems + "; repair the mesh");
+    if (turn)
+        out.warnings.emplace_back(
+            "all tetrahedra have the opposite orientation: they were turned round");
+
+    out.vertex_of_point.assign(file.points.size(), -1);
+    for (const FileTet& tet : file.tets) {
+        for (const int32_t p : tet.point) out.vertex_of_point[at(p)] = 0;
+    }
+    int unused = 0;
+    std::string some;
+    for (size_t p = 0; p < file.points.size(); ++p) {
+        if (out.vertex_of_point[p] < 0) {
+            if (++unused <= 10)
+                some += (some.empty() ? "" : ", ") + std::to_string(file.point_id[p]);
+            continue;
+        }
+        out.vertex_of_point[p] = static_cast<int32_t>(out.mesh.rest.size());
+        const Vec3 x = scale * file.points[p];
+        if (!x.allFinite())
+            throw MeshError(file.file + ": point " + std::to_string(file.point_id[p]) +
+                            " times scale " + number(scale) + " is not finite");
+        out.mesh.rest.push_back(x);
+    }
+    if (unused > 0)
+        out.warnings.push_back(
+            std::to_string(unused) + " points are used by no tetrahedron: " + "number " + some +
+            (unused > 10 ? ", ..." : "") + "; they take no part and keep their place");
+    for (const FileTet& tet : file.tets) {
+        std::array<int32_t, 4> t{};
+        for (size_t k = 0; k < 4; ++k) t[k] = out.vertex_of_point[at(tet.point[k])];
+        if (turn) std::swap(t[0], t[1]);
+        out.mesh.tets.push_back(t);
+        out.tet_id.push_back(tet.id);
+    }
+    out.mesh.tissue.assign(out.mesh.tets.size(), tissue);
+    check_mesh(out.mesh);
+    return out;
+}
+
+}  // namespace placode::sim

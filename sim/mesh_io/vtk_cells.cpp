@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/mesh_io/vtk_cells.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int64_t kTetrahedron = 10, kQuadraticTetrahedron = 24;
+
+/// Names of the cell types of vtkCellType.h.
+const char* cell_name(int64_t type) {
+    switch (type) {
+        case 1:
+        case 2:
+            return "point";
+        case 3:
+        case 4:
+        case 21:
+            return "line";
+        case 5:
+        case 6:
+        case 22:
+            return "triangle";
+        case 7:
+        case 8:
+        case 9:
+        case 23:
+            return "quadrangle";
+        case 11:
+        case 12:
+        case 25:
+            return "hexahedron";
+        case 13:
+        case 26:
+            return "prism";
+        case 14:
+        case 27:
+            return "pyramid";
+        default:
+            return "other cell";
+    }
+}
+
+}  // namespace
+
+void add_vtk_cells(const VtkCells& cells, const FileCursor& cursor, FileMesh& out,
+                   int64_t first_point) {
+    const auto fail = [&](const std::string& message) {
+        throw MeshError(cursor.file() + ": " + message);
+    };
+    const size_t n = cells.types.size();
+    if (cells.offsets.size() != n + 1)
+        fail(std::to_string(cells.offsets.size() - 1) + " cells, but " + std::to_string(n) +
+             " cell types");
+    const auto points = static_cast<int64_t>(out.points.size()) - first_point;
+    int quadratic = 0;
+    for (size_t c = 0; c < n; ++c) {
+        const int64_t from = cells.offsets[c], to = cells.offsets[c + 1];
+        const std::string line = c < cells.line.size() && cells.line[c] > 0
+                                     ? "line " + std::to_string(cells.line[c]) + ": "
+                                     : "";
+        const std::string name = line + "cell " + std::to_string(c);
+        if (from < 0 || to < from || to > static_cast<int64_t>(cells.connectivity.size()))
+            fail(name + ": offsets " + std::to_string(from) + " to " + std::to_string(to) +
+                 " do not fit the connectivity of " + std::to_string(cells.connectivity.size()));
+        if (cells.types[c] != kTetrahedron && cells.types[c] != kQuadraticTetrahedron) {
+            ++out.skipped[cell_name(cells.types[c])];
+            continue;
+        }
+        const bool second = cells.types[c] == kQuadraticTetrahedron;
+        if (to - from != (second ? 10 : 4))
+            fail(name + ": " + std::to_string(to - from) + " points; a tetrahedron has " +
+                 (second ? "10" : "4"));
+        quadratic += second ? 1 : 0;
+        FileTet tet;
+        tet.id = static_cast<int64_t>(c);
+        tet.line = c < cells.line.size() ? cells.line[c] : 0;
+        for (size_t k = 0; k < 4; ++k) {
+            const int64_t p = cells.connectivity[static_cast<size_t>(from) + k];
+            if (p < 0 || p >= points)
+                fail(name + ": no point " + std::to_string(p) + "; the points are numbered 0 to " +
+                     std::to_string(points - 1));
+            tet.point[k] = static_cast<int32_t>(first_point + p);
+        }
+        out.tets.push_back(tet);
+    }
+    if (quadratic > 0)
+        out.warnings.push_back(std::to_string(quadratic) +
+                               " tetrahedra of second order: their corners are used");
+}
+
+}  // namespace placode::sim

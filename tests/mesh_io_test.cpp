@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every format on one box of six tetrahedra (written by an independent program, see
+// tests/data/README.md), and what is said about broken files: never a crash, always the number.
+#include "sim/mesh_io/mesh_io.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace placode::sim;
+using ::testing::HasSubstr;
+
+namespace {
+
+const std::string kFolder = std::string(PLACODE_SOURCE_DIR) + "/tests/data/meshes/";
+
+std::string text_of(const std::string& name) {
+    std::ifstream in(kFolder + name, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+/// A file of its own for one test.
+class Scratch {
+ public:
+    Scratch() : folder_(std::filesystem::temp_directory_path() / ("mesh_io_" + name())) {
+        std::filesystem::create_directories(folder_);
+    }
+    ~Scratch() {
+        std::error_code ignored;
+        std::filesystem::remove_all(folder_, ignored);
+    }
+    std::string write(const std::string& file, const std::string& text) const {
+        std::ofstream(folder_ / file, std::ios::binary) << text;
+        return (folder_ / file).string();
+    }
+
+ private:
+    static std::string name() {
+        return std::to_string(::getpid()) + "_" +
+               ::testing::UnitTest::GetInstance()->current_test_info()->name();
+    }
+    std::filesystem::path folder_;
+};
+
+std::string error_of(const std::string& path) {
+    try {
+        (void)prepare_mesh(read_mesh_file(path), 1, false);
+    } catch (const MeshError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+std::string msh1_error(const std::string& from, const std::string& to) {
+    const Scratch scratch;
+    return error_of(scratch.write("a.msh", replaced(text_of("box_gmsh1.msh"), from, to)));
+}
+
+}  // namespace
+
+struct Good {
+    const char* file;
+    const char* format;
+    int triangles, first_point, first_tet;
+    int points = 9;
+};
+void PrintTo(const Good& good, std::ostream* out) { *out << good.file; }
+
+class EveryFormat : public ::testing::TestWithParam<Good> {};
+INSTANTIATE_TEST_SUITE_P(
+    Formats, EveryFormat,
+    ::testing::Values(Good{"box_gmsh1.msh", "Gmsh 1 ascii", 2, 10, 3},
+                      Good{"box_gmsh22_ascii.msh", "Gmsh 2.2 ascii", 2, 1, 3},
+                      Good{"box_gmsh22_binary.msh", "Gmsh 2.2 binary", 2, 1, 3},
+                      Good{"box_gmsh41_ascii.msh", "Gmsh 4.1 ascii", 2, 1, 3},
+                      Good{"box_gmsh41_binary.msh", "Gmsh 4.1 binary", 2, 1, 3},
+                      Good{"box_vtk42_ascii.vtk", "VTK legacy 4.2 ascii", 2, 0, 2},
+                      Good{"box_vtk42_binary.vtk", "VTK legacy 4.2 binary", 2, 0, 2},
+                      Good{"box_vtk51_ascii.vtk", "VTK legacy 5.1 ascii", 2, 0, 2},
+                      Good{"box_vtk51_binary.vtk", "VTK legacy 5.1 binary", 2, 0, 2},
+                      Good{"box_ascii.vtu", "VTU ascii", 2, 0, 2},
+                      Good{"box_tetgen.node", "TetGen", 0, 0, 0}));
+
+TEST_P(EveryFormat, ReadsTheBoxOfSixTetrahedra) {
+    const Good good = GetParam();
+    const FileMesh file = read_mesh_file(kFolder + good.file);
+    EXPECT_EQ(file.format, good.format);
+    ASSERT_EQ(file.points.size(), 9u);
+    EXPECT_EQ(file.points[3], Vec3(1, 2, 0));
+    EXPECT_EQ(file.points[8], Vec3(9, 9, 9));
+    EXPECT_EQ(file.point_id[0], good.first_point);
+    ASSERT_EQ(file.tets.size(), 6u);
+    EXPECT_EQ(file.tets[0].id, good.first_tet);
+    EXPECT_EQ(file.tets[0].point, (std::array<int32_t, 4>{0, 1, 3, 7}));
+    if (good.triangles > 0) {
+        EXPECT_EQ(file.skipped.at("triangle"), good.triangles);
+    }
+
+    const LoadedMesh loaded = prepare_mesh(file, 1e-3, false);
+    EXPECT_EQ(loaded.mesh.rest.size(), 8u);  // the ninth is used by no tet
+    EXPECT_EQ(loaded.vertex_of_point[8], -1);
+    EXPECT_EQ(loaded.vertex_of_point[7], 7);
+    double volume = 0;
+    for (int t = 0; t < 6; ++t) volume += rest_volume(loaded.mesh, t);
+    EXPECT_NEAR(volume, 6e-9, 1e-18);
+    std::string all;
+    for (const std::string& warning : loaded.warnings) all += warning + "\n";
+    EXPECT_THAT(all, HasSubstr("1 points are used by no tetrahedron"));
+    if (good.triangles > 0) {
+        EXPECT_THAT(all, HasSubstr("skipped 2 cells: triangle"));
+    }
+}
+
+TEST(MeshIo, NamesInvertedElementsWithTheirNumberAndLine) {
+    // Element 3 stands in line 17 of the file.
+    const std::string error = msh1_error("3 4 1 1 4 10 20 40 80", "3 4 1 1 4 20 10 40 80");
+    EXPECT_THAT(error, HasSubstr("a.msh: 1 of 6 tetrahedra are inverted: number 3 (line 17)"));
+}
+
+TEST(MeshIo, TurnsAMeshRoundThatIsInvertedAsAWhole) {
+    FileMesh file = read_mesh_file(kFolder + "box_gmsh1.msh");
+    for (FileTet& tet : file.tets) std::swap(tet.point[2], tet.point[3]);
+    const LoadedMesh loaded = prepare_mesh(file, 1, false);
+    for (int t = 0; t < 6; ++t) EXPECT_GT(rest_volume(loaded.mesh, t), 0);
+    EXPECT_THAT(loaded.warnings, ::testing::Contains(HasSubstr("opposite orientation")));
+}
+
+TEST(MeshIo, NamesDuplicatesDegenerateAndOverlappingElements) {
+    EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 20 40 10 80"),
+                HasSubstr("1 duplicate tetrahedra (same four points): number 4 (line 18) = 3"));
+    EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 10 20 40 30"),
+                HasSubstr("1 degenerate tetrahedra: number 4 (line 18)"));
+    EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 10 30 30 80"),
+                HasSubstr("number 4 (line 18): point 30 is there twice"));
+    // Everything that is wrong is said at once.
+    EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 20 10 40 80"),
+                ::testing::AllOf(HasSubstr("duplicate"), HasSubstr("inverted")));
+    // A third tet on the inner face 10 40 80.
+    EXPECT_THAT(
+        msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 10 40 80 90"),
+        ::testing::AnyOf(HasSubstr("more than two tetrahedra at one face"), HasSubstr("inverted")));
+}
+
+TEST(MeshIo, NamesPointsThatDoNotExistOrAreNotFinite) {
+    EXPECT_THAT(msh1_error("3 4 1 1 4 10 20 40 80", "3 4 1 1 4 10 20 45 80"),
+                HasSubstr("line 17: element 3: no point 45; the points are numbered 10 to 90"));
+    EXPECT_THAT(msh1_error("20 1 0 0", "20 nan 0 0"),
+                HasSubstr("line 4: point 20: coordinates not finite"));
+    EXPECT_THAT(msh1_error("20 1 0 0", "20 1e999 0 0"), HasSubstr("outside the range"));
+    EXPECT_THAT(msh1_error("20 1 0 0", "10 1 0 0"), HasSubstr("point 10 is there twice"));
+    EXPECT_THAT(msh1_error("20 1 0 0", "20 1,5 0 0"), HasSubstr("line 4: \"1,5\""));
+}
+
+TEST(MeshIo, RefusesCountsThatTheFileCannotHold) {
+    EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n900000000000"), HasSubstr("is not possible"));
+    EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n-9"), HasSubstr("is not possible"));
+    EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n8"), HasSubstr("$ENDNOD is expected"));
+}
+
+TEST(MeshIo, RefusesPiecesThatDoNotHangTogetherUnlessAllowed) {
+    const std::string two =
+        "$NOD\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 5 0 0\n6 6 0 0\n7 5 1 0\n8 5 0 1\n$ENDNOD\n"
+        "$ELM\n2\n1 4 1 1 4 1 2 3 4\n2 4 1 1 4 5 6 7 8\n$ENDELM\n";
+    const Scratch scratch;
+    const std::string path = scratch.write("two.msh", two);
+    EXPECT_THAT(error_of(path), HasSubstr("2 pieces that do not hang together"));
+    const LoadedMesh loaded = prepare_mesh(read_mesh_file(path), 1, true);
+    EXPECT_EQ(loaded.mesh.tets.size(), 2u);
+    EXPECT_THAT(loaded.warnings, ::testing::Contains(HasSubstr("2 pieces")));
+}
+
+TEST(MeshIo, SaysWhatItCannotRead) {
+    const Scratch scratch;
+    EXPECT_THAT(error_of(kFolder + "broken_binary.vtu"), HasSubstr("only ascii is read"));
+    EXPECT_THAT(error_of(scratch.write("a.msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n")),
+                HasSubstr("Gmsh format 4; expected 1, 2.x or 4.1"));
+    EXPECT_THAT(error_of(scratch.write("a.stl", "solid")), HasSubstr("expected .msh"));
+    EXPECT_THAT(error_of(scratch.write("b.msh", "hello")), HasSubstr("is this a Gmsh file?"));
+    EXPECT_THAT(error_of(scratch.write("c.msh", "")), HasSubstr("no nodes"));
+    EXPECT_THAT(error_of(scratch.write("a.vtk", "nonsense")), HasSubstr("vtk DataFile Version"));
+    EXPECT_THAT(error_of(scratch.write("a.vtu", "nonsense")), HasSubstr("VTU"));
+    EXPECT_THAT(error_of(scratch.write("a.node", "1 3 0 0\n0 0 0 0\n")),
+                HasSubstr("a.ele: cannot be opened"));
+    EXPECT_THAT(error_of("/nowhere/a.msh"), HasSubstr("cannot be opened"));
+    const std::string surface =
+        "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$ENDNOD\n$ELM\n1\n1 2 1 1 3 1 2 3\n$ENDELM\n";
+    EXPECT_THAT(error_of(scratch.write("d.msh", surface)),
+                HasSubstr("no tetrahedra; found 1 triangle"));
+}
+
+TEST(MeshIo, SurvivesFilesThatAreCutOffAnywhere) {
+    const Scratch scratch;
+    for (const char* name : {"box_gmsh1.msh", "box_gmsh22_ascii.msh", "box_gmsh22_binary.msh",
+                             "box_gmsh41_ascii.msh", "box_gmsh41_binary.msh", "box_vtk42_ascii.vtk",
+                             "box_vtk42_binary.vtk", "box_vtk51_binary.vtk", "box_ascii.vtu"}) {
+        const std::string text = text_of(name);
+        const std::string ending = std::string(name).substr(std::string(name).rfind('.'));
+        for (size_t n = 0; n + 40 < text.size(); n += 31) {
+            const std::string path = scratch.write("cut" + ending, text.substr(0, n));
+            EXPECT_NE(error_of(path), "accepted") << name << " cut at " << n;
+        }
+    }
+}
+
+TEST(MeshIo, SurvivesBytesThatAreWrong) {
+    // Any byte may be anything: an answer or a MeshError, nothing else (run under sanitizers).
+    const Scratch scratch;
+    uint32_t seed = 1;
+    for (const char* name :
+         {"box_gmsh1.msh", "box_gmsh22_binary.msh", "box_gmsh41_ascii.msh", "box_gmsh41_binary.msh",
+          "box_vtk42_binary.vtk", "box_ascii.vtu", "box_vtk51_binary.vtk"}) {
+        const std::string good = text_of(name);
+        const std::string ending = std::string(name).substr(std::string(name).rfind('.'));
+        for (int round = 0; round < 60; ++round) {
+            std::string text = good;
+            for (int i = 0; i < 3; ++i) {
+                seed = seed * 1664525 + 1013904223;
+                text[seed % text.size()] = static_cast<char>(seed >> 24);
+            }
+            (void)error_of(scratch.write("wrong" + ending, text));
+        }
+    }
+}
