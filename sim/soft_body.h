@@ -142,6 +142,9 @@ struct SoftBodyState {
                                        ///< enters the start guess (V).
     std::vector<uint8_t> tether_alive;
     std::vector<float> tether_lambda_n;  ///< Force of the last substep [N].
+    std::vector<Float4> force_n;         ///< External force on each vertex [N] (V); empty = none.
+                                         ///< Set it (size V) before the substep it acts in.
+    std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
     AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
     std::vector<int32_t> scratch;        ///< Private to update_free_vertices (V).
     uint32_t flags = 0;  ///< Bits of StepReport raised by the kernels; the caller clears them.
@@ -181,6 +184,12 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept;
 
 /// Takes a tet out of the body (vaporised, torn). Its mass stays with its vertices.
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept;
+
+/// Looks for tets that have shrunk to a point (every edge below 1e-3 of the rest length): there all
+/// forces vanish and no method gets out by itself. Every piece made of such tets gets its rest
+/// shape back, where it is (beside its held vertices, if it has some) and with its mean velocity,
+/// and kReseed is raised. Never allocates. Returns the number of vertices that were placed anew.
+int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept;
 
 /// 64-bit FNV-1a hash over positions, velocities and alive flags, in vertex order.
 [[nodiscard]] uint64_t state_hash(const SoftBodyState& state) noexcept;

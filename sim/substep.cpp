@@ -35,7 +35,8 @@ class Substep {
         arguments_.packed = &packed_;
         arguments_.x = state.x.data();
         arguments_.x_start = state.x_start.data();
-        arguments_.v = state.v.data();
+        if (!state.force_n.empty()) state.pushed.resize(state.v.size());  // once
+        arguments_.v = state.force_n.empty() ? state.v.data() : state.pushed.data();
         arguments_.lanes = state.lanes.data();
         arguments_.h = static_cast<float>(h);
         arguments_.over_relaxation = static_cast<float>(s.over_relaxation);
@@ -64,9 +65,14 @@ class Substep {
                 flags |= kNotFinite;
             }
             state_.x_start[i] = x;
+            if (!state_.force_n.empty()) {
+                const Float4 push = pushed_by_force(i);
+                v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
+                state_.pushed[i] = v;
+            }
             state_.target[i] = {x.x + (h * v.x + fall[0]), x.y + (h * v.y + fall[1]),
                                 x.z + (h * v.z + fall[2]), 0};
-            if (x.w > 0) state_.x[i] = guess(i, x, v);
+            if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
         }
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
@@ -159,7 +165,16 @@ class Substep {
     /// makes the sweep overshoot), except where nothing holds the tissue.
     [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept {
         const float g = !vbd_ || state_.free_vertex[i] != 0 ? 1.0F : 0.0F;
-        return {v.x + g * gravity_[0], v.y + g * gravity_[1], v.z + g * gravity_[2], 0};
+        const Float4 u = {v.x + g * gravity_[0], v.y + g * gravity_[1], v.z + g * gravity_[2], 0};
+        if (state_.force_n.empty()) return u;
+        const Float4 push = pushed_by_force(i);
+        return {u.x + g * push.x, u.y + g * push.y, u.z + g * push.z, 0};
+    }
+    /// h force / m.
+    [[nodiscard]] Float4 pushed_by_force(size_t i) const noexcept {
+        const Float4& f = state_.force_n[i];
+        const float s = arguments_.h * state_.x[i].w;
+        return {s * f.x, s * f.y, s * f.z, 0};
     }
     [[nodiscard]] Float4 guess(size_t i, const Float4& x, const Float4& v) const noexcept {
         const Float4 u = planned(i, v);

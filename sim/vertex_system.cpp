@@ -85,7 +85,8 @@ VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int
     const double inertia = static_cast<double>(body.mass_kg()[i]) / (h * h);
     // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
     const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;
-    out.gradient = inertia * (to_vec(state.x[i]) - to_vec(state.x_start[i]) - planned);
+    if (!state.force_n.empty()) out.gradient = -to_vec(state.force_n[i]);
+    out.gradient += inertia * (to_vec(state.x[i]) - to_vec(state.x_start[i]) - planned);
     out.hessian.diagonal().setConstant(inertia);
     add_elastic(body, state, vertex, out.gradient, out.hessian);
     add_springs(body, state, vertex, out);

@@ -225,6 +225,80 @@ TEST_P(EveryMethod, HeldVerticesFollowTheCallerOnly) {
     EXPECT_LT(elastic_force(body, state, held).z(), 0);
 }
 
+TEST_P(EveryMethod, ExternalForcesAccelerateByTheirSumOverTheMass) {
+    SoftBodySpec spec = slab_spec(GetParam());
+    spec.fixed.clear();
+    spec.springs.clear();
+    spec.tethers.clear();
+    spec.solver.gravity_m_s2.setZero();
+    for (auto& m : spec.materials) m.damping_per_s = 0;
+    const SoftBody body(std::move(spec));
+    SoftBodyState state(body);
+    state.force_n.resize(state.x.size());
+    double mass = 0, moved = 0;
+    for (size_t i = 0; i < state.x.size(); ++i) {
+        const float m = body.mass_kg()[i];
+        state.force_n[i] = {0, 0, 2 * m, 0};
+        mass += static_cast<double>(m);
+    }
+    Workers workers(2);
+    const int n = 80;
+    run_substeps(body, state, n, workers);
+    const double h = body.spec().solver.frame_s / body.spec().solver.substeps, t = n * h;
+    for (size_t i = 0; i < state.x.size(); ++i) {
+        moved += static_cast<double>(body.mass_kg()[i]) / mass *
+                 (static_cast<double>(state.x[i].z) - body.mesh().rest[i].z());
+    }
+    // First order in time, as free fall; floats keep 1e-3 of a way of 0.1 mm.
+    EXPECT_NEAR(moved, 2 * t * (t + h) / 2, 2e-3 * t * t);
+}
+
+TEST(Substep, AForceOnAHeldBodyIsBalancedByTheTissue) {
+    SoftBodySpec spec = slab_spec(Method::kVbd);
+    spec.solver.gravity_m_s2.setZero();
+    for (auto& m : spec.materials) m.damping_per_s = 40;
+    const SoftBody body(std::move(spec));
+    SoftBodyState state(body);
+    state.force_n.resize(state.x.size());
+    size_t loaded = 0;
+    while (state.x[loaded].w == 0) ++loaded;
+    state.force_n[loaded] = {0, 0, 1e-4F, 0};
+    Workers workers(1);
+    run_substeps(body, state, 4000, workers);
+    const Vec3 answer = elastic_force(body, state, static_cast<int>(loaded));
+    EXPECT_NEAR(answer.z(), -1e-4, 1e-6);
+    EXPECT_LT(answer.head<2>().norm(), 1e-6);
+}
+
+TEST_P(EveryMethod, ABodyShrunkToAPointIsSeededFromItsRestShape) {
+    SoftBodySpec spec = slab_spec(GetParam());
+    spec.fixed.clear();
+    spec.springs.clear();
+    spec.tethers.clear();
+    spec.solver.gravity_m_s2.setZero();
+    const SoftBody body(std::move(spec));
+    SoftBodyState state(body);
+    EXPECT_EQ(reseed_collapsed(body, state), 0);
+    EXPECT_EQ(state.flags & kReseed, 0u);
+    for (Float4& x : state.x) x = {0.25F, 0, 0, x.w};
+    Workers workers(1);
+    run_substeps(body, state, 20, workers);
+    EXPECT_LT((Vec3(state.x[0].x, state.x[0].y, state.x[0].z) - Vec3(0.25, 0, 0)).norm(), 1e-6)
+        << "a point cannot leave its state by itself";
+    EXPECT_EQ(reseed_collapsed(body, state), body.vertex_count());
+    EXPECT_NE(state.flags & kReseed, 0u);
+    for (const auto& tet : body.mesh().tets) {
+        const auto edge = [&](auto&& at) { return (at(tet[1]) - at(tet[0])).norm(); };
+        const double now = edge([&](int32_t v) {
+            const Float4& x = state.x[static_cast<size_t>(v)];
+            return Vec3(x.x, x.y, x.z);
+        });
+        const double rest =
+            edge([&](int32_t v) { return body.mesh().rest[static_cast<size_t>(v)]; });
+        EXPECT_NEAR(now, rest, 1e-7);  // floats at 0.25 m
+    }
+}
+
 TEST_P(EveryMethod, AVertexThatIsNotFiniteIsPutBackAndReported) {
     const SoftBody body(slab_spec(GetParam()));
     SoftBodyState state(body);
