@@ -10,7 +10,9 @@ namespace placode::curriculum {
 namespace {
 
 constexpr auto kPoll = std::chrono::milliseconds(10);
-constexpr auto kCommit = std::chrono::milliseconds(250);  // half of what a crash may lose
+// Half of what a crash may lose, in time of day and (an attempt may run faster) in frames.
+constexpr auto kCommit = std::chrono::milliseconds(250);
+constexpr size_t kCommitFrames = 250;
 // 4 s of frames and samples; a frame may raise up to 256 events, though it hardly ever does.
 constexpr size_t kInputs = 4096, kSamples = 512, kEvents = 16384;
 
@@ -71,7 +73,7 @@ void AttemptRecorder::drain(bool everything) {
     take_all(samples_, sample_block_);
     take_all(events_, event_block_);
     const bool anything = !input_block_.empty() || !sample_block_.empty() || !event_block_.empty();
-    if (!anything || !(everything || input_block_.size() >= kInputs / 2)) return;
+    if (!anything || !(everything || input_block_.size() >= kCommitFrames)) return;
     sink_->append(input_block_, sample_block_, event_block_);
     input_block_.clear();
     sample_block_.clear();

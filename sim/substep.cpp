@@ -49,7 +49,7 @@ class Substep {
     }
 
     void begin(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+        const auto [first, last] = share(state_.x.size(), part, workers_.parts());
         const float h = arguments_.h;
         const auto& fall = arguments_.planned_fall_m;
         uint32_t flags = 0;
@@ -77,7 +77,7 @@ class Substep {
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
             const size_t start = at(packed_.tet_lambda_start);
-            const auto [a, b] = share(state_.lanes.size() - start, part, workers_.threads());
+            const auto [a, b] = share(state_.lanes.size() - start, part, workers_.parts());
             std::fill(state_.lanes.begin() + static_cast<int64_t>(start + a),
                       state_.lanes.begin() + static_cast<int64_t>(start + b), 0.0F);
         }
@@ -99,7 +99,7 @@ class Substep {
         } else {
             for (size_t c = 0; c + 1 < packed_.tet_colour_start.size(); ++c) {
                 const int first = packed_.tet_colour_start[c];
-                const int n = packed_.tet_colour_start[c + 1] - first, parts = workers_.threads();
+                const int n = packed_.tet_colour_start[c + 1] - first, parts = workers_.parts();
                 raise(solve_tet_batches(arguments_, first + n * part / parts,
                                         first + n * (part + 1) / parts));
                 workers_.barrier();
@@ -113,7 +113,7 @@ class Substep {
     }
 
     void end(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+        const auto [first, last] = share(state_.x.size(), part, workers_.parts());
         const float h = arguments_.h, inverse_h = 1.0F / h;
         uint32_t flags = 0;
         for (size_t i = first; i < last; ++i) {
@@ -184,7 +184,7 @@ class Substep {
 
     /// First batch of part `part`: equal work, the same half of the numbering in every colour.
     [[nodiscard]] int cut(int first, int last, int part) const noexcept {
-        const int parts = workers_.threads();
+        const int parts = workers_.parts();
         if (part == 0) return first;
         if (part == parts) return last;
         const int64_t from = packed_.cost[at(first)], total = packed_.cost[at(last)] - from;

@@ -4,15 +4,18 @@
 // nothing.
 
 #include <gmock/gmock.h>
+#include <signal.h>
 #include <sqlite3.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "db/recording_file.h"
 #include "db/store.h"
@@ -466,6 +469,47 @@ TEST_F(Programs, AnAttemptIsRecordedMeasuredAndScored) {
     EXPECT_EQ(number_in(score.out, "seed"), 7);
     EXPECT_THAT(score.out, AllOf(HasSubstr("\"demonstration\": true"), HasSubstr("\"reasons\"")));
     EXPECT_EQ(ctl("score a.placode --task diathermy_ring_small").status, 0);
+}
+
+TEST_F(Programs, AKilledAttemptLosesAtMostHalfASecond) {
+    // Killed at moments that differ from attempt to attempt; in real time, as a trainee would lose
+    // it. The status lines (ten a second) say how far it had come.
+    for (const int extra_ms : {0, 110, 170}) {
+        const std::string name = "killed" + std::to_string(extra_ms) + ".placode";
+        const std::string command = "cd '" + folder + "' && HOME='" + folder +
+                                    "' exec '" PLACODE_BIN_DIR
+                                    "/placode-sim' --task diathermy_ring_small --headless "
+                                    "--device script:novice --status --record " +
+                                    name;
+        int pipe_ends[2];
+        ASSERT_EQ(::pipe(pipe_ends), 0);
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            ::dup2(pipe_ends[1], STDOUT_FILENO);
+            ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            ::_exit(127);
+        }
+        ::close(pipe_ends[1]);
+        std::FILE* lines = ::fdopen(pipe_ends[0], "r");
+        double reported_s = 0;
+        bool killed = false;
+        for (std::array<char, 4096> line; std::fgets(line.data(), line.size(), lines);) {
+            reported_s = nlohmann::json::parse(line.data()).at("t_s");
+            if (killed || reported_s < 1.2) continue;
+            ::usleep(static_cast<useconds_t>(extra_ms) * 1000);
+            ::kill(child, SIGKILL);
+            killed = true;
+        }
+        std::fclose(lines);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(killed && WIFSIGNALED(status)) << "ended before it could be killed";
+        const sim::Recording recording = db::read_recording_file(file(name));
+        EXPECT_EQ(recording.end.reason, sim::EndReason::kInterrupted);
+        EXPECT_GE(recording.end.duration_s, reported_s - 0.5) << extra_ms;
+        EXPECT_GE(recording.inputs.size(), (reported_s - 0.5) * 1000);
+    }
 }
 
 TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {

@@ -55,7 +55,7 @@ std::string reason_text(sim::EndReason reason) {
 void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
     if (!enabled_) return;
     const double t = monotonic_s();
-    if (!now && last_s_ >= 0 && t - last_s_ < 0.5) return;
+    if (!now && last_s_ >= 0 && t - last_s_ < 0.1) return;
     last_s_ = t;
     print_line(fields(status));
 }

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The scripted operators differ by what they do to the tissue, and the score sees it: whole
+// attempts on the warm-up field, simulated, measured and scored.
+
+#include <gtest/gtest.h>
+
+#include <future>
+#include <memory>
+
+#include "assessment/scoring.h"
+#include "curriculum/attempt_runner.h"
+
+using namespace placode;
+
+namespace {
+
+/// Keeps a recording in memory.
+class MemorySink : public sim::RecordingSink {
+ public:
+    explicit MemorySink(sim::Recording& recording) : recording_(recording) {}
+    void begin(const sim::RecordingHeader& header) override { recording_.header = header; }
+    void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
+                std::span<const sim::Event> events) override {
+        recording_.inputs.insert(recording_.inputs.end(), inputs.begin(), inputs.end());
+        recording_.samples.insert(recording_.samples.end(), samples.begin(), samples.end());
+        recording_.events.insert(recording_.events.end(), events.begin(), events.end());
+    }
+    void finish(const sim::RecordingEnd& end) override { recording_.end = end; }
+
+ private:
+    sim::Recording& recording_;
+};
+
+struct Attempt {
+    sim::Recording recording;
+    assessment::MetricSet metrics;
+    assessment::Score score;
+};
+
+Attempt perform(const std::string& level) {
+    const curriculum::Task task = curriculum::load_task("diathermy_ring_small");
+    curriculum::AttemptOptions options;
+    options.device = "script:" + level;
+    options.fast = true;
+    options.threads = 1;
+    Attempt attempt;
+    curriculum::AttemptRunner runner(task, 1, options,
+                                     std::make_unique<MemorySink>(attempt.recording));
+    runner.start();
+    runner.wait();
+    attempt.metrics = assessment::compute_metrics(attempt.recording);
+    attempt.score = assessment::score_attempt(task.rubric, attempt.metrics, attempt.recording);
+    return attempt;
+}
+
+/// A reason with a time must be there in the recording: some event of the ledger close to it.
+bool stands_in_recording(const assessment::Reason& reason, const sim::Recording& recording) {
+    if (reason.time_s < 0) return true;  // about the whole attempt
+    for (const sim::Event& event : recording.events) {
+        if (std::abs(event.time_s - reason.time_s) < 1.0) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+TEST(OperatorLevels, ExpertAboveIntermediateAboveNoviceWithReasonsInTheRecording) {
+    auto later = std::async(std::launch::async, [] { return perform("novice"); });
+    const Attempt expert = perform("expert"), intermediate = perform("intermediate"),
+                  novice = later.get();
+    EXPECT_EQ(expert.score.verdict, assessment::Verdict::kPassed) << expert.score.points;
+    EXPECT_GE(*expert.metrics.find("ring_completeness_percent"), 99);
+    EXPECT_EQ(*expert.metrics.find("placode_burned_percent"), 0);
+    EXPECT_GT(expert.score.points, intermediate.score.points);
+    EXPECT_GT(intermediate.score.points, novice.score.points);
+    for (const Attempt* attempt : {&expert, &intermediate, &novice}) {
+        EXPECT_EQ(attempt->recording.end.dropped, 0);
+        ASSERT_FALSE(attempt->score.reasons.empty());
+        for (const auto& reason : attempt->score.reasons) {
+            EXPECT_TRUE(stands_in_recording(reason, attempt->recording)) << reason.text;
+        }
+    }
+}
