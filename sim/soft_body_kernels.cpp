@@ -3,6 +3,7 @@
 // Compiled once for every instruction set: Highway includes this file again and again.
 #include "sim/soft_body_kernels.h"
 
+#include <array>
 #include <cstring>
 #include <limits>
 
@@ -14,6 +15,7 @@
 // Below foreach_target on purpose.
 #include <hwy/highway.h>
 
+#include "sim/motion_kernel-inl.h"
 #include "sim/tet_kernel-inl.h"
 #include "sim/vertex_kernel-inl.h"
 
@@ -33,6 +35,14 @@ uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
     return flags;
 }
 
+size_t BeginVertices(const MotionArguments& arguments, size_t first, size_t last) {
+    return BeginMotion(arguments, first, last);
+}
+
+size_t EndVertices(const MotionArguments& arguments, size_t first, size_t last) {
+    return EndMotion(arguments, first, last);
+}
+
 const char* Name() { return hwy::TargetName(HWY_TARGET); }
 
 }  // namespace HWY_NAMESPACE
@@ -44,6 +54,8 @@ namespace placode::sim {
 
 HWY_EXPORT(VertexBatches);
 HWY_EXPORT(TetBatches);
+HWY_EXPORT(BeginVertices);
+HWY_EXPORT(EndVertices);
 HWY_EXPORT(Name);
 
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept {
@@ -52,6 +64,14 @@ uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int l
 
 uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept {
     return HWY_DYNAMIC_DISPATCH(TetBatches)(arguments, first, last);
+}
+
+size_t begin_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept {
+    return HWY_DYNAMIC_DISPATCH(BeginVertices)(arguments, first, last);
+}
+
+size_t end_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept {
+    return HWY_DYNAMIC_DISPATCH(EndVertices)(arguments, first, last);
 }
 
 const char* kernel_target() noexcept { return HWY_DYNAMIC_DISPATCH(Name)(); }

@@ -22,6 +22,25 @@ struct KernelArguments {
     bool pair = false;                      ///< XPBD: C_D then C_H instead of the 2x2 block.
 };
 
+/// What the begin and end of a substep read and write. The fourth number of `fall_*` is 0.
+struct MotionArguments {
+    Float4 *x = nullptr, *v = nullptr, *x_start = nullptr, *target = nullptr;
+    const uint8_t* free_vertex = nullptr;
+    const float* damping_per_s = nullptr;
+    float h = 0;                      ///< [s]
+    std::array<float, 4> fall_m{};    ///< h^2 g
+    std::array<float, 4> fall_m_s{};  ///< h g
+    bool gravity_in_guess = false;    ///< For every vertex, not only for free ones.
+};
+
+/// x_start, target and start guess of vertices from `first` on. Returns the first vertex that is
+/// not done: `last`, fewer than a register of them are left, or one is not finite or differs from
+/// its neighbours in being free.
+size_t begin_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept;
+
+/// Velocities from positions, likewise.
+size_t end_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept;
+
 /// Vertex block descent over batches [first, last) of one colour. Returns StepFlag bits.
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept;
 

@@ -23,6 +23,9 @@ std::pair<size_t, size_t> share(size_t n, int part, int parts) noexcept {
     return {edge(part), edge(part + 1)};
 }
 
+/// Vertices done one by one when the kernels of begin and end give up.
+constexpr size_t kByHand = 4;
+
 bool finite(const Float4& p) noexcept { return p.x * 0 + p.y * 0 + p.z * 0 == 0; }
 
 class Substep {
@@ -45,34 +48,27 @@ class Substep {
             const double g = s.gravity_m_s2[static_cast<Eigen::Index>(i)];
             arguments_.planned_fall_m[i] = static_cast<float>(h * h * g);
             gravity_[i] = static_cast<float>(h * g);
+            motion_.fall_m[i] = arguments_.planned_fall_m[i];
+            motion_.fall_m_s[i] = gravity_[i];
         }
+        motion_.x = state.x.data();
+        motion_.v = state.v.data();
+        motion_.x_start = state.x_start.data();
+        motion_.target = state.target.data();
+        motion_.free_vertex = state.free_vertex.data();
+        motion_.damping_per_s = packed_.damping_per_s.data();
+        motion_.h = arguments_.h;
+        motion_.gravity_in_guess = !vbd_;
     }
 
     void begin(int part) noexcept {
         const auto [first, last] = share(state_.x.size(), part, workers_.parts());
-        const float h = arguments_.h;
-        const auto& fall = arguments_.planned_fall_m;
         uint32_t flags = 0;
-        for (size_t i = first; i < last; ++i) {
-            Float4 x = state_.x[i], v = state_.v[i];
-            if (!finite(x) || !finite(v)) {
-                const float w = x.w;
-                if (!finite(x)) x = state_.x_start[i];
-                x.w = w;
-                v = {};
-                state_.v[i] = v;
-                state_.x[i] = x;
-                flags |= kNotFinite;
+        for (size_t i = first; i < last;) {
+            if (state_.force_n.empty()) i = begin_motion(motion_, i, last);
+            for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
+                flags |= begin_vertex(i);
             }
-            state_.x_start[i] = x;
-            if (!state_.force_n.empty()) {
-                const Float4 push = pushed_by_force(i);
-                v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
-                state_.pushed[i] = v;
-            }
-            state_.target[i] = {x.x + (h * v.x + fall[0]), x.y + (h * v.y + fall[1]),
-                                x.z + (h * v.z + fall[2]), 0};
-            if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
         }
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
@@ -114,32 +110,65 @@ class Substep {
 
     void end(int part) noexcept {
         const auto [first, last] = share(state_.x.size(), part, workers_.parts());
-        const float h = arguments_.h, inverse_h = 1.0F / h;
         uint32_t flags = 0;
-        for (size_t i = first; i < last; ++i) {
-            Float4& x = state_.x[i];
-            const Float4 start = state_.x_start[i];
-            Float4& v = state_.v[i];
-            if (!finite(x)) {
-                x = {start.x, start.y, start.z, x.w};
-                v = {};
-                flags |= kNotFinite;
-                continue;
+        for (size_t i = first; i < last;) {
+            if (state_.force_n.empty()) i = end_motion(motion_, i, last);
+            for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
+                flags |= end_vertex(i);
             }
-            // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
-            // so that rounding of the position never enters it. Held vertices: the difference.
-            Float4 from = start, base{};
-            if (x.w > 0) {
-                from = guess(i, start, v);
-                base = planned(i, v);
-            }
-            const float keep = 1.0F / (1.0F + h * packed_.damping_per_s[i]);
-            v = {keep * (base.x + (x.x - from.x) * inverse_h),
-                 keep * (base.y + (x.y - from.y) * inverse_h),
-                 keep * (base.z + (x.z - from.z) * inverse_h), 0};
         }
         raise(flags);
         if (part == 0) break_tethers();
+    }
+
+    uint32_t begin_vertex(size_t i) noexcept {
+        const float h = arguments_.h;
+        const auto& fall = arguments_.planned_fall_m;
+        uint32_t flags = 0;
+        Float4 x = state_.x[i], v = state_.v[i];
+        if (!finite(x) || !finite(v)) {
+            const float w = x.w;
+            if (!finite(x)) x = state_.x_start[i];
+            x.w = w;
+            v = {};
+            state_.v[i] = v;
+            state_.x[i] = x;
+            flags = kNotFinite;
+        }
+        state_.x_start[i] = x;
+        if (!state_.force_n.empty()) {
+            const Float4 push = pushed_by_force(i);
+            v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
+            state_.pushed[i] = v;
+        }
+        state_.target[i] = {x.x + (h * v.x + fall[0]), x.y + (h * v.y + fall[1]),
+                            x.z + (h * v.z + fall[2]), 0};
+        if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
+        return flags;
+    }
+
+    uint32_t end_vertex(size_t i) noexcept {
+        const float h = arguments_.h, inverse_h = 1.0F / h;
+        Float4& x = state_.x[i];
+        const Float4 start = state_.x_start[i];
+        Float4& v = state_.v[i];
+        if (!finite(x)) {
+            x = {start.x, start.y, start.z, x.w};
+            v = {};
+            return kNotFinite;
+        }
+        // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
+        // so that rounding of the position never enters it. Held vertices: the difference.
+        Float4 from = start, base{};
+        if (x.w > 0) {
+            from = guess(i, start, v);
+            base = planned(i, v);
+        }
+        const float keep = 1.0F / (1.0F + h * packed_.damping_per_s[i]);
+        v = {keep * (base.x + (x.x - from.x) * inverse_h),
+             keep * (base.y + (x.y - from.y) * inverse_h),
+             keep * (base.z + (x.z - from.z) * inverse_h), 0};
+        return 0;
     }
 
     /// Contact vertices are held for the time of a sweep; target.w remembers.
@@ -298,6 +327,7 @@ class Substep {
     const PackedElements& packed_;
     Workers& workers_;
     KernelArguments arguments_;
+    MotionArguments motion_;
     std::array<float, 3> gravity_{};  // h g
     double h_ = 0;
     bool vbd_ = true, broke_ = false;
