@@ -53,19 +53,4 @@ std::vector<int32_t> colour_vertices(const TetMesh& mesh, const std::vector<uint
     return colour;
 }
 
-std::vector<int32_t> colour_tets(const TetMesh& mesh) {
-    const auto around = tets_by_vertex(mesh);
-    std::vector<int32_t> colour(mesh.tets.size(), -1), taken;
-    for (size_t t = 0; t < colour.size(); ++t) {
-        const auto stamp = static_cast<int32_t>(t);
-        for (const int32_t v : mesh.tets[t]) {
-            for (const int32_t other : around[static_cast<size_t>(v)]) {
-                mark(taken, colour[static_cast<size_t>(other)], stamp);
-            }
-        }
-        colour[t] = first_free(taken, stamp);
-    }
-    return colour;
-}
-
 }  // namespace placode::sim

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Which vertices or tets can be solved at the same time. Greedy in index order, deterministic.
+// Which vertices can be solved at the same time. Greedy in index order, deterministic.
 // Splitting a vertex or switching a tet off only removes conflicts: cutting needs no recolouring.
 
 #include <cstdint>
@@ -15,8 +15,5 @@ namespace placode::sim {
 /// -1. `skip` is empty or (V).
 [[nodiscard]] std::vector<int32_t> colour_vertices(const TetMesh& mesh,
                                                    const std::vector<uint8_t>& skip = {});
-
-/// Colour of each tet (T): no two tets of a colour share a vertex.
-[[nodiscard]] std::vector<int32_t> colour_tets(const TetMesh& mesh);
 
 }  // namespace placode::sim

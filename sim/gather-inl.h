@@ -34,6 +34,9 @@ struct V4 {
 HWY_INLINE V3 Sub(const V3& a, const V3& b) {
     return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
 }
+HWY_INLINE V3 Add(const V3& a, const V3& b) {
+    return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
 HWY_INLINE V3 Scale(V s, const V3& a) {
     return {hn::Mul(s, a.x), hn::Mul(s, a.y), hn::Mul(s, a.z)};
 }
@@ -111,16 +114,55 @@ HWY_INLINE V4 Gather(const char* base, const uint16_t* index) {
             hn::BitCast(d, hn::InterleaveUpper(dd, zw01, zw23))};
 }
 
+HWY_INLINE void StorePoint(hn::Vec<hn::FixedTag<float, 4> > p, char* base, const uint16_t* index) {
+    const hn::FixedTag<float, 4> d4;
+    hn::Store(p, d4, reinterpret_cast<float*>(base + size_t{*index} * 8));
+}
+
+/// The inverse of LoadRow.
+template <class Tag>
+HWY_INLINE void StoreRow(Tag, hn::Vec<Tag> row, char* base, const uint16_t* index) {
+#if HWY_MAX_BYTES >= 32
+    constexpr size_t kN = hn::MaxLanes(Tag());
+    const hn::FixedTag<float, 4> d4;
+    if constexpr (kN == 16) {
+        const hn::FixedTag<float, 8> d8;
+        const auto low = hn::LowerHalf(d8, row), high = hn::UpperHalf(d8, row);
+        StorePoint(hn::LowerHalf(d4, low), base, index);
+        StorePoint(hn::UpperHalf(d4, low), base, index + 4);
+        StorePoint(hn::LowerHalf(d4, high), base, index + 8);
+        StorePoint(hn::UpperHalf(d4, high), base, index + 12);
+    } else if constexpr (kN == 8) {
+        StorePoint(hn::LowerHalf(d4, row), base, index);
+        StorePoint(hn::UpperHalf(d4, row), base, index + 4);
+    } else {
+        StorePoint(row, base, index);
+    }
+#else
+    StorePoint(row, base, index);
+#endif
+}
+
 /// The first `count` lanes back to their points.
 HWY_INLINE void Scatter(const V4& p, char* base, const uint16_t* index, int count) {
     const D d;
+    if (HWY_LIKELY(count >= static_cast<int>(hn::Lanes(d)))) {
+        const hn::Repartition<double, D> dd;
+        const auto xy01 = hn::BitCast(dd, hn::InterleaveLower(d, p.x, p.y));
+        const auto xy23 = hn::BitCast(dd, hn::InterleaveUpper(d, p.x, p.y));
+        const auto zw01 = hn::BitCast(dd, hn::InterleaveLower(d, p.z, p.w));
+        const auto zw23 = hn::BitCast(dd, hn::InterleaveUpper(d, p.z, p.w));
+        StoreRow(d, hn::BitCast(d, hn::InterleaveLower(dd, xy01, zw01)), base, index);
+        StoreRow(d, hn::BitCast(d, hn::InterleaveUpper(dd, xy01, zw01)), base, index + 1);
+        StoreRow(d, hn::BitCast(d, hn::InterleaveLower(dd, xy23, zw23)), base, index + 2);
+        StoreRow(d, hn::BitCast(d, hn::InterleaveUpper(dd, xy23, zw23)), base, index + 3);
+        return;
+    }
     alignas(64) float out[4 * kLanes];
     hn::StoreInterleaved4(p.x, p.y, p.z, p.w, d, out);
     const hn::FixedTag<float, 4> d4;
-    const int n = count < static_cast<int>(hn::Lanes(d)) ? count : static_cast<int>(hn::Lanes(d));
-    for (int lane = 0; lane < n; ++lane) {
-        hn::Store(hn::Load(d4, out + 4 * lane), d4,
-                  reinterpret_cast<float*>(base + size_t{index[lane]} * 8));
+    for (int lane = 0; lane < count; ++lane) {
+        StorePoint(hn::Load(d4, out + 4 * lane), base, index + lane);
     }
 }
 

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How the kernels see a soft body: batches of 16 vertices (VBD) or 16 tets (XPBD) of one colour.
+// How the kernels see a soft body: batches of 16 vertices of one colour (VBD) or of 16
+// disjoint tets (XPBD, sweep_plan.h).
 // Internal to the solver.
 //
 // Edge form: |F|^2 = sum over the six edges of a_ij |x_i - x_j|^2, a_ij = -b_i . b_j with the rest
@@ -25,7 +26,7 @@ namespace placode::sim {
 
 inline constexpr int kLanes = 16;
 inline constexpr int kSpringRows = 13;  ///< K xx xy xz yy yz zz, rest xyz, force xyz, least K.
-inline constexpr int kTetRows = 8;      ///< a01 a02 a03 a12 a13 a23, r, mu / lambda.
+inline constexpr int kTetRows = 8;      ///< b11 b22 b33 b12 b13 b23, r, mu / lambda.
 
 /// 16 vertices of one colour. Rows of `lanes` from lane_start: sum of w, then w, s, q of each step.
 struct alignas(64) VertexBatch {
@@ -39,7 +40,7 @@ struct alignas(64) VertexBatch {
     int64_t spring_start = -1;               ///< Into `springs`, -1 = none in this batch.
 };
 
-/// 16 disjoint tets of one colour.
+/// 16 disjoint tets.
 struct TetBatch {
     int32_t base = 0, count = 0;
 };
@@ -61,10 +62,10 @@ struct PackedElements {
 
     // XPBD, empty for VBD. Lane state of batch b: mu V from tet_lane_start + 16 b.
     std::vector<TetBatch> tet_batches;
-    std::vector<int32_t> tet_colour_start;
-    AlignedVector<uint16_t> tet_index;  ///< (tet batches x 4 x 16)
-    AlignedVector<float> tet_rows;      ///< (tet batches x 8 x 16)
-    std::vector<int32_t> tet_slot;      ///< (T) 16 batch + lane
+    std::vector<int32_t> tet_job_start, tet_phase_start;  ///< As in SweepPlan.
+    AlignedVector<uint16_t> tet_index;                    ///< (tet batches x 4 x 16)
+    AlignedVector<float> tet_rows;                        ///< (tet batches x 8 x 16)
+    std::vector<int32_t> tet_slot;                        ///< (T) 16 batch + lane
     int64_t tet_lane_start = 0;
     int64_t tet_lambda_start = -1;  ///< Two rows a batch of multipliers, -1 = one iteration.
     int64_t spring_sum_start = -1;  ///< Three floats a spring vertex, likewise.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/colouring.h"
+#include "sim/sweep_plan.h"
 
 namespace placode::sim {
 namespace {
@@ -44,8 +44,12 @@ void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const in
                 static_cast<uint16_t>(2 * (body.mesh().tets[at(t)][k] - b.base));
         }
         const TetConstants c = tet_constants(body.spec(), t);
-        for (size_t e = 0; e < 6; ++e) {
-            out.tet_rows[rows + kLanes * e + lane] = static_cast<float>(c.a[e]);
+        // b_1.b_1 b_2.b_2 b_3.b_3 b_1.b_2 b_1.b_3 b_2.b_3 from a_ij = -b_i.b_j.
+        const auto& e = c.a;
+        const std::array<double, 6> dots{
+            e[0] + e[3] + e[4], e[1] + e[3] + e[5], e[2] + e[4] + e[5], -e[3], -e[4], -e[5]};
+        for (size_t k = 0; k < 6; ++k) {
+            out.tet_rows[rows + kLanes * k + lane] = static_cast<float>(dots[k]);
         }
         out.tet_rows[rows + kLanes * 6 + lane] = static_cast<float>(1 / (6 * c.volume_m3));
         out.tet_rows[rows + kLanes * 7 + lane] = static_cast<float>(c.material.gamma - 1);
@@ -91,20 +95,13 @@ void set_edge_weights(const SoftBody& body, PackedElements& packed) {
 }
 
 void pack_tets(const SoftBody& body, PackedElements& out) {
-    const std::vector<int32_t> colour = colour_tets(body.mesh());
-    const int colours = *std::max_element(colour.begin(), colour.end()) + 1;
-    std::vector<std::vector<int32_t>> members(at(colours));
-    for (int t = 0; t < body.tet_count(); ++t) members[at(colour[at(t)])].push_back(t);
+    const SweepPlan plan =
+        plan_tets(body.mesh().tets, body.vertex_count(), domains_for(body.tet_count()));
     out.tet_slot.resize(at(body.tet_count()));
     out.tet_lane_start = static_cast<int64_t>(out.lanes.size());
-    for (const auto& group : members) {
-        out.tet_colour_start.push_back(static_cast<int32_t>(out.tet_batches.size()));
-        for (size_t i = 0; i < group.size(); i += kLanes) {
-            add_tet_batch(body, out,
-                          std::span(group).subspan(i, std::min<size_t>(kLanes, group.size() - i)));
-        }
-    }
-    out.tet_colour_start.push_back(static_cast<int32_t>(out.tet_batches.size()));
+    for (const auto& members : plan.batches) add_tet_batch(body, out, members);
+    out.tet_job_start = plan.job_start;
+    out.tet_phase_start = plan.phase_start;
     if (body.spec().solver.iterations > 1) {
         out.tet_lambda_start = static_cast<int64_t>(out.lanes.size());
         out.lanes.resize(out.lanes.size() + out.tet_batches.size() * 2 * kLanes, 0.0F);

@@ -206,12 +206,13 @@ std::vector<std::string> SoftBody::notes() const {
         out.push_back(std::string(tissue_name(static_cast<Tissue>(i))) + ": Courant number " +
                       number(courant[i]) + ", " + method_name(s.method) + ": " + verdict);
     }
-    out.push_back(
-        "kernels: " + std::string(kernel_target()) + ", " +
-        std::to_string(packed_->colour_start.size() - 1) + " vertex colours" +
-        (packed_->tet_colour_start.empty()
-             ? ""
-             : ", " + std::to_string(packed_->tet_colour_start.size() - 1) + " tet colours"));
+    out.push_back("kernels: " + std::string(kernel_target()) + ", " +
+                  std::to_string(packed_->colour_start.size() - 1) + " vertex colours" +
+                  (packed_->tet_phase_start.empty()
+                       ? ""
+                       : ", " + std::to_string(packed_->tet_job_start.size() - 1) +
+                             " tet jobs in " + std::to_string(packed_->tet_phase_start.size() - 1) +
+                             " phases"));
     return out;
 }
 

@@ -29,10 +29,21 @@ uint32_t VertexBatches(const KernelArguments& arguments, int first, int last) {
     return flags;
 }
 
-uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
+template <bool kPair, bool kKept>
+uint32_t TetRange(const KernelArguments& arguments, int first, int last) {
     uint32_t flags = 0;
-    for (int b = first; b < last; ++b) flags |= SolveTetBatch(arguments, b);
+    for (int b = first; b < last; ++b) flags |= SolveTetBatch<kPair, kKept>(arguments, b);
     return flags;
+}
+
+uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
+    const bool kept = arguments.packed->tet_lambda_start >= 0;
+    if (arguments.pair) {
+        return kept ? TetRange<true, true>(arguments, first, last)
+                    : TetRange<true, false>(arguments, first, last);
+    }
+    return kept ? TetRange<false, true>(arguments, first, last)
+                : TetRange<false, false>(arguments, first, last);
 }
 
 size_t BeginVertices(const MotionArguments& arguments, size_t first, size_t last) {

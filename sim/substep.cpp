@@ -62,7 +62,7 @@ class Substep {
     }
 
     void begin(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.parts());
+        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
         uint32_t flags = 0;
         for (size_t i = first; i < last;) {
             if (state_.force_n.empty()) i = begin_motion(motion_, i, last);
@@ -73,7 +73,7 @@ class Substep {
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
             const size_t start = at(packed_.tet_lambda_start);
-            const auto [a, b] = share(state_.lanes.size() - start, part, workers_.parts());
+            const auto [a, b] = share(state_.lanes.size() - start, part, workers_.threads());
             std::fill(state_.lanes.begin() + static_cast<int64_t>(start + a),
                       state_.lanes.begin() + static_cast<int64_t>(start + b), 0.0F);
         }
@@ -82,34 +82,11 @@ class Substep {
         }
     }
 
-    void sweep(int part) noexcept {
-        if (vbd_) {
-            for (size_t c = 0; c + 1 < packed_.colour_start.size(); ++c) {
-                const int first = packed_.colour_start[c], last = packed_.colour_start[c + 1];
-                raise(solve_vertex_batches(arguments_, cut(first, last, part),
-                                           cut(first, last, part + 1)));
-                workers_.barrier();
-            }
-            if (packed_.tether_vertices.empty()) return;
-            if (part == 0) solve_tethers_vbd();
-        } else {
-            for (size_t c = 0; c + 1 < packed_.tet_colour_start.size(); ++c) {
-                const int first = packed_.tet_colour_start[c];
-                const int n = packed_.tet_colour_start[c + 1] - first, parts = workers_.parts();
-                raise(solve_tet_batches(arguments_, first + n * part / parts,
-                                        first + n * (part + 1) / parts));
-                workers_.barrier();
-            }
-            if (part == 0) {
-                solve_springs_xpbd();
-                solve_tethers_xpbd();
-            }
-        }
-        workers_.barrier();
-    }
+    /// One sweep, from the caller: a run of the team for each colour or phase.
+    void sweep() noexcept { vbd_ ? sweep_vertices() : sweep_tets(); }
 
     void end(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.parts());
+        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
         uint32_t flags = 0;
         for (size_t i = first; i < last;) {
             if (state_.force_n.empty()) i = end_motion(motion_, i, last);
@@ -171,6 +148,13 @@ class Substep {
         return 0;
     }
 
+    /// A whole substep without contact, from the caller.
+    void all(int iterations) noexcept {
+        workers_.run<&Substep::begin>(workers_.threads(), *this);
+        for (int k = 0; k < iterations; ++k) sweep();
+        workers_.run<&Substep::end>(workers_.threads(), *this);
+    }
+
     /// Contact vertices are held for the time of a sweep; target.w remembers.
     void hold_contacts() noexcept {
         for (size_t i = 0; i < state_.contact_vertex.size(); ++i) {
@@ -185,11 +169,36 @@ class Substep {
         }
     }
 
-    [[nodiscard]] Workers& workers() noexcept { return workers_; }
     [[nodiscard]] bool broke_tether() const noexcept { return broke_; }
-    int substeps = 1, iterations = 1;  ///< Of run_substeps.
 
  private:
+    void sweep_vertices() noexcept {
+        const auto& starts = packed_.colour_start;
+        for (colour_ = 0; colour_ + 1 < starts.size(); ++colour_) {
+            workers_.run<&Substep::colour_part>(workers_.threads(), *this);
+        }
+        if (!packed_.tether_vertices.empty()) solve_tethers_vbd();
+    }
+    void colour_part(int part) noexcept {
+        const int first = packed_.colour_start[colour_], last = packed_.colour_start[colour_ + 1];
+        raise(solve_vertex_batches(arguments_, cut(first, last, part), cut(first, last, part + 1)));
+    }
+
+    void sweep_tets() noexcept {
+        const auto& phases = packed_.tet_phase_start;
+        for (size_t p = 0; p + 1 < phases.size(); ++p) {
+            first_job_ = phases[p];
+            workers_.run<&Substep::tet_job>(phases[p + 1] - phases[p], *this);
+        }
+        solve_springs_xpbd();
+        solve_tethers_xpbd();
+    }
+    void tet_job(int job) noexcept {
+        const auto& starts = packed_.tet_job_start;
+        raise(solve_tet_batches(arguments_, starts[at(first_job_ + job)],
+                                starts[at(first_job_ + job + 1)]));
+    }
+
     /// Velocity that the start guess assumes. VBD leaves gravity to the target (in the guess it
     /// makes the sweep overshoot), except where nothing holds the tissue.
     [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept {
@@ -213,7 +222,7 @@ class Substep {
 
     /// First batch of part `part`: equal work, the same half of the numbering in every colour.
     [[nodiscard]] int cut(int first, int last, int part) const noexcept {
-        const int parts = workers_.parts();
+        const int parts = workers_.threads();
         if (part == 0) return first;
         if (part == parts) return last;
         const int64_t from = packed_.cost[at(first)], total = packed_.cost[at(last)] - from;
@@ -330,6 +339,8 @@ class Substep {
     MotionArguments motion_;
     std::array<float, 3> gravity_{};  // h g
     double h_ = 0;
+    size_t colour_ = 0;  // of the current run
+    int first_job_ = 0;
     bool vbd_ = true, broke_ = false;
 };
 
@@ -338,19 +349,19 @@ class Substep {
 void begin_substep(const SoftBody& body, SoftBodyState& state, double h,
                    Workers& workers) noexcept {
     Substep job(body, state, h, workers);
-    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->begin(part); }, &job);
+    workers.run<&Substep::begin>(workers.threads(), job);
 }
 
 void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
     Substep job(body, state, h, workers);
     job.hold_contacts();
-    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->sweep(part); }, &job);
+    job.sweep();
     job.release_contacts();
 }
 
 void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
     Substep job(body, state, h, workers);
-    workers.run([](void* c, int part) noexcept { static_cast<Substep*>(c)->end(part); }, &job);
+    workers.run<&Substep::end>(workers.threads(), job);
     if (job.broke_tether()) update_free_vertices(body, state);
 }
 
@@ -370,19 +381,7 @@ void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
         return;
     }
     Substep job(body, state, s.frame_s / s.substeps, workers);
-    job.substeps = substeps;
-    job.iterations = s.iterations;
-    workers.run(
-        [](void* c, int part) noexcept {
-            auto& job = *static_cast<Substep*>(c);
-            for (int i = 0; i < job.substeps; ++i) {
-                job.begin(part);
-                job.workers().barrier();
-                for (int k = 0; k < job.iterations; ++k) job.sweep(part);
-                job.end(part);
-            }
-        },
-        &job);
+    for (int i = 0; i < substeps; ++i) job.all(s.iterations);
 }
 
 }  // namespace placode::sim

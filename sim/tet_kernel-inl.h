@@ -23,10 +23,15 @@ HWY_BEFORE_NAMESPACE();
 namespace placode::sim {
 namespace HWY_NAMESPACE {
 
-/// Gradients of |F|^2 / 2 and of J in the four corners.
+/// Gradients of |F|^2 / 2 and of J / r in the corners 1, 2, 3; `minus` is the one in corner 0 with
+/// its sign turned, the sum of the three.
+struct Gradient {
+    V3 corner[3], minus;
+};
+
 struct TetGradients {
-    V3 deviatoric[4], volume[4];
-    V c2, j;
+    Gradient deviatoric, volume;
+    V c2, j;  ///< |F|^2 and J
 };
 
 HWY_INLINE TetGradients Gradients(const V4* p, const float* rows) {
@@ -35,97 +40,120 @@ HWY_INLINE TetGradients Gradients(const V4* p, const float* rows) {
     const V3 x0 = {p[0].x, p[0].y, p[0].z};
     const V3 e1 = Sub({p[1].x, p[1].y, p[1].z}, x0), e2 = Sub({p[2].x, p[2].y, p[2].z}, x0),
              e3 = Sub({p[3].x, p[3].y, p[3].z}, x0);
-    const V3 d12 = Sub(e1, e2), d13 = Sub(e1, e3), d23 = Sub(e2, e3);
     TetGradients g;
-    g.deviatoric[1] = MulAdd(row(4), d13, MulAdd(row(3), d12, Scale(row(0), e1)));
-    g.deviatoric[2] = MulAdd(row(5), d23, NegMulAdd(row(3), d12, Scale(row(1), e2)));
-    g.deviatoric[3] = NegMulAdd(row(5), d23, NegMulAdd(row(4), d13, Scale(row(2), e3)));
-    g.volume[1] = Scale(row(6), Cross(e2, e3));
-    g.volume[2] = Scale(row(6), Cross(e3, e1));
-    g.volume[3] = Scale(row(6), Cross(e1, e2));
-    const V3 zero = {hn::Zero(d), hn::Zero(d), hn::Zero(d)};
-    g.deviatoric[0] = Sub(Sub(Sub(zero, g.deviatoric[1]), g.deviatoric[2]), g.deviatoric[3]);
-    g.volume[0] = Sub(Sub(Sub(zero, g.volume[1]), g.volume[2]), g.volume[3]);
+    V3* u = g.deviatoric.corner;
+    u[0] = MulAdd(row(4), e3, MulAdd(row(3), e2, Scale(row(0), e1)));
+    u[1] = MulAdd(row(5), e3, MulAdd(row(3), e1, Scale(row(1), e2)));
+    u[2] = MulAdd(row(5), e2, MulAdd(row(4), e1, Scale(row(2), e3)));
+    g.deviatoric.minus = Add(Add(u[0], u[1]), u[2]);
+    V3* c = g.volume.corner;
+    c[0] = Cross(e2, e3);
+    c[1] = Cross(e3, e1);
+    c[2] = Cross(e1, e2);
+    g.volume.minus = Add(Add(c[0], c[1]), c[2]);
     // sum_ij a_ij |x_i - x_j|^2 = sum_i x_i . G_i, and J is linear in e1.
-    g.c2 = hn::Add(Dot(e1, g.deviatoric[1]),
-                   hn::Add(Dot(e2, g.deviatoric[2]), Dot(e3, g.deviatoric[3])));
-    g.j = Dot(e1, g.volume[1]);
+    g.c2 = hn::Add(Dot(e1, u[0]), hn::Add(Dot(e2, u[1]), Dot(e3, u[2])));
+    g.j = hn::Mul(row(6), Dot(e1, c[0]));
     return g;
 }
 
 /// sum_i w_i u_i . v_i
-HWY_INLINE V Weighted(const V4* p, const V3* u, const V3* v) {
-    V sum = hn::Mul(p[0].w, Dot(u[0], v[0]));
-    for (int i = 1; i < 4; ++i) sum = hn::MulAdd(p[i].w, Dot(u[i], v[i]), sum);
+HWY_INLINE V Weighted(const V4* p, const Gradient& u, const Gradient& v) {
+    V sum = hn::Mul(p[0].w, Dot(u.minus, v.minus));
+    for (int i = 0; i < 3; ++i) {
+        sum = hn::MulAdd(p[i + 1].w, Dot(u.corner[i], v.corner[i]), sum);
+    }
     return sum;
 }
 
 /// x_i += w_i s u_i
-HWY_INLINE void Move(V4* p, V s, const V3* u) {
-    for (int i = 0; i < 4; ++i) {
-        const V ws = hn::Mul(p[i].w, s);
-        p[i].x = hn::MulAdd(ws, u[i].x, p[i].x);
-        p[i].y = hn::MulAdd(ws, u[i].y, p[i].y);
-        p[i].z = hn::MulAdd(ws, u[i].z, p[i].z);
+HWY_INLINE void Move(V4* p, V s, const Gradient& u) {
+    V ws = hn::Mul(p[0].w, s);
+    p[0].x = hn::NegMulAdd(ws, u.minus.x, p[0].x);
+    p[0].y = hn::NegMulAdd(ws, u.minus.y, p[0].y);
+    p[0].z = hn::NegMulAdd(ws, u.minus.z, p[0].z);
+    for (int i = 1; i < 4; ++i) {
+        const V3& g = u.corner[i - 1];
+        ws = hn::Mul(p[i].w, s);
+        p[i].x = hn::MulAdd(ws, g.x, p[i].x);
+        p[i].y = hn::MulAdd(ws, g.y, p[i].y);
+        p[i].z = hn::MulAdd(ws, g.z, p[i].z);
     }
 }
 
-/// Zero unless finite.
-HWY_INLINE V Finite(V a) {
-    const D d;
-    return hn::IfThenElseZero(hn::Le(hn::Abs(a), hn::Set(d, std::numeric_limits<float>::max())), a);
+HWY_INLINE M FiniteLanes(V a) {
+    return hn::Le(hn::Abs(a), hn::Set(D(), std::numeric_limits<float>::max()));
 }
+
+/// Zero unless finite.
+HWY_INLINE V Finite(V a) { return hn::IfThenElseZero(FiniteLanes(a), a); }
 
 struct Multipliers {
     V deviatoric, volume;  ///< lambda / b before and after
 };
 
-HWY_INLINE void Project(V4* p, const float* rows, V b, bool pair, Multipliers& l) {
+template <bool kPair, bool kKept>
+HWY_INLINE void Project(V4* p, const float* rows, V b, Multipliers& l) {
     const D d;
+    const V r = hn::Load(d, rows + 6 * kLanes);
     const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
     const V one = hn::Set(d, 1.0F);
     // C^2 is dimensionless and 3 at rest; a collapsed tet may have 0.
     const V least = hn::Set(d, 1e-6F);
     TetGradients g = Gradients(p, rows);
-    V c2 = hn::Max(g.c2, least);
-    V right_d = hn::Neg(hn::MulAdd(hn::Sqrt(c2), l.deviatoric, c2));
+    const V c2 = hn::Max(g.c2, least);
+    V c = hn::Zero(d), right_d = hn::Neg(c2);
+    if constexpr (kKept) {
+        c = hn::Sqrt(c2);
+        right_d = hn::NegMulAdd(c, l.deviatoric, right_d);
+    }
     const V a11 = hn::MulAdd(b, Weighted(p, g.deviatoric, g.deviatoric), c2);
-    if (pair) {
+    if constexpr (kPair) {
         const V y = Finite(hn::Div(right_d, a11));
         Move(p, hn::Mul(b, y), g.deviatoric);
-        l.deviatoric = hn::MulAdd(hn::Sqrt(c2), y, l.deviatoric);
+        if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
         g = Gradients(p, rows);
     }
-    const V right_h = hn::Neg(hn::MulAdd(ratio, l.volume, hn::Sub(hn::Sub(g.j, one), ratio)));
-    const V a22 = hn::MulAdd(b, Weighted(p, g.volume, g.volume), ratio);
-    if (pair) {
+    // g.volume is the gradient of J / r.
+    const V br = hn::Mul(b, r);
+    V right_h = hn::Sub(hn::Add(one, ratio), g.j);
+    if constexpr (kKept) right_h = hn::NegMulAdd(ratio, l.volume, right_h);
+    const V a22 = hn::MulAdd(hn::Mul(br, r), Weighted(p, g.volume, g.volume), ratio);
+    if constexpr (kPair) {
         const V z = Finite(hn::Div(right_h, a22));
-        Move(p, hn::Mul(b, z), g.volume);
+        Move(p, hn::Mul(br, z), g.volume);
         l.volume = hn::Add(l.volume, z);
-        return;
+    } else {
+        const V a12 = hn::Mul(br, Weighted(p, g.deviatoric, g.volume));
+        // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
+        const V product = hn::Mul(a11, a22);
+        const V determinant =
+            hn::Max(hn::NegMulAdd(a12, a12, product), hn::Mul(hn::Set(d, 1e-6F), product));
+        const V inverse = hn::Div(one, determinant);
+        V y = hn::Mul(inverse, hn::NegMulAdd(a12, right_h, hn::Mul(a22, right_d)));
+        V z = hn::Mul(inverse, hn::NegMulAdd(a12, right_d, hn::Mul(a11, right_h)));
+        const M finite = FiniteLanes(hn::Add(y, z));
+        y = hn::IfThenElseZero(finite, y);
+        z = hn::IfThenElseZero(finite, z);
+        // At rest the two parts cancel: add them before they meet the position, one rounding.
+        const V rz = hn::Mul(r, z);
+        Gradient sum;
+        for (int i = 0; i < 3; ++i) {
+            sum.corner[i] = MulAdd(y, g.deviatoric.corner[i], Scale(rz, g.volume.corner[i]));
+        }
+        sum.minus = MulAdd(y, g.deviatoric.minus, Scale(rz, g.volume.minus));
+        Move(p, b, sum);
+        l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
+        l.volume = hn::Add(l.volume, z);
     }
-    const V a12 = hn::Mul(b, Weighted(p, g.deviatoric, g.volume));
-    // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
-    const V product = hn::Mul(a11, a22);
-    const V determinant =
-        hn::Max(hn::NegMulAdd(a12, a12, product), hn::Mul(hn::Set(d, 1e-6F), product));
-    const V inverse = hn::Div(one, determinant);
-    const V y = Finite(hn::Mul(inverse, hn::NegMulAdd(a12, right_h, hn::Mul(a22, right_d))));
-    const V z = Finite(hn::Mul(inverse, hn::NegMulAdd(a12, right_d, hn::Mul(a11, right_h))));
-    // At rest the two parts cancel: add them before they meet the position, one rounding.
-    V3 sum[4];
-    for (int i = 0; i < 4; ++i) sum[i] = MulAdd(y, g.deviatoric[i], Scale(z, g.volume[i]));
-    Move(p, b, sum);
-    l.deviatoric = hn::MulAdd(hn::Sqrt(c2), y, l.deviatoric);
-    l.volume = hn::Add(l.volume, z);
 }
 
+template <bool kPair, bool kKept>
 HWY_INLINE uint32_t SolveTetBatch(const KernelArguments& a, int number) {
     const D d;
     const PackedElements& packed = *a.packed;
     const auto at = static_cast<size_t>(number);
     const TetBatch& batch = packed.tet_batches[at];
-    const bool kept = packed.tet_lambda_start >= 0;
     for (size_t lane = 0; lane < static_cast<size_t>(batch.count); lane += hn::Lanes(d)) {
         const uint16_t* index = packed.tet_index.data() + at * 4 * kLanes + lane;
         const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + lane;
@@ -136,13 +164,13 @@ HWY_INLINE uint32_t SolveTetBatch(const KernelArguments& a, int number) {
             p[k] = Gather(reinterpret_cast<const char*>(a.x + batch.base), index + k * kLanes);
         }
         Multipliers l = {hn::Zero(d), hn::Zero(d)};
-        float* memory = nullptr;
-        if (kept) {
+        [[maybe_unused]] float* memory = nullptr;
+        if constexpr (kKept) {
             memory = a.lanes + packed.tet_lambda_start + at * 2 * kLanes + lane;
             l = {hn::Load(d, memory), hn::Load(d, memory + kLanes)};
         }
-        Project(p, rows, hn::Mul(hn::Set(d, a.h * a.h), stiffness), a.pair, l);
-        if (kept) {
+        Project<kPair, kKept>(p, rows, hn::Mul(hn::Set(d, a.h * a.h), stiffness), l);
+        if constexpr (kKept) {
             hn::Store(l.deviatoric, d, memory);
             hn::Store(l.volume, d, memory + kLanes);
         }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A fixed team of threads for one solver. Work is split by index, never stolen, and the same input
-// gives the same bits at any number of threads. Waiting spins briefly and then sleeps. A team whose
-// member has lost its core waits a whole time slice at every barrier: when that happens the caller
-// works alone for a while and then tries the team again, so that a busy machine slows the solver
-// down smoothly.
+// A fixed team of threads for one solver. A run is a handful of jobs that touch nothing in common,
+// so that the same input gives the same bits whoever does them. The caller takes jobs from the
+// front, the others from the back, and the caller never waits for a thread that has not begun: on a
+// busy machine, where a thread may be without a core for a whole time slice, it does the work
+// alone. Waiting spins briefly and then sleeps.
 
 #include <cstdint>
 #include <memory>
@@ -15,8 +15,8 @@ namespace placode::sim {
 class Workers {
  public:
     enum class Team : uint8_t {
-        kAdaptive,  ///< Works alone for a while after a stall.
-        kFixed,     ///< Always all threads; for tests and measurements.
+        kAdaptive,  ///< The caller works alone for a while after a stall.
+        kFixed,     ///< Always offers jobs to all threads; for tests and measurements.
     };
 
     /// `threads` >= 1 counts the calling thread; 1 starts no thread at all.
@@ -26,18 +26,24 @@ class Workers {
     Workers& operator=(const Workers&) = delete;
 
     [[nodiscard]] int threads() const noexcept;
-    /// Number of parts of the current run: threads(), or 1 while the caller works alone.
-    [[nodiscard]] int parts() const noexcept;
-    /// How often a member had lost its core so far.
+    /// How often a thread had lost its core in the middle of a job so far.
     [[nodiscard]] int64_t stalls() const noexcept;
+    /// True while the caller works alone.
+    [[nodiscard]] bool alone() const noexcept;
 
-    /// Runs `body(context, part)` for part = 0 .. parts()-1, part 0 on the caller; returns when
-    /// all are done. Never allocates.
-    using Body = void (*)(void* context, int part) noexcept;
-    void run(Body body, void* context) noexcept;
+    /// Calls `body(context, job)` for job = 0 .. jobs-1, each once, on the caller and the team in
+    /// any order; returns when all are done. `jobs` up to 65,535. Never allocates.
+    using Body = void (*)(void* context, int job) noexcept;
+    void run(int jobs, Body body, void* context) noexcept;
 
-    /// Inside a body: waits until all parts are here.
-    void barrier() noexcept;
+    /// The same for an object: calls `(object.*method)(job)`.
+    template <auto kMethod, class Object>
+    void run(int jobs, Object& object) noexcept {
+        run(
+            jobs,
+            [](void* context, int job) noexcept { (static_cast<Object*>(context)->*kMethod)(job); },
+            &object);
+    }
 
  private:
     struct Impl;

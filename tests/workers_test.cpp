@@ -15,61 +15,59 @@ namespace {
 
 struct Counting {
     std::array<std::atomic<int>, 8> calls{};
-    std::array<std::thread::id, 8> thread{};
+    std::atomic<int> others{0};
+    std::thread::id caller = std::this_thread::get_id();
 };
 
-void count(void* context, int part) noexcept {
+void count(void* context, int job) noexcept {
     auto& c = *static_cast<Counting*>(context);
-    c.calls[static_cast<size_t>(part)].fetch_add(1);
-    c.thread[static_cast<size_t>(part)] = std::this_thread::get_id();
+    c.calls[static_cast<size_t>(job)].fetch_add(1);
+    if (std::this_thread::get_id() != c.caller) c.others.fetch_add(1);
+    std::this_thread::sleep_for(std::chrono::microseconds(200));  // long enough to share
 }
 
 }  // namespace
 
-TEST(Workers, RunsEveryPartOnceAndPartZeroOnTheCaller) {
+TEST(Workers, DoesEveryJobOnceAndSharesThem) {
     for (int threads = 1; threads <= 8; ++threads) {
         Workers workers(threads, Workers::Team::kFixed);
         EXPECT_EQ(workers.threads(), threads);
         Counting c;
-        for (int round = 0; round < 50; ++round) workers.run(count, &c);
-        for (int part = 0; part < 8; ++part) {
-            EXPECT_EQ(c.calls[static_cast<size_t>(part)].load(), part < threads ? 50 : 0);
-        }
-        EXPECT_EQ(c.thread[0], std::this_thread::get_id());
-        if (threads > 1) {
-            EXPECT_NE(c.thread[1], std::this_thread::get_id());
-        }
+        for (int round = 0; round < 50; ++round) workers.run(8, count, &c);
+        for (const auto& calls : c.calls) EXPECT_EQ(calls.load(), 50);
+        EXPECT_EQ(c.others.load() > 0, threads > 1);
     }
 }
 
 TEST(Workers, FewerThanOneThreadMeansTheCallerAlone) {
     Workers workers(0);
     EXPECT_EQ(workers.threads(), 1);
+    EXPECT_TRUE(workers.alone());
 }
 
-TEST(Workers, NobodyPassesABarrierBeforeAllHaveArrived) {
-    struct Race {
-        Workers* workers;
-        std::array<int, 8> place{};  // plain ints: the barrier must order them
+TEST(Workers, EachRunSeesWhatTheRunsBeforeItHaveWritten) {
+    struct Relay {
+        std::array<int, 16> place{};  // plain ints: the runs must order them
+        int step = 0;
         std::atomic<int> wrong{0};
     };
     for (int threads : {2, 3, 4}) {
         Workers workers(threads, Workers::Team::kFixed);
-        Race race{&workers, {}, {}};
-        workers.run(
-            [](void* context, int part) noexcept {
-                auto& r = *static_cast<Race*>(context);
-                for (int step = 1; step <= 200; ++step) {
-                    r.place[static_cast<size_t>(part)] = step;
-                    r.workers->barrier();
-                    for (int other = 0; other < r.workers->threads(); ++other) {
-                        if (r.place[static_cast<size_t>(other)] != step) ++r.wrong;
-                    }
-                    r.workers->barrier();
-                }
-            },
-            &race);
-        EXPECT_EQ(race.wrong.load(), 0) << threads;
+        Relay relay;
+        for (relay.step = 1; relay.step <= 20000; ++relay.step) {
+            workers.run(
+                16,
+                [](void* context, int job) noexcept {
+                    auto& r = *static_cast<Relay*>(context);
+                    // Written by whoever did the neighbour's job in the run before.
+                    const auto own = static_cast<size_t>(job);
+                    if (r.place[own] != r.step - 1) ++r.wrong;
+                    r.place[own] = r.step;
+                },
+                &relay);
+            if (relay.place[15] != relay.step) ++relay.wrong;
+        }
+        EXPECT_EQ(relay.wrong.load(), 0) << threads;
     }
 }
 
@@ -77,46 +75,42 @@ TEST(Workers, WakesUpAgainAfterSleeping) {
     Workers workers(2, Workers::Team::kFixed);
     Counting c;
     for (int round = 0; round < 3; ++round) {
-        workers.run(count, &c);
+        workers.run(8, count, &c);
         std::this_thread::sleep_for(std::chrono::milliseconds(5));  // far beyond the spinning
     }
-    EXPECT_EQ(c.calls[1].load(), 3);
+    EXPECT_EQ(c.calls[7].load(), 3);
 }
 
-TEST(Workers, AMemberWithoutACoreSendsTheTeamAwayForAWhile) {
+TEST(Workers, AThreadWithoutACoreSendsTheTeamAwayForAWhile) {
     struct Job {
-        Workers* workers;
-        bool late = false;
-        std::atomic<int> parts{0};
+        std::thread::id caller = std::this_thread::get_id();
+        std::atomic<bool> late{true};
+        std::atomic<int> by_others{0};
     };
     Workers workers(2);
-    Job job{&workers, true, {}};
-    const auto body = [](void* context, int part) noexcept {
+    Job job;
+    const auto body = [](void* context, int) noexcept {
         auto& j = *static_cast<Job*>(context);
-        // As if the second thread had lost its core for longer than a time slice.
-        if (part == 1 && j.late) std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        j.workers->barrier();
-        ++j.parts;
+        if (std::this_thread::get_id() == j.caller) {
+            std::this_thread::sleep_for(std::chrono::microseconds(100));  // let the other begin
+            return;
+        }
+        ++j.by_others;
+        // As if it had lost its core in the middle of a job.
+        if (j.late) std::this_thread::sleep_for(std::chrono::milliseconds(5));
     };
     // On a busy machine the caller too may lose its core, until the time alone is over: try again.
     bool alone = false;
-    for (int i = 0; i < 100 && !alone; ++i) {
+    for (int i = 0; i < 1000 && !alone; ++i) {
         job.late = true;
         const int64_t before = workers.stalls();
-        for (int k = 0; k < 1000 && workers.stalls() == before; ++k) {
-            workers.run(body, &job);
-            if (workers.parts() == 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        }
+        for (int k = 0; k < 1000 && workers.stalls() == before; ++k) workers.run(4, body, &job);
         job.late = false;
-        job.parts = 0;
-        workers.run(body, &job);
-        alone = job.parts == 1 && workers.parts() == 1;
+        job.by_others = 0;
+        workers.run(4, body, &job);
+        alone = workers.alone() && job.by_others == 0;
     }
     EXPECT_TRUE(alone) << "the caller works alone after a stall";
-    int rounds = 0;
-    for (; workers.parts() == 1 && rounds < 10000; ++rounds) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-        workers.run(body, &job);
-    }
-    EXPECT_EQ(workers.parts(), 2) << "the team never came back";
+    for (int k = 0; k < 100000 && job.by_others == 0; ++k) workers.run(4, body, &job);
+    EXPECT_GT(job.by_others, 0) << "the team never came back";
 }
