@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One substep on a team of threads. Every part works on ranges that depend on indices only, and
 // inside a colour nothing is shared: the bits do not depend on the number of threads.
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "sim/event.h"
+#include "sim/links.h"
 #include "sim/soft_body_kernels.h"
 
 namespace placode::sim {
@@ -177,7 +177,7 @@ class Substep {
         for (colour_ = 0; colour_ + 1 < starts.size(); ++colour_) {
             workers_.run<&Substep::colour_part>(workers_.threads(), *this);
         }
-        if (!packed_.tether_vertices.empty()) solve_tethers_vbd();
+        if (!packed_.tether_vertices.empty()) raise(solve_tethers_vbd(body_, state_, h_));
     }
     void colour_part(int part) noexcept {
         const int first = packed_.colour_start[colour_], last = packed_.colour_start[colour_ + 1];
@@ -190,8 +190,8 @@ class Substep {
             first_job_ = phases[p];
             workers_.run<&Substep::tet_job>(phases[p + 1] - phases[p], *this);
         }
-        solve_springs_xpbd();
-        solve_tethers_xpbd();
+        solve_springs_xpbd(body_, state_, h_);
+        solve_tethers_xpbd(body_, state_, h_);
     }
     void tet_job(int job) noexcept {
         const auto& starts = packed_.tet_job_start;
@@ -237,99 +237,7 @@ class Substep {
         }
     }
 
-    void solve_tethers_vbd() noexcept {
-        for (const int32_t i : packed_.tether_vertices) {
-            Float4& x = state_.x[at(i)];
-            if (x.w == 0) continue;
-            const VertexSystem s = vertex_system(body_, state_, i, h_);
-            Vec3 step = -body_.spec().solver.over_relaxation * s.hessian.ldlt().solve(s.gradient);
-            if (!step.allFinite()) continue;
-            const double limit = static_cast<double>(body_.shortest_edge_m()[at(i)]) / 4;
-            if (step.norm() > limit) {
-                step *= limit / step.norm();
-                raise(kStepLimited);
-            }
-            x.x += static_cast<float>(step.x());
-            x.y += static_cast<float>(step.y());
-            x.z += static_cast<float>(step.z());
-        }
-        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
-            if (state_.tether_alive[i] == 0) continue;
-            const Tether& t = body_.spec().tethers[i];
-            const double excess = std::max(0.0, between(t).norm() - t.rest_m);
-            state_.tether_lambda_n[i] = static_cast<float>(excess / t.compliance_m_n);
-        }
-    }
-
-    [[nodiscard]] Vec3 between(const Tether& t) const noexcept {
-        const Float4& a = state_.x[at(t.vertex[0])];
-        const Float4& b = state_.x[at(t.vertex[1])];
-        return Vec3(b.x, b.y, b.z) - Vec3(a.x, a.y, a.z);
-    }
-
-    void solve_tethers_xpbd() noexcept {
-        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
-            if (state_.tether_alive[i] == 0) continue;
-            const Tether& t = body_.spec().tethers[i];
-            Float4& a = state_.x[at(t.vertex[0])];
-            Float4& b = state_.x[at(t.vertex[1])];
-            const Vec3 d = between(t);
-            const double length = d.norm(), w = static_cast<double>(a.w) + static_cast<double>(b.w);
-            const double compliance = t.compliance_m_n / (h_ * h_);
-            const double before = static_cast<double>(state_.tether_lambda_n[i]) * h_ * h_;
-            // One-sided: the multiplier pulls or is zero.
-            const double after = std::max(
-                0.0, before + (length - t.rest_m - compliance * before) / (w + compliance));
-            if (!(length > 0) || !std::isfinite(after)) continue;
-            const Vec3 step = (after - before) / length * d;
-            state_.tether_lambda_n[i] = static_cast<float>(after / (h_ * h_));
-            move(a, static_cast<double>(a.w) * step);
-            move(b, -static_cast<double>(b.w) * step);
-        }
-    }
-
-    static void move(Float4& x, const Vec3& step) noexcept {
-        x.x += static_cast<float>(step.x());
-        x.y += static_cast<float>(step.y());
-        x.z += static_cast<float>(step.z());
-    }
-
-    /// A linear spring has an exact XPBD block: (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
-    /// where m/h^2 sum of the earlier dx is the accumulated multiplier.
-    void solve_springs_xpbd() noexcept {
-        for (size_t i = 0; i < packed_.spring_vertices.size(); ++i) {
-            const int32_t vertex = packed_.spring_vertices[i];
-            Float4& x = state_.x[at(vertex)];
-            if (x.w == 0) continue;
-            const VertexBatch& b = packed_.batches[at(packed_.slot[at(vertex)] / kLanes)];
-            const float* k =
-                packed_.springs.data() + b.spring_start + packed_.slot[at(vertex)] % kLanes;
-            const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
-            Mat3 stiffness;
-            stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
-            Vec3 force = stiffness * (Vec3(x.x, x.y, x.z) - Vec3(row(6), row(7), row(8))) +
-                         Vec3(row(9), row(10), row(11));
-            const double inertia = 1 / (static_cast<double>(x.w) * h_ * h_);
-            float* sum = packed_.spring_sum_start < 0
-                             ? nullptr
-                             : state_.lanes.data() + packed_.spring_sum_start + 3 * i;
-            if (sum != nullptr) force += inertia * Vec3(sum[0], sum[1], sum[2]);
-            stiffness.diagonal().array() += inertia;
-            const Vec3 step = -stiffness.ldlt().solve(force);
-            if (!step.allFinite()) continue;
-            move(x, step);
-            for (int c = 0; sum != nullptr && c < 3; ++c) sum[c] += static_cast<float>(step[c]);
-        }
-    }
-
-    void break_tethers() noexcept {
-        for (size_t i = 0; i < state_.tether_alive.size(); ++i) {
-            if (static_cast<double>(state_.tether_lambda_n[i]) > body_.spec().tethers[i].break_n) {
-                state_.tether_alive[i] = 0;
-                broke_ = true;
-            }
-        }
-    }
+    void break_tethers() noexcept { broke_ = break_overloaded_tethers(body_, state_); }
 
     const SoftBody& body_;
     SoftBodyState& state_;

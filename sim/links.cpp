@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/links.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/event.h"
+#include "sim/packing.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+Vec3 between(const SoftBodyState& state, const Tether& t) noexcept {
+    const Float4& a = state.x[at(t.vertex[0])];
+    const Float4& b = state.x[at(t.vertex[1])];
+    return Vec3(b.x, b.y, b.z) - Vec3(a.x, a.y, a.z);
+}
+
+void move(Float4& x, const Vec3& step) noexcept {
+    x.x += static_cast<float>(step.x());
+    x.y += static_cast<float>(step.y());
+    x.z += static_cast<float>(step.z());
+}
+
+}  // namespace
+
+uint32_t solve_tethers_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
+    uint32_t flags = 0;
+    for (const int32_t i : body.packed().tether_vertices) {
+        Float4& x = state.x[at(i)];
+        if (x.w == 0) continue;
+        const VertexSystem s = vertex_system(body, state, i, h);
+        Vec3 step = -body.spec().solver.over_relaxation * s.hessian.ldlt().solve(s.gradient);
+        if (!step.allFinite()) continue;
+        const double limit = static_cast<double>(body.shortest_edge_m()[at(i)]) / 4;
+        if (step.norm() > limit) {
+            step *= limit / step.norm();
+            flags |= kStepLimited;
+        }
+        move(x, step);
+    }
+    for (size_t i = 0; i < state.tether_alive.size(); ++i) {
+        if (state.tether_alive[i] == 0) continue;
+        const Tether& t = body.spec().tethers[i];
+        const double excess = std::max(0.0, between(state, t).norm() - t.rest_m);
+        state.tether_lambda_n[i] = static_cast<float>(excess / t.compliance_m_n);
+    }
+    return flags;
+}
+
+void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
+    for (size_t i = 0; i < state.tether_alive.size(); ++i) {
+        if (state.tether_alive[i] == 0) continue;
+        const Tether& t = body.spec().tethers[i];
+        Float4& a = state.x[at(t.vertex[0])];
+        Float4& b = state.x[at(t.vertex[1])];
+        const Vec3 d = between(state, t);
+        const double length = d.norm(), w = static_cast<double>(a.w) + static_cast<double>(b.w);
+        const double compliance = t.compliance_m_n / (h * h);
+        const double before = static_cast<double>(state.tether_lambda_n[i]) * h * h;
+        // One-sided: the multiplier pulls or is zero.
+        const double after =
+            std::max(0.0, before + (length - t.rest_m - compliance * before) / (w + compliance));
+        if (!(length > 0) || !std::isfinite(after)) continue;
+        const Vec3 step = (after - before) / length * d;
+        state.tether_lambda_n[i] = static_cast<float>(after / (h * h));
+        move(a, static_cast<double>(a.w) * step);
+        move(b, -static_cast<double>(b.w) * step);
+    }
+}
+
+// A linear spring has an exact XPBD block: (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
+// where m/h^2 sum of the earlier dx is the accumulated multiplier.
+void solve_springs_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
+    const PackedElements& packed = body.packed();
+    for (size_t i = 0; i < packed.spring_vertices.size(); ++i) {
+        const int32_t vertex = packed.spring_vertices[i];
+        Float4& x = state.x[at(vertex)];
+        if (x.w == 0) continue;
+        const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
+        const float* k = packed.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
+        const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
+        Mat3 stiffness;
+        stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
+        Vec3 force = stiffness * (Vec3(x.x, x.y, x.z) - Vec3(row(6), row(7), row(8))) +
+                     Vec3(row(9), row(10), row(11));
+        const double inertia = 1 / (static_cast<double>(x.w) * h * h);
+        float* sum = packed.spring_sum_start < 0
+                         ? nullptr
+                         : state.lanes.data() + packed.spring_sum_start + 3 * i;
+        if (sum != nullptr) force += inertia * Vec3(sum[0], sum[1], sum[2]);
+        stiffness.diagonal().array() += inertia;
+        const Vec3 step = -stiffness.ldlt().solve(force);
+        if (!step.allFinite()) continue;
+        move(x, step);
+        for (int c = 0; sum != nullptr && c < 3; ++c) sum[c] += static_cast<float>(step[c]);
+    }
+}
+
+bool break_overloaded_tethers(const SoftBody& body, SoftBodyState& state) noexcept {
+    bool broke = false;
+    for (size_t i = 0; i < state.tether_alive.size(); ++i) {
+        if (static_cast<double>(state.tether_lambda_n[i]) > body.spec().tethers[i].break_n) {
+            state.tether_alive[i] = 0;
+            broke = true;
+        }
+    }
+    return broke;
+}
+
+}  // namespace placode::sim

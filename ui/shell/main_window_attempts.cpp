@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What becomes of an attempt when its process has ended, and of those that a crash left over.
+#include <QFile>
+#include <memory>
+
+#include "ui/shell/main_window.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+
+void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
+    updateFrame();
+    const bool waiting = place_.page == PageId::kRunning;
+    // Exit status 2 before the first frame: bad input, e.g. a device that is not there.
+    const bool never_began =
+        !ending.crashed && ending.exit_code == 2 && context_.launcher().status().time_s <= 0;
+    if (never_began || !QFile::exists(ending.order.recording_file)) {
+        remove_recording(ending.order.recording_file);
+        context_.report({tr("The attempt could not be started."),
+                         tr("Choose another device or try again."), ending.message});
+        if (waiting) showPlace({PageId::kTask, 0, ending.order.task, {}});
+        return;
+    }
+    if ((ending.crashed || ending.exit_code != 0) && !ending.asked) {
+        // The person decides what becomes of it; until then the file stays.
+        if (waiting) showPlace({PageId::kRecovery, 0, {}, {}});
+        context_.report({tr("The simulator ended unexpectedly."),
+                         tr("What was recorded is kept and can be saved as interrupted."),
+                         ending.message});
+        return;
+    }
+    saveAttempt(ending);
+}
+
+void MainWindow::saveAttempt(const AttemptEnding& ending) {
+    auto saved = std::make_shared<SavedAttempt>();
+    context_.background(
+        this, tr("Scoring and saving the attempt"),
+        [saved, order = ending.order](db::Store& store) { *saved = save_recording(store, order); },
+        [this, saved, ending](bool done) {
+            const bool waiting = place_.page == PageId::kRunning;
+            if (!done) {
+                // The banner has the reason; the recording stays and is offered again.
+                if (waiting) showPlace({PageId::kRecovery, 0, {}, {}});
+                return;
+            }
+            if (saved->outcome == Saving::kEmpty) {
+                context_.report({tr("The attempt ended before anything was recorded."),
+                                 tr("Try again."), ending.message});
+                if (waiting) showPlace({PageId::kTask, 0, ending.order.task, {}});
+                return;
+            }
+            const Place result{PageId::kResult, saved->attempt_id, {}, {}};
+            if (!context_.signedIn() || context_.user().id != ending.order.user_id) return;
+            if (waiting) return showPlace(result);
+            banner_->showNotice(tr("Your attempt was saved."),
+                                {tr("Open the result"), [this, result] { open(result); }});
+        });
+}
+
+void MainWindow::offerLeftovers() {
+    int mine = 0;
+    Leftover last;
+    context_.guard(tr("Looking for unfinished attempts"), [&] {
+        const bool all = context_.may(db::Action::kManageUsers, db::Scope::kOther);
+        for (Leftover& leftover : find_leftovers(context_.recordingsFolder())) {
+            const bool own = leftover.order && leftover.order->user_id == context_.user().id;
+            if (!own && !(all && !leftover.order)) continue;
+            ++mine;
+            last = std::move(leftover);
+        }
+    });
+    if (mine == 0) return;
+    const QString text =
+        mine == 1 ? tr("An attempt of %1 was not finished or not saved (%2).")
+                        .arg(format_clock(last.started_utc), format_duration(last.duration_s))
+                  : tr("Attempts that were not finished or not saved: %1.").arg(mine);
+    banner_->showNotice(text, {tr("Look at it"), [this] { open({PageId::kRecovery, 0, {}, {}}); }});
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The frame around the pages: rail, top bar, banner.
+#include <QActionGroup>
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QProgressBar>
+#include <QToolButton>
+
+#include "ui/shell/main_window.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+
+void MainWindow::buildFrame() {
+    auto* frame = new QWidget;
+    frame->setProperty("role", "page");
+    auto* row = new QHBoxLayout(frame);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    rail_ = buildRail();
+    row->addWidget(rail_);
+    auto* right = new QVBoxLayout;
+    right->setSpacing(0);
+    bar_ = buildTopBar();
+    right->addWidget(bar_);
+    auto* messages = new QVBoxLayout;
+    messages->setContentsMargins(kSpace32, kSpace12, kSpace32, 0);
+    banner_ = new Banner(context_);
+    messages->addWidget(banner_);
+    busy_ = new QWidget;
+    auto* busy = new QVBoxLayout(busy_);
+    busy->setContentsMargins(0, kSpace4, 0, 0);
+    busy->setSpacing(kSpace4);
+    busy_text_ = make_label({}, "small");
+    auto* bar = new QProgressBar;
+    bar->setRange(0, 0);
+    bar->setTextVisible(false);
+    bar->setAccessibleName(tr("Work in progress"));
+    busy->addWidget(busy_text_);
+    busy->addWidget(bar);
+    busy_->hide();
+    messages->addWidget(busy_);
+    right->addLayout(messages);
+    content_ = new QVBoxLayout;
+    content_->setContentsMargins(0, 0, 0, 0);
+    right->addLayout(content_, 1);
+    row->addLayout(right, 1);
+    setCentralWidget(frame);
+}
+
+QWidget* MainWindow::buildRail() {
+    auto* rail = new QFrame;
+    rail->setProperty("role", "rail");
+    rail->setFixedWidth(216);
+    rail->setAccessibleName(tr("Pages"));
+    auto* layout = new QVBoxLayout(rail);
+    layout->setContentsMargins(kSpace12, kSpace16, kSpace12, kSpace16);
+    layout->setSpacing(kSpace4);
+    auto* mark = new QHBoxLayout;
+    mark->setContentsMargins(kSpace12, 0, 0, kSpace16);
+    auto* picture = new QLabel;
+    picture->setPixmap(line_icon("placode", context_.colors().accent).pixmap(28, 28));
+    mark->addWidget(picture);
+    mark->addSpacing(kSpace8);
+    mark->addWidget(make_label("Placode", "title"), 1);
+    layout->addLayout(mark);
+    rail_buttons_.clear();
+    const auto add = [&](PageId page, const QString& text, const QString& icon, bool wanted) {
+        if (!wanted) return;
+        auto* button = new QToolButton;
+        button->setProperty("role", "rail");
+        button->setObjectName("rail_" + icon);
+        button->setText(" " + text);
+        button->setAccessibleName(text);
+        button->setIcon(line_icon(icon, context_.colors().muted));
+        button->setIconSize(QSize(20, 20));
+        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setMinimumHeight(kTouchTarget);
+        connect(button, &QToolButton::clicked, this, [this, page] {
+            open({page, 0, {}, {}});
+            updateFrame();
+        });
+        layout->addWidget(button);
+        rail_buttons_.emplace_back(button, page);
+    };
+    using db::Action;
+    using db::Scope;
+    const bool trains = context_.signedIn() && context_.may(Action::kPerformAttempt) &&
+                        (db::has_role(context_.user().roles, db::Role::kTrainee) ||
+                         db::has_role(context_.user().roles, db::Role::kEducator));
+    add(PageId::kToday, tr("Today"), "today", trains);
+    add(PageId::kCourse, tr("Course"), "course", trains);
+    add(PageId::kHistory, tr("History"), "history", trains);
+    add(PageId::kAttempts, tr("Attempts"), "attempts",
+        context_.may(Action::kViewAttempts, Scope::kOther));
+    add(PageId::kStudies, tr("Studies"), "studies", context_.may(Action::kRunQuestionnaire));
+    add(PageId::kPeople, tr("People"), "people", context_.may(Action::kManageUsers, Scope::kOther));
+    add(PageId::kHealth, tr("Health"), "health", context_.may(Action::kBackup, Scope::kOther));
+    add(PageId::kAudit, tr("Audit"), "audit", context_.may(Action::kViewAudit, Scope::kOther));
+    layout->addStretch();
+    return rail;
+}
+
+QWidget* MainWindow::buildTopBar() {
+    auto* bar = new QFrame;
+    bar->setProperty("role", "bar");
+    bar->setFixedHeight(60);
+    auto* row = new QHBoxLayout(bar);
+    row->setContentsMargins(kSpace32, kSpace8, kSpace16, kSpace8);
+    row->setSpacing(kSpace8);
+    title_ = make_label({}, "heading");
+    title_->setWordWrap(false);
+    row->addWidget(title_);
+    if (context_.signedIn() && context_.user().demonstration)
+        row->addWidget(make_demonstration_badge());
+    row->addStretch();
+    running_ = new QToolButton;
+    running_->setObjectName("running_chip");
+    running_->setText(tr("Attempt is running"));
+    running_->setIcon(line_icon("play", context_.colors().accent));
+    running_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    connect(running_, &QToolButton::clicked, this, [this] { open({PageId::kRunning, 0, {}, {}}); });
+    row->addWidget(running_);
+    const bool dark = context_.theme() == ThemeKind::kDark;
+    auto* language = new QToolButton;
+    language->setObjectName("language");
+    language->setText(context_.language() == "pl" ? "EN" : "PL");
+    language->setIcon(line_icon("language", context_.colors().text));
+    language->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    language->setToolTip(context_.language() == "pl" ? "English" : "Polski");
+    language->setAccessibleName(language->toolTip());
+    connect(language, &QToolButton::clicked, this,
+            [this] { context_.setLanguage(context_.language() == "pl" ? "en" : "pl"); });
+    auto* theme = new QToolButton;
+    theme->setObjectName("theme");
+    theme->setIcon(line_icon(dark ? "sun" : "moon", context_.colors().text));
+    theme->setToolTip(dark ? tr("Light theme") : tr("Dark theme"));
+    theme->setAccessibleName(theme->toolTip());
+    connect(theme, &QToolButton::clicked, this,
+            [this, dark] { context_.setTheme(dark ? ThemeKind::kLight : ThemeKind::kDark); });
+    for (QToolButton* button : {running_, language, theme}) {
+        button->setIconSize(QSize(20, 20));
+        button->setFocusPolicy(Qt::StrongFocus);
+    }
+    row->addWidget(language);
+    row->addWidget(theme);
+    addUserMenu(row);
+    return bar;
+}
+
+void MainWindow::addUserMenu(QHBoxLayout* bar) {
+    if (!context_.signedIn()) return;
+    auto* user = new QToolButton;
+    user->setObjectName("user_menu");
+    user->setText(qstr(context_.user().display_name));
+    user->setAccessibleName(tr("Account of %1").arg(user->text()));
+    user->setIcon(line_icon("account", context_.colors().text));
+    user->setIconSize(QSize(20, 20));
+    user->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    user->setFocusPolicy(Qt::StrongFocus);
+    user->setPopupMode(QToolButton::InstantPopup);
+    auto* menu = new QMenu(user);
+    const Tokens& colors = context_.colors();
+    QAction* account = menu->addAction(line_icon("account", colors.text), tr("My account"));
+    QAction* recovery =
+        menu->addAction(line_icon("history", colors.text), tr("Unfinished attempts"));
+    menu->addSeparator();
+    QAction* change = menu->addAction(line_icon("switch", colors.text), tr("Switch user"));
+    QAction* out = menu->addAction(line_icon("signout", colors.text), tr("Sign out"));
+    out->setShortcut(QKeySequence("Ctrl+Shift+Q"));
+    account->setObjectName("action_account");
+    recovery->setObjectName("action_recovery");
+    change->setObjectName("action_switch");
+    out->setObjectName("action_sign_out");
+    connect(account, &QAction::triggered, this, [this] { open({PageId::kAccount, 0, {}, {}}); });
+    connect(recovery, &QAction::triggered, this, [this] { open({PageId::kRecovery, 0, {}, {}}); });
+    // Switching keeps nobody's name in the field; signing out proposes the same person again.
+    connect(change, &QAction::triggered, this, [this] {
+        if (page_ && !page_->mayLeave()) return;
+        context_.settings().remove("last_login");
+        context_.signOut();
+    });
+    connect(out, &QAction::triggered, this, [this] {
+        if (page_ && !page_->mayLeave()) return;
+        context_.signOut();
+    });
+    user->setMenu(menu);
+    bar->addWidget(user);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/pages.h"
+
+namespace placode::ui {
+
+Page::Page(AppContext& context) : context_(context) { setProperty("role", "page"); }
+
+Page* make_page(AppContext& context, const Place& place) {
+    switch (place.page) {
+        case PageId::kSetup:
+            return make_setup_page(context, place);
+        case PageId::kLogin:
+            return make_login_page(context, place);
+        case PageId::kToday:
+            return make_today_page(context, place);
+        case PageId::kCourse:
+            return make_course_page(context, place);
+        case PageId::kTask:
+            return make_task_page(context, place);
+        case PageId::kRunning:
+            return make_running_page(context, place);
+        case PageId::kResult:
+            return make_result_page(context, place);
+        case PageId::kHistory:
+            return make_history_page(context, place);
+        case PageId::kAttempts:
+            return make_attempts_page(context, place);
+        case PageId::kStudies:
+            return make_studies_page(context, place);
+        case PageId::kParticipant:
+            return make_participant_page(context, place);
+        case PageId::kPeople:
+            return make_people_page(context, place);
+        case PageId::kHealth:
+            return make_health_page(context, place);
+        case PageId::kAudit:
+            return make_audit_page(context, place);
+        case PageId::kAccount:
+            return make_account_page(context, place);
+        case PageId::kRecovery:
+            return make_recovery_page(context, place);
+    }
+    return make_login_page(context, place);
+}
+
+}  // namespace placode::ui
