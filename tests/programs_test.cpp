@@ -318,6 +318,52 @@ TEST_F(Programs, AStraightWayAHeatRampAndAForceHaveTheirClosedForms) {
     EXPECT_NEAR(number_in(forces, "excess_impulse_n_s"), 0.5, 1e-4);
 }
 
+TEST_F(Programs, TwoHandsAndATremorHaveTheirClosedForms) {
+    const double pi = std::acos(-1.0);
+    std::string hands = "t_s,speed_left_mm_s,speed_right_mm_s\n", tremor = "t_s,x_mm\n";
+    for (int i = 0; i < 1000; ++i) {
+        const double t = 0.01 * i;
+        hands += std::to_string(t) + "," + std::to_string(40 + 20 * std::cos(2 * pi * t)) + "," +
+                 std::to_string(40 + 20 * std::cos(2 * pi * t + pi / 3)) + "\n";
+        tremor += std::to_string(t) + "," + std::to_string(0.1 * std::sin(20 * pi * t)) + "\n";
+    }
+    write_text(file("hands.csv"), hands);
+    write_text(file("tremor.csv"), tremor);
+    const Outcome two = ctl("--json metrics hands.csv --raw");
+    ASSERT_EQ(two.status, 0) << two.err;
+    EXPECT_NEAR(number_in(two.out, "pearson_r"), 0.5, 1e-6);  // cos(60 deg); six decimals.
+    EXPECT_NEAR(number_in(two.out, "both_moving_fraction"), 1.0 / 3, 0.02);
+    const Outcome shaking = ctl("--json metrics tremor.csv");
+    ASSERT_EQ(shaking.status, 0) << shaking.err;
+    EXPECT_NEAR(number_in(shaking.out, "tremor_rms_mm"), 0.1 / std::sqrt(2.0), 1e-5);
+}
+
+TEST_F(Programs, AContourIsComparedWithItsPlan) {
+    const double pi = std::acos(-1.0);
+    std::string plan = "x_mm,y_mm\n", arc = plan;
+    for (int i = 0; i < 720; ++i) {
+        const double turn = 2 * pi * i / 720;
+        plan +=
+            std::to_string(8 * std::cos(turn)) + "," + std::to_string(8 * std::sin(turn)) + "\n";
+        // A gap of 25 degrees, half a millimetre outside.
+        if (i < 25 || i > 695) continue;
+        arc += std::to_string(8.5 * std::cos(turn)) + "," + std::to_string(8.5 * std::sin(turn)) +
+               "\n";
+    }
+    write_text(file("plan.csv"), plan);
+    write_text(file("cut.csv"), arc);
+    const Outcome good = ctl("--json contour plan.csv cut.csv");
+    ASSERT_EQ(good.status, 0) << good.err;
+    EXPECT_NEAR(number_in(good.out, "mean_abs_dev_mm"), 0.5, 1e-3);
+    EXPECT_NEAR(number_in(good.out, "completeness_percent"), 93.06, 0.3);  // 25 of 360 degrees.
+    EXPECT_NEAR(number_in(good.out, "hausdorff_plan_to_cut_mm"), 1.86, 0.05);
+    write_text(file("bad.csv"), "x,y\n1,2\n");
+    const Outcome bad = ctl("contour plan.csv bad.csv");
+    EXPECT_EQ(bad.status, 2);
+    EXPECT_THAT(bad.err, AllOf(HasSubstr("bad.csv"), HasSubstr("x_mm,y_mm")));
+    EXPECT_EQ(ctl("contour plan.csv cut.csv --tolerance 0").status, 2);
+}
+
 TEST_F(Programs, ABadSignalFileNamesLineAndColumn) {
     const auto fails = [&](const std::string& csv) {
         write_text(file("a.csv"), csv);

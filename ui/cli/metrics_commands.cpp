@@ -1,23 +1,25 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl metrics | score
+// placodectl metrics | contour | score
 
 #include <algorithm>
 #include <array>
 #include <memory>
 
 #include "assessment/scoring.h"
+#include "assessment/tissue_metrics.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "ui/cli/cli.h"
-#include "ui/cli/signal_file.h"
+#include "ui/cli/signal_metrics.h"
 
 namespace placode::cli {
 namespace {
 
 struct Options {
-    std::string file, task;
+    std::string file, task, plan;
+    double tolerance_mm = 1;
     bool recover = false;
     double threshold_n = -1;
     SignalOptions signal;
@@ -108,6 +110,53 @@ int metrics(const Context& context, const Options& options) {
     throw InputError(options.file + ": expected FILE.placode (a recording) or FILE.csv (a signal)");
 }
 
+std::vector<assessment::Vec3> read_line(const std::string& path) {
+    const SignalFile file = read_signal_file(path);
+    const std::string columns = joined(file.columns);
+    if (columns != "x_mm,y_mm" && columns != "x_mm,y_mm,z_mm") {
+        throw InputError(path + ":1: found the columns \"" + columns +
+                         "\"; expected x_mm,y_mm[,z_mm]");
+    }
+    std::vector<assessment::Vec3> line(file.values[0].size(), assessment::Vec3::Zero());
+    if (line.size() < 3) {
+        throw InputError(path + ": found " + std::to_string(line.size()) +
+                         " points; expected at least 3");
+    }
+    for (size_t axis = 0; axis < file.values.size(); ++axis) {
+        for (size_t i = 0; i < line.size(); ++i) {
+            line[i][static_cast<Eigen::Index>(axis)] = file.values[axis][i];
+        }
+    }
+    return line;
+}
+
+int contour(const Context& context, const Options& options) {
+    if (!(options.tolerance_mm > 0)) {
+        throw InputError("--tolerance " + shortest(options.tolerance_mm) +
+                         ": expected a distance above 0 mm");
+    }
+    const auto c = assessment::compare_contours(read_line(options.plan), read_line(options.file),
+                                                options.tolerance_mm);
+    const Json json{{"mean_abs_dev_mm", c.mean_abs},
+                    {"rms_mm", c.rms},
+                    {"p95_mm", c.p95},
+                    {"max_mm", c.max},
+                    {"mean_signed_mm", c.mean_signed},
+                    {"hausdorff_cut_to_plan_mm", c.hausdorff_cut_to_plan},
+                    {"hausdorff_plan_to_cut_mm", c.hausdorff_plan_to_cut},
+                    {"hausdorff_mm", c.hausdorff},
+                    {"completeness_percent", 100 * c.completeness},
+                    {"largest_gap_mm", c.largest_gap},
+                    {"gaps", c.gaps},
+                    {"tolerance_mm", options.tolerance_mm}};
+    std::vector<std::vector<std::string>> rows{{"measure", "value"}};
+    for (const auto& [key, value] : json.items()) {
+        rows.push_back({key, shortest(value.get<double>())});
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
 int score(const Context& context, const Options& options) {
     std::string damage;
     const sim::Recording recording = load_recording(options, damage);
@@ -161,6 +210,16 @@ void add_metrics_commands(CLI::App& app, Context& context) {
                               "Recording: use what stands before the damage");
     metrics_command->callback([&context, options] {
         context.run = [&context, options] { return metrics(context, *options); };
+    });
+
+    CLI::App* contour_command =
+        app.add_subcommand("contour", "How a cut line follows the planned closed line");
+    contour_command->add_option("PLAN", options->plan, "PLAN.csv: x_mm,y_mm[,z_mm]")->required();
+    contour_command->add_option("CUT", options->file, "CUT.csv, likewise")->required();
+    contour_command->add_option("--tolerance", options->tolerance_mm,
+                                "Distance at which the plan counts as cut [mm], default 1");
+    contour_command->callback([&context, options] {
+        context.run = [&context, options] { return contour(context, *options); };
     });
 
     CLI::App* score_command =

@@ -6,25 +6,11 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
-#include "assessment/motion_metrics.h"
-#include "assessment/tissue_metrics.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {
 namespace {
-
-using assessment::Quat;
-using assessment::Vec3;
-using Values = std::vector<std::pair<std::string, double>>;
-
-constexpr const char* kKnownColumns =
-    "t_s,speed_mm_s | t_s,x_mm,y_mm,z_mm[,qw,qx,qy,qz] | t_s,force_N | t_s,T_C";
-
-// Arrhenius sets: Henriques & Moritz 1947 (skin), liver as in Jacques.
-constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
-constexpr double kLiverAPerS = 7.39e39, kLiverEaJMol = 2.577e5;
 
 std::vector<std::string> split(std::string line) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -41,12 +27,6 @@ std::vector<std::string> split(std::string line) {
     }
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string text;
-    for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
-    return text;
-}
-
 double parse(const std::string& cell, const std::string& place) {
     double value = 0;
     const char* end = cell.data() + cell.size();
@@ -57,152 +37,13 @@ double parse(const std::string& cell, const std::string& place) {
     return value;
 }
 
-/// Sampling rate; throws when times do not grow, or with --raw are not evenly spaced.
-double rate_of(const SignalFile& file, bool must_be_even) {
-    const auto& time = file.values[0];
-    const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
-    for (size_t i = 1; i < time.size(); ++i) {
-        const double step = time[i] - time[i - 1];
-        const std::string place = file.path + ":" + std::to_string(i + 2) + ": t_s";
-        if (step <= 0)
-            throw InputError(place + ": found " + shortest(time[i]) + " after " +
-                             shortest(time[i - 1]) + "; expected a time that grows");
-        // 1 %: decimals cut off at 1/30 s stay far below it.
-        if (must_be_even && std::abs(step - mean) > 0.01 * mean)
-            throw InputError(place + ": a step of " + shortest(step) + " s among steps of " +
-                             shortest(mean) + " s; --raw needs even steps, leave it out");
-    }
-    return 1 / mean;
-}
-
-double trapezoid(std::span<const double> y, double dt) {
-    double sum = 0;
-    for (size_t i = 1; i < y.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * dt;
-    return sum;
-}
-
-void add(Values& out, const char* key, std::optional<double> value) {
-    if (value) out.emplace_back(key, *value);
-}
-
-void add_speed(Values& out, std::span<const double> speed, double rate_hz,
-               const SignalOptions& options) {
-    const double dt = 1 / rate_hz;
-    add(out, "peak_speed_mm_s", *std::max_element(speed.begin(), speed.end()));
-    add(out, "sparc", assessment::sparc(speed, rate_hz));
-    add(out, "ldlj_speed", assessment::ldlj_speed(speed, rate_hz));
-    add(out, "movements", assessment::movement_count(speed, options.movement_threshold_mm_s));
-    add(out, "idle_time_s", assessment::idle_time(speed, dt, options.idle_threshold_mm_s));
-}
-
-std::vector<double> on_analysis_rate(const std::vector<double>& time,
-                                     const std::vector<double>& signal) {
-    const double rate = assessment::kAnalysisRateHz;
-    const auto count = static_cast<size_t>((time.back() - time.front()) * rate + 1e-9) + 1;
-    std::vector<double> even(count);
-    size_t at = 0;
-    for (size_t k = 0; k < count; ++k) {
-        const double t = time.front() + static_cast<double>(k) / rate;
-        while (at + 2 < time.size() && time[at + 1] < t) ++at;
-        const double share = std::clamp((t - time[at]) / (time[at + 1] - time[at]), 0.0, 1.0);
-        even[k] = signal[at] + share * (signal[at + 1] - signal[at]);
-    }
-    return even;
-}
-
-Values speed_metrics(const SignalFile& file, const SignalOptions& options) {
-    double rate = rate_of(file, options.raw);
-    std::vector<double> speed = file.values[1];
-    if (!options.raw) {
-        speed = assessment::filter_forward_backward(
-            assessment::butterworth_low_pass(assessment::kCutoffHz, assessment::kAnalysisRateHz),
-            on_analysis_rate(file.values[0], speed));
-        rate = assessment::kAnalysisRateHz;
-    }
-    Values out;
-    add(out, "time_s", file.values[0].back() - file.values[0].front());
-    add(out, "path_length_mm", trapezoid(speed, 1 / rate));
-    add_speed(out, speed, rate, options);
-    return out;
-}
-
-Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
-    const auto& v = file.values;
-    const size_t count = v[0].size();
-    double rate = rate_of(file, options.raw);
-    std::vector<Vec3> position(count), velocity;
-    std::vector<Quat> orientation;
-    for (size_t i = 0; i < count; ++i) position[i] = Vec3(v[1][i], v[2][i], v[3][i]);
-    for (size_t i = 0; v.size() == 8 && i < count; ++i) {
-        const Quat q(v[4][i], v[5][i], v[6][i], v[7][i]);
-        if (!(q.norm() > 0.5))
-            throw InputError(file.path + ":" + std::to_string(i + 2) +
-                             ": qw..qz: not a rotation; expected a quaternion of length 1");
-        orientation.push_back(q.normalized());
-    }
-    std::vector<double> speed;
-    if (options.raw) {
-        for (size_t i = 0; i + 1 < count; ++i)
-            velocity.emplace_back((position[i + 1] - position[i]) * rate);
-        for (const Vec3& one : velocity) speed.push_back(one.norm());
-    } else {
-        const assessment::Track track = assessment::make_track(v[0], position, orientation);
-        rate = assessment::kAnalysisRateHz;
-        position = track.position_m;  // Millimetres here: the track keeps the unit it is given.
-        orientation = track.orientation;
-        velocity = track.velocity_m_s;
-        speed = track.speed_m_s;
-    }
-    if (speed.size() < 3)
-        throw InputError(file.path + ": too short; expected at least 0.03 s of movement");
-    Values out;
-    const double time = v[0].back() - v[0].front();
-    add(out, "time_s", time);
-    add(out, "path_length_mm", assessment::path_length(position));
-    add(out, "mean_speed_mm_s", assessment::path_length(position) / time);
-    add_speed(out, speed, rate, options);
-    add(out, "ldlj_vector", assessment::ldlj_vector(velocity, rate));
-    if (!orientation.empty()) {
-        add(out, "depth_path_mm", assessment::depth_path(position, orientation));
-        add(out, "angular_path_deg",
-            assessment::angular_path(orientation) * 180 / std::numbers::pi);
-    }
-    return out;
-}
-
-Values force_metrics(const SignalFile& file, const SignalOptions& options) {
-    (void)rate_of(file, false);
-    const auto force = assessment::summarise_force(file.values[0], file.values[1],
-                                                   options.threshold_n.value_or(0));
-    Values out;
-    add(out, "time_s", file.values[0].back() - file.values[0].front());
-    add(out, "peak_force_n", force.peak_n);
-    add(out, "mean_force_n", force.mean_n);
-    add(out, "rms_force_n", force.rms_n);
-    add(out, "impulse_n_s", force.impulse_n_s);
-    if (options.threshold_n) {
-        add(out, "over_force_s", force.over_s);
-        add(out, "excess_impulse_n_s", force.excess_impulse_n_s);
-    }
-    return out;
-}
-
-Values temperature_metrics(const SignalFile& file) {
-    (void)rate_of(file, false);
-    const auto& time = file.values[0];
-    const auto& celsius = file.values[1];
-    Values out;
-    add(out, "time_s", time.back() - time.front());
-    add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
-    add(out, "cem43_min", assessment::cem43_min(time, celsius));
-    add(out, "arrhenius_skin",
-        assessment::arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol));
-    add(out, "arrhenius_liver",
-        assessment::arrhenius_damage(time, celsius, kLiverAPerS, kLiverEaJMol));
-    return out;
-}
-
 }  // namespace
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+    return text;
+}
 
 SignalFile read_signal_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
@@ -226,23 +67,6 @@ SignalFile read_signal_file(const std::string& path) {
             file.values[i].push_back(parse(cells[i], place + ": " + file.columns[i]));
     }
     return file;
-}
-
-std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& file,
-                                                           const SignalOptions& options) {
-    const std::string columns = joined(file.columns);
-    const bool pose =
-        columns == "t_s,x_mm,y_mm,z_mm" || columns == "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz";
-    if (columns != "t_s,speed_mm_s" && columns != "t_s,force_N" && columns != "t_s,T_C" && !pose)
-        throw InputError(file.path + ":1: found the columns \"" + columns + "\"; expected one of " +
-                         kKnownColumns);
-    if (file.values[0].size() < 4)
-        throw InputError(file.path + ": found " + std::to_string(file.values[0].size()) +
-                         " rows; expected at least 4");
-    if (pose) return pose_metrics(file, options);
-    if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
-    if (columns == "t_s,force_N") return force_metrics(file, options);
-    return temperature_metrics(file);
 }
 
 }  // namespace placode::cli

@@ -1,0 +1,288 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/signal_metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "assessment/bimanual.h"
+#include "assessment/motion_metrics.h"
+#include "assessment/tissue_metrics.h"
+#include "assessment/tremor.h"
+#include "ui/cli/cli.h"
+
+namespace placode::cli {
+namespace {
+
+using assessment::Quat;
+using assessment::Vec3;
+using Values = std::vector<std::pair<std::string, double>>;
+
+constexpr const char* kKnownColumns =
+    "t_s,speed_mm_s | t_s,speed_left_mm_s,speed_right_mm_s | t_s,x_mm | "
+    "t_s,x_mm,y_mm,z_mm[,qw,qx,qy,qz] | t_s,force_N | t_s,T_C";
+
+// Arrhenius sets: Henriques & Moritz 1947 (skin), liver as in Jacques.
+constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
+// Agah et al. 1994, artery.
+constexpr double kArteryAPerS = 5.6e63, kArteryEaJMol = 4.3e5;
+constexpr double kLiverAPerS = 7.39e39, kLiverEaJMol = 2.577e5;
+
+/// Sampling rate; throws when times do not grow, or with --raw are not evenly spaced.
+double rate_of(const SignalFile& file, bool must_be_even) {
+    const auto& time = file.values[0];
+    const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    for (size_t i = 1; i < time.size(); ++i) {
+        const double step = time[i] - time[i - 1];
+        const std::string place = file.path + ":" + std::to_string(i + 2) + ": t_s";
+        if (step <= 0)
+            throw InputError(place + ": found " + shortest(time[i]) + " after " +
+                             shortest(time[i - 1]) + "; expected a time that grows");
+        // 1 %: decimals cut off at 1/30 s stay far below it.
+        if (must_be_even && std::abs(step - mean) > 0.01 * mean)
+            throw InputError(place + ": a step of " + shortest(step) + " s among steps of " +
+                             shortest(mean) + " s; --raw needs even steps, leave it out");
+    }
+    return 1 / mean;
+}
+
+double trapezoid(std::span<const double> y, double dt) {
+    double sum = 0;
+    for (size_t i = 1; i < y.size(); ++i) sum += 0.5 * (y[i] + y[i - 1]) * dt;
+    return sum;
+}
+
+void add(Values& out, const char* key, std::optional<double> value) {
+    if (value) out.emplace_back(key, *value);
+}
+
+void add_speed(Values& out, std::span<const double> speed, double rate_hz,
+               const SignalOptions& options) {
+    const double dt = 1 / rate_hz;
+    add(out, "peak_speed_mm_s", *std::max_element(speed.begin(), speed.end()));
+    add(out, "sparc", assessment::sparc(speed, rate_hz));
+    add(out, "ldlj_speed", assessment::ldlj_speed(speed, rate_hz));
+    add(out, "movements", assessment::movement_count(speed, options.movement_threshold_mm_s));
+    const double idle = assessment::idle_time(speed, dt, options.idle_threshold_mm_s);
+    add(out, "idle_time_s", idle);
+    add(out, "idle_fraction", idle / (static_cast<double>(speed.size() - 1) * dt));
+}
+
+/// Size of the movement in space, from the positions that also give the path.
+void add_extent(Values& out, const std::vector<Vec3>& position) {
+    Vec3 low = position.front(), high = low;
+    for (const Vec3& p : position) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    const double path = assessment::path_length(position), volume = (high - low).prod();
+    const double straight = (position.back() - position.front()).norm();
+    add(out, "bounding_box_volume_mm3", volume);
+    if (!(path > 0)) return;
+    add(out, "economy_of_motion", straight / path);
+    add(out, "economy_of_volume", std::cbrt(volume) / path);
+    if (straight > 0) add(out, "path_inefficiency_percent", 100 * (path / straight - 1));
+}
+
+/// Tremor of unfiltered positions, as recorded or (uneven steps) on the analysis rate.
+void add_tremor(Values& out, const SignalFile& file, size_t axes, double rate_hz) {
+    double power = 0, acceleration = 0;
+    for (size_t axis = 1; axis <= axes; ++axis) {
+        const std::vector<double>& x = file.values[axis];
+        std::vector<double> second;
+        for (size_t i = 1; i + 1 < x.size(); ++i) {
+            second.push_back((x[i + 1] - 2 * x[i] + x[i - 1]) * rate_hz * rate_hz);
+        }
+        const auto p = assessment::band_power(x, rate_hz);
+        const auto a = assessment::band_power(second, rate_hz);
+        if (!p || !a) return;
+        power += *p;
+        acceleration += *a;
+    }
+    add(out, "tremor_power_mm2", power);
+    add(out, "tremor_rms_mm", std::sqrt(power));
+    add(out, "tremor_acceleration_rms_mm_s2", std::sqrt(acceleration));
+}
+
+bool has_even_steps(const SignalFile& file) {
+    const auto& time = file.values[0];
+    const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
+    for (size_t i = 1; i < time.size(); ++i) {
+        if (std::abs(time[i] - time[i - 1] - mean) > 0.01 * mean) return false;
+    }
+    return true;
+}
+
+std::vector<double> on_analysis_rate(const std::vector<double>& time,
+                                     const std::vector<double>& signal) {
+    const double rate = assessment::kAnalysisRateHz;
+    const auto count = static_cast<size_t>((time.back() - time.front()) * rate + 1e-9) + 1;
+    std::vector<double> even(count);
+    size_t at = 0;
+    for (size_t k = 0; k < count; ++k) {
+        const double t = time.front() + static_cast<double>(k) / rate;
+        while (at + 2 < time.size() && time[at + 1] < t) ++at;
+        const double share = std::clamp((t - time[at]) / (time[at + 1] - time[at]), 0.0, 1.0);
+        even[k] = signal[at] + share * (signal[at + 1] - signal[at]);
+    }
+    return even;
+}
+
+Values speed_metrics(const SignalFile& file, const SignalOptions& options) {
+    double rate = rate_of(file, options.raw);
+    std::vector<double> speed = file.values[1];
+    if (!options.raw) {
+        speed = assessment::filter_forward_backward(
+            assessment::butterworth_low_pass(assessment::kCutoffHz, assessment::kAnalysisRateHz),
+            on_analysis_rate(file.values[0], speed));
+        rate = assessment::kAnalysisRateHz;
+    }
+    Values out;
+    add(out, "time_s", file.values[0].back() - file.values[0].front());
+    add(out, "path_length_mm", trapezoid(speed, 1 / rate));
+    add_speed(out, speed, rate, options);
+    return out;
+}
+
+Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
+    const auto& v = file.values;
+    const size_t count = v[0].size();
+    double rate = rate_of(file, options.raw);
+    std::vector<Vec3> position(count), velocity;
+    std::vector<Quat> orientation;
+    for (size_t i = 0; i < count; ++i) position[i] = Vec3(v[1][i], v[2][i], v[3][i]);
+    for (size_t i = 0; v.size() == 8 && i < count; ++i) {
+        const Quat q(v[4][i], v[5][i], v[6][i], v[7][i]);
+        if (!(q.norm() > 0.5))
+            throw InputError(file.path + ":" + std::to_string(i + 2) +
+                             ": qw..qz: not a rotation; expected a quaternion of length 1");
+        orientation.push_back(q.normalized());
+    }
+    std::vector<double> speed;
+    if (options.raw) {
+        for (size_t i = 0; i + 1 < count; ++i)
+            velocity.emplace_back((position[i + 1] - position[i]) * rate);
+        for (const Vec3& one : velocity) speed.push_back(one.norm());
+    } else {
+        const assessment::Track track = assessment::make_track(v[0], position, orientation);
+        rate = assessment::kAnalysisRateHz;
+        position = track.position_m;  // Millimetres here: the track keeps the unit it is given.
+        orientation = track.orientation;
+        velocity = track.velocity_m_s;
+        speed = track.speed_m_s;
+    }
+    if (speed.size() < 3)
+        throw InputError(file.path + ": too short; expected at least 0.03 s of movement");
+    Values out;
+    const double time = v[0].back() - v[0].front();
+    add(out, "time_s", time);
+    add(out, "path_length_mm", assessment::path_length(position));
+    add(out, "mean_speed_mm_s", assessment::path_length(position) / time);
+    add_speed(out, speed, rate, options);
+    add(out, "ldlj_vector", assessment::ldlj_vector(velocity, rate));
+    add_extent(out, position);
+    if (has_even_steps(file)) add_tremor(out, file, 3, rate_of(file, false));
+    if (!orientation.empty()) {
+        add(out, "depth_path_mm", assessment::depth_path(position, orientation));
+        add(out, "angular_path_deg",
+            assessment::angular_path(orientation) * 180 / std::numbers::pi);
+    }
+    return out;
+}
+
+/// One axis: what can be said of it is its tremor.
+Values axis_metrics(const SignalFile& file) {
+    Values out;
+    const double rate = rate_of(file, true);
+    add(out, "time_s", file.values[0].back() - file.values[0].front());
+    add_tremor(out, file, 1, rate);
+    return out;
+}
+
+Values bimanual_metrics(const SignalFile& file, const SignalOptions& options) {
+    double rate = rate_of(file, options.raw);
+    std::array<std::vector<double>, 2> speed{file.values[1], file.values[2]};
+    if (!options.raw) {
+        rate = assessment::kAnalysisRateHz;
+        for (auto& one : speed) {
+            one = assessment::filter_forward_backward(
+                assessment::butterworth_low_pass(assessment::kCutoffHz, rate),
+                on_analysis_rate(file.values[0], one));
+        }
+    }
+    const auto b = assessment::bimanual_dexterity(speed[0], speed[1], 1 / rate,
+                                                  options.bimanual_threshold_mm_s);
+    Values out;
+    add(out, "time_s", file.values[0].back() - file.values[0].front());
+    add(out, "pearson_r", b.pearson_r);
+    add(out, "path_length_left_mm", b.path_left);
+    add(out, "path_length_right_mm", b.path_right);
+    add(out, "path_ratio_LR", b.path_ratio);
+    add(out, "path_balance", b.balance);
+    add(out, "both_moving_fraction", b.both);
+    add(out, "left_only_fraction", b.left_only);
+    add(out, "right_only_fraction", b.right_only);
+    add(out, "neither_fraction", b.neither);
+    return out;
+}
+
+Values force_metrics(const SignalFile& file, const SignalOptions& options) {
+    (void)rate_of(file, false);
+    const auto force = assessment::summarise_force(file.values[0], file.values[1],
+                                                   options.threshold_n.value_or(0));
+    Values out;
+    add(out, "time_s", file.values[0].back() - file.values[0].front());
+    add(out, "peak_force_n", force.peak_n);
+    add(out, "mean_force_n", force.mean_n);
+    add(out, "rms_force_n", force.rms_n);
+    add(out, "impulse_n_s", force.impulse_n_s);
+    if (options.threshold_n) {
+        add(out, "over_force_s", force.over_s);
+        add(out, "excess_impulse_n_s", force.excess_impulse_n_s);
+    }
+    return out;
+}
+
+Values temperature_metrics(const SignalFile& file) {
+    (void)rate_of(file, false);
+    const auto& time = file.values[0];
+    const auto& celsius = file.values[1];
+    Values out;
+    add(out, "time_s", time.back() - time.front());
+    add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
+    add(out, "cem43_min", assessment::cem43_min(time, celsius));
+    add(out, "arrhenius_skin",
+        assessment::arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol));
+    add(out, "arrhenius_liver",
+        assessment::arrhenius_damage(time, celsius, kLiverAPerS, kLiverEaJMol));
+    add(out, "arrhenius_artery",
+        assessment::arrhenius_damage(time, celsius, kArteryAPerS, kArteryEaJMol));
+    return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& file,
+                                                           const SignalOptions& options) {
+    const std::string columns = joined(file.columns);
+    const bool pose =
+        columns == "t_s,x_mm,y_mm,z_mm" || columns == "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz";
+    const bool hands = columns == "t_s,speed_left_mm_s,speed_right_mm_s";
+    if (columns != "t_s,speed_mm_s" && columns != "t_s,x_mm" && !hands &&
+        columns != "t_s,force_N" && columns != "t_s,T_C" && !pose)
+        throw InputError(file.path + ":1: found the columns \"" + columns + "\"; expected one of " +
+                         kKnownColumns);
+    if (file.values[0].size() < 4)
+        throw InputError(file.path + ": found " + std::to_string(file.values[0].size()) +
+                         " rows; expected at least 4");
+    if (pose) return pose_metrics(file, options);
+    if (hands) return bimanual_metrics(file, options);
+    if (columns == "t_s,x_mm") return axis_metrics(file);
+    if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
+    if (columns == "t_s,force_N") return force_metrics(file, options);
+    return temperature_metrics(file);
+}
+
+}  // namespace placode::cli

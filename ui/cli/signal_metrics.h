@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The metrics that the columns of a signal file allow.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/cli/signal_file.h"
+
+namespace placode::cli {
+
+struct SignalOptions {
+    bool raw = false;                   ///< No filter, no resampling: the signal is clean already.
+    std::optional<double> threshold_n;  ///< Force: what counts as too much [N].
+    double movement_threshold_mm_s = 20;  ///< Speed at which a movement begins.
+    double idle_threshold_mm_s = 5;       ///< Slower is idle.
+    double bimanual_threshold_mm_s = 40;  ///< Two hands: from here on a hand moves.
+};
+
+/// Key with unit and value, in a fixed order. Throws InputError for columns it does not know.
+[[nodiscard]] std::vector<std::pair<std::string, double>> signal_metrics(
+    const SignalFile& file, const SignalOptions& options);
+
+}  // namespace placode::cli
