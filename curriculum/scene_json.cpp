@@ -85,6 +85,8 @@ void visit_material(const V& v, M& m) {
     v("injury_stretch", m.injury_stretch);
     v("friction", m.friction);
     v("friction_static_ratio", m.friction_static_ratio);
+    v("crush_pa", m.crush_pa);
+    v("traction_limit_n", m.traction_limit_n);
     v("heat_conductivity_w_mk", m.heat_conductivity_w_mk);
     v("heat_capacity_j_kgk", m.heat_capacity_j_kgk);
     v("water_fraction", m.water_fraction);
@@ -140,6 +142,11 @@ void visit_tool(const V& v, T& t) {
     v("coag_power_w", t.coag_power_w);
     v("efficiency", t.efficiency);
     v("grip_n_m", t.grip_n_m);
+    v("jaw_open_rad", t.jaw_open_rad);
+    v("jaw_width_m", t.jaw_width_m);
+    v("jaw_grip_m", t.jaw_grip_m);
+    v("jaw_force_n", t.jaw_force_n);
+    v("jaw_friction", t.jaw_friction);
 }
 
 template <class V, class S>

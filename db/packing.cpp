@@ -24,6 +24,11 @@ Bytes compress(std::span<const std::byte> bytes) {
     return packed;
 }
 
+size_t stated_size(std::span<const std::byte> packed) {
+    const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());
+    return stated == ZSTD_CONTENTSIZE_UNKNOWN || stated == ZSTD_CONTENTSIZE_ERROR ? 0 : stated;
+}
+
 Bytes decompress(std::span<const std::byte> packed, size_t size) {
     // The frame says its size itself: never allocate what only a damaged number asks for.
     const unsigned long long stated = ZSTD_getFrameContentSize(packed.data(), packed.size());

@@ -14,6 +14,8 @@ using Bytes = std::vector<std::byte>;
 
 /// zstd, level 3: about 300 MB/s here, so that a chunk of 0.5 s costs under a millisecond.
 [[nodiscard]] Bytes compress(std::span<const std::byte> bytes);
+/// Size that a compressed frame says it has; 0 = it does not say.
+[[nodiscard]] size_t stated_size(std::span<const std::byte> packed);
 /// Throws StoreError(kDamaged) when the content is not exactly `size` bytes of good zstd.
 [[nodiscard]] Bytes decompress(std::span<const std::byte> packed, size_t size);
 

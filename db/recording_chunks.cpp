@@ -12,9 +12,15 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "chunks are little-endian");
 // A new field in one of these needs a line below and a higher sim::kRecordingFormat.
-static_assert(sizeof(sim::ToolInput) == 40 - 4 && sizeof(sim::Input) == 128);
-static_assert(sizeof(sim::ToolSample) == 56 && sizeof(sim::Sample) == 200);
+static_assert(sizeof(sim::ToolInput) == 40 - 4 && sizeof(sim::Input) == 160);
+static_assert(sizeof(sim::ToolSample) == 56 && sizeof(sim::Sample) == 256);
 static_assert(sizeof(sim::Event) == 48);
+
+// Format 1 had three tools. The fourth stands behind all older fields, so that the columns of an
+// old file are simply fewer.
+constexpr size_t kToolsOfFormat1 = 3;
+static_assert(sim::kMaxTools == kToolsOfFormat1 + 1);
+constexpr size_t kInputOfFormat1 = 16 + 3 * 36, kSampleOfFormat1 = 193;
 
 template <class T, class Visit>
 void fields_of_tool_input(T& tool, Visit&& visit) {
@@ -45,19 +51,21 @@ void fields(T& record, Visit&& visit, const sim::Input*) {
     visit(record.frame);
     visit(record.substeps);
     visit(record.tool_count);
-    for (auto& tool : record.tools) fields_of_tool_input(tool, visit);
+    for (size_t i = 0; i < kToolsOfFormat1; ++i) fields_of_tool_input(record.tools[i], visit);
+    fields_of_tool_input(record.tools[kToolsOfFormat1], visit);  // since format 2
 }
 
 template <class T, class Visit>
 void fields(T& record, Visit&& visit, const sim::Sample*) {
     visit(record.time_s);
-    for (auto& tool : record.tools) fields_of_tool_sample(tool, visit);
+    for (size_t i = 0; i < kToolsOfFormat1; ++i) fields_of_tool_sample(record.tools[i], visit);
     visit(record.placode_peak_c);
     visit(record.placode_peak_cem43_min);
     visit(record.placode_burned_m3);
     visit(record.cut_fraction);
     visit(record.phase);
     visit(record.step_flags);
+    fields_of_tool_sample(record.tools[kToolsOfFormat1], visit);  // since format 2
 }
 
 template <class T, class Visit>
@@ -121,11 +129,17 @@ void check(const sim::Event& event) {
     if (event.tool < -1 || event.tool >= sim::kMaxTools) damaged("a tool is unknown");
 }
 
+/// Bytes of a record in format 1; where nothing has changed, as now.
+size_t old_size(const sim::Input&) { return kInputOfFormat1; }
+size_t old_size(const sim::Sample&) { return kSampleOfFormat1; }
+size_t old_size(const sim::Event&) { return size_of<sim::Event>(); }
+
 template <class Record>
 void decode(std::span<const std::byte> packed, size_t count, std::vector<Record>& out) {
-    const size_t stride = size_of<Record>();
+    const size_t stride =
+        stated_size(packed) == old_size(Record{}) * count ? old_size(Record{}) : size_of<Record>();
     const Bytes columns = decompress(packed, stride * count);
-    Bytes record(stride);
+    Bytes record(size_of<Record>());
     out.reserve(out.size() + count);
     for (size_t i = 0; i < count; ++i) {
         for (size_t b = 0; b < stride; ++b) record[b] ^= columns[b * count + i];

@@ -36,6 +36,10 @@ class Reader {
         if (!value.isDouble()) damaged(key, "a number");
         return value.toDouble();
     }
+    /// A number that older files do not have.
+    [[nodiscard]] double number(const char* key, double otherwise) const {
+        return object_.contains(QLatin1String(key)) ? number(key) : otherwise;
+    }
     [[nodiscard]] int64_t whole(const char* key) const {
         const QJsonValue value = object_[QLatin1String(key)];
         if (!value.isDouble()) damaged(key, "a whole number");
@@ -99,7 +103,12 @@ QJsonObject tool_to_json(const sim::ToolSpec& tool) {
             {"cut_power_w", tool.cut_power_w},
             {"coag_power_w", tool.coag_power_w},
             {"efficiency", tool.efficiency},
-            {"grip_n_m", tool.grip_n_m}};
+            {"grip_n_m", tool.grip_n_m},
+            {"jaw_open_rad", tool.jaw_open_rad},
+            {"jaw_width_m", tool.jaw_width_m},
+            {"jaw_grip_m", tool.jaw_grip_m},
+            {"jaw_force_n", tool.jaw_force_n},
+            {"jaw_friction", tool.jaw_friction}};
 }
 
 sim::ToolSpec tool_from_json(const Reader& json) {
@@ -121,6 +130,11 @@ sim::ToolSpec tool_from_json(const Reader& json) {
     tool.coag_power_w = json.number("coag_power_w");
     tool.efficiency = json.number("efficiency");
     tool.grip_n_m = json.number("grip_n_m");
+    tool.jaw_open_rad = json.number("jaw_open_rad", tool.jaw_open_rad);  // since format 2
+    tool.jaw_width_m = json.number("jaw_width_m", tool.jaw_width_m);
+    tool.jaw_grip_m = json.number("jaw_grip_m", tool.jaw_grip_m);
+    tool.jaw_force_n = json.number("jaw_force_n", tool.jaw_force_n);
+    tool.jaw_friction = json.number("jaw_friction", tool.jaw_friction);
     return tool;
 }
 

@@ -246,6 +246,11 @@ void find_contacts(const Scene& scene, State& state) noexcept {
     for (int i = 0; i < set.candidate_count; ++i) {
         const SurfaceTriangle& tri = triangles[set.candidates[i] / 4];
         const int t = set.candidates[i] % 4;
+        // What the jaws hold does not push them.
+        if (state.held_by[tri.vertex[0]] == t || state.held_by[tri.vertex[1]] == t ||
+            state.held_by[tri.vertex[2]] == t) {
+            continue;
+        }
         Triangle x, x_T;
         for (int k = 0; k < 3; ++k) {
             const Float4& before = state.body.x_start[tri.vertex[k]];

@@ -46,8 +46,8 @@ struct ContactVertex {
 /// Bounded lists of a frame. Incidence entries are contact * 4 + corner.
 struct ContactSet {
     explicit ContactSet(const Scene& scene);
-    std::array<ToolShape, 3> shapes;
-    std::array<uint8_t, 3> near{};    // 1 = the tool has candidates in this frame
+    std::array<ToolShape, kMaxTools> shapes;
+    std::array<uint8_t, kMaxTools> near{};  // 1 = the tool has candidates in this frame
     std::vector<int32_t> candidates;  // triangle * 4 + tool
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;

@@ -238,6 +238,7 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
         if (std::any_of(around.begin(), around.end(), [&](int32_t t) { return alive[t] != 0; })) {
             continue;
         }
+        let_go_vertex(scene, state, v);
         state.body.x[v].w = 0;
         state.body.v[v] = {};
     }
@@ -270,6 +271,22 @@ void tear(const Scene& scene, State& state) noexcept {
             }
             if (first != set.vertices[i].vertex || !state.body.tet_alive[t]) continue;
             torn += check_stretch(scene, state, t, 1, set.vertices[i].tool);
+        }
+    }
+    // Around what jaws pull on.
+    for (int tool = 0; tool < static_cast<int>(scene.tools.size()); ++tool) {
+        const Grasp& g = state.grasps[tool];
+        for (int i = 0; i < g.count && torn < kTearPerFrame; ++i) {
+            const int32_t v = g.held[i].vertex;
+            for (const int32_t t : scene.body.tets_of(v)) {
+                int32_t first = -1;  // once per tet: from the first of its held corners
+                for (const int32_t c : scene.body.mesh().tets[t]) {
+                    if (first < 0 && state.held_by[c] == tool) first = c;
+                }
+                if (first != v || !state.body.tet_alive[t]) continue;
+                torn += check_stretch(scene, state, t, 1, tool);
+                if (state.held_by[v] != tool) break;
+            }
         }
     }
     const int tets = scene.body.tet_count();

@@ -43,6 +43,16 @@ std::string_view event_name(EventKind kind) noexcept {
             return "reseeded";
         case EventKind::kFinished:
             return "finished";
+        case EventKind::kGrasped:
+            return "grasped";
+        case EventKind::kReleased:
+            return "released";
+        case EventKind::kSlipped:
+            return "slipped";
+        case EventKind::kCrushed:
+            return "crushed";
+        case EventKind::kOverTraction:
+            return "over_traction";
     }
     return "unknown";
 }

@@ -35,6 +35,11 @@ enum class EventKind : uint16_t {
     kStateHash = 16,     ///< hash = state_hash, once a second and at the end
     kReseeded = 17,      ///< element recovered from its rest shape
     kFinished = 18,      ///< the operator declared the task done
+    kGrasped = 19,       ///< jaws closed on tissue: value = vertices held, value2 = jaw force [N]
+    kReleased = 20,      ///< jaws let go: value = seconds held, value2 = peak traction [N]
+    kSlipped = 21,       ///< tissue slid in the jaws: value = way [m], value2 = peak traction [N]
+    kCrushed = 22,       ///< jaw pressure above the tissue's limit: value = Pa, value2 = N
+    kOverTraction = 23,  ///< pulled above the tissue's limit: value = seconds, value2 = peak [N]
 };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 

@@ -15,7 +15,7 @@
 
 namespace placode::sim {
 
-inline constexpr int kRecordingFormat = 1;
+inline constexpr int kRecordingFormat = 2;  ///< 2: a fourth tool, jaws. 1 is still read.
 
 /// Inputs of one frame. Trivially copyable, no padding that matters.
 struct Input {

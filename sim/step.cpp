@@ -47,6 +47,7 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         tool.previous = tool.proxy;
         tool.force_n = Vec3::Zero();
         tool.stiffness_n_m = tool.placode_force_n = 0;
+        state.grasps[t].force_n = Vec3::Zero();
         tool.gap_m = 1;
         if (!engaged) {
             if (sound) tool.proxy = tool.hand = hand;
@@ -167,6 +168,19 @@ void hash_tool(Hash& hash, const ToolState& t) noexcept {
     for (const uint8_t b : {t.in_contact, t.energised, t.engaged, t.coagulating}) hash.add(b);
 }
 
+void hash_grasp(Hash& hash, const Grasp& g) noexcept {
+    hash.add(g.count);
+    for (int i = 0; i < g.count; ++i) {
+        hash.add(g.held[i].vertex);
+        for (const float f : g.held[i].at_T) hash.add(f);
+    }
+    for (const float f : {g.jaw_rad, g.meet_rad, g.pinch_n, g.held_s, g.peak_n, g.slip_m,
+                          g.slip_pause_s, g.traction_s}) {
+        hash.add(f);
+    }
+    hash.add(g.shut);
+}
+
 }  // namespace
 
 State::Scratch::Scratch(const Scene& scene)
@@ -186,6 +200,7 @@ State::State(const Scene& scene, int threads)
     : substeps(scene.body.spec().solver.substeps),
       body(scene.body),
       surface(scene.surface, scene.body.mesh()),
+      held_by(scene.body.vertex_count(), -1),
       friction(scene.body.vertex_count()),
       stretch_count(scene.body.tet_count(), 0),
       stretch_reported(scene.body.tet_count(), 0),
@@ -229,6 +244,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     };
     for (int s = 0; s < state.substeps; ++s) {
         move_tools(scene, state, from, to, static_cast<double>(s + 1) / state.substeps);
+        carry_grasped(scene, state);
         charge(1);
         begin_substep(scene.body, state.body, h, *state.workers);
         charge(0);
@@ -241,6 +257,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
             charge(1);
         }
         finish_contacts(scene, state);
+        feel_grasped(scene, state);
         charge(1);
         end_substep(scene.body, state.body, h, *state.workers);
         charge(0);
@@ -259,6 +276,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
         feedback[t] = {tool.proxy, tool.force_n, tool.stiffness_n_m, state.time_s};
     }
+    update_grasps(scene, state, solver.frame_s);
     charge(1);
     std::array<uint8_t, kMaxTools> active{};
     report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
@@ -320,6 +338,7 @@ uint64_t state_hash(const State& state) noexcept {
         }
     }
     for (const ToolState& tool : state.tools) hash_tool(hash, tool);
+    for (const Grasp& grasp : state.grasps) hash_grasp(hash, grasp);
     hash.all(state.progress.cut);
     hash.all(state.progress.column_left);
     hash.all(state.stretch_count);

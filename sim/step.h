@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/event.h"
+#include "sim/grasp.h"
 #include "sim/scene.h"
 #include "sim/tool.h"
 #include "sim/workers.h"
@@ -84,6 +85,8 @@ struct State {
     SurfaceState surface;
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};
+    std::array<Grasp, kMaxTools> grasps{};
+    std::vector<int8_t> held_by;  ///< (V) Tool whose jaws hold the vertex, -1 = none.
     CutProgress progress;
     float placode_peak_cem43_min = 0, placode_peak_c = 37, placode_burned_m3 = 0;
     float removed_m3 = 0, vapour_rate_m3_s = 0;

@@ -50,6 +50,8 @@ struct Material {
     double injury_stretch = 1.3;         ///< Principal stretch that counts as over-stretch [-].
     double friction = 0.08;              ///< Coulomb, dynamic, against a polished shaft [-].
     double friction_static_ratio = 1.3;  ///< Static / dynamic friction [-].
+    double crush_pa = 150000;            ///< Pressure between jaws that crushes [Pa].
+    double traction_limit_n = 0.8;       ///< Pull of a grasper that counts as too much [N].
     double heat_conductivity_w_mk = 0.5;
     double heat_capacity_j_kgk = 3600;
     double water_fraction = 0.8;  ///< Mass fraction that must boil before removal [-].

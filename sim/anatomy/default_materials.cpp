@@ -40,6 +40,20 @@ MaterialTable default_materials() {
     // Reflected dura is a shell of 0.1 mm and 500 kPa; the floor is a layer of about 1 mm of tets,
     // which has the same membrane stiffness (50 N/m) at a tenth of the modulus.
     at(Tissue::kDura) = tissue(50e3, 0.45, 1100, 1.25, 1.125);
+    // Between jaws: 150 kPa crush skin, 20 kPa the placode; the others by judgement. Pulled too
+    // hard: 0.8 N on skin, 0.5 N on membrane, 10 mN on the placode.
+    const auto grasped = [&at](Tissue t, double crush_pa, double traction_limit_n) {
+        at(t).crush_pa = crush_pa;
+        at(t).traction_limit_n = traction_limit_n;
+    };
+    grasped(Tissue::kSkin, 150e3, 0.8);
+    grasped(Tissue::kThinSkin, 150e3, 0.5);
+    grasped(Tissue::kSubcutis, 100e3, 0.5);
+    grasped(Tissue::kMuscle, 150e3, 0.8);
+    grasped(Tissue::kZone, 100e3, 0.5);
+    grasped(Tissue::kPlacode, 20e3, 0.010);
+    grasped(Tissue::kGel, 50e3, 0.5);
+    grasped(Tissue::kDura, 300e3, 0.8);
     return table;
 }
 
