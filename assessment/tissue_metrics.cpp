@@ -3,6 +3,7 @@
 #include "assessment/tissue_metrics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "assessment/statistics.h"
@@ -174,6 +175,77 @@ void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
     out.push_back({"torn_skin_mm3", torn_skin_m3 * 1e9});
 }
 
+/// Seconds during which held tissue was lifted, from the height of the tip since its grasp.
+double lifted_s(const sim::Recording& recording) {
+    constexpr float kLiftedM = 0.0007F;
+    double sum = 0;
+    std::array<float, sim::kMaxTools> from{};
+    std::array<bool, sim::kMaxTools> holding{};
+    size_t next = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (; next < recording.events.size() && recording.events[next].time_s <= sample.time_s;
+             ++next) {
+            const sim::Event& e = recording.events[next];
+            if (e.tool < 0) continue;
+            const auto t = static_cast<size_t>(e.tool);
+            if (e.kind == sim::EventKind::kGrasped) {
+                holding[t] = true;
+                from[t] = sample.tools[t].tip_m[2];
+            } else if (e.kind == sim::EventKind::kReleased) {
+                holding[t] = false;
+            }
+        }
+        for (size_t t = 0; t < sim::kMaxTools; ++t) {
+            if (holding[t] && sample.tools[t].tip_m[2] - from[t] > kLiftedM) {
+                sum += recording.header.sample_s;
+            }
+        }
+    }
+    return sum;
+}
+
+/// Grasper and scissors. Nothing where the scene has neither.
+void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
+    using sim::EventKind;
+    bool jaws = false, blades = false;
+    for (const sim::ToolSpec& tool : recording.header.tools) {
+        jaws = jaws || tool.kind == sim::ToolKind::kGrasper;
+        blades = blades || tool.kind == sim::ToolKind::kScissors;
+    }
+    if (!recording.header.geometry.planned_contour.empty()) {
+        out.push_back({"released_deg", 5.0 * total(recording, EventKind::kSectorFree).count});
+    }
+    if (blades) {
+        double skin_m2 = 0, share = 0;
+        for (const sim::Event& e : recording.events) {
+            if (e.kind == EventKind::kSnipped && is_skin(e.tissue)) skin_m2 += e.value;
+            if (e.kind == EventKind::kPieceOut) {
+                share = std::max(share, static_cast<double>(e.value2));
+            }
+        }
+        const Sum snips = total(recording, EventKind::kSnipped);
+        const Sum pieces = total(recording, EventKind::kPieceOut);
+        out.push_back({"snips", static_cast<double>(snips.count)});
+        out.push_back({"placode_snip_mm2", total(recording, EventKind::kPlacodeCut).value * 1e6});
+        out.push_back({"skin_snip_mm2", skin_m2 * 1e6});
+        out.push_back({"pieces_out", static_cast<double>(pieces.count)});
+        out.push_back({"resected_mm3", pieces.value * 1e9});
+        out.push_back({"resected_percent", share * 100});
+    }
+    if (jaws) {
+        const Sum released = total(recording, EventKind::kReleased);
+        const Sum pulls = total(recording, EventKind::kOverTraction);
+        out.push_back({"grasps", static_cast<double>(total(recording, EventKind::kGrasped).count)});
+        out.push_back({"lift_hold_s", lifted_s(recording)});
+        out.push_back(
+            {"slip_count", static_cast<double>(total(recording, EventKind::kSlipped).count)});
+        out.push_back(
+            {"crush_count", static_cast<double>(total(recording, EventKind::kCrushed).count)});
+        out.push_back({"over_traction_count", static_cast<double>(pulls.count)});
+        out.push_back({"peak_traction_mn", std::max(released.peak, pulls.peak) * 1e3});
+    }
+}
+
 }  // namespace
 
 double cem43_min(std::span<const double> time_s, std::span<const double> temperature_c) {
@@ -232,6 +304,7 @@ void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     add_placode(recording, out);
     add_energy(recording, out);
     add_force(recording, out);
+    add_dissection(recording, out);
 }
 
 }  // namespace placode::assessment

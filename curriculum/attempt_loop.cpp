@@ -17,6 +17,7 @@ using sim::EventKind;
 using sim::Vec3;
 
 constexpr double kCutFraction = 0.995, kLiftedM = 0.001, kLiftedS = 1.0;
+constexpr double kPieceShare = 0.3;  // of the marked volume
 constexpr double kNearPlacodeM = 0.001;
 constexpr auto kPublishEvery = std::chrono::milliseconds(16);
 constexpr int64_t kPublishFrames = 16;  // when running faster than real time
@@ -67,6 +68,10 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       state_(*scene_, std::max(1, options.threads)),
       contour_(scene_->contour_anchors.size(), Vec3::Zero()),
       contour_normal_(scene_->contour_anchors.size(), Vec3::UnitZ()),
+      outline_(scene_->resection.anchors.size(), Vec3::Zero()),
+      outline_normal_(scene_->resection.anchors.size(), Vec3::UnitZ()),
+      grasp_place_(1, Vec3::Zero()),
+      grasp_normal_(1, Vec3::UnitZ()),
       costs_ms_(kCosts, 0.0f),
       sorted_ms_(kCosts, 0.0f) {
     if (scene_->geometry.placode_edge.size() >= 3) placode_.emplace(scene_->geometry.placode_edge);
@@ -105,17 +110,29 @@ void AttemptLoop::record_event(EventKind kind, float value, uint64_t hash) noexc
     record(event);
 }
 
+/// Where points of a line lie now, and the normals there.
+void AttemptLoop::look_at(std::span<const sim::ContourAnchor> anchors, std::vector<Vec3>& points,
+                          std::vector<Vec3>& normals) noexcept {
+    for (size_t i = 0; i < points.size(); ++i) {
+        const auto& v = anchors[i].vertex;
+        const Vec3 a = to_vec3(state_.body.x[static_cast<size_t>(v[0])]);
+        const Vec3 b = to_vec3(state_.body.x[static_cast<size_t>(v[1])]);
+        const Vec3 c = to_vec3(state_.body.x[static_cast<size_t>(v[2])]);
+        const auto& w = anchors[i].weight;
+        points[i] = static_cast<double>(w[0]) * a + static_cast<double>(w[1]) * b +
+                    static_cast<double>(w[2]) * c;
+        const Vec3 normal = (b - a).cross(c - a);
+        if (normal.squaredNorm() > 0) normals[i] = normal.normalized();
+    }
+}
+
 /// What a person would see on the screen, refreshed as often as the screen is.
 void AttemptLoop::perceive() noexcept {
     if (state_.frame % frames_per_look_ == 0) {
-        sim::deformed_contour(*scene_, state_, contour_);
-        for (size_t i = 0; i < contour_normal_.size(); ++i) {
-            const auto& v = scene_->contour_anchors[i].vertex;
-            const Vec3 a = to_vec3(state_.body.x[static_cast<size_t>(v[0])]);
-            const Vec3 b = to_vec3(state_.body.x[static_cast<size_t>(v[1])]);
-            const Vec3 c = to_vec3(state_.body.x[static_cast<size_t>(v[2])]);
-            const Vec3 normal = (b - a).cross(c - a);
-            if (normal.squaredNorm() > 0) contour_normal_[i] = normal.normalized();
+        look_at(scene_->contour_anchors, contour_, contour_normal_);
+        look_at(scene_->resection.anchors, outline_, outline_normal_);
+        if (!outline_.empty()) {
+            look_at({&scene_->resection.grasp_anchor, 1}, grasp_place_, grasp_normal_);
         }
     }
     haptics::Perception seen;
@@ -131,6 +148,22 @@ void AttemptLoop::perceive() noexcept {
         seen.tip_gap_m = state_.tools[i].tip_gap_m;
         break;
     }
+    seen.outline = outline_;
+    seen.outline_normal = outline_normal_;
+    seen.outline_cut = state_.resection.cut;
+    seen.grasp_place_m = grasp_place_[0];
+    for (size_t i = 0; i < scene_->tools.size(); ++i) {
+        seen.touches[i] = state_.tools[i].in_contact != 0;
+        seen.holds[i] = state_.grasps[i].count > 0;
+        seen.pull_n[i] = state_.grasps[i].force_n.norm();
+    }
+    for (const sim::Piece& piece : state_.pieces.list) {
+        // A shred between the jaws is not the piece.
+        seen.piece_free =
+            seen.piece_free || (piece.tets > 0 && piece.held_by >= 0 &&
+                                piece.volume_m3 > kPieceShare * scene_->marked_volume_m3);
+    }
+    seen.pieces_out = state_.pieces.out;
     servo_->devices().perceive(seen);
 }
 
@@ -233,6 +266,18 @@ void AttemptLoop::warn() noexcept {
                 break;
             case EventKind::kTorn:
                 say("Tissue torn");
+                break;
+            case EventKind::kSlipped:
+                say("Grasp slips");
+                break;
+            case EventKind::kCrushed:
+                say("Tissue crushed");
+                break;
+            case EventKind::kOverTraction:
+                say("Pulled too hard");
+                break;
+            case EventKind::kPlacodeCut:
+                say("Placode cut");
                 break;
             case EventKind::kPlacodeOverheated:
                 say("Placode heated");

@@ -189,6 +189,10 @@ void visit_field(const V& v, S& s) {
     v("bed_tangent_pa_m", s.bed_tangent_pa_m);
     v("side_pa_m", s.side_pa_m);
     v("contour_offset_m", s.contour_offset_m);
+    v("resect_from_deg", s.resect_from_deg);
+    v("resect_to_deg", s.resect_to_deg);
+    v("resect_margin_m", s.resect_margin_m);
+    v("spare_vertices", s.spare_vertices);
     v("isotropic", s.isotropic);
     v("tethers", s.tethers);
     v("tether_break_n", s.tether_break_n);

@@ -77,6 +77,15 @@ struct Perception {
     float cut_fraction = 0;
     bool in_contact = false;  ///< Needle tip touches tissue.
     double tip_gap_m = 1;
+    // With jaws and blades.
+    std::span<const Vec3> outline;         ///< Of the marked tissue where it lies now, in W [m].
+    std::span<const Vec3> outline_normal;  ///< Outward surface normals there.
+    std::span<const uint8_t> outline_cut;  ///< 1 = parted there.
+    Vec3 grasp_place_m = Vec3::Zero();     ///< Where to take hold of the marked tissue.
+    std::array<bool, sim::kMaxTools> touches{}, holds{};  ///< Per tool.
+    std::array<double, sim::kMaxTools> pull_n{};          ///< Traction of jaws that hold.
+    bool piece_free = false;  ///< What the jaws hold hangs on nothing any more.
+    int pieces_out = 0;
 };
 
 /// Settings of `open_device`, from command line and task.

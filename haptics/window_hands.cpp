@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/grasp.h"
+
 namespace placode::haptics {
 
 namespace {
@@ -16,6 +18,7 @@ constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1
 constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
 constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
 constexpr double kJawS = 0.150, kJawOpenRad = 0.96;
+constexpr double kRatchet = 0.18;  // of the full jaw force: holds membrane without crushing it
 const Vec3 kReachLow(-0.045, -0.045, -0.025), kReachHigh(0.045, 0.045, 0.040);
 const Vec3 kScopeReach(0.020, 0.020, 0.015);
 
@@ -35,6 +38,14 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
     for (size_t i = 0; i < hands_.size(); ++i) {
         const auto kind = config.tools[i].kind;
         hands_[i].scope = kind == sim::ToolKind::kScope;
+        hands_[i].port = config.tools[i].hand;
+        for (size_t k = 0; k < i; ++k) {
+            hands_[i].out = hands_[i].out || (!hands_[i].scope && !hands_[k].scope &&
+                                              hands_[k].port == hands_[i].port);
+        }
+        if (kind == sim::ToolKind::kGrasper) {
+            hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
+        }
         hands_[i].energy = kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
         if (!hands_[i].scope && !found) {
             active_ = i;
@@ -82,6 +93,17 @@ void WindowHands::next_hand(uint32_t presses) noexcept {
         do i = (i + 1) % hands_.size();
         while (hands_[i].scope && i != active_);
         active_ = i;
+        // Another instrument through the same port: the old one leaves, the new one comes in at
+        // its start.
+        for (size_t k = 0; k < hands_.size(); ++k) {
+            if (k == i || hands_[k].scope || hands_[k].port != hands_[i].port) continue;
+            hands_[k].out = true;
+            hands_[k].target_m.setZero();
+            hands_[k].position_m.setZero();
+            hands_[k].rate_m_s.setZero();
+            hands_[k].jaw_rad = 0;
+        }
+        hands_[i].out = false;
     }
 }
 
@@ -130,7 +152,8 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         const bool jaw = i == active_ && !hand.energy && (held & sim::kPedalCut) != 0;
         const double step = kJawOpenRad * dt / kJawS;
         if (i == active_)
-            hand.jaw_rad = std::clamp(hand.jaw_rad + (jaw ? -step : step), 0.0, kJawOpenRad);
+            hand.jaw_rad =
+                std::clamp(hand.jaw_rad + (jaw ? -step : step), hand.jaw_least_rad, kJawOpenRad);
         DeviceState& out = states[i];
         out = {};
         out.sequence = sequence_;
@@ -141,6 +164,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         out.jaw_rad = hand.energy || hand.scope ? 0 : hand.jaw_rad;
         out.pedals = i == active_ && hand.energy ? held : 0;
         out.finish = finished_;
+        out.engaged = !hand.out;
         out.status = there ? DeviceStatus::kReady : DeviceStatus::kLost;
     }
 }

@@ -87,14 +87,14 @@ void build_incidence(ContactSet& set) noexcept {
 }
 
 /// Notes the nearest spot of bare metal.
-void note_spot(const Scene& scene, ToolState& tool, const SurfaceTriangle& tri, const Triangle& x,
-               const TriangleDistance& d) noexcept {
+void note_spot(const Scene& scene, const SoftBodyState& body, ToolState& tool,
+               const SurfaceTriangle& tri, const Triangle& x, const TriangleDistance& d) noexcept {
     if (d.value_m >= tool.bare_gap_m) return;
     tool.bare_gap_m = d.value_m;
     tool.spot = tool.rest_spot = Vec3::Zero();
     for (int i = 0; i < 3; ++i) {
         tool.spot += d.weight[i] * x[i];
-        tool.rest_spot += d.weight[i] * scene.body.mesh().rest[tri.vertex[i]];
+        tool.rest_spot += d.weight[i] * scene.body.mesh().rest[origin_of(body, tri.vertex[i])];
     }
     tool.spot_tet = tri.tet;
     tool.touched = tri.tissue;
@@ -157,7 +157,7 @@ ContactSet::ContactSet(const Scene& scene)
       vertices(kMostVertices),
       incidence(3 * kMostContacts),
       previous(kMostVertices),
-      slot(scene.body.vertex_count(), -1) {
+      slot(scene.body.vertex_capacity(), -1) {
     for (size_t t = 0; t < scene.tools.size() && t < shapes.size(); ++t) {
         shapes[t] = make_tool_shape(scene.tools[t]);
     }
@@ -259,8 +259,8 @@ void find_contacts(const Scene& scene, State& state) noexcept {
         }
         const ToolShape& shape = set.shapes[t];
         const TriangleDistance d = nearest_on_triangle(shape, x_T, scene.contact.margin_m);
-        if (d.part < 0) continue;
-        if (d.part < shape.bare_parts) note_spot(scene, state.tools[t], tri, x, d);
+        if (d.part < 0 || (d.part == 0 && blades_open(scene, state, t))) continue;
+        if (d.part < shape.bare_parts) note_spot(scene, state.body, state.tools[t], tri, x, d);
         const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
         Vec3 n = state.tools[t].proxy.q * d.gradient;
         double gap = d.value_m;
@@ -339,7 +339,8 @@ void solve_contacts(const Scene& scene, State& state, double h) noexcept {
                 f.stiffness_n_m * (Mat3::Identity() - f.normal * f.normal.transpose());
         }
         Vec3 step = -system.hessian.llt().solve(system.gradient);
-        const double longest = 0.25 * scene.body.shortest_edge_m()[cv.vertex];
+        const double longest =
+            0.25 * scene.body.shortest_edge_m()[origin_of(state.body, cv.vertex)];
         const double length = step.norm();
         if (!std::isfinite(length)) {
             state.flags |= kNotFinite;

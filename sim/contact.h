@@ -48,7 +48,7 @@ struct ContactSet {
     explicit ContactSet(const Scene& scene);
     std::array<ToolShape, kMaxTools> shapes;
     std::array<uint8_t, kMaxTools> near{};  // 1 = the tool has candidates in this frame
-    std::vector<int32_t> candidates;  // triangle * 4 + tool
+    std::vector<int32_t> candidates;        // triangle * 4 + tool
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;
     std::vector<int32_t> incidence;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sim/ledger.h"
+#include "sim/separation.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {
@@ -193,10 +194,10 @@ CutTables make_cut_tables(const Scene& scene, CutProgress& progress) {
 
 double principal_stretch(const Scene& scene, const State& state, int tet) noexcept {
     const SoftBodySpec& spec = scene.body.spec();
-    const auto& c = spec.mesh.tets[tet];
+    const auto &r = spec.mesh.tets[tet], &c = corners(scene.body, state.body, tet);
     Mat3 rest, now;
     for (int i = 0; i < 3; ++i) {
-        rest.col(i) = spec.mesh.rest[c[i + 1]] - spec.mesh.rest[c[0]];
+        rest.col(i) = spec.mesh.rest[r[i + 1]] - spec.mesh.rest[r[0]];
         now.col(i) = position(state, c[i + 1]) - position(state, c[0]);
     }
     if (!spec.rest_scale.empty()) {
@@ -222,19 +223,20 @@ Vec3 rest_centroid(const Scene& scene, int tet) noexcept {
     return sum / 4;
 }
 
-void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,
-                   double value2) noexcept {
+void take_out(const Scene& scene, State& state, int tet) noexcept {
     if (!state.body.tet_alive[tet]) return;
     remove_tet(scene.body, state.body, tet);
     const auto& alive = state.body.tet_alive;
-    state.surface.remove_tet(scene.surface, scene.body.mesh(), alive, tet);
+    state.surface.remove_tet(scene.surface, scene.body.mesh(), alive, tet,
+                             current_tets(state.body));
     if (!state.heat.empty()) {
         remove_heat_of_tet(scene.body, *scene.heat, state.heat[0], scene.surface.neighbours(),
                            alive, tet);
     }
     // A vertex that nothing holds any more would fall for ever: it stays where it is.
-    for (const int32_t v : scene.body.mesh().tets[tet]) {
-        const auto around = scene.body.tets_of(v);
+    for (const int32_t v : corners(scene.body, state.body, tet)) {
+        const auto around = tets_around(scene.body, state.body, v);
+        queue_separation(scene, state, v);
         if (std::any_of(around.begin(), around.end(), [&](int32_t t) { return alive[t] != 0; })) {
             continue;
         }
@@ -242,8 +244,9 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
         state.body.x[v].w = 0;
         state.body.v[v] = {};
     }
-    const float volume = scene.body.volume_m3()[tet];
-    state.removed_m3 += volume;
+    if (!scene.marked.empty() && scene.marked[tet]) {
+        state.pieces.marked_gone_m3 += static_cast<double>(scene.body.volume_m3()[tet]);
+    }
     const CutTables& tables = state.scratch->cut;
     for (int i = tables.start[tet]; i < tables.start[tet + 1]; ++i) {
         const int column = tables.column[i], point = column / kColumnsPerPoint;
@@ -251,6 +254,14 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
         state.progress.cut[point] = 1;
         ++state.progress.cut_count;
     }
+}
+
+void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,
+                   double value2) noexcept {
+    if (!state.body.tet_alive[tet]) return;
+    take_out(scene, state, tet);
+    const float volume = scene.body.volume_m3()[tet];
+    state.removed_m3 += volume;
     Event e = tissue_event(scene, state, cause, tet);
     e.tool = static_cast<int8_t>(tool);
     e.value = volume;
@@ -262,8 +273,8 @@ void tear(const Scene& scene, State& state) noexcept {
     int torn = 0;
     const ContactSet& set = state.scratch->contacts;
     for (int i = 0; i < set.vertex_count && torn < kTearPerFrame; ++i) {
-        for (const int32_t t : scene.body.tets_of(set.vertices[i].vertex)) {
-            const auto& c = scene.body.mesh().tets[t];
+        for (const int32_t t : tets_around(scene.body, state.body, set.vertices[i].vertex)) {
+            const auto& c = corners(scene.body, state.body, t);
             // Once per tet: from the first of its corners that is in the colour.
             int first = -1;
             for (const int32_t v : c) {
@@ -278,9 +289,9 @@ void tear(const Scene& scene, State& state) noexcept {
         const Grasp& g = state.grasps[tool];
         for (int i = 0; i < g.count && torn < kTearPerFrame; ++i) {
             const int32_t v = g.held[i].vertex;
-            for (const int32_t t : scene.body.tets_of(v)) {
+            for (const int32_t t : tets_around(scene.body, state.body, v)) {
                 int32_t first = -1;  // once per tet: from the first of its held corners
-                for (const int32_t c : scene.body.mesh().tets[t]) {
+                for (const int32_t c : corners(scene.body, state.body, t)) {
                     if (first < 0 && state.held_by[c] == tool) first = c;
                 }
                 if (first != v || !state.body.tet_alive[t]) continue;

@@ -36,6 +36,9 @@ struct CutTables {
 void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,
                    double value2) noexcept;
 
+/// The same without an event and without counting as removed by heat or force.
+void take_out(const Scene& scene, State& state, int tet) noexcept;
+
 /// Tears what is stretched beyond its limit in several checks in a row: tets at the contact colour
 /// every frame, the others in turn, 1/64 a frame. At most 8 tets a frame.
 void tear(const Scene& scene, State& state) noexcept;

@@ -16,7 +16,7 @@ constexpr double kSparkGap = 0.0002;  // cutting voltage bridges this much gas [
 constexpr double kLeastSource = 0.00025, kMostSource = 0.0008;  // contact radius a [m]
 // Coagulation current comes in short bursts (some 6 % of the time) from a voltage that does not
 // keep an arc: the same mean power spreads over a wider spot and dries tissue without removing it.
-constexpr double kCoagSpread = 2.5;      // source radius against cutting
+constexpr double kCoagSpread = 2.5;       // source radius against cutting
 constexpr double kCoagDriedLimit = 0.35;  // below HeatSettings::vaporise_dried: nothing is removed
 constexpr int kMostInterval = 4;
 constexpr double kShareWhileCutting = 0.003;  // of the contact force: see ToolState::contact_share
@@ -32,7 +32,7 @@ int gather(const State& state, const Vec3& centre, double reach) noexcept {
     int count = 0;
     const float limit = static_cast<float>(reach * reach);
     const Vec3f c = centre.cast<float>();
-    for (int v = 0; v < static_cast<int>(state.body.x.size()); ++v) {
+    for (int v = 0; v < static_cast<int>(heat.capacity_j_k.size()); ++v) {
         const Float4& x = state.body.x[v];
         const float dx = x.x - c.x(), dy = x.y - c.y(), dz = x.z - c.z();
         if (dx * dx + dy * dy + dz * dz > limit || heat.capacity_j_k[v] <= 0) continue;

@@ -53,6 +53,18 @@ std::string_view event_name(EventKind kind) noexcept {
             return "crushed";
         case EventKind::kOverTraction:
             return "over_traction";
+        case EventKind::kSnipped:
+            return "snipped";
+        case EventKind::kPlacodeCut:
+            return "placode_cut";
+        case EventKind::kPieceFree:
+            return "piece_free";
+        case EventKind::kPieceOut:
+            return "piece_out";
+        case EventKind::kCrumb:
+            return "crumb";
+        case EventKind::kSectorFree:
+            return "sector_free";
     }
     return "unknown";
 }

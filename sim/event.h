@@ -40,6 +40,13 @@ enum class EventKind : uint16_t {
     kSlipped = 21,       ///< tissue slid in the jaws: value = way [m], value2 = peak traction [N]
     kCrushed = 22,       ///< jaw pressure above the tissue's limit: value = Pa, value2 = N
     kOverTraction = 23,  ///< pulled above the tissue's limit: value = seconds, value2 = peak [N]
+    kSnipped = 24,       ///< scissors closed: value = area parted [m^2], value2 = depth [m]
+    kPlacodeCut = 25,    ///< scissors parted placode from placode: value = area [m^2]
+    kPieceFree = 26,     ///< tissue came loose: value = volume [m^3]
+    kPieceOut = 27,    ///< a loose piece was taken out of the field: value = volume [m^3], value2 =
+                       ///< share of the marked tissue that is gone with it
+    kCrumb = 28,       ///< a loose crumb was washed away: value = volume [m^3]
+    kSectorFree = 29,  ///< a sector of 5 degrees came free: value = sector, value2 = free sectors
 };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 
@@ -65,6 +72,7 @@ enum StepFlag : uint32_t {
     kContactsDropped = 1u << 2,  ///< More contacts than the scene's capacity.
     kEventsDropped = 1u << 3,    ///< More events in one frame than State can hold.
     kReseed = 1u << 4,           ///< A collapsed element was re-seeded from rest.
+    kCutRefused = 1u << 5,       ///< No room for a split: raise the scene's spare vertices.
 };
 
 }  // namespace placode::sim

@@ -37,7 +37,7 @@ Vec3 place_T(const Grasp& g, const GraspedVertex& held) noexcept {
 }
 
 bool lives(const Scene& scene, const State& state, int v) noexcept {
-    const auto around = scene.body.tets_of(v);
+    const auto around = tets_around(scene.body, state.body, v);
     return std::any_of(around.begin(), around.end(),
                        [&](int32_t t) { return state.body.tet_alive[t] != 0; });
 }
@@ -45,7 +45,7 @@ bool lives(const Scene& scene, const State& state, int v) noexcept {
 void drop(const Scene& scene, State& state, Grasp& g, int i) noexcept {
     const int v = g.held[i].vertex;
     state.held_by[v] = -1;
-    if (lives(scene, state, v)) state.body.x[v].w = 1.0F / scene.body.mass_kg()[v];
+    if (lives(scene, state, v)) state.body.x[v].w = 1.0F / mass_of(scene.body, state.body, v);
     g.held[i] = g.held[--g.count];
 }
 
@@ -68,12 +68,12 @@ void describe(const Scene& scene, State& state, int t) noexcept {
     double low = 0, high = -1;
     Vec3 rest = Vec3::Zero();
     for (int i = 0; i < g.count; ++i) {
-        for (const int32_t tet : scene.body.tets_of(g.held[i].vertex)) {
+        for (const int32_t tet : tets_around(scene.body, state.body, g.held[i].vertex)) {
             if (!state.body.tet_alive[tet]) continue;
             ++count[static_cast<int>(scene.body.mesh().tissue[tet])];
             g.tet = tet;
         }
-        rest += scene.body.mesh().rest[g.held[i].vertex] / g.count;
+        rest += scene.body.mesh().rest[origin_of(state.body, g.held[i].vertex)] / g.count;
         const double z = g.held[i].at_T[2];
         low = i == 0 ? z : std::min(low, z);
         high = i == 0 ? z : std::max(high, z);
@@ -96,7 +96,8 @@ void take(const Scene& scene, State& state, int t) noexcept {
     for (const SurfaceTriangle& tri : state.surface.triangles()) {
         for (const int32_t v : tri.vertex) {
             if (g.count == kMaxGrasped) return;
-            if (state.held_by[v] >= 0 || state.body.x[v].w == 0) continue;
+            if (state.held_by[v] >= 0) continue;
+            if (state.body.x[v].w == 0 && !state.pieces.resting[v]) continue;
             const Vec3 p = to_tool * position(state.body, v);
             if (p.z() > kReach || p.z() < -spec.tip_length_m || std::abs(p.x()) > half) continue;
             const double gap =
@@ -249,10 +250,10 @@ void feel_grasped(const Scene& scene, State& state) noexcept {
         double stiffness = 0;
         for (int i = 0; i < g.count; ++i) {
             const int v = g.held[i].vertex;
-            const double inertia = scene.body.mass_kg()[v] / (h * h);
+            const double mass = mass_of(scene.body, state.body, v), inertia = mass / (h * h);
             const VertexSystem s = vertex_system(scene.body, state.body, v, h);
             force += elastic_force(scene.body, state.body, v) +
-                     scene.body.mass_kg()[v] * scene.body.spec().solver.gravity_m_s2;
+                     mass * scene.body.spec().solver.gravity_m_s2;
             stiffness += s.hessian.trace() / 3 - inertia;
         }
         if (!force.allFinite()) continue;
@@ -276,6 +277,8 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
         const auto meet = static_cast<float>(grip_angle(spec));
         const float jaw = std::isfinite(tool.jaw_rad) ? std::max(0.0f, tool.jaw_rad) : g.jaw_rad;
         if (g.count > 0 && (!tool.engaged || jaw > kLetGo * g.meet_rad)) {
+            // What slides while the jaws open is let go, not lost.
+            if (g.slip_pause_s < kSlipEnds) g.slip_m = 0;
             end_grasp(scene, state, t);
         } else if (g.grasped > 0 && g.count == 0 && g.held_s > 0) {
             end_grasp(scene, state, t);  // all of it slipped out, or died
@@ -294,6 +297,23 @@ void update_grasps(const Scene& scene, State& state, double dt) noexcept {
         g.jaw_rad = jaw;
         if (g.count == 0) g.grasped = 0;
     }
+}
+
+void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept {
+    const int t = state.held_by[vertex];
+    state.held_by[copy] = -1;
+    if (t < 0) return;
+    Grasp& g = state.grasps[t];
+    for (int i = 0; i < g.count; ++i) {
+        if (g.held[i].vertex != vertex) continue;
+        if (g.count == kMaxGrasped) break;
+        g.held[g.count] = {copy, g.held[i].at_T};
+        ++g.count;
+        state.held_by[copy] = static_cast<int8_t>(t);
+        state.body.x[copy].w = 0;
+        return;
+    }
+    state.body.x[copy].w = 1.0F / mass_of(scene.body, state.body, copy);
 }
 
 void let_go_vertex(const Scene& scene, State& state, int vertex) noexcept {

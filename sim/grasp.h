@@ -63,6 +63,9 @@ void feel_grasped(const Scene& scene, State& state) noexcept;
 /// End of a frame of `dt` seconds: closes, opens, crushes, and writes what happened.
 void update_grasps(const Scene& scene, State& state, double dt) noexcept;
 
+/// A held vertex was split: the jaws hold its copy as well.
+void hold_copy(const Scene& scene, State& state, int vertex, int copy) noexcept;
+
 /// Takes a vertex out of any jaws (it died, or its tissue was cut away).
 void let_go_vertex(const Scene& scene, State& state, int vertex) noexcept;
 

@@ -18,6 +18,7 @@ constexpr float kOverForceS = 0.05f;     // shorter peaks are not a way of worki
 constexpr float kOverheatPauseS = 1.0f;  // between entries for one burn that grows
 constexpr float kCheckAfterS = 2.0f;     // hands off after the ring is complete: checking
 constexpr double kRingComplete = 0.99;
+constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
 
 void end_dwell(State& state, int t) noexcept {
     ToolState& tool = state.tools[t];
@@ -196,8 +197,9 @@ void enter_phase(State& state, Phase phase) noexcept {
 }
 
 /// Inspect until the first touch or current of a working instrument; incise until the ring is
-/// complete; release until the hands have been off for two seconds; then check. Back to release at
-/// the next current.
+/// complete; release until every sector of the placode is free (or, where nothing is marked for
+/// resection, until the hands have been off for two seconds); resect until the marked tissue is out
+/// and the hands are off; then check. Back to release at the next current.
 void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
     bool busy = false, current = false;
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
@@ -208,11 +210,18 @@ void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
     state.idle_s = busy ? 0.0f : state.idle_s + static_cast<float>(dt);
     const double points = static_cast<double>(state.progress.cut.size());
     if (state.phase == Phase::kInspect && busy) enter_phase(state, Phase::kIncise);
+    const bool free = points > 0 && state.release.free_count == kSectors;
     if (state.phase == Phase::kIncise && points > 0 &&
-        state.progress.cut_count >= kRingComplete * points) {
+        (free || state.progress.cut_count >= kRingComplete * points)) {
         enter_phase(state, Phase::kRelease);
     }
-    if (state.phase == Phase::kRelease && state.idle_s >= kCheckAfterS) {
+    const bool marked = scene.marked_volume_m3 > 0;
+    if (state.phase == Phase::kRelease && free && marked) enter_phase(state, Phase::kResect);
+    const bool resected =
+        state.pieces.marked_gone_m3 >= kResected * scene.marked_volume_m3 && state.pieces.out > 0;
+    if (state.phase == Phase::kResect && resected && state.idle_s >= kCheckAfterS) {
+        enter_phase(state, Phase::kCheck);
+    } else if (state.phase == Phase::kRelease && !marked && state.idle_s >= kCheckAfterS) {
         enter_phase(state, Phase::kCheck);
     } else if (state.phase == Phase::kCheck && current) {
         enter_phase(state, Phase::kRelease);

@@ -76,7 +76,7 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
 // A linear spring has an exact XPBD block: (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
 // where m/h^2 sum of the earlier dx is the accumulated multiplier.
 void solve_springs_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
-    const PackedElements& packed = body.packed();
+    const PackedElements& packed = packed_of(body, state);
     for (size_t i = 0; i < packed.spring_vertices.size(); ++i) {
         const int32_t vertex = packed.spring_vertices[i];
         Float4& x = state.x[at(vertex)];

@@ -18,11 +18,11 @@ Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
 
 bool collapsed(const SoftBody& body, const SoftBodyState& state, int tet) noexcept {
     if (state.tet_alive[at(tet)] == 0) return false;
-    const auto& k = body.mesh().tets[at(tet)];
+    const auto &k = corners(body, state, tet), &r = body.mesh().tets[at(tet)];
     for (size_t i = 1; i < 4; ++i) {
         for (size_t j = 0; j < i; ++j) {
             const double now = (to_vec(state.x[at(k[i])]) - to_vec(state.x[at(k[j])])).norm();
-            const double rest = (body.mesh().rest[at(k[i])] - body.mesh().rest[at(k[j])]).norm();
+            const double rest = (body.mesh().rest[at(r[i])] - body.mesh().rest[at(r[j])]).norm();
             if (!(now < kCollapsed * rest)) return false;
         }
     }
@@ -56,17 +56,18 @@ int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
             state.free_vertex[at(v)] |= kSeen;
             state.scratch[count++] = v;
         };
-        for (const int32_t v : body.mesh().tets[at(t)]) reach(v);
+        for (const int32_t v : corners(body, state, t)) reach(v);
         for (size_t head = 0; head < count; ++head) {
-            for (const int32_t other : body.tets_of(state.scratch[head])) {
+            for (const int32_t other : tets_around(body, state, state.scratch[head])) {
                 if (!collapsed(body, state, other)) continue;
-                for (const int32_t v : body.mesh().tets[at(other)]) reach(v);
+                for (const int32_t v : corners(body, state, other)) reach(v);
             }
         }
         Piece piece;
         for (size_t i = 0; i < count; ++i) {
             const size_t v = at(state.scratch[i]);
-            piece.add(body.mesh().rest[v], state.x[v], state.v[v]);
+            piece.add(body.mesh().rest[at(origin_of(state, static_cast<int>(v)))], state.x[v],
+                      state.v[v]);
             state.free_vertex[v] &= static_cast<uint8_t>(~kSeen);
         }
         const Vec3 way = piece.held > 0 ? Vec3(piece.held_moved / piece.held)
@@ -75,7 +76,8 @@ int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
         for (size_t i = 0; i < count; ++i) {
             const size_t v = at(state.scratch[i]);
             if (state.x[v].w == 0) continue;
-            const Vec3f x = (body.mesh().rest[v] + way).cast<float>();
+            const int32_t o = origin_of(state, static_cast<int>(v));
+            const Vec3f x = (body.mesh().rest[at(o)] + way).cast<float>();
             const Vec3f u = velocity.cast<float>();
             state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
             state.v[v] = {u.x(), u.y(), u.z(), 0};

@@ -43,6 +43,17 @@ struct ContourAnchor {
     std::array<float, 3> weight{};  ///< Barycentric.
 };
 
+/// Tissue that the operator shall take out: outlined on the surface, closed.
+struct Resection {
+    std::vector<Vec3> line;              ///< At rest [m], last != first.
+    std::vector<ContourAnchor> anchors;  ///< One per point.
+    /// Tets of the top layer just inside and just outside of each point: parted there when no path
+    /// leads from one to the other any more.
+    std::vector<std::array<int32_t, 2>> across;
+    Vec3 grasp_m = Vec3::Zero();  ///< A good place to take hold, at rest.
+    ContourAnchor grasp_anchor;
+};
+
 struct ContactSettings {
     double stiffness_n_m = 3000;          ///< k of the contact colour [N/m].
     double margin_m = 0.0002;             ///< Contact starts this far out, for time continuity.
@@ -60,6 +71,9 @@ struct Scene {
     Surface surface;
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
     ContactSettings contact;
+    std::vector<uint8_t> marked;  ///< (T) 1 = to be resected; empty = nothing is marked.
+    double marked_volume_m3 = 0;
+    Resection resection;
     std::vector<ToolSpec> tools;  ///< At most kMaxTools.
     FieldGeometry geometry;
     FieldVertexData field;

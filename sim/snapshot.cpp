@@ -32,12 +32,16 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     out.x.resize(vertices);
     out.damage.resize(vertices);
     const HeatState* heat = state.heat.empty() ? nullptr : &state.heat[0];
+    const auto whole = static_cast<size_t>(scene.body.vertex_count());
+    out.origin.resize(vertices - whole);
     for (size_t v = 0; v < vertices; ++v) {
         const Float4& x = state.body.x[v];
         out.x[v] = {x.x, x.y, x.z};
+        const auto o = static_cast<size_t>(origin_of(state.body, static_cast<int>(v)));
+        if (v >= whole) out.origin[v - whole] = static_cast<int32_t>(o);
         if (heat) {
-            out.damage[v] = {std::min(1.0f, heat->arrhenius[v]), heat->dried[v], heat->charred[v],
-                             heat->temperature_c[v]};
+            out.damage[v] = {std::min(1.0f, heat->arrhenius[o]), heat->dried[o], heat->charred[o],
+                             heat->temperature_c[o]};
         } else {
             out.damage[v] = {0, 0, 0, 37};
         }
@@ -63,6 +67,19 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
             }
         }
     }
+    out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
+    out.resect_line.resize(scene.resection.anchors.size());
+    for (size_t i = 0; i < out.resect_line.size(); ++i) {
+        const ContourAnchor& a = scene.resection.anchors[i];
+        out.resect_line[i] = {};
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                out.resect_line[i][axis] += a.weight[k] * out.x[a.vertex[k]][axis];
+            }
+        }
+    }
+    out.free_sectors = state.release.free_count;
+    out.pieces_out = state.pieces.out;
     out.phase = state.phase;
     out.cut_fraction = state.progress.cut.empty()
                            ? 0.0f

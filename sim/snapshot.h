@@ -33,6 +33,10 @@ struct Snapshot {
     int tool_count = 0;
     std::vector<uint8_t> contour_cut;           ///< Per planned-contour point.
     std::vector<std::array<float, 3>> contour;  ///< Deformed planned contour [m].
+    std::vector<int32_t> origin;  ///< Of the copies that cutting made: vertex of the field (V0 ..).
+    std::vector<std::array<float, 3>> resect_line;  ///< Deformed outline of the marked tissue [m].
+    std::vector<uint8_t> resect_cut;                ///< Per point: parted there.
+    int free_sectors = 0, pieces_out = 0;
     Phase phase = Phase::kInspect;
     float cut_fraction = 0;  ///< 0..1 of the planned contour.
     float vapour_rate_m3_s = 0;

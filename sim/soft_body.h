@@ -70,6 +70,7 @@ struct SoftBodySpec {
         rest_scale;  ///< (T) in-plane (world x and y), normal (world z) scale of the rest shape;
                      ///< below 1 = the tissue is drawn tight; empty = 1. Mass is not scaled.
     std::vector<uint8_t> stiffness_percent;  ///< (T) of the material's modulus; empty = 100.
+    int spare_vertices = 0;  ///< Room for the copies that cutting makes; 0 = cannot be cut.
 };
 
 /// Position and inverse mass, or velocity and padding, in one 16-byte slot.
@@ -78,6 +79,26 @@ struct alignas(16) Float4 {
 };
 
 struct PackedElements;  // batches and colours of the kernels, in solver order
+struct Topology;        // connectivity that cutting changes: sim/topology.h
+class SoftBody;
+
+/// Owns a Topology, or none; copies deeply.
+class TopologyPointer {
+ public:
+    TopologyPointer();
+    ~TopologyPointer();
+    TopologyPointer(const TopologyPointer& other);
+    TopologyPointer& operator=(const TopologyPointer& other);
+    TopologyPointer(TopologyPointer&&) noexcept;
+    TopologyPointer& operator=(TopologyPointer&&) noexcept;
+    void create(const SoftBody& body);
+    explicit operator bool() const noexcept { return value_ != nullptr; }
+    Topology& operator*() const noexcept { return *value_; }
+    Topology* operator->() const noexcept { return value_.get(); }
+
+ private:
+    std::unique_ptr<Topology> value_;
+};
 
 /// Constant part. Vertex numbers are those of `mesh()`.
 class SoftBody {
@@ -96,6 +117,10 @@ class SoftBody {
     [[nodiscard]] const TetMesh& mesh() const noexcept { return spec_.mesh; }
     [[nodiscard]] int vertex_count() const noexcept {
         return static_cast<int>(spec_.mesh.rest.size());
+    }
+    /// With the spare vertices: the size of every array of the state that counts vertices.
+    [[nodiscard]] int vertex_capacity() const noexcept {
+        return vertex_count() + spec_.spare_vertices;
     }
     [[nodiscard]] int tet_count() const noexcept {
         return static_cast<int>(spec_.mesh.tets.size());
@@ -147,8 +172,29 @@ struct SoftBodyState {
     std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
     AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
     std::vector<int32_t> scratch;        ///< Private to update_free_vertices (V).
+    TopologyPointer topology;            ///< Only in bodies with spare vertices.
     uint32_t flags = 0;  ///< Bits of StepReport raised by the kernels; the caller clears them.
 };
+
+// Connectivity as it is now. Vertices from vertex_count() on are copies that cutting made; their
+// data at rest are those of origin_of.
+
+/// Tets around a vertex, dead ones too.
+[[nodiscard]] std::span<const int32_t> tets_around(const SoftBody& body, const SoftBodyState& state,
+                                                   int vertex) noexcept;
+/// Corners of a tet.
+[[nodiscard]] const std::array<int32_t, 4>& corners(const SoftBody& body,
+                                                    const SoftBodyState& state, int tet) noexcept;
+/// Corners of all tets; empty in a body without spare vertices.
+[[nodiscard]] std::span<const std::array<int32_t, 4>> current_tets(
+    const SoftBodyState& state) noexcept;
+/// Vertex of the mesh that a vertex came from: itself, unless it is a copy.
+[[nodiscard]] int32_t origin_of(const SoftBodyState& state, int vertex) noexcept;
+/// Lumped mass [kg].
+[[nodiscard]] float mass_of(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept;
+/// The kernels' view of the body.
+[[nodiscard]] const PackedElements& packed_of(const SoftBody& body,
+                                              const SoftBodyState& state) noexcept;
 
 /// Gradient and Hessian of the implicit-Euler objective in one vertex:
 /// m/(2h^2)|x - target|^2 + sum Psi V + springs + stretched tethers. Works with every method.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/packing_tets.h"
+#include "sim/topology.h"
 
 namespace placode::sim {
 namespace {
@@ -25,12 +26,12 @@ class Hash {
 }  // namespace
 
 SoftBodyState::SoftBodyState(const SoftBody& body) {
-    const size_t n = at(body.vertex_count());
+    const size_t n = at(body.vertex_capacity()), used = at(body.vertex_count());
     x.resize(n);
     v.resize(n);
     x_start.resize(n);
     target.resize(n);
-    for (size_t i = 0; i < n; ++i) {
+    for (size_t i = 0; i < used; ++i) {
         const Vec3f p = body.mesh().rest[i].cast<float>();
         x[i] = {p.x(), p.y(), p.z(), 1.0F / body.mass_kg()[i]};
     }
@@ -43,7 +44,16 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     scratch.assign(n, 0);
     tether_alive.assign(body.spec().tethers.size(), 1);
     tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
-    lanes = body.packed().lanes;
+    if (n > used) {
+        // Spares wait, held, where they disturb nothing.
+        for (size_t i = used; i < n; ++i) x[i] = {x[0].x, x[0].y, x[0].z, 0.0F};
+        x_start = x;
+        target = x;
+        topology.create(body);
+        lanes.swap(topology->packed.lanes);
+    } else {
+        lanes = body.packed().lanes;
+    }
     update_free_vertices(body, *this);
 }
 
@@ -63,11 +73,11 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
     for (const int32_t v : body.packed().spring_vertices) reach(v);
     while (top > 0) {
         const int32_t v = state.scratch[--top];
-        for (const int32_t t : body.tets_of(v)) {
+        for (const int32_t t : tets_around(body, state, v)) {
             if (state.tet_alive[at(t)] == 0) continue;
-            for (const int32_t other : body.mesh().tets[at(t)]) reach(other);
+            for (const int32_t other : corners(body, state, t)) reach(other);
         }
-        const PackedElements& packed = body.packed();
+        const PackedElements& packed = packed_of(body, state);
         for (int32_t i = packed.tether_start[at(v)]; i < packed.tether_start[at(v) + 1]; ++i) {
             const size_t tether = at(packed.tether_of[at(i)]);
             if (state.tether_alive[tether] == 0) continue;
@@ -77,13 +87,17 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
 }
 
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
-    const PackedElements& packed = body.packed();
+    const PackedElements& packed = packed_of(body, state);
     if (state.tet_alive[at(tet)] == 0) return;
     state.tet_alive[at(tet)] = 0;
     for (size_t k = 0; k < 4; ++k) {
         state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
-        set_vertex_weights(body, packed, state.tet_alive, body.mesh().tets[at(tet)][k],
-                           state.lanes.data());
+        const int32_t v = corners(body, state, tet)[k];
+        if (state.topology) {
+            reweigh(state, v);
+        } else {
+            set_vertex_weights(body, packed, state.tet_alive, v, state.lanes.data());
+        }
     }
     if (!packed.tet_slot.empty()) {
         state.lanes[at(packed.tet_lane_start + packed.tet_slot[at(tet)])] = 0;

@@ -117,7 +117,8 @@ void measure_tips(const Scene& scene, State& state) noexcept {
             tool.spot_tet = tri.tet;
             tool.rest_spot = Vec3::Zero();
             for (int k = 0; k < 3; ++k) {
-                tool.rest_spot += weight[k] * scene.body.mesh().rest[tri.vertex[k]];
+                tool.rest_spot +=
+                    weight[k] * scene.body.mesh().rest[origin_of(state.body, tri.vertex[k])];
             }
         }
     }
@@ -188,9 +189,17 @@ State::Scratch::Scratch(const Scene& scene)
       vaporised(kVaporisedPerStep),
       candidates(scene.body.vertex_count()),
       placode_volume_m3(scene.body.vertex_count(), 0.0f),
-      tether_alive(scene.body.spec().tethers.size(), 1) {
+      tether_alive(scene.body.spec().tethers.size(), 1),
+      separation(scene),
+      pieces(scene),
+      sector_stack(scene.body.tet_count()),
+      tet_seen(scene.body.tet_count(), 0) {
     const TetMesh& mesh = scene.body.mesh();
     for (int t = 0; t < scene.body.tet_count(); ++t) {
+        for (int i = 1; i < 4; ++i) {
+            const Vec3 edge = mesh.rest[mesh.tets[t][i]] - mesh.rest[mesh.tets[t][i - 1]];
+            longest_edge_m = std::max(longest_edge_m, edge.norm());
+        }
         if (mesh.tissue[t] != Tissue::kPlacode) continue;
         for (const int32_t v : mesh.tets[t]) placode_volume_m3[v] += scene.body.volume_m3()[t] / 4;
     }
@@ -200,8 +209,8 @@ State::State(const Scene& scene, int threads)
     : substeps(scene.body.spec().solver.substeps),
       body(scene.body),
       surface(scene.surface, scene.body.mesh()),
-      held_by(scene.body.vertex_count(), -1),
-      friction(scene.body.vertex_count()),
+      held_by(scene.body.vertex_capacity(), -1),
+      friction(scene.body.vertex_capacity()),
       stretch_count(scene.body.tet_count(), 0),
       stretch_reported(scene.body.tet_count(), 0),
       dose_reported(scene.body.vertex_count(), 0),
@@ -209,6 +218,11 @@ State::State(const Scene& scene, int threads)
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene)) {
     scratch->cut = make_cut_tables(scene, progress);
+    pieces.of.assign(scene.body.tet_count(), -1);
+    pieces.resting.assign(scene.body.vertex_capacity(), 0);
+    pieces.searched = surface.version();
+    resection.cut.assign(scene.resection.line.size(), 0);
+    resection.checked.assign(scene.resection.line.size(), 0);
     if (scene.heat) {
         heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
         const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);
@@ -280,7 +294,10 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     charge(1);
     std::array<uint8_t, kMaxTools> active{};
     report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
+    run_scissors(scene, state);
     tear(scene, state);
+    separate(scene, state);
+    update_pieces(scene, state);
     // A flood over the whole body: now and then is enough to notice what has come loose.
     if (state.frame % kLooseInterval == 0 && state.surface.version() != state.loose_version) {
         state.loose_version = state.surface.version();
@@ -339,6 +356,19 @@ uint64_t state_hash(const State& state) noexcept {
     }
     for (const ToolState& tool : state.tools) hash_tool(hash, tool);
     for (const Grasp& grasp : state.grasps) hash_grasp(hash, grasp);
+    for (const Scissors& s : state.scissors) {
+        hash.add(s.jaw_rad);
+        hash.add(s.start_rad);
+        hash.add(s.next);
+        hash.add(s.closing);
+    }
+    hash.add(state.splits);
+    hash.add(state.release.free_count);
+    hash.add(state.release.next);
+    hash.add(state.pieces.out);
+    hash.add(state.pieces.crumbs);
+    hash.all(state.pieces.of);
+    hash.all(state.resection.cut);
     hash.all(state.progress.cut);
     hash.all(state.progress.column_left);
     hash.all(state.stretch_count);

@@ -12,7 +12,9 @@
 
 #include "sim/event.h"
 #include "sim/grasp.h"
+#include "sim/pieces.h"
 #include "sim/scene.h"
+#include "sim/scissors.h"
 #include "sim/tool.h"
 #include "sim/workers.h"
 
@@ -86,6 +88,11 @@ struct State {
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};
     std::array<Grasp, kMaxTools> grasps{};
+    std::array<Scissors, kMaxTools> scissors{};
+    ReleaseProgress release;
+    ResectionProgress resection;
+    Pieces pieces;
+    int32_t splits = 0;           ///< Vertices that cutting has split.
     std::vector<int8_t> held_by;  ///< (V) Tool whose jaws hold the vertex, -1 = none.
     CutProgress progress;
     float placode_peak_cem43_min = 0, placode_peak_c = 37, placode_burned_m3 = 0;

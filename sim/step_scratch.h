@@ -7,6 +7,8 @@
 
 #include "sim/contact.h"
 #include "sim/cutting.h"
+#include "sim/pieces.h"
+#include "sim/separation.h"
 #include "sim/step.h"
 
 namespace placode::sim {
@@ -19,7 +21,13 @@ struct State::Scratch {
     std::vector<int32_t> candidates;       // (V) vertices near a current
     std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
     std::vector<uint8_t> tether_alive;     // before the frame
-    bool heat_stepped = false;             // in this frame
+    SeparationQueue separation;
+    PieceSearch pieces;
+    std::vector<int32_t> sector_stack;  // (T)
+    std::vector<uint32_t> tet_seen;     // (T) stamps of a search
+    uint32_t stamp = 0;
+    double longest_edge_m = 0;  // at rest, constant
+    bool heat_stepped = false;  // in this frame
 };
 
 }  // namespace placode::sim

@@ -31,7 +31,7 @@ bool finite(const Float4& p) noexcept { return p.x * 0 + p.y * 0 + p.z * 0 == 0;
 class Substep {
  public:
     Substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept
-        : body_(body), state_(state), packed_(body.packed()), workers_(workers) {
+        : body_(body), state_(state), packed_(packed_of(body, state)), workers_(workers) {
         const SolverSettings& s = body.spec().solver;
         vbd_ = s.method == Method::kVbd;
         h_ = h;

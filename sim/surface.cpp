@@ -34,10 +34,12 @@ std::vector<FaceSide> sorted_sides(const TetMesh& mesh) {
     return sides;
 }
 
-SurfaceTriangle triangle_of(const TetMesh& mesh, int face) {
+SurfaceTriangle triangle_of(const TetMesh& mesh, int face,
+                            std::span<const std::array<int32_t, 4>> tets = {}) {
     SurfaceTriangle triangle;
     const int tet = face / 4, f = face % 4;
-    for (int i = 0; i < 3; ++i) triangle.vertex[i] = mesh.tets[tet][kTetFaces[f][i]];
+    const auto& corner = tets.empty() ? mesh.tets[tet] : tets[tet];
+    for (int i = 0; i < 3; ++i) triangle.vertex[i] = corner[kTetFaces[f][i]];
     triangle.tet = tet;
     triangle.tissue = mesh.tissue[tet];
     return triangle;
@@ -102,7 +104,8 @@ void SurfaceState::take(int face) noexcept {
 }
 
 void SurfaceState::remove_tet(const Surface& surface, const TetMesh& mesh,
-                              std::span<const uint8_t> tet_alive, int tet) noexcept {
+                              std::span<const uint8_t> tet_alive, int tet,
+                              std::span<const std::array<int32_t, 4>> tets) noexcept {
     for (int f = 0; f < 4; ++f) {
         if (slot_of_face_[4 * tet + f] >= 0) {
             take(4 * tet + f);
@@ -113,12 +116,34 @@ void SurfaceState::remove_tet(const Surface& surface, const TetMesh& mesh,
         for (int g = 0; g < 4; ++g) {
             if (surface.neighbours()[other][g] != tet || slot_of_face_[4 * other + g] >= 0)
                 continue;
-            SurfaceTriangle triangle = triangle_of(mesh, 4 * other + g);
+            SurfaceTriangle triangle = triangle_of(mesh, 4 * other + g, tets);
             triangle.fresh = 1;
             put(4 * other + g, triangle);
         }
     }
     ++version_;
+}
+
+void SurfaceState::cut_face(const Surface& surface, const TetMesh& mesh, int tet, int f,
+                            std::span<const std::array<int32_t, 4>> tets) noexcept {
+    const int other = surface.neighbours()[tet][f];
+    for (int g = 0; g < 4; ++g) {
+        if (surface.neighbours()[other][g] != tet) continue;
+        for (const int face : {4 * tet + f, 4 * other + g}) {
+            SurfaceTriangle triangle = triangle_of(mesh, face, tets);
+            triangle.fresh = 1;
+            put(face, triangle);
+        }
+    }
+    ++version_;
+}
+
+void SurfaceState::follow_corners(int tet, std::span<const std::array<int32_t, 4>> tets) noexcept {
+    for (int f = 0; f < 4; ++f) {
+        const int slot = slot_of_face_[4 * tet + f];
+        if (slot < 0) continue;
+        for (int i = 0; i < 3; ++i) triangles_[slot].vertex[i] = tets[tet][kTetFaces[f][i]];
+    }
 }
 
 }  // namespace placode::sim

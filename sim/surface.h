@@ -54,11 +54,21 @@ class SurfaceState {
     /// Grows by one with every change.
     [[nodiscard]] uint32_t version() const noexcept { return version_; }
     /// Updates the boundary after `tet` was removed. @pre it was alive.
+    /// `tets` = corners as they are now (empty: those of the mesh).
     void remove_tet(const Surface& surface, const TetMesh& mesh, std::span<const uint8_t> tet_alive,
-                    int tet) noexcept;
+                    int tet, std::span<const std::array<int32_t, 4>> tets = {}) noexcept;
     /// Boxes around the triangles; refit before asking. Slots are indices into triangles().
     [[nodiscard]] const SurfaceTree& tree() const noexcept { return tree_; }
     void refit(std::span<const Float4> x) noexcept { tree_.refit(triangles(), x); }
+    /// True when the face of `tet` opposite to local vertex `f` is boundary.
+    [[nodiscard]] bool on_surface(int tet, int f) const noexcept {
+        return slot_of_face_[4 * tet + f] >= 0;
+    }
+    /// Parts two living tets: both sides of their face become fresh surface. @pre !on_surface.
+    void cut_face(const Surface& surface, const TetMesh& mesh, int tet, int f,
+                  std::span<const std::array<int32_t, 4>> tets) noexcept;
+    /// After corners of a tet have changed.
+    void follow_corners(int tet, std::span<const std::array<int32_t, 4>> tets) noexcept;
 
  private:
     SurfaceTree tree_;

@@ -17,7 +17,7 @@ Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
 /// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
 void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
                  Mat3& hessian) noexcept {
-    const PackedElements& packed = body.packed();
+    const PackedElements& packed = packed_of(body, state);
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     const size_t lane = at(packed.slot[at(vertex)] % kLanes);
     const Vec3 x = to_vec(state.x[at(vertex)]);
@@ -43,7 +43,7 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
 
 void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
-    const PackedElements& packed = body.packed();
+    const PackedElements& packed = packed_of(body, state);
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     if (b.spring_start < 0) return;
     const float* k = packed.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
@@ -58,7 +58,7 @@ void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
 /// Energy C^2 / (2 compliance), C = length - rest, only when stretched.
 void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
-    const PackedElements& packed = body.packed();
+    const PackedElements& packed = packed_of(body, state);
     for (int32_t i = packed.tether_start[at(vertex)]; i < packed.tether_start[at(vertex) + 1];
          ++i) {
         const auto index = at(packed.tether_of[at(i)]);
@@ -82,7 +82,7 @@ VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int
                            double h) noexcept {
     VertexSystem out;
     const auto i = at(vertex);
-    const double inertia = static_cast<double>(body.mass_kg()[i]) / (h * h);
+    const double inertia = static_cast<double>(mass_of(body, state, vertex)) / (h * h);
     // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
     const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;
     if (!state.force_n.empty()) out.gradient = -to_vec(state.force_n[i]);

@@ -20,6 +20,7 @@ struct BoxOptions {
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
     bool hold_bottom = true;
+    int spare_vertices = 0;
     ToolSpec tool;
 };
 
@@ -37,6 +38,7 @@ inline Scene box_scene(const BoxOptions& options) {
     spec.solver.over_relaxation = options.over_relaxation;
     spec.solver.gravity_m_s2 = options.gravity;
     spec.solver.allow_invalid = true;
+    spec.spare_vertices = options.spare_vertices;
     for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
         if (options.hold_bottom && spec.mesh.rest[v].z() < -options.size_m.z() + 1e-9) {
             spec.fixed.push_back(v);

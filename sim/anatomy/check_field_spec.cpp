@@ -60,6 +60,10 @@ class Checker {
         range("skin_edge_b_m", spec_.skin_edge_b_m, 0.002,
               (spec_.domain_y_m / 2 - 2 * edge) / (1 + swing));
         range("contour_offset_m", spec_.contour_offset_m, 0.0005, 0.02);
+        range("resect_from_deg", spec_.resect_from_deg, -360, 720);
+        range("resect_to_deg", spec_.resect_to_deg, -360, 720);
+        range("resect_margin_m", spec_.resect_margin_m, 0, 0.003);
+        range("spare_vertices", spec_.spare_vertices, 0, 20000);
         // Between the outlines there is room for the contour and one edge behind it.
         const double gap = (spec_.contour_offset_m + edge) / (1 - swing);
         range("placode_a_m", spec_.placode_a_m, 0.0005, spec_.skin_edge_a_m - gap);

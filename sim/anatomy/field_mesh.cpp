@@ -165,4 +165,8 @@ SurfaceLine laid_on_surface(const FieldMesh& field, const std::vector<Vec2>& lin
     return out;
 }
 
+ContourAnchor anchor_on_surface(const FieldMesh& field, const Vec2& p) {
+    return anchor_at(field, p);
+}
+
 }  // namespace placode::sim

@@ -33,6 +33,8 @@ struct SurfaceLine {
     std::vector<Vec3> points;            ///< In W [m].
     std::vector<ContourAnchor> anchors;  ///< One per point.
 };
+/// One point of the plane laid on the meshed surface.
+[[nodiscard]] ContourAnchor anchor_on_surface(const FieldMesh& field, const Vec2& p);
 [[nodiscard]] SurfaceLine laid_on_surface(const FieldMesh& field, const std::vector<Vec2>& line,
                                           int points);
 

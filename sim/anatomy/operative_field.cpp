@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "sim/anatomy/field_mesh.h"
+#include "sim/anatomy/resection.h"
 
 namespace placode::sim {
 
@@ -192,6 +193,10 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     pre_tension(spec, field.mesh, body);
     tie_tethers(spec, field, body);
     const size_t tethers = body.tethers.size();
+    const bool scissors = std::any_of(spec.tools.begin(), spec.tools.end(), [](const ToolSpec& t) {
+        return t.kind == ToolKind::kScissors;
+    });
+    if (scissors) body.spare_vertices = spec.spare_vertices;
 
     auto scene = std::make_shared<Scene>(SoftBody(std::move(body)));
     scene->id = spec.id;
@@ -200,6 +205,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     scene->tools = spec.tools;
     scene->colour_linear = kColourLinear;
     add_landmarks(spec, shape, field, *scene);
+    mark_resection(spec, shape, field, *scene);
     scene->notes = mesh_notes(field.mesh, tethers);
     const std::vector<std::string> body_notes = scene->body.notes();
     scene->notes.insert(scene->notes.end(), body_notes.begin(), body_notes.end());

@@ -45,9 +45,14 @@ struct OperativeFieldSpec {
     double bed_normal_pa_m = 11e6, bed_tangent_pa_m = 1.3e6,
            side_pa_m = 3e6;            ///< Winkler bed, per area.
     double contour_offset_m = 0.0015;  ///< Planned incision: this far outside the placode edge.
-    bool isotropic = false;  ///< `paper` preset: triangles of `edge_ring_m` everywhere, skin not
-                             ///< thinned; with equal layers the tets have about equal edges.
-    int tethers = 0;         ///< Breakable strands between placode and canal floor.
+    /// Sector of the zone outside the planned incision that is marked for resection, counted from
+    /// +x (cranial) towards +y (left) [degrees]; equal = nothing is marked.
+    double resect_from_deg = 0, resect_to_deg = 0;
+    double resect_margin_m = 0.0004;  ///< Left standing along the skin edge.
+    int spare_vertices = 4000;  ///< For cutting; used only where scissors are among the tools.
+    bool isotropic = false;     ///< `paper` preset: triangles of `edge_ring_m` everywhere, skin not
+                                ///< thinned; with equal layers the tets have about equal edges.
+    int tethers = 0;            ///< Breakable strands between placode and canal floor.
     double tether_break_n = 0.020;
     double tether_compliance_m_n = 1e-2;
     MaterialTable materials = default_materials();

@@ -44,6 +44,7 @@ TissueMesh::TissueMesh(const ViewField& field) : has_depth_(!field.depth_m.empty
     for (const auto& p : field.rest) rest_mm_.emplace_back(1000 * p[0], 1000 * p[1], 1000 * p[2]);
     depth_mm_.assign(field.rest.size(), 0.0F);
     for (size_t i = 0; i < field.depth_m.size(); ++i) depth_mm_[i] = 1000 * field.depth_m[i];
+    whole_ = field.rest.size();
     slot_of_.assign(2 * field.rest.size(), -1);
     touched_.assign(field.rest.size(), 0);
     if (has_depth_) build_skirt(field);
@@ -79,6 +80,17 @@ void TissueMesh::rebuild(const Snapshot& snapshot) {
     built_ = true;
     version_ = snapshot.surface_version;
     triangle_count_ = snapshot.triangles.size();
+    // Copies that cutting made look at rest like the vertex they came from.
+    while (rest_mm_.size() > whole_) {
+        rest_mm_.pop_back();
+        depth_mm_.pop_back();
+    }
+    for (const int32_t o : snapshot.origin) {
+        rest_mm_.push_back(rest_mm_[static_cast<size_t>(o)]);
+        depth_mm_.push_back(depth_mm_[static_cast<size_t>(o)]);
+    }
+    slot_of_.resize(2 * rest_mm_.size(), -1);
+    touched_.resize(rest_mm_.size(), 0);
     for (size_t c = 0; c < vertex_of_.size(); ++c) {
         slot_of_[2 * static_cast<size_t>(vertex_of_[c]) + fresh_[c]] = -1;
         touched_[static_cast<size_t>(vertex_of_[c])] = 0;

@@ -36,6 +36,7 @@ class TissueMesh {
 
     std::vector<Eigen::Vector3f> rest_mm_;
     std::vector<float> depth_mm_;
+    size_t whole_ = 0;  // vertices of the field; copies follow
     bool has_depth_ = false;
     uint32_t version_ = 0;
     size_t triangle_count_ = 0;

@@ -233,6 +233,11 @@ void ToolRenderer::draw(const Snapshot& snapshot, GlProgram& program) {
         const ToolSnapshot& tool = snapshot.tools[i];
         const ToolShape& shape = shapes_[i];
         if (shape.indices.empty()) continue;
+        // What waits outside for its turn at the port is not in the picture.
+        const bool shares = std::count_if(specs_.begin(), specs_.end(), [&](const ToolSpec& s) {
+                                return s.hand == specs_[i].hand;
+                            }) > 1;
+        if (shares && tool.engaged == 0) continue;
         const Eigen::Matrix3f turn = tool.pose.q.toRotationMatrix().cast<float>();
         const Vector3f origin = (1000 * tool.pose.p).cast<float>();
         staging_.clear();

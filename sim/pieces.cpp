@@ -1,0 +1,376 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cutting.h"
+#include "sim/ledger.h"
+#include "sim/step_scratch.h"
+#include "sim/topology.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kFloodPerFrame = 2500;
+constexpr int kRemovedPerFrame = 8;
+constexpr double kCrumb = 0.3e-9;      // smaller pieces are washed away [m^3]
+constexpr double kOutShare = 0.62;     // of the way from lesion to port: the piece is out
+constexpr double kNearLine = 0.0014;   // around a point of the outline [m]
+constexpr int kGroundCells = 64;       // heightmap of kGroundCell cells around the lesion
+constexpr double kGroundCell = 0.001;  // [m]
+constexpr float kLying = 1e-4F;        // this near to the field's height a fallen piece lies [m]
+constexpr float kLost = -0.004F;       // below that it lies in any case [m]
+
+bool counts_for_release(Tissue t) noexcept {
+    return t == Tissue::kPlacode || t == Tissue::kZone || t == Tissue::kSkin ||
+           t == Tissue::kThinSkin;
+}
+bool is_skin(Tissue t) noexcept { return t == Tissue::kSkin || t == Tissue::kThinSkin; }
+
+int ground_cell(double x, double y) noexcept {
+    const auto cell = [](double c) {
+        return std::clamp(static_cast<int>(std::floor(c / kGroundCell)) + kGroundCells / 2, 0,
+                          kGroundCells - 1);
+    };
+    return cell(x) * kGroundCells + cell(y);
+}
+
+// --- release -----------------------------------------------------------------------------------
+
+/// True when no path leads from the placode in sector `s` to the skin within s - 1 .. s + 1.
+bool sector_free(const Scene& scene, State& state, int s) noexcept {
+    PieceSearch& search = state.scratch->pieces;
+    const uint32_t stamp = ++search.sector_stamp;
+    const auto& tissue = scene.body.mesh().tissue;
+    auto& seen = search.sector_seen;
+    int top = 0;
+    auto& stack = state.scratch->sector_stack;
+    for (int i = search.sector_start[s]; i < search.sector_start[s + 1]; ++i) {
+        const int32_t t = search.sector_tets[i];
+        if (tissue[t] != Tissue::kPlacode || !state.body.tet_alive[t]) continue;
+        seen[t] = stamp;
+        stack[top++] = t;
+    }
+    while (top > 0) {
+        const int32_t t = stack[--top];
+        if (is_skin(tissue[t])) return false;
+        for (int f = 0; f < 4; ++f) {
+            if (state.surface.on_surface(t, f)) continue;
+            const int32_t other = scene.surface.neighbours()[t][f];
+            if (other < 0 || seen[other] == stamp || !state.body.tet_alive[other]) continue;
+            if (!counts_for_release(tissue[other])) continue;
+            const int away = (search.sector_of_tet[other] - s + kSectors + 1) % kSectors;
+            if (away > 2) continue;
+            seen[other] = stamp;
+            stack[top++] = other;
+        }
+    }
+    return true;
+}
+
+void update_release(const Scene& scene, State& state) noexcept {
+    ReleaseProgress& r = state.release;
+    const int s = r.next;
+    r.next = (r.next + 1) % kSectors;
+    if (r.checked[s] == state.surface.version()) return;
+    r.checked[s] = state.surface.version();
+    if (r.free[s] || !sector_free(scene, state, s)) return;
+    r.free[s] = 1;  // what is free stays free
+    ++r.free_count;
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = EventKind::kSectorFree;
+    e.tissue = Tissue::kPlacode;
+    e.value = static_cast<float>(s);
+    e.value2 = static_cast<float>(r.free_count);
+    add_event(state, e);
+}
+
+// --- outline of the marked tissue ---------------------------------------------------------------
+
+/// True when no path leads from one side of the outline to the other in the neighbourhood.
+bool parted(const Scene& scene, State& state, const Vec3& where, int32_t from,
+            int32_t to) noexcept {
+    const auto& alive = state.body.tet_alive;
+    if (!alive[from] || !alive[to]) return true;
+    PieceSearch& search = state.scratch->pieces;
+    const uint32_t stamp = ++search.sector_stamp;
+    auto& stack = state.scratch->sector_stack;
+    int top = 0;
+    search.sector_seen[from] = stamp;
+    stack[top++] = from;
+    while (top > 0) {
+        const int32_t t = stack[--top];
+        if (t == to) return false;
+        for (int f = 0; f < 4; ++f) {
+            if (state.surface.on_surface(t, f)) continue;
+            const int32_t other = scene.surface.neighbours()[t][f];
+            if (other < 0 || search.sector_seen[other] == stamp || !alive[other]) continue;
+            if (!counts_for_release(scene.body.mesh().tissue[other])) continue;
+            if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)
+                continue;
+            search.sector_seen[other] = stamp;
+            stack[top++] = other;
+        }
+    }
+    return true;
+}
+
+void update_outline(const Scene& scene, State& state) noexcept {
+    ResectionProgress& r = state.resection;
+    const auto points = static_cast<int32_t>(r.cut.size());
+    if (points == 0) return;
+    const int i = r.next;
+    r.next = (r.next + 1) % points;
+    if (r.checked[i] == state.surface.version()) return;
+    r.checked[i] = state.surface.version();
+    const auto& sides = scene.resection.across[i];
+    if (r.cut[i] || !parted(scene, state, scene.resection.line[i], sides[0], sides[1])) return;
+    r.cut[i] = 1;
+    ++r.cut_count;
+}
+
+// --- loose pieces ------------------------------------------------------------------------------
+
+template <class Visit>
+void for_tets(const Scene& scene, const State& state, int piece, Visit&& visit) noexcept {
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        if (state.pieces.of[t] == piece && state.body.tet_alive[t]) visit(t);
+    }
+}
+
+/// Sticks where it is, or comes off.
+void rest(const Scene& scene, State& state, int piece, bool resting) noexcept {
+    Piece& p = state.pieces.list[piece];
+    p.resting = resting ? 1 : 0;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        for (const int32_t v : corners(scene.body, state.body, t)) {
+            if (state.held_by[v] >= 0) continue;
+            state.pieces.resting[v] = p.resting;
+            state.body.v[v] = {};
+            state.body.x[v].w = resting ? 0.0F : 1.0F / mass_of(scene.body, state.body, v);
+        }
+    });
+}
+
+/// Tool whose jaws hold the piece, -1 = none.
+int holder(const Scene& scene, const State& state, int piece) noexcept {
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        const Grasp& g = state.grasps[t];
+        for (int i = 0; i < g.count; ++i) {
+            for (const int32_t tet : tets_around(scene.body, state.body, g.held[i].vertex)) {
+                if (state.body.tet_alive[tet] && state.pieces.of[tet] == piece) return t;
+            }
+        }
+    }
+    return -1;
+}
+
+Event piece_event(const Scene& scene, const State& state, EventKind kind, const Piece& p) noexcept {
+    Event e = tissue_event(scene, state, kind, p.seed);
+    e.value = static_cast<float>(p.volume_m3);
+    e.tool = p.held_by;
+    return e;
+}
+
+/// Gathers a piece from one of its tets and decides what becomes of it.
+void found(const Scene& scene, State& state, int32_t seed) noexcept {
+    Pieces& pieces = state.pieces;
+    int slot = 0;
+    while (slot < kMostPieces && pieces.list[slot].tets > 0) ++slot;
+    if (slot == kMostPieces) return;  // found again by the next flood
+    PieceSearch& search = state.scratch->pieces;
+    Piece& p = pieces.list[slot];
+    p = {};
+    p.seed = seed;
+    int32_t top = 0;
+    search.stack[top++] = seed;
+    pieces.of[seed] = static_cast<int8_t>(slot);
+    while (top > 0) {
+        const int32_t t = search.stack[--top];
+        ++p.tets;
+        p.volume_m3 += static_cast<double>(scene.body.volume_m3()[t]);
+        for (int f = 0; f < 4; ++f) {
+            if (state.surface.on_surface(t, f)) continue;
+            const int32_t other = scene.surface.neighbours()[t][f];
+            if (other < 0 || !state.body.tet_alive[other] || pieces.of[other] == slot) continue;
+            pieces.of[other] = static_cast<int8_t>(slot);
+            search.stack[top++] = other;
+        }
+    }
+    p.held_by = static_cast<int8_t>(holder(scene, state, slot));
+    if (p.volume_m3 < kCrumb && p.held_by < 0) {
+        p.leaving = 1;
+        ++pieces.crumbs;
+        add_event(state, piece_event(scene, state, EventKind::kCrumb, p));
+        return;
+    }
+    add_event(state, piece_event(scene, state, EventKind::kPieceFree, p));
+    if (p.held_by < 0) rest(scene, state, slot, true);
+}
+
+/// A piece was cut in two: its parts are found anew.
+void forget_parted(const Scene& scene, State& state) noexcept {
+    Pieces& pieces = state.pieces;
+    for (int i = 0; i < kMostPieces; ++i) {
+        Piece& p = pieces.list[i];
+        if (p.tets == 0 || p.leaving) continue;
+        int32_t tets = 0;
+        double volume = 0;
+        for_tets(scene, state, i, [&](int32_t t) {
+            ++tets;
+            volume += static_cast<double>(scene.body.volume_m3()[t]);
+            p.seed = t;
+        });
+        p.tets = tets;
+        p.volume_m3 = volume;
+    }
+}
+
+/// Some frames' worth of flood from the bed; at its end what was not reached is loose.
+void flood(const Scene& scene, State& state) noexcept {
+    PieceSearch& search = state.scratch->pieces;
+    Pieces& pieces = state.pieces;
+    if (!search.running) {
+        if (pieces.searched == state.surface.version()) return;
+        pieces.searched = state.surface.version();
+        search.running = true;
+        search.top = 0;
+        ++search.stamp;
+        for (const int32_t t : search.anchored) {
+            if (!state.body.tet_alive[t]) continue;
+            search.reached[t] = search.stamp;
+            search.stack[search.top++] = t;
+        }
+    }
+    for (int n = 0; n < kFloodPerFrame && search.top > 0; ++n) {
+        const int32_t t = search.stack[--search.top];
+        for (int f = 0; f < 4; ++f) {
+            if (state.surface.on_surface(t, f)) continue;
+            const int32_t other = scene.surface.neighbours()[t][f];
+            if (other < 0 || search.reached[other] == search.stamp) continue;
+            if (!state.body.tet_alive[other]) continue;
+            search.reached[other] = search.stamp;
+            search.stack[search.top++] = other;
+        }
+    }
+    if (search.top > 0) return;
+    search.running = false;
+    bool any = false;
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        if (!state.body.tet_alive[t] || search.reached[t] == search.stamp) continue;
+        if (pieces.of[t] >= 0) continue;
+        found(scene, state, t);
+        any = true;
+    }
+    forget_parted(scene, state);
+    if (any) update_free_vertices(scene.body, state.body);
+}
+
+/// True when a fallen piece has reached the field.
+bool lies(const Scene& scene, const State& state, int piece) noexcept {
+    bool down = false;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        const Float4& x = state.body.x[corners(scene.body, state.body, t)[0]];
+        const float ground = state.scratch->pieces.ground_m[ground_cell(x.x, x.y)];
+        down = down || x.z < ground + kLying || x.z < kLost;
+    });
+    return down;
+}
+
+void take_away(const Scene& scene, State& state, int piece) noexcept {
+    Piece& p = state.pieces.list[piece];
+    int removed = 0;
+    for (int32_t t = 0; t < scene.body.tet_count() && removed < kRemovedPerFrame; ++t) {
+        if (state.pieces.of[t] != piece || !state.body.tet_alive[t]) continue;
+        take_out(scene, state, t);
+        ++removed;
+    }
+    if (removed < kRemovedPerFrame) p = {};
+}
+
+void follow(const Scene& scene, State& state, int piece) noexcept {
+    Piece& p = state.pieces.list[piece];
+    if (p.leaving) {
+        take_away(scene, state, piece);
+        return;
+    }
+    const int before = p.held_by;
+    p.held_by = static_cast<int8_t>(holder(scene, state, piece));
+    if (p.held_by >= 0) {
+        if (p.resting) rest(scene, state, piece, false);
+        const Vec3 pivot = scene.tools[p.held_by].pivot_m;
+        const Vec3 tip = state.tools[p.held_by].proxy.p;
+        if ((tip - pivot).norm() < kOutShare * pivot.norm()) {
+            p.leaving = 1;
+            ++state.pieces.out;
+            state.pieces.out_m3 += p.volume_m3;
+            Event e = piece_event(scene, state, EventKind::kPieceOut, p);
+            if (scene.marked_volume_m3 > 0) {
+                double gone = state.pieces.marked_gone_m3;
+                for_tets(scene, state, piece, [&](int32_t t) {
+                    if (scene.marked[t]) gone += static_cast<double>(scene.body.volume_m3()[t]);
+                });
+                e.value2 = static_cast<float>(gone / scene.marked_volume_m3);
+            }
+            add_event(state, e);
+        }
+    } else if (!p.resting) {
+        if (before >= 0) update_free_vertices(scene.body, state.body);
+        if (lies(scene, state, piece)) rest(scene, state, piece, true);
+    }
+}
+
+}  // namespace
+
+int sector_of(const Vec3& rest) noexcept {
+    double angle = std::atan2(rest.y(), rest.x()) * 180 / 3.14159265358979323846;
+    if (angle < 0) angle += 360;
+    return std::min(kSectors - 1, static_cast<int>(angle / 5));
+}
+
+PieceSearch::PieceSearch(const Scene& scene)
+    : reached(scene.body.tet_count(), 0),
+      stack(scene.body.tet_count()),
+      ground_m(static_cast<size_t>(kGroundCells) * kGroundCells, -1.0F),
+      sector_seen(scene.body.tet_count(), 0),
+      sector_of_tet(scene.body.tet_count(), 0) {
+    const TetMesh& mesh = scene.body.mesh();
+    std::vector<uint8_t> held(mesh.rest.size(), 0);
+    for (const int32_t v : scene.body.spec().fixed) held[v] = 1;
+    for (const AnchorSpring& s : scene.body.spec().springs) held[s.vertex] = 1;
+    std::array<std::vector<int32_t>, kSectors> sectors;
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        const auto& c = mesh.tets[t];
+        if (std::any_of(c.begin(), c.end(), [&](int32_t v) { return held[v] != 0; })) {
+            anchored.push_back(t);
+        }
+        sector_of_tet[t] = static_cast<int8_t>(sim::sector_of(rest_centroid(scene, t)));
+        if (mesh.tissue[t] == Tissue::kPlacode) sectors[sector_of_tet[t]].push_back(t);
+    }
+    for (const auto& list : sectors) {
+        sector_start.push_back(static_cast<int32_t>(sector_tets.size()));
+        sector_tets.insert(sector_tets.end(), list.begin(), list.end());
+    }
+    sector_start.push_back(static_cast<int32_t>(sector_tets.size()));
+    for (const Vec3& x : mesh.rest) {
+        float& height = ground_m[ground_cell(x.x(), x.y())];
+        height = std::max(height, static_cast<float>(x.z()));
+    }
+}
+
+void update_pieces(const Scene& scene, State& state) noexcept {
+    if (!scene.geometry.planned_contour.empty()) update_release(scene, state);
+    update_outline(scene, state);
+    // Where nothing is held, nothing can come loose.
+    if (!state.body.topology || state.scratch->pieces.anchored.empty()) return;
+    flood(scene, state);
+    for (int i = 0; i < kMostPieces; ++i) {
+        if (state.pieces.list[i].tets > 0) follow(scene, state, i);
+    }
+}
+
+}  // namespace placode::sim

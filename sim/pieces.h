@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What hangs together. Two questions, both answered over uncut faces of living tets:
+//
+// Release: does a path through placode, zone and skin still lead from the placode to the skin?
+// Asked for each of 72 sectors of 5 degrees, inside the sector and its two neighbours; one sector a
+// frame, and only after the surface has changed.
+//
+// Loose pieces: tets that no path leads to from the bed. A flood from the bed runs over some frames
+// whenever the surface has changed. A crumb is washed away; a piece lies where it came loose (wet
+// tissue sticks) until jaws take it, falls when they let it go, and is out when they have drawn it
+// back towards the port.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/geometry.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+inline constexpr int kSectors = 72;
+inline constexpr int kMostPieces = 64;
+
+/// Sector of a place at rest: 0 begins at +x (cranial), counting towards +y (left).
+[[nodiscard]] int sector_of(const Vec3& rest) noexcept;
+
+/// Which sectors of the placode are free.
+struct ReleaseProgress {
+    std::array<uint8_t, kSectors> free{};
+    std::array<uint32_t, kSectors> checked{};  ///< Surface version of the last look.
+    int32_t free_count = 0, next = 0;
+};
+
+/// Where the outline of the marked tissue is parted. One point a frame.
+struct ResectionProgress {
+    std::vector<uint8_t> cut;       ///< Per point of Resection::line.
+    std::vector<uint32_t> checked;  ///< Surface version of the last look.
+    int32_t cut_count = 0, next = 0;
+};
+
+/// A piece of tissue that nothing but jaws holds.
+struct Piece {
+    double volume_m3 = 0;
+    int32_t tets = 0;     ///< 0 = slot not in use.
+    int32_t seed = -1;    ///< One of its tets.
+    int8_t held_by = -1;  ///< Tool that holds it.
+    uint8_t resting = 0;  ///< Sticks where it lies.
+    uint8_t leaving = 0;  ///< Being taken away: crumb, or out of the port.
+};
+
+/// Loose tissue and the running flood.
+struct Pieces {
+    std::array<Piece, kMostPieces> list{};
+    std::vector<int8_t> of;        ///< (T) Index into `list`, -1 = hangs on the bed. Sized once.
+    std::vector<uint8_t> resting;  ///< (V + spares) Held by stickiness only.
+    uint32_t searched = 0;         ///< Surface version at the start of the last flood.
+    int32_t out = 0, crumbs = 0;
+    double out_m3 = 0;
+    double marked_gone_m3 = 0;  ///< Of Scene::marked.
+};
+
+/// Constant lists and the flood's memory. Sized once.
+struct PieceSearch {
+    explicit PieceSearch(const Scene& scene);
+    std::vector<int32_t> sector_start, sector_tets;  // tets that count for the release, by sector
+    std::vector<int32_t> anchored;                   // tets at the bed
+    std::vector<uint32_t> reached;                   // (T) stamps
+    std::vector<int32_t> stack;                      // (T)
+    std::vector<float> ground_m;                     // height of the field at rest, 1 mm cells
+    uint32_t stamp = 0, sector_stamp = 0;
+    std::vector<uint32_t> sector_seen;  // (T) stamps
+    std::vector<int8_t> sector_of_tet;  // (T)
+    int32_t top = 0;
+    bool running = false;
+};
+
+/// One frame of both. Call after everything that cuts.
+void update_pieces(const Scene& scene, State& state) noexcept;
+
+}  // namespace placode::sim

@@ -1,0 +1,359 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cuts by scissors: nothing is lost, nothing hangs by a point, nothing heals.
+
+#include "sim/scissors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "sim/topology.h"
+#include "tests/box_scene.h"
+
+namespace placode::sim {
+namespace {
+
+using test::BoxOptions;
+
+BoxOptions sheet(Method method = Method::kVbd) {
+    BoxOptions options;
+    options.size_m = Vec3(0.006, 0.006, 0.001);
+    options.cells = {12, 12, 2};
+    options.tissue = Tissue::kZone;
+    // XPBD needs a small Courant number.
+    options.material.youngs_modulus_pa = method == Method::kXpbd ? 300 : 10000;
+    options.material.damping_per_s = 60;
+    options.material.fail_stretch = options.material.injury_stretch = 100;
+    options.method = method;
+    options.heat = false;
+    options.hold_bottom = false;
+    options.spare_vertices = 600;
+    options.tool.kind = ToolKind::kScissors;
+    options.tool.tip_radius_m = 0.0003;
+    options.tool.tip_length_m = 0.008;
+    options.tool.grip_n_m = 1e7;
+    return options;
+}
+
+Vec3 at(const State& state, int v) {
+    const Float4& x = state.body.x[static_cast<size_t>(v)];
+    return {x.x, x.y, x.z};
+}
+
+/// Opens to `angle` at a pose and closes within `frames`.
+void snip(const Scene& scene, State& state, const Pose& pose, double angle = 0.7, int frames = 4) {
+    ToolInput input;
+    input.set_pose(pose);
+    input.engaged = 1;
+    ToolFeedback feedback;
+    input.jaw_rad = 0;
+    test::frame(scene, state, input, feedback);
+    for (int i = 0; i <= frames; ++i) {
+        input.jaw_rad = static_cast<float>(angle * (frames - i) / frames);
+        test::frame(scene, state, input, feedback);
+    }
+    // What did not fit into a frame follows.
+    for (int i = 0; i < 20; ++i) test::frame(scene, state, input, feedback);
+}
+
+/// Tip at p, blades along `ahead`, plane of the blades spanned by `ahead` and `up`.
+Pose blades(const Vec3& p, const Vec3& ahead, const Vec3& up) {
+    Mat3 axes;
+    axes.col(2) = ahead.normalized();
+    axes.col(1) = (up - up.dot(axes.col(2)) * axes.col(2)).normalized();
+    axes.col(0) = axes.col(1).cross(axes.col(2));
+    return {p, Quat(axes)};
+}
+
+double living_volume(const Scene& scene, const State& state) {
+    double sum = 0;
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        if (state.body.tet_alive[static_cast<size_t>(t)]) sum += rest_volume(scene.body.mesh(), t);
+    }
+    return sum;
+}
+
+/// Every edge of the boundary is run through as often one way as the other, and every corner of a
+/// triangle belongs to the tet behind it.
+void expect_closed_surface(const Scene& scene, const State& state) {
+    std::map<std::pair<int, int>, int> edges;
+    for (const SurfaceTriangle& t : state.surface.triangles()) {
+        ASSERT_TRUE(state.body.tet_alive[static_cast<size_t>(t.tet)]);
+        const auto& c = corners(scene.body, state.body, t.tet);
+        for (size_t i = 0; i < 3; ++i) {
+            ASSERT_NE(std::find(c.begin(), c.end(), t.vertex[i]), c.end());
+            ++edges[{t.vertex[i], t.vertex[(i + 1) % 3]}];
+        }
+    }
+    for (const auto& [edge, n] : edges) {
+        const auto back = edges.find({edge.second, edge.first});
+        ASSERT_TRUE(back != edges.end() && back->second == n);
+    }
+}
+
+/// Tets around every vertex hang together over uncut faces, lists and corners agree, and no vertex
+/// in use is without a tet.
+void expect_whole_vertices(const Scene& scene, const State& state) {
+    const Topology& top = *state.body.topology;
+    std::vector<int> seen(top.origin.size(), 0);
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        for (const int32_t v : top.tets[static_cast<size_t>(t)]) {
+            const auto around = tets_around(scene.body, state.body, v);
+            ASSERT_NE(std::find(around.begin(), around.end(), t), around.end());
+            ++seen[static_cast<size_t>(v)];
+        }
+    }
+    for (int v = 0; v < top.vertices; ++v) {
+        const auto around = tets_around(scene.body, state.body, v);
+        ASSERT_EQ(static_cast<size_t>(seen[static_cast<size_t>(v)]), around.size());
+        ASSERT_GT(around.size(), 0U);
+        std::set<int32_t> reached{around[0]}, rim{around[0]};
+        while (!rim.empty()) {
+            const int32_t t = *rim.begin();
+            rim.erase(rim.begin());
+            for (int f = 0; f < 4; ++f) {
+                if (top.tets[static_cast<size_t>(t)][static_cast<size_t>(f)] == v) continue;
+                if (state.surface.on_surface(t, f)) continue;
+                const int32_t other =
+                    scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
+                if (reached.insert(other).second) rim.insert(other);
+            }
+        }
+        ASSERT_EQ(reached.size(), around.size()) << "vertex " << v << " joins two parts";
+    }
+}
+
+/// Elastic force on a vertex from its tets one by one, F by F: nothing in common with strips.
+Vec3 force_by_tets(const Scene& scene, const State& state, int v) {
+    Vec3 force = Vec3::Zero();
+    for (const int32_t t : tets_around(scene.body, state.body, v)) {
+        if (!state.body.tet_alive[static_cast<size_t>(t)]) continue;
+        const auto& r = scene.body.mesh().tets[static_cast<size_t>(t)];
+        const auto& c = corners(scene.body, state.body, t);
+        Mat3 rest, now;
+        for (int i = 0; i < 3; ++i) {
+            const auto k = static_cast<size_t>(i) + 1;
+            rest.col(i) = scene.body.mesh().rest[static_cast<size_t>(r[k])] -
+                          scene.body.mesh().rest[static_cast<size_t>(r[0])];
+            now.col(i) = at(state, c[k]) - at(state, c[0]);
+        }
+        const Mat3 inverse = rest.inverse(), f = now * inverse;
+        const Material& m =
+            scene.body.spec()
+                .materials[static_cast<size_t>(scene.body.mesh().tissue[static_cast<size_t>(t)])];
+        const NeoHookean n = neo_hookean(m.youngs_modulus_pa, m.poissons_ratio);
+        const double j = f.determinant();
+        const Mat3 cofactor = j * f.inverse().transpose();
+        const Mat3 p = n.mu_pa * f + n.lambda_pa * (j - n.gamma) * cofactor;
+        const auto k = std::find(c.begin(), c.end(), v) - c.begin();
+        Vec3 gradient = -inverse.colwise().sum().transpose();
+        if (k > 0) gradient = inverse.row(k - 1).transpose();
+        force -= rest.determinant() / 6 * p * gradient;
+    }
+    return force;
+}
+
+TEST(Scissors, CutThroughASheetItFallsIntoTwoThatDoNotHeal) {
+    for (const Method method : {Method::kVbd, Method::kXpbd}) {
+        BoxOptions options = sheet(method);
+        options.size_m.y() = 0.004;
+        options.cells[1] = 8;
+        const Scene scene = test::box_scene(options);
+        State state(scene, 1);
+        // Along x, tip beyond the far edge, blades above and below.
+        snip(scene, state, blades(Vec3(0.0035, 0, -0.0005), Vec3::UnitX(), Vec3::UnitZ()));
+        EXPECT_GT(state.splits, 20);
+        ASSERT_EQ(state.flags & kCutRefused, 0U);
+        expect_whole_vertices(scene, state);
+        // Pull the parts 1 mm to either side: nothing holds them together.
+        for (int v = 0; v < state.body.topology->vertices; ++v) {
+            const auto around = tets_around(scene.body, state.body, v);
+            double y = 0;
+            for (const int32_t c : corners(scene.body, state.body, around[0]))
+                y += at(state, c).y();
+            state.body.x[static_cast<size_t>(v)].y += y > 0 ? 0.001F : -0.001F;
+        }
+        ToolFeedback feedback;
+        for (int i = 0; i < 300; ++i) {
+            test::frame(scene, state, test::upright(Vec3(0, 0, 0.05)), feedback);
+        }
+        // Still apart: no tet reaches across the gap.
+        for (int t = 0; t < scene.body.tet_count(); ++t) {
+            double low = 1, high = -1;
+            for (const int32_t v : corners(scene.body, state.body, t)) {
+                low = std::min(low, at(state, v).y());
+                high = std::max(high, at(state, v).y());
+            }
+            EXPECT_LT(high - low, 0.001);
+            EXPECT_TRUE(low > 0.0004 || high < -0.0004);
+        }
+    }
+}
+
+TEST(Scissors, NothingChangesBeyondTheCut) {
+    const Scene scene = test::box_scene(sheet());
+    State state(scene, 1);
+    const auto before = state.body.x;
+    snip(scene, state, blades(Vec3(-0.001, 0, -0.0005), Vec3::UnitX(), Vec3::UnitZ()));
+    EXPECT_GT(state.splits, 0);
+    // At rest and without gravity a cut opens nothing: every vertex and copy is where it was.
+    for (int v = 0; v < state.body.topology->vertices; ++v) {
+        const int o = origin_of(state.body, v);
+        EXPECT_LT((at(state, v) - Vec3(before[o].x, before[o].y, before[o].z)).norm(), 1e-6);
+    }
+    // The blades ended 1 mm behind the middle: the tissue ahead is whole.
+    for (int v = scene.body.vertex_count(); v < state.body.topology->vertices; ++v) {
+        EXPECT_LT(at(state, v).x(), -0.001 + 0.0005 + 2e-4);
+        EXPECT_LT(std::abs(at(state, v).y()), 0.0006);
+    }
+    double mass = 0, whole = 0;
+    for (int v = 0; v < state.body.topology->vertices; ++v) {
+        mass += static_cast<double>(mass_of(scene.body, state.body, v));
+    }
+    for (const float m : scene.body.mass_kg()) whole += static_cast<double>(m);
+    EXPECT_NEAR(mass / whole, 1, 1e-6);
+}
+
+TEST(Scissors, BladesThatMissOrStayOpenCutNothing) {
+    const Scene scene = test::box_scene(sheet());
+    State state(scene, 1);
+    snip(scene, state, blades(Vec3(0, 0, 0.006), Vec3::UnitX(), Vec3::UnitZ()), 0.4);
+    EXPECT_EQ(state.splits, 0);
+    ToolInput input;
+    input.engaged = 1;
+    input.set_pose(blades(Vec3(0.0035, 0, -0.0005), Vec3::UnitX(), Vec3::UnitZ()));
+    ToolFeedback feedback;
+    for (int i = 0; i < 20; ++i) {
+        input.jaw_rad = 0.03F * static_cast<float>(i);
+        test::frame(scene, state, input, feedback);
+    }
+    EXPECT_EQ(state.splits, 0);
+}
+
+TEST(Scissors, ASnipIsEnteredWithItsAreaAndTheCutOfThePlacodeApart) {
+    for (const Tissue tissue : {Tissue::kZone, Tissue::kPlacode}) {
+        BoxOptions options = sheet();
+        options.tissue = tissue;
+        const Scene scene = test::box_scene(options);
+        State state(scene, 1);
+        ToolInput input;
+        input.engaged = 1;
+        input.set_pose(blades(Vec3(0.0035, 0, -0.0005), Vec3::UnitX(), Vec3::UnitZ()));
+        ToolFeedback feedback;
+        std::vector<Event> events;
+        for (int i = 0; i < 30; ++i) {
+            input.jaw_rad = std::max(0.0F, 0.7F - 0.05F * static_cast<float>(i));
+            test::frame(scene, state, input, feedback);
+            for (int e = 0; e < state.event_count; ++e) events.push_back(state.events[e]);
+        }
+        int snips = 0, placode = 0;
+        for (const Event& e : events) {
+            if (e.kind == EventKind::kSnipped) {
+                ++snips;
+                EXPECT_EQ(e.tissue, tissue);
+                // 6 x 1 mm; faces of a mesh zigzag, by at most sqrt(3) here.
+                EXPECT_GT(e.value, 5e-6F);
+                EXPECT_LT(e.value, 11e-6F);
+            }
+            placode += e.kind == EventKind::kPlacodeCut ? 1 : 0;
+        }
+        EXPECT_EQ(snips, 1);
+        EXPECT_EQ(placode, tissue == Tissue::kPlacode ? 1 : 0);
+    }
+}
+
+TEST(Scissors, ThousandsOfRandomCutsKeepTheMeshSound) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const auto vector = [&] {
+        Vec3 v;
+        do v = Vec3(unit(random), unit(random), unit(random));
+        while (v.norm() > 1 || v.norm() < 0.1);
+        return v;
+    };
+    int cuts = 0, splits = 0;
+    for (int field = 0; field < 20; ++field) {
+        BoxOptions options = sheet(field % 5 == 4 ? Method::kXpbd : Method::kVbd);
+        options.size_m = Vec3(0.003, 0.003, 0.0015);
+        options.cells = {6, 6, 3};
+        options.spare_vertices = 2600;  // every corner may become a vertex
+        const Scene scene = test::box_scene(options);
+        State state(scene, 1);
+        const double volume = living_volume(scene, state);
+        for (int i = 0; i < 100; ++i, ++cuts) {
+            const Vec3 middle(0.0015 * unit(random), 0.0015 * unit(random), -0.0008);
+            ToolInput input;
+            input.engaged = 1;
+            input.set_pose(blades(middle, vector(), vector()));
+            ToolFeedback feedback;
+            for (const float jaw : {0.0F, 0.5F, 0.2F, 0.0F}) {
+                input.jaw_rad = jaw;
+                test::frame(scene, state, input, feedback);
+            }
+            ASSERT_EQ(state.flags & (kCutRefused | kNotFinite), 0U) << "cut " << cuts;
+            if (i % 20 != 19) continue;
+            for (int k = 0; k < 30; ++k) {  // what waits for its turn
+                test::frame(scene, state, input, feedback);
+            }
+            expect_closed_surface(scene, state);
+            expect_whole_vertices(scene, state);
+            ASSERT_NEAR(living_volume(scene, state) / volume, 1, 1e-12);
+            for (int v = 0; v < state.body.topology->vertices; ++v) {
+                ASSERT_TRUE(at(state, v).allFinite());
+                // What the kernels' strips say is what the tets say.
+                if (v % 17 != i % 17) continue;
+                const Vec3 tets = force_by_tets(scene, state, v);
+                const Vec3 strip = elastic_force(scene.body, state.body, v);
+                // Float constants: some 1e-6 of E L^2 = 2.5 mN for each tet.
+                ASSERT_LT((tets - strip).norm(), 1e-7 + 1e-3 * tets.norm()) << "vertex " << v;
+            }
+        }
+        EXPECT_EQ(state.body.topology->refused, 0);
+        splits += state.splits;
+    }
+    EXPECT_EQ(cuts, 2000);
+    EXPECT_GT(splits, 4000);
+}
+
+TEST(Scissors, TheBitsAreTheSameForOneToFourThreads) {
+    uint64_t first = 0;
+    for (const int threads : {1, 2, 3, 4}) {
+        BoxOptions options = sheet();
+        options.size_m = Vec3(0.004, 0.004, 0.001);
+        options.cells = {8, 8, 2};
+        options.gravity = Vec3(0, 0, -9.81);
+        const Scene scene = test::box_scene(options);
+        State state(scene, threads);
+        ToolInput input;
+        input.engaged = 1;
+        input.set_pose(blades(Vec3(0.001, 0.0003, -0.0005), Vec3(1, 0.4, 0), Vec3::UnitZ()));
+        ToolFeedback feedback;
+        for (int i = 0; i < 25; ++i) {
+            input.jaw_rad = std::max(0.0F, 0.7F - 0.05F * static_cast<float>(i));
+            test::frame(scene, state, input, feedback);
+        }
+        EXPECT_GT(state.splits, 10);
+        const uint64_t hash = state_hash(state);
+        if (threads == 1) first = hash;
+        EXPECT_EQ(hash, first) << threads << " threads";
+    }
+}
+
+TEST(Scissors, ABodyWithoutSparesIsNotCut) {
+    BoxOptions options = sheet();
+    options.spare_vertices = 0;
+    const Scene scene = test::box_scene(options);
+    State state(scene, 1);
+    const size_t triangles = state.surface.triangles().size();
+    snip(scene, state, blades(Vec3(0.0035, 0, -0.0005), Vec3::UnitX(), Vec3::UnitZ()));
+    EXPECT_EQ(state.splits, 0);
+    EXPECT_EQ(state.surface.triangles().size(), triangles);
+}
+
+}  // namespace
+}  // namespace placode::sim
