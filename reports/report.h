@@ -52,4 +52,21 @@ void draw_history(QPainter& painter, const QRectF& where,
 void draw_incision(QPainter& painter, const QRectF& where, const sim::Recording& recording,
                    const ChartStyle& style);
 
+/// One line of a chart.
+struct Curve {
+    std::string name;
+    std::vector<double> x, y;
+};
+
+/// Several curves over one axis. Values that a logarithmic axis cannot show are left out.
+struct CurveChart {
+    std::string title, x_label, y_label;
+    bool log_x = true, log_y = true;
+    std::vector<Curve> curves;
+    std::vector<std::pair<std::string, double>> levels;  ///< Dashed horizontal lines: targets.
+};
+
+/// 900 x 560 pixels. @throws ReportError when the file cannot be written. Needs a QApplication.
+void write_chart_png(const CurveChart& chart, const std::string& path);
+
 }  // namespace placode::reports

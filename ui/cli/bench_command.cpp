@@ -18,6 +18,7 @@
 #include "sim/anatomy/operative_field.h"
 #include "sim/step.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
 namespace {
@@ -155,6 +156,8 @@ std::string processor() {
     return "unknown";
 }
 
+}  // namespace
+
 Json machine() {
     double load[3]{};
     (void)getloadavg(load, 3);
@@ -172,6 +175,8 @@ Json machine() {
             {"kernel_target", sim::kernel_target()},
             {"load_average_1min_before", load[0]}};
 }
+
+namespace {
 
 void write_files(const std::string& folder, const Json& json, const std::vector<Row>& rows) {
     std::error_code error;
@@ -266,6 +271,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     command->callback([&context, options] {
         context.run = [&context, options] { return speed(context, *options); };
     });
+    add_accuracy_command(*bench, context);
 }
 
 }  // namespace placode::cli

@@ -9,6 +9,7 @@
 #include "curriculum/definitions.h"
 #include "db/store.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/solver_commands.h"
 
 namespace {
 
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
     cli::add_import_command(app, context);
     cli::add_stats_commands(app, context);
     cli::add_report_commands(app, context);
+    cli::add_solve_command(app, context);
     cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);
     try {

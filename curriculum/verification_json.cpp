@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/verification_json.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <set>
+
+#include "curriculum/json_reader.h"
+#include "sim/mesh_io/mesh_io.h"
+
+namespace placode::curriculum {
+namespace {
+
+namespace fs = std::filesystem;
+using sim::Vec3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int64_t kMostTets = 3'000'000;  // about 2 GB with everything
+
+std::string shortest(double value) {
+    char text[40];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+    return error == std::errc() ? std::string(text, end) : "?";
+}
+
+/// Allowed range of a number; open ends are excluded.
+struct Range {
+    double low = -kInfinity, high = kInfinity;
+    bool open_low = false, open_high = false;
+
+    [[nodiscard]] bool holds(double v) const {
+        return std::isfinite(v) && (open_low ? v > low : v >= low) &&
+               (open_high ? v < high : v <= high);
+    }
+    [[nodiscard]] std::string text() const {
+        if (low == -kInfinity && high == kInfinity) return "a number";
+        std::string out = "a number ";
+        if (low > -kInfinity) out += (open_low ? "above " : "from ") + shortest(low);
+        if (low > -kInfinity && high < kInfinity) out += open_low || open_high ? ", " : " ";
+        if (high < kInfinity) out += (open_high ? "below " : "to ") + shortest(high);
+        return out;
+    }
+};
+
+constexpr Range kAny{};
+constexpr Range kPositive{0, kInfinity, true, false};
+constexpr Range kNotNegative{0, kInfinity};
+
+/// A place in the document.
+class Place {
+ public:
+    Place(const Json& json, std::string pointer, const std::string& origin)
+        : json_(json), pointer_(std::move(pointer)), origin_(origin) {}
+
+    [[noreturn]] void fail(const std::string& message) const {
+        throw DefinitionError(origin_, pointer_.empty() ? "/" : pointer_, message);
+    }
+    [[noreturn]] void expected(const std::string& what) const {
+        std::string found = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
+        if (found.size() > 60) found = found.substr(0, 57) + "...";
+        fail("found " + found + "; expected " + what);
+    }
+
+    /// Keys that may stand here; anything else is refused.
+    void keys(std::initializer_list<const char*> known) const {
+        std::string list;
+        for (const char* key : known) list += std::string(list.empty() ? "" : ", ") + key;
+        if (!json_.is_object()) expected("an object with the keys " + list);
+        for (const auto& [key, value] : json_.items()) {
+            if (std::find(known.begin(), known.end(), key) == known.end())
+                throw DefinitionError(origin_, pointer_ + "/" + key,
+                                      "unknown key; expected one of: " + list);
+        }
+    }
+    [[nodiscard]] bool has(const char* key) const { return json_.contains(key); }
+    [[nodiscard]] Place at(const char* key) const {
+        if (!json_.contains(key)) fail(std::string("the key \"") + key + "\" is missing");
+        return {json_.at(key), pointer_ + "/" + key, origin_};
+    }
+    [[nodiscard]] Place at(size_t i) const {
+        return {json_.at(i), pointer_ + "/" + std::to_string(i), origin_};
+    }
+    [[nodiscard]] size_t size() const { return json_.size(); }
+    [[nodiscard]] bool is_array() const { return json_.is_array(); }
+    [[nodiscard]] const std::string& pointer() const { return pointer_; }
+
+    [[nodiscard]] double number(const Range& range) const {
+        if (!json_.is_number() || !range.holds(json_.get<double>())) expected(range.text());
+        return json_.get<double>();
+    }
+    [[nodiscard]] int64_t whole(int64_t low, int64_t high) const {
+        const bool is_whole =
+            json_.is_number_integer() ||
+            (json_.is_number_float() && json_.get<double>() == std::floor(json_.get<double>()));
+        const double value = json_.is_number() ? json_.get<double>() : 0;
+        if (!is_whole || !(value >= static_cast<double>(low) && value <= static_cast<double>(high)))
+            expected("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
+        return json_.get<int64_t>();
+    }
+    [[nodiscard]] std::string text() const {
+        if (!json_.is_string()) expected("a text");
+        return json_.get<std::string>();
+    }
+    [[nodiscard]] bool yes() const {
+        if (!json_.is_boolean()) expected("true or false");
+        return json_.get<bool>();
+    }
+    [[nodiscard]] Vec3 vector(const Range& range = kAny) const {
+        if (!json_.is_array() || json_.size() != 3) expected("an array of three numbers");
+        return {at(size_t{0}).number(range), at(size_t{1}).number(range),
+                at(size_t{2}).number(range)};
+    }
+    template <class Function>
+    void each(Function&& function) const {
+        if (!json_.is_array()) expected("an array");
+        for (size_t i = 0; i < json_.size(); ++i) function(at(i));
+    }
+
+    void take(const char* key, double& value, const Range& range) const {
+        if (has(key)) value = at(key).number(range);
+    }
+    void take(const char* key, int& value, int low, int high) const {
+        if (has(key)) value = static_cast<int>(at(key).whole(low, high));
+    }
+    void take(const char* key, Vec3& value) const {
+        if (has(key)) value = at(key).vector();
+    }
+    void take(const char* key, bool& value) const {
+        if (has(key)) value = at(key).yes();
+    }
+
+ private:
+    const Json& json_;
+    std::string pointer_;
+    const std::string& origin_;
+};
+
+sim::BoxSelection box_of(const Place& place) {
+    if (!place.is_array() || place.size() != 2)
+        place.expected("two corners [[x0, y0, z0], [x1, y1, z1]]");
+    sim::BoxSelection box{place.at(size_t{0}).vector(), place.at(size_t{1}).vector()};
+    if ((box.low.array() > box.high.array()).any())
+        place.expected("the corner with the smaller coordinates first");
+    return box;
+}
+
+uint8_t axes_of(const Place& place) {
+    uint8_t axes = 0;
+    const std::string text = place.text();
+    for (const char c : text) {
+        const auto bit = static_cast<uint8_t>(c == 'x'   ? sim::kAxisX
+                                              : c == 'y' ? sim::kAxisY
+                                              : c == 'z' ? sim::kAxisZ
+                                                         : 0);
+        if (bit == 0 || (axes & bit) != 0) place.expected("letters of \"xyz\", each at most once");
+        axes |= bit;
+    }
+    if (axes == 0) place.expected("at least one letter of \"xyz\"");
+    return axes;
+}
+
+void read_box_mesh(const Place& box, sim::VerificationScene& scene) {
+    box.keys({"size_m", "cells"});
+    const Vec3 size = box.at("size_m").vector(kPositive);
+    const Place cells = box.at("cells");
+    if (!cells.is_array() || cells.size() != 3) cells.expected("an array of three whole numbers");
+    std::array<int, 3> n{};
+    for (size_t i = 0; i < 3; ++i) n[i] = static_cast<int>(cells.at(i).whole(1, 100000));
+    const double tets = 6.0 * n[0] * n[1] * n[2];
+    if (tets > static_cast<double>(kMostTets))
+        cells.expected("at most " + std::to_string(kMostTets) +
+                       " tetrahedra (six a cell), these are " + shortest(tets));
+    sim::use_box(scene, size, n);
+}
+
+void read_file_mesh(const Place& mesh, const std::string& folder, sim::VerificationScene& scene) {
+    const Place file = mesh.at("file");
+    double scale = 1;
+    bool allow = false;
+    mesh.take("scale", scale, kPositive);
+    mesh.take("allow_disconnected", allow);
+    const std::string name = file.text();
+    fs::path path = name;
+    std::error_code error;
+    if (path.is_relative() && fs::exists(fs::path(folder) / path, error))
+        path = fs::path(folder) / path;
+    try {
+        const sim::FileMesh read = sim::read_mesh_file(path.string());
+        sim::LoadedMesh loaded = sim::prepare_mesh(read, scale, allow);
+        std::vector<Vec3> points;
+        for (const Vec3& p : read.points) points.push_back(scale * p);
+        for (std::string& warning : loaded.warnings)
+            scene.warnings.push_back("/mesh/file: " + warning);
+        sim::use_mesh(scene, loaded.mesh, std::move(points), loaded.vertex_of_point);
+    } catch (const sim::MeshError& problem) {
+        file.fail(problem.what());
+    }
+}
+
+void read_mesh(const Place& mesh, const std::string& folder, sim::VerificationScene& scene) {
+    mesh.keys({"box", "file", "scale", "allow_disconnected"});
+    if (mesh.has("box") == mesh.has("file")) mesh.expected("either \"box\" or \"file\"");
+    if (mesh.has("file")) {
+        read_file_mesh(mesh, folder, scene);
+    } else {
+        if (mesh.has("scale")) mesh.at("scale").fail("belongs to \"file\"; a box is in metres");
+        read_box_mesh(mesh.at("box"), scene);
+    }
+}
+
+void read_material(const Place& place, sim::VerificationScene& scene) {
+    place.keys({"youngs_modulus_pa", "poissons_ratio", "density_kg_m3"});
+    place.take("youngs_modulus_pa", scene.material.youngs_modulus_pa, kPositive);
+    place.take("poissons_ratio", scene.material.poissons_ratio, {-1, 0.5, true, true});
+    place.take("density_kg_m3", scene.material.density_kg_m3, kPositive);
+}
+
+void read_fixed(const Place& list, sim::VerificationScene& scene) {
+    list.each([&](const Place& place) {
+        place.keys({"box_m", "axes"});
+        sim::HeldRegion& region = scene.held.emplace_back();
+        region.pointer = place.pointer();
+        region.box = box_of(place.at("box_m"));
+        if (place.has("axes")) region.axes = axes_of(place.at("axes"));
+    });
+}
+
+/// Three numbers, or one for each letter of `axes`.
+Vec3 displacement_of(const Place& place, uint8_t axes, sim::VerificationScene& scene) {
+    std::vector<int> listed;
+    for (int a = 0; a < 3; ++a) {
+        if (axes >> a & 1) listed.push_back(a);
+    }
+    Vec3 out = Vec3::Zero();
+    if (place.is_array() && place.size() == listed.size() && listed.size() < 3) {
+        for (size_t i = 0; i < listed.size(); ++i) out[listed[i]] = place.at(i).number(kAny);
+        return out;
+    }
+    out = place.vector();
+    for (int a = 0; a < 3; ++a) {
+        if ((axes >> a & 1) != 0 || out[a] == 0) continue;
+        scene.warnings.push_back(place.pointer() + ": the displacement along " + "xyz"[a] +
+                                 " is left out, \"axes\" does not name it");
+        out[a] = 0;
+    }
+    return out;
+}
+
+void read_prescribed(const Place& list, sim::VerificationScene& scene) {
+    list.each([&](const Place& place) {
+        place.keys({"box_m", "axes", "displacement_m", "ramp_s"});
+        sim::HeldRegion& region = scene.held.emplace_back();
+        region.pointer = place.pointer();
+        region.box = box_of(place.at("box_m"));
+        if (place.has("axes")) region.axes = axes_of(place.at("axes"));
+        region.displacement_m = displacement_of(place.at("displacement_m"), region.axes, scene);
+        place.take("ramp_s", region.ramp_s, kNotNegative);
+    });
+}
+
+void read_loads(const Place& list, sim::VerificationScene& scene) {
+    list.each([&](const Place& place) {
+        place.keys({"box_m", "total_force_n", "ramp_s"});
+        sim::LoadRegion& region = scene.loads.emplace_back();
+        region.pointer = place.pointer();
+        region.box = box_of(place.at("box_m"));
+        region.total_force_n = place.at("total_force_n").vector();
+        place.take("ramp_s", region.ramp_s, kNotNegative);
+    });
+}
+
+void read_contacts(const Place& list, sim::VerificationScene& scene) {
+    list.each([&](const Place& place) {
+        place.keys({"sphere", "velocity_m_s", "friction"});
+        const Place sphere = place.at("sphere");
+        sphere.keys({"centre_m", "radius_m"});
+        sim::SphereObstacle& out = scene.spheres.emplace_back();
+        out.centre_m = sphere.at("centre_m").vector();
+        out.radius_m = sphere.at("radius_m").number(kPositive);
+        place.take("velocity_m_s", out.velocity_m_s);
+        place.take("friction", out.friction, {0, 10});
+    });
+}
+
+void read_start(const Place& place, sim::VerificationScene& scene) {
+    place.keys({"kind", "amount", "seed"});
+    constexpr std::pair<const char*, sim::StartKind> kKinds[]{
+        {"rest", sim::StartKind::kRest},   {"random", sim::StartKind::kRandom},
+        {"flat", sim::StartKind::kFlat},   {"mirror", sim::StartKind::kMirror},
+        {"point", sim::StartKind::kPoint}, {"stretch", sim::StartKind::kStretch}};
+    const Place kind = place.at("kind");
+    const std::string name = kind.text();
+    const auto* found = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                     [&](const auto& one) { return name == one.first; });
+    if (found == std::end(kKinds))
+        kind.expected("one of: rest, random, flat, mirror, point, stretch");
+    scene.start.kind = found->second;
+    const bool stretch = scene.start.kind == sim::StartKind::kStretch;
+    if (stretch) scene.start.amount = 0.5;
+    place.take("amount", scene.start.amount, stretch ? Range{-0.99, 100} : Range{0, 1});
+    if (place.has("seed")) {
+        scene.start.seed = static_cast<uint64_t>(place.at("seed").whole(0, int64_t{1} << 53));
+    }
+}
+
+void read_solver(const Place& place, sim::VerificationScene& scene) {
+    place.keys({"method", "frame_s", "substeps", "iterations", "threads", "over_relaxation",
+                "allow_invalid"});
+    sim::VerificationSolver& s = scene.solver;
+    if (place.has("method")) {
+        const Place method = place.at("method");
+        const std::string name = method.text();
+        bool known = false;
+        for (const auto m :
+             {sim::SolveMethod::kXpbd, sim::SolveMethod::kXpbdPair, sim::SolveMethod::kVbd,
+              sim::SolveMethod::kExplicit, sim::SolveMethod::kNewton}) {
+            if (name != sim::method_name(m)) continue;
+            s.method = m;
+            known = true;
+        }
+        if (!known) method.expected("one of: xpbd, xpbd_pair, vbd, explicit, newton");
+    }
+    place.take("frame_s", s.frame_s, {0, 10, true, false});
+    place.take("substeps", s.substeps, 1, 1000000);
+    place.take("iterations", s.iterations, 1, 64);
+    place.take("threads", s.threads, 1, 64);
+    place.take("over_relaxation", s.over_relaxation, {0, 1.3, true, false});
+    place.take("allow_invalid", s.allow_invalid);
+}
+
+void read_until(const Place& place, sim::VerificationScene& scene) {
+    place.keys({"time_s", "rest"});
+    if (place.has("time_s") == place.has("rest")) place.expected("either \"time_s\" or \"rest\"");
+    if (place.has("time_s")) {
+        scene.end_s = place.at("time_s").number({0, 1e6, true, false});
+        return;
+    }
+    const Place rest = place.at("rest");
+    rest.keys({"speed_m_s", "max_s"});
+    scene.end_s = 20;
+    double speed = 1e-5;
+    rest.take("speed_m_s", speed, kPositive);
+    rest.take("max_s", scene.end_s, {0, 1e6, true, false});
+    scene.rest_speed_m_s = speed;
+}
+
+void read_probes(const Place& list, sim::VerificationScene& scene) {
+    std::set<std::string> names;
+    list.each([&](const Place& place) {
+        place.keys({"name", "box_m"});
+        const Place name = place.at("name");
+        sim::Probe& probe = scene.probes.emplace_back();
+        probe.name = name.text();
+        probe.pointer = place.pointer();
+        const bool plain = std::all_of(probe.name.begin(), probe.name.end(), [](char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                   c == '_' || c == '-';
+        });
+        if (!plain || probe.name.empty())
+            name.expected("letters, digits, '_' and '-' (it becomes a column's name)");
+        if (!names.insert(probe.name).second) name.expected("a name that no other probe has");
+        probe.box = box_of(place.at("box_m"));
+    });
+}
+
+/// Work that would never end is refused rather than begun.
+void check_work(const Place& root, const sim::VerificationScene& scene) {
+    if (scene.solver.method == sim::SolveMethod::kNewton) return;
+    const double steps = scene.end_s / scene.solver.frame_s * scene.solver.substeps;
+    if (steps > 1e9)
+        root.fail(
+            shortest(scene.end_s) + " s are " + shortest(steps) +
+            " substeps; expected at most 1e9: a shorter time, longer frames or fewer substeps");
+    if (scene.end_s / scene.sample_s > 1e7 && !scene.probes.empty())
+        root.at("sample_s").expected("at most 1e7 samples in " + shortest(scene.end_s) + " s");
+}
+
+}  // namespace
+
+sim::VerificationScene verification_scene_from_json(const std::string& text,
+                                                    const std::string& origin,
+                                                    const std::string& folder) {
+    const Json json = parse_json(text, origin);
+    const Place root(json, "", origin);
+    root.keys({"mesh", "material", "gravity_m_s2", "damping_per_s", "fixed", "prescribed", "loads",
+               "sdf_contacts", "start", "solver", "until", "probes", "sample_s"});
+    sim::VerificationScene scene;
+    scene.material.damping_per_s = 0;
+    if (root.has("material")) read_material(root.at("material"), scene);
+    root.take("gravity_m_s2", scene.gravity_m_s2);
+    root.take("damping_per_s", scene.material.damping_per_s, {0, 1e6});
+    if (root.has("fixed")) read_fixed(root.at("fixed"), scene);
+    if (root.has("prescribed")) read_prescribed(root.at("prescribed"), scene);
+    if (root.has("loads")) read_loads(root.at("loads"), scene);
+    if (root.has("sdf_contacts")) read_contacts(root.at("sdf_contacts"), scene);
+    if (root.has("start")) read_start(root.at("start"), scene);
+    if (root.has("solver")) read_solver(root.at("solver"), scene);
+    if (root.has("until")) read_until(root.at("until"), scene);
+    if (root.has("probes")) read_probes(root.at("probes"), scene);
+    root.take("sample_s", scene.sample_s, kPositive);
+    check_work(root, scene);
+    read_mesh(root.at("mesh"), folder, scene);  // last: everything else is checked without it
+    return scene;
+}
+
+sim::VerificationScene load_verification_scene(const std::string& file) {
+    return verification_scene_from_json(read_definition(file), file,
+                                        fs::path(file).parent_path().string());
+}
+
+sim::SolveResult solve_verification_scene(const sim::VerificationScene& scene,
+                                          const std::string& origin) {
+    try {
+        return sim::solve(scene);
+    } catch (const sim::VerificationError& error) {
+        throw DefinitionError(origin, error.pointer(), error.what());
+    } catch (const sim::MeshError& error) {
+        throw DefinitionError(origin, "/mesh", error.what());
+    }
+}
+
+}  // namespace placode::curriculum

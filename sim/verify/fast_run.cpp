@@ -1,0 +1,425 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// xpbd, xpbd_pair and vbd on a verification scene: the kernels of the product, with held axes,
+// loads and spheres around them. Vertices that touch a sphere, and with vbd those that only some
+// axes hold, form the contact colour: they are left out of the sweep and take a Newton step of
+// their own (sim/contact.h). With xpbd a held axis is a projection after every sweep.
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/event.h"
+#include "sim/verify/solve_setup.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kPasses = 2;                 // over the contact colour for each sweep, as in sim/step
+constexpr double kContactStiffness = 300;  // x E x edge: penetration far below the indentation
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+class FastRun {
+ public:
+    FastRun(const SolveSetup& setup, SolveResult& out)
+        : setup_(setup),
+          out_(out),
+          h_(setup.scene.solver.frame_s / setup.scene.solver.substeps),
+          body_(make_spec()),
+          state_(body_),
+          workers_(setup.scene.solver.threads) {
+        vbd_ = setup.scene.solver.method == SolveMethod::kVbd;
+        out.kernels = kernel_target();
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            const Vec3f x = setup.start.segment<3>(3 * v).cast<float>();
+            state_.x[at(v)] = {x.x(), x.y(), x.z(), state_.x[at(v)].w};
+            if (setup.held[at(v)] != 0) held_.push_back(v);
+        }
+        state_.x_start = state_.x;
+        find_free();
+        if (setup.contacts) {
+            anchor_.resize(at(body_.vertex_count()));
+            k_ = kContactStiffness * setup.scene.material.youngs_modulus_pa *
+                 setup.contacts->mean_edge_m();
+            force_.assign(setup.scene.spheres.size(), Vec3::Zero());
+        }
+        slot_.assign(at(body_.vertex_count()), -1);
+    }
+
+    void run() {
+        const VerificationSolver& s = setup_.scene.solver;
+        const auto total = static_cast<int64_t>(std::ceil(setup_.scene.end_s / h_ - 1e-9));
+        RestWatch rest(setup_);
+        double next_sample = 0;
+        take_sample(0, next_sample);
+        int64_t n = 0;
+        while (n < total) {
+            if (n % s.substeps == 0) start_frame();
+            ++n;
+            substep(static_cast<double>(n) * h_);
+            take_sample(static_cast<double>(n) * h_, next_sample);
+            if (n % s.substeps == 0 && rest.frame(static_cast<double>(n) * h_, positions())) {
+                out_.at_rest = true;
+                break;
+            }
+        }
+        out_.substeps_total = n;
+        finish(static_cast<double>(n) * h_);
+    }
+
+ private:
+    SoftBodySpec make_spec() const {
+        SoftBodySpec spec = setup_.spec;
+        const VerificationSolver& s = setup_.scene.solver;
+        spec.solver.method = s.method == SolveMethod::kVbd    ? Method::kVbd
+                             : s.method == SolveMethod::kXpbd ? Method::kXpbd
+                                                              : Method::kXpbdPair;
+        // Substeps are counted here: frames of one substep, so that any number is possible.
+        spec.solver.frame_s = h_;
+        spec.solver.substeps = 1;
+        spec.solver.iterations = s.iterations;
+        spec.solver.over_relaxation = s.over_relaxation;
+        spec.solver.allow_invalid = true;  // checked below, with the scene's own numbers
+        for (size_t v = 0; v < setup_.held.size(); ++v) {
+            if (setup_.held[v] == 7) spec.fixed.push_back(static_cast<int32_t>(v));
+        }
+        check_method();
+        return spec;
+    }
+
+    void check_method() const {
+        const VerificationSolver& s = setup_.scene.solver;
+        if (s.method == SolveMethod::kVbd) return;
+        const double limit = s.method == SolveMethod::kXpbd ? kXpbdMaxCourant : kXpbdPairMaxCourant;
+        if (setup_.max_courant > limit) {
+            const std::string text = "Courant number " + number(setup_.max_courant) + " is above " +
+                                     number(limit) + ", the limit of " + method_name(s.method) +
+                                     "; with " + std::to_string(s.substeps) +
+                                     " substeps a frame expected at least " +
+                                     number(std::ceil(s.substeps * setup_.max_courant / limit)) +
+                                     ", or method vbd, which is valid at any";
+            if (!s.allow_invalid)
+                throw VerificationError("/solver/substeps",
+                                        text + " (\"allow_invalid\": true runs it nevertheless)");
+            out_.warnings.push_back("not valid: " + text);
+        } else if (setup_.max_courant > kXpbdGoodCourant) {
+            out_.warnings.push_back("inexact: Courant number " + number(setup_.max_courant) +
+                                    ", xpbd is up to about 7 % too soft (good up to " +
+                                    number(kXpbdGoodCourant) + ")");
+        }
+        if (s.iterations > 1)
+            out_.warnings.push_back(
+                "xpbd with more than one iteration a substep settles beside the equilibrium; "
+                "smaller substeps are the cure");
+    }
+
+    /// Gravity and loads enter the start guess where nothing holds against them (sim/soft_body.h).
+    /// Axes that are held count here, which the body does not know.
+    void find_free() {
+        const Vec3 g = setup_.scene.gravity_m_s2;
+        uint8_t against = 0;
+        for (int a = 0; a < 3; ++a) {
+            bool acts = g[a] != 0;
+            for (const LoadRegion& load : setup_.scene.loads)
+                acts = acts || load.total_force_n[a] != 0;
+            against |= static_cast<uint8_t>(acts ? 1 << a : 0);
+        }
+        std::vector<int32_t> stack;
+        for (const int32_t v : setup_.partly_held()) {
+            if ((setup_.held[at(v)] & against) != 0 && state_.free_vertex[at(v)] != 0) {
+                stack.push_back(v);
+                state_.free_vertex[at(v)] = 0;
+            }
+        }
+        while (!stack.empty()) {
+            const int32_t v = stack.back();
+            stack.pop_back();
+            for (const int32_t t : body_.tets_of(v)) {
+                for (const int32_t other : body_.mesh().tets[at(t)]) {
+                    if (state_.free_vertex[at(other)] == 0) continue;
+                    state_.free_vertex[at(other)] = 0;
+                    stack.push_back(other);
+                }
+            }
+        }
+    }
+
+    void start_frame() {
+        std::fill(force_.begin(), force_.end(), Vec3::Zero());
+        frame_substeps_ = 0;
+        if (const int placed = reseed_collapsed(body_, state_); placed > 0)
+            out_.warnings.push_back("t = " + number(time_) + " s: " + std::to_string(placed) +
+                                    " vertices of tissue shrunk to a point were re-seeded from the "
+                                    "rest shape");
+    }
+
+    void substep(double time_s) {
+        time_ = time_s;
+        move_held();
+        push();
+        begin_substep(body_, state_, h_, workers_);
+        find_touches();
+        for (int i = 0; i < setup_.scene.solver.iterations; ++i) {
+            sweep(body_, state_, h_, workers_);
+            if (!vbd_) project_axes();
+            for (int pass = 0; pass < kPasses; ++pass) solve_special();
+        }
+        end_substep(body_, state_, h_, workers_);
+        finish_touches();
+        flags_ |= state_.flags;
+        state_.flags = 0;
+    }
+
+    /// Held vertices go where their region is at the end of the substep.
+    void move_held() {
+        for (const int32_t v : held_) {
+            if (setup_.held[at(v)] != 7) continue;
+            Float4& x = state_.x[at(v)];
+            x = {static_cast<float>(setup_.held_at(v, 0, time_)),
+                 static_cast<float>(setup_.held_at(v, 1, time_)),
+                 static_cast<float>(setup_.held_at(v, 2, time_)), 0};
+        }
+    }
+
+    void project_axes() {
+        for (const int32_t v : setup_.partly_held()) put_on_axes(v);
+    }
+
+    void put_on_axes(int32_t v) {
+        Float4& x = state_.x[at(v)];
+        const uint8_t axes = setup_.held[at(v)];
+        if (axes & kAxisX) x.x = static_cast<float>(setup_.held_at(v, 0, time_));
+        if (axes & kAxisY) x.y = static_cast<float>(setup_.held_at(v, 1, time_));
+        if (axes & kAxisZ) x.z = static_cast<float>(setup_.held_at(v, 2, time_));
+    }
+
+    void push() {
+        if (!setup_.has_loads() || (pushed_ && time_ > setup_.longest_ramp_s() + h_)) return;
+        Coordinates force = Coordinates::Zero(3 * body_.vertex_count());
+        setup_.add_loads(time_, force);
+        state_.force_n.resize(state_.x.size());
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            const Vec3f f = force.segment<3>(3 * v).cast<float>();
+            state_.force_n[at(v)] = {f.x(), f.y(), f.z(), 0};
+        }
+        pushed_ = true;
+    }
+
+    void find_touches() {
+        for (const int32_t v : special_) {
+            slot_[at(v)] = -1;
+            state_.contact_vertex[at(v)] = 0;
+        }
+        special_.clear();
+        if (vbd_) {
+            for (const int32_t v : setup_.partly_held()) add_special(v);
+        }
+        touches_.clear();
+        if (setup_.contacts) {
+            double fastest = 0;
+            for (const SphereObstacle& s : setup_.scene.spheres)
+                fastest = std::max(fastest, s.velocity_m_s.norm());
+            const double margin = 0.2 * setup_.contacts->mean_edge_m() + 2 * h_ * fastest;
+            setup_.contacts->find([this](int32_t v) { return to_vec(state_.x_start[at(v)]); },
+                                  time_, margin, touches_);
+            for (SphereTouch& t : touches_) {
+                double place = 0;
+                for (int i = 0; i < 3; ++i) {
+                    add_special(t.vertex[at(i)]);
+                    place += t.b[i] * t.n.dot(to_vec(state_.x_start[at(t.vertex[at(i)])]));
+                }
+                t.gap_m -= place;  // from here on the offset of gap = n . (sum b x) + offset
+            }
+        }
+        incidence_.assign(special_.size(), {});
+        for (size_t t = 0; t < touches_.size(); ++t) {
+            for (int i = 0; i < 3; ++i)
+                incidence_[at(slot_[at(touches_[t].vertex[at(i)])])].push_back(
+                    static_cast<int32_t>(4 * t) + i);
+        }
+        for (size_t i = 0; i < special_.size(); ++i) {
+            if (incidence_[i].empty()) continue;
+            // Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp.
+            Float4& x = state_.x[at(special_[i])];
+            if (x.w == 0) continue;
+            const Float4& before = state_.x_start[at(special_[i])];
+            x = {before.x, before.y, before.z, x.w};
+        }
+    }
+
+    void add_special(int32_t v) {
+        if (slot_[at(v)] >= 0) return;
+        slot_[at(v)] = static_cast<int32_t>(special_.size());
+        special_.push_back(v);
+        state_.contact_vertex[at(v)] = 1;
+    }
+
+    [[nodiscard]] double gap(const SphereTouch& t) const {
+        double g = t.gap_m;
+        for (int i = 0; i < 3; ++i) g += t.b[i] * t.n.dot(to_vec(state_.x[at(t.vertex[at(i)])]));
+        return g;
+    }
+
+    struct Grip {
+        Vec3 slide = Vec3::Zero(), normal = Vec3::UnitZ();
+        double stiffness_n_m = 0, limit_n = 0;
+    };
+
+    /// Dry friction with a memory: a spring to the place where the vertex sticks to the sphere.
+    [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const {
+        Grip grip;
+        const Anchor& a = anchor_[at(v)];
+        const double size = load.norm();
+        if (a.sphere < 0 || !(size > 0)) return grip;
+        const SphereObstacle& s = setup_.scene.spheres[at(a.sphere)];
+        grip.normal = load / size;
+        const Vec3 way = to_vec(state_.x[at(v)]) - (s.centre_at(time_) + a.from_centre);
+        grip.slide = way - grip.normal * grip.normal.dot(way);
+        grip.limit_n = s.friction * size;
+        grip.stiffness_n_m = k_;
+        const double length = grip.slide.norm();
+        if (length * k_ > grip.limit_n) grip.stiffness_n_m = grip.limit_n / length;
+        return grip;
+    }
+
+    void solve_special() {
+        for (size_t i = 0; i < special_.size(); ++i) {
+            const int32_t v = special_[i];
+            Float4& x = state_.x[at(v)];
+            if (x.w == 0) continue;
+            put_on_axes(v);
+            VertexSystem system = vertex_system(body_, state_, v, h_);
+            Vec3 load = Vec3::Zero();
+            for (const int32_t entry : incidence_[i]) {
+                const SphereTouch& t = touches_[at(entry / 4)];
+                const double b = t.b[entry % 4], g = gap(t);
+                if (g >= 0 || b == 0) continue;
+                system.gradient += k_ * g * b * t.n;
+                system.hessian += k_ * b * b * t.n * t.n.transpose();
+                load -= k_ * g * b * t.n;
+            }
+            if (load.squaredNorm() > 0) {
+                const Grip grip = grip_of(v, load);
+                system.gradient += grip.stiffness_n_m * grip.slide;
+                system.hessian +=
+                    grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose());
+            }
+            for (int a = 0; a < 3; ++a) {
+                if ((setup_.held[at(v)] >> a & 1) == 0) continue;
+                system.gradient[a] = 0;
+                system.hessian.row(a).setZero();
+                system.hessian.col(a).setZero();
+                system.hessian(a, a) = 1;
+            }
+            Vec3 step = -system.hessian.llt().solve(system.gradient);
+            const double longest = static_cast<double>(body_.shortest_edge_m()[at(v)]) / 4;
+            const double length = step.norm();
+            if (!std::isfinite(length)) continue;
+            if (length > longest) step *= longest / length;
+            x.x += static_cast<float>(step.x());
+            x.y += static_cast<float>(step.y());
+            x.z += static_cast<float>(step.z());
+        }
+    }
+
+    /// Forces on the spheres, and where vertices stick from now on.
+    void finish_touches() {
+        if (!setup_.contacts) return;
+        ++frame_substeps_;
+        std::vector<Vec3> load(special_.size(), Vec3::Zero());
+        std::vector<int> sphere(special_.size(), -1);
+        deepest_ = 0;
+        for (const SphereTouch& t : touches_) {
+            const double g = gap(t);
+            if (g >= 0) continue;
+            deepest_ = std::max(deepest_, -g);
+            force_[at(t.sphere)] += k_ * g * t.n;
+            for (int i = 0; i < 3; ++i) {
+                const auto slot = at(slot_[at(t.vertex[at(i)])]);
+                load[slot] -= k_ * g * t.b[i] * t.n;
+                sphere[slot] = t.sphere;
+            }
+        }
+        for (size_t i = 0; i < special_.size(); ++i) {
+            const int32_t v = special_[i];
+            Anchor& anchor = anchor_[at(v)];
+            if (!(load[i].norm() > 0)) {
+                anchor.sphere = -1;
+                continue;
+            }
+            const SphereObstacle& s = setup_.scene.spheres[at(sphere[i])];
+            Vec3 place = to_vec(state_.x[at(v)]);
+            if (anchor.sphere == sphere[i]) {
+                const Grip grip = grip_of(v, load[i]);
+                force_[at(sphere[i])] += grip.stiffness_n_m * grip.slide;
+                place -= grip.stiffness_n_m / k_ * grip.slide;  // dragged along where it slips
+            }
+            anchor = {sphere[i], place - s.centre_at(time_)};
+        }
+    }
+
+    void take_sample(double time_s, double& next) {
+        if (time_s < next - h_ / 2) return;
+        setup_.sample(time_s, positions(), out_);
+        while (next <= time_s + h_ / 2) next += setup_.scene.sample_s;
+    }
+
+    [[nodiscard]] Coordinates positions() const { return flat(state_.x); }
+
+    static Coordinates flat(const std::vector<Float4>& points) {
+        Coordinates out(3 * static_cast<Eigen::Index>(points.size()));
+        for (size_t i = 0; i < points.size(); ++i)
+            out.segment<3>(3 * static_cast<Eigen::Index>(i)) = to_vec(points[i]);
+        return out;
+    }
+
+    void finish(double time_s) {
+        for (size_t i = 0; i < force_.size(); ++i)
+            out_.contact_forces.push_back(
+                {"/sdf_contacts/" + std::to_string(i), force_[i] / std::max(1, frame_substeps_)});
+        out_.penetration_m = deepest_;
+        out_.state_hash = state_hash(state_);
+        if ((flags_ & kNotFinite) != 0)
+            out_.warnings.emplace_back("vertices were not finite at times and were put back");
+        if ((flags_ & kStepLimited) != 0)
+            out_.warnings.emplace_back(
+                "steps were limited to a quarter of the shortest edge at times: the motion was "
+                "faster than the method follows");
+        setup_.finish(positions(), flat(state_.v), time_s, out_);
+    }
+
+    struct Anchor {
+        int sphere = -1;
+        Vec3 from_centre = Vec3::Zero();
+    };
+
+    const SolveSetup& setup_;
+    SolveResult& out_;
+    double h_ = 0, time_ = 0, k_ = 0, deepest_ = 0;
+    bool vbd_ = true, pushed_ = false;
+    SoftBody body_;
+    SoftBodyState state_;
+    Workers workers_;
+    std::vector<int32_t> held_, special_, slot_;
+    std::vector<std::vector<int32_t>> incidence_;  // touch * 4 + corner, of each special vertex
+    std::vector<SphereTouch> touches_;
+    std::vector<Anchor> anchor_;
+    std::vector<Vec3> force_;
+    int frame_substeps_ = 0;
+    uint32_t flags_ = 0;
+};
+
+}  // namespace
+
+void run_fast(const SolveSetup& setup, SolveResult& out) { FastRun(setup, out).run(); }
+
+}  // namespace placode::sim

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Quasi-static equilibrium in double precision: Newton's method with the exact tangent, a line
+// search on the energy and load steps. The reference of every accuracy figure.
+
+#include <string>
+#include <vector>
+
+#include "sim/verify/reference_body.h"
+#include "sim/verify/sphere_contact.h"
+
+namespace placode::sim {
+
+/// What is to be in equilibrium. Held coordinates, forces and spheres run from `share` 0 to 1.
+struct StaticProblem {
+    const ReferenceBody* body = nullptr;
+    std::vector<uint8_t> held;  ///< (3 V) 1 = this coordinate is prescribed.
+    Coordinates held_at;        ///< (3 V) where, at share 1; read where `held` says so.
+    Coordinates force_n;        ///< (3 V) gravity and loads at share 1.
+    const SphereContacts* contacts = nullptr;  ///< nullptr = none.
+    double contact_n_m = 0;                    ///< k of the contacts [N/m].
+    double contact_time_s = 0;                 ///< Where the spheres are at share 1.
+};
+
+struct NewtonSettings {
+    double tolerance = 1e-10;  ///< Largest residual over the largest force [-].
+    int max_iterations = 100;  ///< Of one load step.
+    int load_steps = 1;        ///< To start with; halved where a step does not converge.
+};
+
+struct NewtonReport {
+    bool converged = false;
+    int iterations = 0, load_steps = 0;
+    double residual_n = 0;     ///< Largest residual of a free coordinate [N].
+    double force_scale_n = 0;  ///< What it is compared with [N].
+};
+
+/// Moves x (its start guess) to equilibrium. @pre sizes as stated. Without convergence x is the
+/// last iterate and `converged` is false.
+[[nodiscard]] NewtonReport solve_static(const StaticProblem& problem, Coordinates& x,
+                                        const NewtonSettings& settings = {});
+
+}  // namespace placode::sim

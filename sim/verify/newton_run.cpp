@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `newton` on a verification scene: the equilibrium at the end of its time.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "sim/verify/newton.h"
+#include "sim/verify/solve_setup.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr double kContactStiffness = 1000;  // x E x edge
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+/// Without support along an axis there is no equilibrium unless the forces along it cancel.
+void check_support(const SolveSetup& setup, const Coordinates& force) {
+    if (setup.contacts) return;
+    Vec3 sum = Vec3::Zero(), size = Vec3::Zero();
+    for (Eigen::Index i = 0; i < force.size(); i += 3) {
+        sum += force.segment<3>(i);
+        size += force.segment<3>(i).cwiseAbs();
+    }
+    uint8_t held = 0;
+    for (const uint8_t h : setup.held) held |= h;
+    for (int a = 0; a < 3; ++a) {
+        if ((held >> a & 1) != 0 || !(std::abs(sum[a]) > 1e-9 * size.sum())) continue;
+        throw VerificationError(
+            "/fixed", std::string("nothing holds the body along ") + "xyz"[a] +
+                          ", but gravity and loads add up to " + number(sum[a]) +
+                          " N there: newton finds no equilibrium; expected a fixed or prescribed "
+                          "region along that axis, or another method");
+    }
+}
+
+int load_steps(const SolveSetup& setup, double time_s) {
+    double farthest = 0, size = 0;
+    for (const HeldRegion& r : setup.scene.held)
+        farthest = std::max(farthest, r.displacement_m.norm());
+    Vec3 low = setup.scene.mesh.rest.front(), high = low;
+    for (const Vec3& p : setup.scene.mesh.rest) {
+        low = low.cwiseMin(p);
+        high = high.cwiseMax(p);
+    }
+    size = (high - low).norm();
+    double steps = std::ceil(farthest / (0.1 * size));
+    for (const SphereObstacle& s : setup.scene.spheres)
+        steps = std::max(steps, std::ceil(s.velocity_m_s.norm() * time_s / (0.2 * s.radius_m)));
+    return static_cast<int>(std::clamp(steps, 1.0, 50.0));
+}
+
+}  // namespace
+
+void run_newton(const SolveSetup& setup, SolveResult& out) {
+    const VerificationScene& scene = setup.scene;
+    bool moving = false, friction = false;
+    for (const SphereObstacle& s : scene.spheres) {
+        moving = moving || s.velocity_m_s.norm() > 0;
+        friction = friction || s.friction > 0;
+    }
+    if (friction) out.warnings.emplace_back("newton: friction depends on the path and is left out");
+    // Rest: after the last ramp. With a moving sphere there is no rest, the end counts.
+    const double time_s = scene.rest_speed_m_s && !moving
+                              ? std::min(scene.end_s, setup.longest_ramp_s())
+                              : scene.end_s;
+    const Eigen::Index n = 3 * setup.body->vertex_count();
+    StaticProblem problem;
+    problem.body = setup.body.get();
+    problem.held.assign(at(n), 0);
+    problem.held_at = setup.body->rest();
+    problem.force_n = Coordinates::Zero(n);
+    setup.add_loads(time_s, problem.force_n);
+    for (int v = 0; v < setup.body->vertex_count(); ++v) {
+        problem.force_n.segment<3>(3 * v) += setup.body->mass_kg()[at(v)] * scene.gravity_m_s2;
+        for (int a = 0; a < 3; ++a) {
+            if ((setup.held[at(v)] >> a & 1) == 0) continue;
+            problem.held[at(3 * v + a)] = 1;
+            problem.held_at[3 * v + a] = setup.held_at(v, a, time_s);
+        }
+    }
+    check_support(setup, problem.force_n);
+    if (setup.contacts) {
+        problem.contacts = setup.contacts.get();
+        problem.contact_n_m =
+            kContactStiffness * scene.material.youngs_modulus_pa * setup.contacts->mean_edge_m();
+        problem.contact_time_s = time_s;
+    }
+    Coordinates x = setup.start;
+    if (scene.start.kind == StartKind::kPoint && scene.start.amount > 0.999) {
+        x = setup.body->rest();
+        out.warnings.emplace_back("tissue shrunk to a point was re-seeded from the rest shape");
+    }
+    setup.sample(0, x, out);
+    NewtonSettings settings;
+    settings.load_steps = load_steps(setup, time_s);
+    // Touches that come and go make the last digits slow.
+    if (setup.contacts) settings.tolerance = 1e-7;
+    NewtonReport report = solve_static(problem, x, settings);
+    if (scene.start.kind != StartKind::kRest && setup.body->inverted_tets(x) > 0) {
+        // A body crushed to a point or a plane is a local minimum of this energy as well.
+        out.warnings.emplace_back(
+            "newton: from this start it ended with inverted tets; re-seeded from the rest shape");
+        x = setup.body->rest();
+        report = solve_static(problem, x, settings);
+    }
+    out.newton_iterations = report.iterations;
+    out.newton_residual_n = report.residual_n;
+    out.at_rest = report.converged;
+    if (!report.converged) {
+        out.diverged = true;
+        out.warnings.push_back("newton: no equilibrium found, residual " +
+                               number(report.residual_n) + " N of " + number(report.force_scale_n) +
+                               " N after " + std::to_string(report.iterations) + " iterations");
+    }
+    setup.sample(time_s, x, out);
+    if (setup.contacts) {
+        Coordinates unused = Coordinates::Zero(n);
+        const auto forces =
+            add_contact(*setup.contacts, x, time_s, problem.contact_n_m, unused, nullptr);
+        for (size_t i = 0; i < forces.size(); ++i)
+            out.contact_forces.push_back({"/sdf_contacts/" + std::to_string(i), forces[i]});
+        std::vector<SphereTouch> touches;
+        setup.contacts->find([&x](int32_t v) { return Vec3(x.segment<3>(3 * v)); }, time_s, 0,
+                             touches);
+        for (const SphereTouch& t : touches)
+            out.penetration_m = std::max(out.penetration_m, -t.gap_m);
+    }
+    uint64_t hash = 14695981039346656037ULL;
+    const auto* p = reinterpret_cast<const unsigned char*>(x.data());
+    for (size_t i = 0; i < sizeof(double) * at(n); ++i) hash = (hash ^ p[i]) * 1099511628211ULL;
+    out.state_hash = hash;
+    setup.finish(x, Coordinates::Zero(n), time_s, out);
+}
+
+}  // namespace placode::sim

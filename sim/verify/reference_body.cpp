@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/verify/reference_body.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// Cofactor matrix, J F^-T, also where F is singular.
+Mat3 cofactor(const Mat3& f) {
+    Mat3 out;
+    out.col(0) = f.col(1).cross(f.col(2));
+    out.col(1) = f.col(2).cross(f.col(0));
+    out.col(2) = f.col(0).cross(f.col(1));
+    return out;
+}
+
+Mat3 cross_matrix(const Vec3& w) {
+    Mat3 out;
+    out << 0, -w.z(), w.y(), w.z(), 0, -w.x(), -w.y(), w.x(), 0;
+    return out;
+}
+
+}  // namespace
+
+ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
+    check_mesh(spec.mesh);
+    vertices_ = static_cast<int>(spec.mesh.rest.size());
+    mass_kg_.assign(at(vertices_), 0.0);
+    damping_per_s_.assign(at(vertices_), 0.0);
+    rest_.resize(3 * vertices_);
+    for (int v = 0; v < vertices_; ++v) rest_.segment<3>(3 * v) = spec.mesh.rest[at(v)];
+    for (size_t t = 0; t < spec.mesh.tets.size(); ++t) {
+        Tet tet;
+        tet.v = spec.mesh.tets[t];
+        Vec3 scale = Vec3::Ones();
+        if (!spec.rest_scale.empty()) {
+            const auto& s = spec.rest_scale[t];
+            scale = Vec3(static_cast<double>(s[0]), static_cast<double>(s[0]),
+                         static_cast<double>(s[1]));
+        }
+        Mat3 edges;
+        for (int k = 0; k < 3; ++k) {
+            edges.col(k) = scale.cwiseProduct(spec.mesh.rest[at(tet.v[at(k) + 1])] -
+                                              spec.mesh.rest[at(tet.v[0])]);
+        }
+        const Mat3 inverse = edges.inverse();
+        tet.b[0].setZero();
+        for (int k = 0; k < 3; ++k) {
+            tet.b[at(k) + 1] = inverse.row(k).transpose();
+            tet.b[0] -= tet.b[at(k) + 1];
+        }
+        tet.volume_m3 = edges.determinant() / 6;
+        const Material& m = spec.materials[static_cast<size_t>(spec.mesh.tissue[t])];
+        const double share =
+            spec.stiffness_percent.empty() ? 1.0 : spec.stiffness_percent[t] / 100.0;
+        const NeoHookean c = neo_hookean(m.youngs_modulus_pa * share, m.poissons_ratio);
+        tet.mu_pa = c.mu_pa;
+        tet.lambda_pa = c.lambda_pa;
+        tets_.push_back(tet);
+        const double mass = rest_volume(spec.mesh, static_cast<int>(t)) * m.density_kg_m3 / 4;
+        for (const int32_t v : tet.v) {
+            mass_kg_[at(v)] += mass;
+            damping_per_s_[at(v)] += mass * m.damping_per_s;
+        }
+    }
+    for (int v = 0; v < vertices_; ++v) damping_per_s_[at(v)] /= mass_kg_[at(v)];
+    for (const AnchorSpring& s : spec.springs) {
+        const Vec3 n = s.normal.normalized();
+        springs_.push_back({s.vertex, s.anchor,
+                            s.tangent_n_m * Mat3::Identity() +
+                                (s.normal_n_m - s.tangent_n_m) * n * n.transpose()});
+    }
+}
+
+Mat3 ReferenceBody::deformation(const Tet& tet, const Coordinates& x) {
+    // From edges: the position of the body does not enter the rounding.
+    const Vec3 x0 = x.segment<3>(3 * tet.v[0]);
+    Mat3 f = Mat3::Zero();
+    for (size_t k = 1; k < 4; ++k) f += (x.segment<3>(3 * tet.v[k]) - x0) * tet.b[k].transpose();
+    return f;
+}
+
+double ReferenceBody::deformation_determinant(const Coordinates& x, int tet) const {
+    return deformation(tets_[at(tet)], x).determinant();
+}
+
+double ReferenceBody::energy(const Coordinates& x) const {
+    double sum = 0;
+    for (const Tet& tet : tets_) {
+        const Mat3 f = deformation(tet, x);
+        const double j = f.determinant();
+        // lambda/2 (J - gamma)^2 - lambda/2 (1 - gamma)^2 = lambda/2 (J - 1)(J - 1 - 2 mu/lambda)
+        sum += tet.volume_m3 * (0.5 * (j - 1) * (tet.lambda_pa * (j - 1) - 2 * tet.mu_pa) +
+                                0.5 * tet.mu_pa * (f.squaredNorm() - 3));
+    }
+    for (const Spring& s : springs_) {
+        const Vec3 moved = x.segment<3>(3 * s.vertex) - s.anchor;
+        sum += 0.5 * moved.dot(s.stiffness * moved);
+    }
+    return sum;
+}
+
+void ReferenceBody::corner_gradients(const Coordinates& x, int first, int last,
+                                     std::vector<std::array<Vec3, 4>>& out) const {
+    for (int t = first; t < last; ++t) {
+        const Tet& tet = tets_[at(t)];
+        const Mat3 f = deformation(tet, x);
+        const Mat3 stress =
+            tet.volume_m3 *
+            (tet.mu_pa * f + (tet.lambda_pa * (f.determinant() - 1) - tet.mu_pa) * cofactor(f));
+        for (size_t k = 0; k < 4; ++k) out[at(t)][k] = stress * tet.b[k];
+    }
+}
+
+void ReferenceBody::add_gradient(const Coordinates& x, Coordinates& gradient) const {
+    for (const Tet& tet : tets_) {
+        const Mat3 f = deformation(tet, x);
+        const Mat3 stress =
+            tet.volume_m3 *
+            (tet.mu_pa * f + (tet.lambda_pa * (f.determinant() - 1) - tet.mu_pa) * cofactor(f));
+        for (size_t k = 0; k < 4; ++k) gradient.segment<3>(3 * tet.v[k]) += stress * tet.b[k];
+    }
+    add_spring_gradient(x, gradient);
+}
+
+void ReferenceBody::add_spring_gradient(const Coordinates& x, Coordinates& gradient) const {
+    for (const Spring& s : springs_) {
+        gradient.segment<3>(3 * s.vertex) += s.stiffness * (x.segment<3>(3 * s.vertex) - s.anchor);
+    }
+}
+
+Eigen::Matrix<double, 12, 12> ReferenceBody::tet_stiffness(const Tet& tet, const Coordinates& x) {
+    const Mat3 f = deformation(tet, x);
+    const Mat3 cof = cofactor(f);
+    const double pressure = tet.lambda_pa * (f.determinant() - 1) - tet.mu_pa;
+    Eigen::Matrix<double, 12, 12> k;
+    for (size_t i = 0; i < 4; ++i) {
+        const Vec3 ci = cof * tet.b[i];
+        for (size_t j = 0; j < 4; ++j) {
+            const Vec3 cj = cof * tet.b[j];
+            // d c_i / d x_j u = u x F (b_i x b_j), because cof(F)(a x b) = (F a) x (F b).
+            k.block<3, 3>(3 * static_cast<int>(i), 3 * static_cast<int>(j)) =
+                tet.volume_m3 * (tet.mu_pa * tet.b[i].dot(tet.b[j]) * Mat3::Identity() +
+                                 tet.lambda_pa * ci * cj.transpose() -
+                                 pressure * cross_matrix(f * tet.b[i].cross(tet.b[j])));
+        }
+    }
+    return k;
+}
+
+void ReferenceBody::add_stiffness(const Coordinates& x, bool projected, Triplets& out) const {
+    for (const Tet& tet : tets_) {
+        Eigen::Matrix<double, 12, 12> k = tet_stiffness(tet, x);
+        if (projected) {
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 12, 12>> eigen(k);
+            if (eigen.eigenvalues()[0] < 0) {
+                k = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() *
+                    eigen.eigenvectors().transpose();
+            }
+        }
+        for (int i = 0; i < 12; ++i) {
+            for (int j = 0; j < 12; ++j) {
+                out.emplace_back(3 * tet.v[at(i / 3)] + i % 3, 3 * tet.v[at(j / 3)] + j % 3,
+                                 k(i, j));
+            }
+        }
+    }
+    for (const Spring& s : springs_) {
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                out.emplace_back(3 * s.vertex + i, 3 * s.vertex + j, s.stiffness(i, j));
+            }
+        }
+    }
+}
+
+int ReferenceBody::inverted_tets(const Coordinates& x) const {
+    int count = 0;
+    for (int t = 0; t < tet_count(); ++t) count += deformation_determinant(x, t) > 0 ? 0 : 1;
+    return count;
+}
+
+double ReferenceBody::largest_term_n() const {
+    double largest = 0;
+    for (const Tet& tet : tets_) {
+        for (const Vec3& b : tet.b)
+            largest = std::max(largest, (tet.mu_pa + tet.lambda_pa) * tet.volume_m3 * b.norm());
+    }
+    return largest;
+}
+
+double ReferenceBody::highest_frequency_rad_s() const {
+    Triplets triplets;
+    add_stiffness(rest_, false, triplets);
+    SparseMatrix k(3 * vertices_, 3 * vertices_);
+    k.setFromTriplets(triplets.begin(), triplets.end());
+    Coordinates inverse_root_mass(3 * vertices_), u(3 * vertices_);
+    uint32_t seed = 1;
+    for (int i = 0; i < 3 * vertices_; ++i) {
+        inverse_root_mass[i] = 1 / std::sqrt(mass_kg_[at(i / 3)]);
+        seed = seed * 1664525U + 1013904223U;
+        u[i] = static_cast<double>(seed >> 8) / (1 << 24) - 0.5;
+    }
+    u.normalize();
+    double value = 0;
+    for (int i = 0; i < 400; ++i) {
+        Coordinates next =
+            inverse_root_mass.cwiseProduct(k * Coordinates(inverse_root_mass.cwiseProduct(u)));
+        const double before = value;
+        value = next.norm();
+        if (!(value > 0)) return 0;
+        u = next / value;
+        if (i > 20 && value - before < 1e-5 * value) break;
+    }
+    return std::sqrt(value);
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What all methods of solve() share: selections put to vertices, ramps, start shapes, samples, the
+// summary. Vertex numbers are those of the scene's mesh. Private to sim/verify.
+
+#include <memory>
+
+#include "sim/verify/reference_body.h"
+#include "sim/verify/verification_scene.h"
+
+namespace placode::sim {
+
+class SolveSetup {
+ public:
+    /// @throws VerificationError.
+    explicit SolveSetup(const VerificationScene& scene);
+
+    const VerificationScene& scene;
+    SoftBodySpec spec;                         ///< Without held vertices.
+    std::unique_ptr<ReferenceBody> body;       ///< The same, in double precision.
+    std::vector<uint8_t> held;                 ///< (V) axes bits.
+    Coordinates start;                         ///< (3 V) start shape; held coordinates at rest.
+    std::unique_ptr<SphereContacts> contacts;  ///< nullptr = no spheres.
+    double max_courant = 0;
+    std::vector<std::string> warnings;
+
+    /// Where a held coordinate is at time t [m].
+    [[nodiscard]] double held_at(int vertex, int axis, double time_s) const;
+    /// External forces without gravity at time t, added to `out` (3 V).
+    void add_loads(double time_s, Coordinates& out) const;
+    [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
+    /// Longest ramp [s].
+    [[nodiscard]] double longest_ramp_s() const;
+    /// Vertices that only some axes hold (V), ascending.
+    [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
+
+    /// Adds a row to the probes.
+    void sample(double time_s, const Coordinates& x, SolveResult& out) const;
+    /// Everything that follows from the final state. @param v (3 V) velocities.
+    void finish(const Coordinates& x, const Coordinates& v, double time_s, SolveResult& out) const;
+
+ private:
+    struct Load {
+        Vec3 total = Vec3::Zero();
+        double ramp_s = 0;
+        std::vector<std::pair<int32_t, double>> share;  ///< vertex, share of the total
+    };
+    [[nodiscard]] std::vector<int32_t> select(const BoxSelection& box,
+                                              const std::string& pointer) const;
+    void hold();
+    void make_loads();
+    void make_start();
+
+    std::vector<std::array<int32_t, 3>> held_by_;  ///< (V x 3) region, -1 = free
+    std::vector<int32_t> partly_;
+    std::vector<Load> loads_;
+    std::vector<std::vector<int32_t>> probe_vertices_;
+};
+
+// One runner for each family of methods; they fill `out` up to finish().
+void run_fast(const SolveSetup& setup, SolveResult& out);      ///< xpbd, xpbd_pair, vbd
+void run_explicit(const SolveSetup& setup, SolveResult& out);  ///< double precision, symplectic
+void run_newton(const SolveSetup& setup, SolveResult& out);    ///< quasi-static
+
+/// Watches for rest: nothing faster than the limit for 10 frames after the last ramp.
+class RestWatch {
+ public:
+    RestWatch(const SolveSetup& setup) : setup_(setup) {}
+    /// Call once a frame. true = at rest. Speeds are means over the frame: those of single substeps
+    /// carry the rounding of positions, which is 10 um/s for a last digit in 30 us.
+    [[nodiscard]] bool frame(double time_s, const Coordinates& x);
+
+ private:
+    const SolveSetup& setup_;
+    Coordinates before_;
+    int quiet_ = 0;
+};
+
+}  // namespace placode::sim

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/verify/sphere_contact.h"
+
+#include <algorithm>
+
+#include "sim/surface.h"
+#include "sim/tool_shape.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr double kFacing = 0.5;  // as in sim/contact.cpp
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+SphereContacts::PositionOf position_in(const Coordinates& x) {
+    return [&x](int32_t v) { return Vec3(x.segment<3>(3 * v)); };
+}
+
+}  // namespace
+
+SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres)
+    : spheres_(std::move(spheres)) {
+    if (spheres_.empty()) return;
+    const Surface surface(mesh);
+    for (const SurfaceTriangle& t : surface.rest_triangles()) {
+        triangles_.push_back(t.vertex);
+        for (size_t k = 0; k < 3; ++k) {
+            const double edge =
+                (mesh.rest[at(t.vertex[k])] - mesh.rest[at(t.vertex[(k + 1) % 3])]).norm();
+            mean_edge_m_ += edge;
+            longest_edge_m_ = std::max(longest_edge_m_, edge);
+            vertices_.push_back(t.vertex[k]);
+        }
+    }
+    mean_edge_m_ /= 3.0 * static_cast<double>(triangles_.size());
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+}
+
+void SphereContacts::find(const PositionOf& x, double time_s, double margin_m,
+                          std::vector<SphereTouch>& out) const {
+    out.clear();
+    for (size_t s = 0; s < spheres_.size(); ++s) {
+        const Vec3 centre = spheres_[s].centre_at(time_s);
+        const double reach = spheres_[s].radius_m + margin_m;
+        // A stretched triangle is longer than at rest; 3 is beyond what tissue bears.
+        const double far = reach + 3 * longest_edge_m_;
+        for (const auto& triangle : triangles_) {
+            const Vec3 first = x(triangle[0]);
+            if ((first - centre).squaredNorm() > far * far) continue;
+            const Triangle corners{first, x(triangle[1]), x(triangle[2])};
+            const Vec3 b = closest_on_triangle(centre, corners);
+            const Vec3 way = b[0] * corners[0] + b[1] * corners[1] + b[2] * corners[2] - centre;
+            const double distance = way.norm();
+            if (!(distance < reach) || !(distance > 0)) continue;
+            const Vec3 n = way / distance;
+            const Vec3 face = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
+            if (n.dot(face) > kFacing) continue;
+            out.push_back({triangle, b, n, distance - spheres_[s].radius_m, static_cast<int>(s)});
+        }
+    }
+}
+
+double contact_energy(const SphereContacts& contacts, const Coordinates& x, double time_s,
+                      double k) {
+    std::vector<SphereTouch> touches;
+    contacts.find(position_in(x), time_s, 0, touches);
+    double sum = 0;
+    for (const SphereTouch& t : touches) sum += 0.5 * k * t.gap_m * t.gap_m;
+    return sum;
+}
+
+std::vector<Vec3> add_contact(const SphereContacts& contacts, const Coordinates& x, double time_s,
+                              double k, Coordinates& gradient, Triplets* stiffness) {
+    std::vector<Vec3> force(contacts.spheres().size(), Vec3::Zero());
+    std::vector<SphereTouch> touches;
+    contacts.find(position_in(x), time_s, 0, touches);
+    for (const SphereTouch& t : touches) {
+        force[at(t.sphere)] += k * t.gap_m * t.n;
+        for (int i = 0; i < 3; ++i) {
+            gradient.segment<3>(3 * t.vertex[at(i)]) += k * t.gap_m * t.b[i] * t.n;
+            if (stiffness == nullptr) continue;
+            for (int j = 0; j < 3; ++j) {
+                const Mat3 block = k * t.b[i] * t.b[j] * t.n * t.n.transpose();
+                for (int r = 0; r < 9; ++r) {
+                    stiffness->emplace_back(3 * t.vertex[at(i)] + r / 3,
+                                            3 * t.vertex[at(j)] + r % 3, block(r / 3, r % 3));
+                }
+            }
+        }
+    }
+    return force;
+}
+
+}  // namespace placode::sim

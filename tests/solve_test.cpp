@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verification scenes from JSON to numbers: what is refused and how, and closed forms with every
+// method on small meshes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "curriculum/verification_json.h"
+
+using namespace placode;
+using placode::sim::SolveResult;
+using ::testing::HasSubstr;
+
+namespace {
+
+/// A cube of 2 mm on rollers; `more` replaces or adds keys.
+std::string cube(const std::string& more) {
+    return R"({"mesh": {"box": {"size_m": [0.002, 0.002, 0.002], "cells": [2, 2, 2]}})" +
+           (more.empty() ? "" : ", " + more) + "}";
+}
+
+SolveResult run(const std::string& text) {
+    const sim::VerificationScene scene =
+        curriculum::verification_scene_from_json(text, "scene.json", ".");
+    return curriculum::solve_verification_scene(scene, "scene.json");
+}
+
+std::string refusal(const std::string& text) {
+    try {
+        (void)run(text);
+    } catch (const curriculum::DefinitionError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+const std::string kRollers =
+    R"("fixed": [{"box_m": [[0,0,0],[0,1,1]], "axes": "x"}, {"box_m": [[0,0,0],[1,0,1]], "axes": "y"},
+                 {"box_m": [[0,0,0],[1,1,0]], "axes": "z"}])";
+
+std::string solver(const std::string& method, int substeps) {
+    return R"("solver": {"method": ")" + method + R"(", "threads": 1, "substeps": )" +
+           std::to_string(substeps) + "}";
+}
+
+}  // namespace
+
+TEST(Solve, RefusesWithPointerValueAndRange) {
+    const std::pair<const char*, const char*> cases[]{
+        {R"("material": {"poissons_ratio": 0.5})",
+         "scene.json: /material/poissons_ratio: found 0.5; expected a number above -1, below 0.5"},
+        {R"("material": {"density_kg_m3": -1000})",
+         "/material/density_kg_m3: found -1000; expected a number above 0"},
+        {R"("material": {"youngs_modulus_kpa": 5})",
+         "/material/youngs_modulus_kpa: unknown key; expected one of: youngs_modulus_pa"},
+        {R"("solver": {"substeps": 0})",
+         "/solver/substeps: found 0; expected a whole number from 1"},
+        {R"("solver": {"substeps": 2.5})", "/solver/substeps: found 2.5"},
+        {R"("solver": {"frame_s": 0})", "/solver/frame_s: found 0; expected a number above 0"},
+        {R"("solver": {"iterations": 0})", "/solver/iterations: found 0"},
+        {R"("solver": {"method": "fem"})", "/solver/method: found \"fem\"; expected one of: xpbd"},
+        {R"("fixed": [{"box_m": [[5,5,5],[6,6,6]]}])", "/fixed/0/box_m: "},
+        {R"("fixed": [{"box_m": [[0,0,0],[-1,1,1]]}])", "/fixed/0/box_m: found"},
+        {R"("fixed": [{"box_m": [[0,0,0],[1,1,1]]}])", "/fixed: holds all 27 vertices"},
+        {R"("fixed": [{"box_m": [[0,0,0],[1,1,1]], "axes": "xx"}])", "/fixed/0/axes: found \"xx\""},
+        {R"("fixed": [{"axes": "x"}])", "/fixed/0: the key \"box_m\" is missing"},
+        {R"("prescribed": [{"box_m": [[0,0,0],[1,1,0]], "displacement_m": [0, "a", 0]}])",
+         "/prescribed/0/displacement_m/1: found \"a\"; expected a number"},
+        {R"("until": {"time_s": 1, "rest": {}})", "/until: found"},
+        {R"("until": {"time_s": 0}  )", "/until/time_s: found 0"},
+        {R"("start": {"kind": "twisted"})", "/start/kind: found \"twisted\""},
+        {R"("sdf_contacts": [{"sphere": {"centre_m": [0,0,0], "radius_m": 0}}])",
+         "/sdf_contacts/0/sphere/radius_m: found 0"},
+        {R"("probes": [{"name": "a,b", "box_m": [[0,0,0],[1,1,1]]}])", "/probes/0/name: found"},
+        {R"("gravity": [0,0,0])", "/gravity: unknown key"},
+        {R"("damping_per_s": -1)", "/damping_per_s: found -1"},
+    };
+    for (const auto& [more, expected] : cases)
+        EXPECT_THAT(refusal(cube(more)), HasSubstr(expected)) << more;
+    EXPECT_THAT(refusal(R"({"solver": {}})"), HasSubstr("\"mesh\" is missing"));
+    EXPECT_THAT(refusal(R"({"mesh": {"box": {"size_m": [1,1,1], "cells": [0,1,1]}}})"),
+                HasSubstr("/mesh/box/cells/0: found 0; expected a whole number from 1"));
+    EXPECT_THAT(refusal(R"({"mesh": {"file": "nowhere.msh"}})"),
+                HasSubstr("/mesh/file: nowhere.msh: cannot be opened"));
+    EXPECT_THAT(refusal("{\n  \"mesh\": nope }"), HasSubstr("line 2"));
+}
+
+TEST(Solve, RefusesMethodsAtStepsWhereTheyAreNotValid) {
+    // c_p = sqrt((lambda + mu) / rho) = 4.35 m/s at 5 kPa and nu .45: Co = 4.35 at 1 ms and 1 mm.
+    EXPECT_THAT(refusal(cube(solver("xpbd", 1))),
+                ::testing::AllOf(HasSubstr("/solver/substeps: Courant number 4.3"),
+                                 HasSubstr("expected at least 4")));
+    EXPECT_THAT(refusal(cube(solver("xpbd_pair", 4))), HasSubstr("limit of xpbd_pair"));
+    EXPECT_THAT(refusal(cube(solver("explicit", 1))), HasSubstr("above the CFL limit"));
+    EXPECT_THAT(refusal(cube(solver("newton", 1))), HasSubstr("/fixed: nothing holds the body"));
+    // The number of substeps that a refusal names must be enough.
+    const std::string text = refusal(cube(solver("explicit", 1)));
+    const size_t at = text.find("expected at least ");
+    const int needed = std::stoi(text.substr(at + 18));
+    const SolveResult enough =
+        run(cube(solver("explicit", needed) + R"(, "until": {"time_s": 0.05})"));
+    EXPECT_EQ(enough.not_finite, 0);
+    EXPECT_FALSE(enough.diverged);
+    const SolveResult forced = run(cube(
+        R"("solver": {"method": "xpbd", "substeps": 1, "allow_invalid": true}, "until": {"time_s": 0.002})"));
+    EXPECT_THAT(forced.warnings, ::testing::Contains(HasSubstr("not valid")));
+}
+
+struct MethodCase {
+    const char* method;
+    int substeps;
+    double tolerance;  ///< Of homogeneous states [-].
+};
+void PrintTo(const MethodCase& m, std::ostream* out) { *out << m.method; }
+
+class EveryMethod : public ::testing::TestWithParam<MethodCase> {};
+// 5 kPa, 1 mm: Co .54 at 8 substeps, where one xpbd sweep is Co^2-soft by some per cent.
+INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+                         ::testing::Values(MethodCase{"vbd", 4, 1e-3}, MethodCase{"vbd", 8, 1e-3},
+                                           MethodCase{"xpbd", 32, 0.03},
+                                           MethodCase{"xpbd_pair", 32, 0.03},
+                                           MethodCase{"explicit", 12, 1e-3},
+                                           MethodCase{"newton", 1, 1e-6}));
+
+TEST_P(EveryMethod, UniaxialStretchMeetsTheClosedForm) {
+    // a 1.2, nu .45: J 1.016667, b .920447, P = 8516.922 Pa x E / 50 kPa.
+    const MethodCase c = GetParam();
+    const SolveResult r = run(cube(
+        kRollers +
+        R"(, "prescribed": [{"box_m": [[0.002,0,0],[1,1,1]], "axes": "x", "displacement_m": [0.0004],
+             "ramp_s": 0.05}], "gravity_m_s2": [0,0,0], "damping_per_s": 60, "until": {"time_s": 0.5},
+            "probes": [{"name": "side", "box_m": [[0,0.002,0],[1,1,1]]}], )" +
+        solver(c.method, c.substeps)));
+    ASSERT_FALSE(r.diverged);
+    EXPECT_EQ(r.inverted_tets, 0);
+    ASSERT_EQ(r.reactions.size(), 4u);
+    const double p = r.reactions[3].force_n.x() / 4e-6;
+    EXPECT_NEAR(p, 851.6922, c.tolerance * 851.7);
+    EXPECT_NEAR(r.reaction_n.x(), -851.6922 * 4e-6, c.tolerance * 851.7 * 4e-6);
+    EXPECT_NEAR(r.probe_m.back()[0].y(), 0.920447 * 0.002, c.tolerance * 0.002);
+    EXPECT_NEAR(r.sample_time_s.back(), 0.5, 1e-9);
+}
+
+TEST_P(EveryMethod, ALoadedCubeCarriesTheSum) {
+    const MethodCase c = GetParam();
+    const SolveResult r = run(cube(
+        R"("fixed": [{"box_m": [[0,0,0],[0,1,1]]}], "damping_per_s": 60,
+           "loads": [{"box_m": [[0.002,0,0],[1,1,1]], "total_force_n": [0.0004, 0, 0.0002], "ramp_s": 0.02}],
+           "until": {"rest": {"speed_m_s": 1e-4, "max_s": 1}}, )" +
+        solver(c.method, c.substeps)));
+    ASSERT_FALSE(r.diverged);
+    // The pair never comes to rest: one projection after the other jitters.
+    EXPECT_TRUE(r.at_rest || std::string(c.method) == "xpbd_pair");
+    const double weight = 8e-9 * 1000 * 9.81;
+    // The support's forces are read from single precision: 1 % where xpbd is soft, else 1e-3.
+    EXPECT_NEAR(r.reaction_n.x(), -0.0004, c.tolerance * 0.0004 + 4e-7);
+    EXPECT_NEAR(r.reaction_n.z(), -0.0002 + weight, c.tolerance * 0.0004 + 4e-7);
+}
+
+TEST_P(EveryMethod, AFreeCubeFallsByTheParabola) {
+    const MethodCase c = GetParam();
+    if (std::string(c.method) == "newton") return;  // quasi-static
+    const SolveResult r = run(cube(
+        R"("until": {"time_s": 0.1}, "probes": [{"name": "all", "box_m": [[0,0,0],[1,1,1]]}], )" +
+        solver(c.method, c.substeps)));
+    // First order in time: the exact sum is g t (t + h) / 2.
+    const double t = 0.1, h = 1e-3 / c.substeps;
+    EXPECT_NEAR(r.probe_m.back()[0].z() - r.probe_m.front()[0].z(), -9.81 * t * (t + h) / 2,
+                (std::string(c.method) == "xpbd_pair" ? 5e-3 : 1e-3) * 9.81 * t * t / 2)
+        << "the pair gains some momentum from rounding";
+    EXPECT_NEAR(r.kinetic_energy_j, 0.5 * 8e-6 * std::pow(9.81 * t, 2), 1e-2 * 4e-6);
+}
+
+TEST_P(EveryMethod, StartsThatRecoverComeBackToTheRestShape) {
+    const MethodCase c = GetParam();
+    if (std::string(c.method) == "explicit") return;  // below its limit for small strain only
+    for (const char* kind : {"flat", "mirror", "point", "stretch"}) {
+        // A mirrored cube may come out wound twice around an edge; no tet is inverted there.
+        if (std::string(kind) == "mirror" && c.substeps == 4) continue;
+        const SolveResult r = run(cube(
+            R"("gravity_m_s2": [0,0,0], "damping_per_s": 30, "until": {"time_s": 1}, "start": {"kind": ")" +
+            std::string(kind) + R"("}, )" + solver(c.method, c.substeps)));
+        EXPECT_EQ(r.not_finite, 0) << kind;
+        EXPECT_EQ(r.inverted_tets, 0) << kind;
+        // The rest shape, wherever it lies: distances are right again.
+        const double edge = (r.final_m[26] - r.final_m[0]).norm();
+        EXPECT_NEAR(edge, 0.002 * std::sqrt(3.0), 0.02 * 0.0035) << kind;
+        if (std::string(kind) == "point") {
+            EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("re-seeded")));
+        }
+    }
+}
+
+TEST(Solve, ASphereIsPressedBackByWhatItPressesOn) {
+    // Equilibrium: the support carries what the sphere does, whatever the law of contact.
+    for (const auto& [method, substeps] :
+         {std::pair{"vbd", 16}, {"xpbd", 16}, {"explicit", 24}, {"newton", 1}}) {
+        const SolveResult r = run(
+            R"({"mesh": {"box": {"size_m": [0.006,0.006,0.004], "cells": [6,6,4]}},
+                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
+                "fixed": [{"box_m": [[0,0,0],[1,1,0]]}],
+                "sdf_contacts": [{"sphere": {"centre_m": [0.003,0.003,0.0065], "radius_m": 0.002},
+                                  "velocity_m_s": [0,0,-0.005], "friction": 0}],
+                "until": {"time_s": 0.2}, )" +
+            solver(method, substeps) + "}");
+        // 0.5 mm deep at the end, at 5 mm/s: inertia and damping take a small share.
+        EXPECT_LT(r.contact_force_n.z() * -1, 0) << method;
+        EXPECT_NEAR(r.contact_force_n.z(), r.reaction_n.z(), 0.08 * r.contact_force_n.z())
+            << method;
+        EXPECT_LT(r.penetration_m, 1e-4) << method;  // explicit: as stiff as its step bears
+        EXPECT_EQ(r.inverted_tets, 0) << method;
+    }
+}
+
+TEST(Solve, FrictionHoldsATangentialPullUpToTheCone) {
+    // The sphere sits 0.4 mm deep and moves sideways: with friction it drags the surface along.
+    double side[2]{};
+    for (int i = 0; i < 2; ++i) {
+        const SolveResult r = run(
+            R"({"mesh": {"box": {"size_m": [0.006,0.006,0.004], "cells": [6,6,4]}},
+                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
+                "fixed": [{"box_m": [[0,0,0],[1,1,0]]}],
+                "sdf_contacts": [{"sphere": {"centre_m": [0.0025,0.003,0.0056], "radius_m": 0.002},
+                                  "velocity_m_s": [0.002,0,0], "friction": )" +
+            std::string(i == 0 ? "0" : "0.3") + R"(}], "until": {"time_s": 0.3}, )" +
+            solver("vbd", 4) + "}");
+        side[i] = -r.contact_force_n.x() / r.contact_force_n.z();
+    }
+    // Sliding: the tangential force is mu times the normal one (the surface's slope adds a little).
+    EXPECT_NEAR(side[1] - side[0], 0.3, 0.06);
+}
+
+TEST(Solve, ReadsMeshFilesAndKeepsTheirNumbering) {
+    const std::string folder = std::string(PLACODE_SOURCE_DIR) + "/tests/data/meshes";
+    const sim::VerificationScene scene = curriculum::verification_scene_from_json(
+        R"({"mesh": {"file": "box_gmsh1.msh", "scale": 0.001}, "fixed": [{"box_m": [[0,0,0],[1,1,0]]}],
+            "solver": {"method": "newton"}})",
+        "scene.json", folder);
+    ASSERT_EQ(scene.output_points.size(), 9u);
+    EXPECT_EQ(scene.output_points[3], sim::Vec3(0.001, 0.002, 0));
+    EXPECT_THAT(scene.warnings, ::testing::Contains(HasSubstr("used by no tetrahedron")));
+    const SolveResult r = curriculum::solve_verification_scene(scene, "scene.json");
+    EXPECT_LT((r.final_m[8] - sim::Vec3(0.009, 0.009, 0.009)).norm(), 1e-12);
+    EXPECT_LT((r.final_m[3] - sim::Vec3(0.001, 0.002, 0)).norm(), 1e-12);
+    EXPECT_LT(r.final_m[7].z(), 0.003);
+}
+
+TEST(Solve, TheSameSceneGivesTheSameHash) {
+    const std::string text =
+        cube(R"("until": {"time_s": 0.05}, )" + kRollers + ", " + solver("vbd", 4));
+    EXPECT_EQ(run(text).state_hash, run(text).state_hash);
+}

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The commands that verify the solver.
+
+#include "ui/cli/cli.h"
+
+namespace placode::cli {
+
+void add_solve_command(CLI::App& app, Context& context);
+/// `bench accuracy`.
+void add_accuracy_command(CLI::App& bench, Context& context);
+
+/// Processor, system, compiler, kernels and load, for benchmarks.
+[[nodiscard]] Json machine();
+
+}  // namespace placode::cli
