@@ -14,6 +14,9 @@
 namespace placode::sim {
 namespace {
 
+// Sectors to either side in which a path may run: 35 degrees are 1.8 mm at the narrowest, some
+// three edges of the mesh; a narrower wedge would miss paths that are there.
+constexpr int kBeside = 3;
 constexpr int kFloodPerFrame = 2500;
 constexpr int kRemovedPerFrame = 8;
 constexpr double kCrumb = 0.3e-9;      // smaller pieces are washed away [m^3]
@@ -40,7 +43,7 @@ int ground_cell(double x, double y) noexcept {
 
 // --- release -----------------------------------------------------------------------------------
 
-/// True when no path leads from the placode in sector `s` to the skin within s - 1 .. s + 1.
+/// True when no path leads from the placode in sector `s` to the skin within s - 3 .. s + 3.
 bool sector_free(const Scene& scene, State& state, int s) noexcept {
     PieceSearch& search = state.scratch->pieces;
     const uint32_t stamp = ++search.sector_stamp;
@@ -62,8 +65,8 @@ bool sector_free(const Scene& scene, State& state, int s) noexcept {
             const int32_t other = scene.surface.neighbours()[t][f];
             if (other < 0 || seen[other] == stamp || !state.body.tet_alive[other]) continue;
             if (!counts_for_release(tissue[other])) continue;
-            const int away = (search.sector_of_tet[other] - s + kSectors + 1) % kSectors;
-            if (away > 2) continue;
+            const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
+            if (away > 2 * kBeside) continue;
             seen[other] = stamp;
             stack[top++] = other;
         }

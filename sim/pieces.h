@@ -4,8 +4,8 @@
 // What hangs together. Two questions, both answered over uncut faces of living tets:
 //
 // Release: does a path through placode, zone and skin still lead from the placode to the skin?
-// Asked for each of 72 sectors of 5 degrees, inside the sector and its two neighbours; one sector a
-// frame, and only after the surface has changed.
+// Asked for each of 72 sectors of 5 degrees, inside the sector and three neighbours to either side;
+// one sector a frame, and only after the surface has changed.
 //
 // Loose pieces: tets that no path leads to from the bed. A flood from the bed runs over some frames
 // whenever the surface has changed. A crumb is washed away; a piece lies where it came loose (wet

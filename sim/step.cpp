@@ -221,6 +221,7 @@ State::State(const Scene& scene, int threads)
     pieces.of.assign(scene.body.tet_count(), -1);
     pieces.resting.assign(scene.body.vertex_capacity(), 0);
     pieces.searched = surface.version();
+    release.checked.fill(~surface.version());  // every sector is looked at once before any cut
     resection.cut.assign(scene.resection.line.size(), 0);
     resection.checked.assign(scene.resection.line.size(), 0);
     if (scene.heat) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPointStep = 0.00025;  // of the outline [m]
 constexpr double kAcross = 0.0006;      // where to look whether it is parted, from the line [m]
+constexpr double kInside = 0.0004;      // of the outline, before tissue counts as marked [m]
 constexpr double kGraspIn = 0.0010;     // the place to take hold, from the incised edge [m]
 
 double degrees(const Vec2& p) {
@@ -123,10 +124,11 @@ void mark_resection(const OperativeFieldSpec& spec, const FieldShape& shape, con
             to_placode += field.columns[field.column[v]].to_placode_m / 4;
             to_skin += field.columns[field.column[v]].to_skin_m / 4;
         }
-        if (!within(degrees(centre.head<2>()), from, span)) continue;
-        // The needle's own width along the incision is nobody's piece.
-        if (to_placode < spec.contour_offset_m + 0.0004 || to_skin > -spec.resect_margin_m)
-            continue;
+        // Only what lies well inside: the needle takes its own width, a cut follows the mesh.
+        const double turn = kInside / centre.head<2>().norm() * 180 / std::numbers::pi;
+        if (!within(degrees(centre.head<2>()), from + turn, span - 2 * turn)) continue;
+        if (to_placode < spec.contour_offset_m + kInside) continue;
+        if (to_skin > -spec.resect_margin_m - kInside) continue;
         scene.marked[t] = 1;
         scene.marked_volume_m3 += rest_volume(field.mesh, static_cast<int>(t));
     }

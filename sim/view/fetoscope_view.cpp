@@ -57,7 +57,7 @@ struct FetoscopeView::Impl {
     void draw_world(const Snapshot& snapshot, const OverlayState& overlay, int size);
     void light(GlProgram& program, const Snapshot& snapshot);
     void draw_smoke();
-    void draw_guide(const Snapshot& snapshot, int size);
+    void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
 
     ViewSettings settings;
@@ -183,7 +183,7 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
 
     light(wall, snapshot);
     wall_gl.draw(GL_TRIANGLES);
-    if (overlay.show_guide) draw_guide(snapshot, size);
+    draw_guide(snapshot, size, overlay.show_guide);
     light(smoke_program, snapshot);
     draw_smoke();
     picture.resolve();
@@ -222,15 +222,22 @@ void FetoscopeView::Impl::draw_smoke() {
     glDisable(GL_BLEND);
 }
 
-void FetoscopeView::Impl::draw_guide(const Snapshot& snapshot, int size) {
+// The planned incision where the trainee wants help; the marked tissue's outline always: it is ink.
+void FetoscopeView::Impl::draw_guide(const Snapshot& snapshot, int size, bool contour) {
     std::vector<float> data;
-    for (size_t i = 0; i < snapshot.contour.size(); ++i) {
-        const auto& p = snapshot.contour[i];
+    const auto add = [&](const std::array<float, 3>& p, float kind) {
         const Vec3 mm = 1000 * Vec3(p[0], p[1], p[2]);
         const Vec3 lifted = mm + 0.15 * (camera.position_mm - mm).normalized();
         for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(lifted[k]));
-        data.push_back(i < snapshot.contour_cut.size() && snapshot.contour_cut[i] != 0 ? 1.0F
-                                                                                       : 0.0F);
+        data.push_back(kind);
+    };
+    for (size_t i = 0; contour && i < snapshot.contour.size(); ++i) {
+        const bool cut = i < snapshot.contour_cut.size() && snapshot.contour_cut[i] != 0;
+        add(snapshot.contour[i], cut ? 1.0F : 0.0F);
+    }
+    for (size_t i = 0; i < snapshot.resect_line.size(); ++i) {
+        const bool cut = i < snapshot.resect_cut.size() && snapshot.resect_cut[i] != 0;
+        add(snapshot.resect_line[i], cut ? 1.0F : 2.0F);
     }
     if (data.empty()) return;
     light(guide, snapshot);

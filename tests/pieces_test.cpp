@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What hangs together: loose pieces, crumbs, the way out of the field, release by sectors.
+
+#include "sim/pieces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "sim/cutting.h"
+#include "sim/separation.h"
+#include "tests/box_scene.h"
+
+namespace placode::sim {
+namespace {
+
+using test::BoxOptions;
+using test::upright;
+
+BoxOptions block() {
+    BoxOptions options;
+    options.size_m = Vec3(0.008, 0.008, 0.002);
+    options.cells = {16, 16, 4};
+    options.tissue = Tissue::kZone;
+    options.material.youngs_modulus_pa = 10000;
+    options.material.damping_per_s = 60;
+    options.material.fail_stretch = options.material.injury_stretch = 100;
+    options.gravity = Vec3(0, 0, -9.81);
+    options.heat = false;
+    options.spare_vertices = 2000;
+    options.tool.kind = ToolKind::kGrasper;
+    options.tool.tip_radius_m = 0.0005;
+    options.tool.tip_length_m = 0.010;
+    options.tool.grip_n_m = 1e7;
+    options.tool.pivot_m = Vec3(0, 0, 0.080);
+    return options;
+}
+
+struct Field {
+    explicit Field(Scene made) : scene(std::move(made)), state(scene, 1) {}
+
+    /// Parts every face between tets inside and outside of a region at rest.
+    void cut_out(const std::function<bool(const Vec3&)>& inside) {
+        for (int t = 0; t < scene.body.tet_count(); ++t) {
+            if (!inside(rest_centroid(scene, t))) continue;
+            for (int f = 0; f < 4; ++f) {
+                const int other =
+                    scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
+                if (other >= 0 && !inside(rest_centroid(scene, other))) {
+                    cut_face(scene, state, t, f);
+                }
+            }
+        }
+    }
+    void run(const Vec3& tip, double jaw, int frames) {
+        ToolInput input = upright(tip);
+        input.jaw_rad = static_cast<float>(jaw);
+        for (int i = 0; i < frames; ++i) {
+            test::frame(scene, state, input, feedback);
+            for (int e = 0; e < state.event_count; ++e) events.push_back(state.events[e]);
+        }
+    }
+    /// Moves the tip at 0.1 m/s.
+    void move(const Vec3& from, const Vec3& to, double jaw) {
+        const int frames = static_cast<int>((to - from).norm() / 1e-4) + 1;
+        for (int i = 1; i <= frames; ++i) {
+            run(from + static_cast<double>(i) / frames * (to - from), jaw, 1);
+        }
+    }
+    [[nodiscard]] int count(EventKind kind) const {
+        int n = 0;
+        for (const Event& e : events) n += e.kind == kind ? 1 : 0;
+        return n;
+    }
+    [[nodiscard]] double height(const std::function<bool(const Vec3&)>& inside) const {
+        double sum = 0;
+        int n = 0;
+        for (int t = 0; t < scene.body.tet_count(); ++t) {
+            if (!state.body.tet_alive[static_cast<size_t>(t)]) continue;
+            if (!inside(rest_centroid(scene, t))) continue;
+            for (const int32_t v : corners(scene.body, state.body, t)) {
+                sum += static_cast<double>(state.body.x[static_cast<size_t>(v)].z);
+                ++n;
+            }
+        }
+        return n > 0 ? sum / n : 0;
+    }
+
+    Scene scene;
+    State state;
+    ToolFeedback feedback;
+    std::vector<Event> events;
+};
+
+bool in_patch(const Vec3& p) {
+    return std::abs(p.x()) < 0.0015 && std::abs(p.y()) < 0.0015 && p.z() > -0.001;
+}
+
+TEST(Pieces, APatchCutOutStaysUntilJawsTakeItOutOfTheField) {
+    Field field(test::box_scene(block()));
+    const Vec3 away(0, 0, 0.010), touch(0, 0, 0.0001), out(0, 0, 0.040);
+    field.run(away, 0.6, 5);
+    EXPECT_EQ(field.count(EventKind::kPieceFree), 0);
+    const double before = field.height(in_patch);
+    field.cut_out(in_patch);
+    field.run(away, 0.6, 200);
+    ASSERT_EQ(field.count(EventKind::kPieceFree), 1);
+    EXPECT_EQ(field.count(EventKind::kCrumb), 0);
+    // Wet tissue sticks where it lies: in 0.2 s it would have fallen 0.2 m.
+    EXPECT_NEAR(field.height(in_patch), before, 5e-5);
+    // 3 x 3 x 1 mm, with the zigzag of the mesh at its sides.
+    EXPECT_NEAR(field.state.pieces.list[0].volume_m3, 9e-9, 3e-9);
+    field.move(away, touch, 0.6);
+    const double closed = 0.5 * grip_angle(field.scene.tools[0]);
+    for (double jaw = 0.6; jaw > closed; jaw -= 0.01) field.run(touch, jaw, 1);
+    field.run(touch, closed, 50);
+    ASSERT_GT(field.state.grasps[0].count, 0);
+    field.move(touch, Vec3(0, 0, 0.005), closed);
+    EXPECT_GT(field.height(in_patch), 0.003);  // it has come along, and nothing else has
+    EXPECT_LT(std::abs(field.height([](const Vec3& p) { return std::abs(p.x()) > 0.003; }) + 0.001),
+              2e-4);
+    field.move(Vec3(0, 0, 0.005), out, closed);
+    field.run(out, closed, 100);
+    EXPECT_EQ(field.count(EventKind::kPieceOut), 1);
+    EXPECT_EQ(field.state.pieces.out, 1);
+    EXPECT_EQ(field.state.grasps[0].count, 0);
+    for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+        EXPECT_EQ(field.state.body.tet_alive[static_cast<size_t>(t)] == 0,
+                  in_patch(rest_centroid(field.scene, t)));
+    }
+}
+
+TEST(Pieces, ACrumbIsWashedAway) {
+    Field field(test::box_scene(block()));
+    const auto crumb = [](const Vec3& p) { return p.head<2>().norm() < 0.0004 && p.z() > -0.0005; };
+    field.cut_out(crumb);
+    field.run(Vec3(0, 0, 0.02), 0.6, 200);
+    EXPECT_GE(field.count(EventKind::kCrumb), 1);
+    for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+        EXPECT_EQ(field.state.body.tet_alive[static_cast<size_t>(t)] == 0,
+                  crumb(rest_centroid(field.scene, t)));
+    }
+}
+
+TEST(Pieces, WhatHangsByOneFaceIsNotLoose) {
+    Field field(test::box_scene(block()));
+    // All faces but one.
+    int spared = 0;
+    for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+        if (!in_patch(rest_centroid(field.scene, t))) continue;
+        for (int f = 0; f < 4; ++f) {
+            const int other =
+                field.scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
+            if (other < 0 || in_patch(rest_centroid(field.scene, other))) continue;
+            if (spared++ == 0) continue;
+            cut_face(field.scene, field.state, t, f);
+        }
+    }
+    ASSERT_GT(spared, 20);
+    field.run(Vec3(0, 0, 0.02), 0.6, 200);
+    EXPECT_EQ(field.count(EventKind::kPieceFree), 0);
+}
+
+/// Placode within 2 mm, skin beyond 3.4 mm, zone between; gel below.
+Scene lesion() {
+    BoxOptions options = block();
+    options.cells = {24, 24, 4};
+    SoftBodySpec spec;
+    {
+        const Scene plain = test::box_scene(options);
+        spec = plain.body.spec();
+    }
+    for (size_t t = 0; t < spec.mesh.tets.size(); ++t) {
+        Vec3 centre = Vec3::Zero();
+        for (const int32_t v : spec.mesh.tets[t])
+            centre += spec.mesh.rest[static_cast<size_t>(v)] / 4;
+        const double r = centre.head<2>().norm();
+        Tissue& tissue = spec.mesh.tissue[t];
+        tissue = r < 0.002 ? Tissue::kPlacode : r > 0.0034 ? Tissue::kSkin : Tissue::kZone;
+        if (centre.z() < -0.001) tissue = Tissue::kGel;
+    }
+    Scene scene{SoftBody(std::move(spec))};
+    scene.tools = {options.tool};
+    for (int i = 0; i < 60; ++i) {
+        const double a = 2 * std::numbers::pi * i / 60;
+        scene.geometry.planned_contour.emplace_back(0.0027 * std::cos(a), 0.0027 * std::sin(a), 0);
+    }
+    for (const Vec3& x : scene.body.mesh().rest) {
+        scene.field.depth_m.push_back(static_cast<float>(-x.z()));
+    }
+    return scene;
+}
+
+TEST(Pieces, TheReleaseIsDecidedByConnectivitySectorBySector) {
+    Field field(lesion());
+    const Vec3 away(0, 0, 0.02);
+    field.run(away, 0.6, 2 * kSectors);
+    EXPECT_EQ(field.state.release.free_count, 0);
+    // The left half (y > 0) of the ring is parted at 2.7 mm, through placode, zone and skin.
+    const auto inner = [](const Vec3& p) { return p.head<2>().norm() < 0.0027; };
+    const auto part = [&](bool left) {
+        for (int t = 0; t < field.scene.body.tet_count(); ++t) {
+            const Vec3 here = rest_centroid(field.scene, t);
+            if (!inner(here) || (here.y() > 0) != left) continue;
+            for (int f = 0; f < 4; ++f) {
+                const int other = field.scene.surface
+                                      .neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
+                if (other >= 0 && !inner(rest_centroid(field.scene, other))) {
+                    cut_face(field.scene, field.state, t, f);
+                }
+            }
+        }
+    };
+    part(true);
+    field.run(away, 0.6, 2 * kSectors);
+    // 36 sectors, but some at either end still reach around through their neighbours.
+    EXPECT_GE(field.state.release.free_count, 26);
+    EXPECT_LE(field.state.release.free_count, 36);
+    for (int s = 0; s < kSectors; ++s) {
+        if (s >= 36) {
+            EXPECT_EQ(field.state.release.free[static_cast<size_t>(s)], 0) << s;
+        }
+    }
+    part(false);
+    field.run(away, 0.6, 2 * kSectors);
+    EXPECT_EQ(field.state.release.free_count, kSectors);
+    EXPECT_EQ(field.count(EventKind::kSectorFree), kSectors);
+    EXPECT_EQ(field.count(EventKind::kPieceFree), 0);  // the gel below still holds it
+}
+
+TEST(Pieces, SectorsCountFromCranialToLeft) {
+    EXPECT_EQ(sector_of(Vec3(1, 0.001, 0)), 0);
+    EXPECT_EQ(sector_of(Vec3(0.001, 1, 0)), 17);
+    EXPECT_EQ(sector_of(Vec3(-1, -0.001, 0)), 36);
+    EXPECT_EQ(sector_of(Vec3(1, -0.001, 0)), 71);
+}
+
+}  // namespace
+}  // namespace placode::sim
