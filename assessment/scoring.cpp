@@ -47,6 +47,11 @@ constexpr EventSource kSources[]{
     {"energy_in_air_s", EventKind::kEnergyInAir, Show::kLongest, true},
     {"dwell_s", EventKind::kDwell, Show::kLongest, true},
     {"torn_volume_mm3", EventKind::kTorn, Show::kFirst, false},
+    {"crush_count", EventKind::kCrushed, Show::kStrongest, false},
+    {"slip_count", EventKind::kSlipped, Show::kStrongest, false},
+    {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
+    {"peak_traction_mn", EventKind::kReleased, Show::kStrongest, true},
+    {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
 };
 
 void use_event(Locus& locus, const Event& event, bool lasts) {
@@ -123,6 +128,12 @@ Locus locate(std::string_view metric, const sim::Recording& recording) {
     if (metric == "torn_skin_mm3") {
         return locate_removed(recording, [&](const Event& e) {
             return torn(e) &&
+                   (e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin);
+        });
+    }
+    if (metric == "skin_snip_mm2") {
+        return locate_removed(recording, [](const Event& e) {
+            return e.kind == EventKind::kSnipped &&
                    (e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin);
         });
     }

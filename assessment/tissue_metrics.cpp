@@ -225,9 +225,9 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
         }
         const Sum snips = total(recording, EventKind::kSnipped);
         const Sum pieces = total(recording, EventKind::kPieceOut);
-        out.push_back({"snips", static_cast<double>(snips.count)});
         out.push_back({"placode_snip_mm2", total(recording, EventKind::kPlacodeCut).value * 1e6});
         out.push_back({"skin_snip_mm2", skin_m2 * 1e6});
+        out.push_back({"snips", static_cast<double>(snips.count)});
         out.push_back({"pieces_out", static_cast<double>(pieces.count)});
         out.push_back({"resected_mm3", pieces.value * 1e9});
         out.push_back({"resected_percent", share * 100});

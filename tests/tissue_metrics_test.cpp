@@ -256,6 +256,60 @@ TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     }
 }
 
+TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
+    using sim::EventKind;
+    sim::Recording recording;
+    recording.header.sample_s = 0.01;
+    recording.header.tools.resize(2);
+    recording.header.tools[0].kind = sim::ToolKind::kScissors;
+    recording.header.tools[1].kind = sim::ToolKind::kGrasper;
+    const auto add = [&](double t, EventKind kind, int tool, float value, float value2,
+                         sim::Tissue tissue = sim::Tissue::kZone) {
+        sim::Event e;
+        e.time_s = t;
+        e.kind = kind;
+        e.tool = static_cast<int8_t>(tool);
+        e.value = value;
+        e.value2 = value2;
+        e.tissue = tissue;
+        recording.events.push_back(e);
+    };
+    add(1.0, EventKind::kGrasped, 1, 6, 0.2F);
+    add(1.2, EventKind::kSnipped, 0, 3e-6F, 0.001F);
+    add(1.3, EventKind::kSnipped, 0, 2e-6F, 0.001F, sim::Tissue::kThinSkin);
+    add(1.4, EventKind::kPlacodeCut, 0, 0.5e-6F, 0.001F, sim::Tissue::kPlacode);
+    add(1.5, EventKind::kCrushed, 1, 2e5F, 0.4F);
+    add(2.0, EventKind::kPieceOut, 1, 3e-9F, 0.75F);
+    add(3.0, EventKind::kReleased, 1, 2, 0.025F);
+    for (int i = 0; i < 400; ++i) {
+        sim::Sample sample;
+        sample.time_s = 0.01 * i;
+        // Lifted by 1 mm from 1.5 s to 2.5 s.
+        const bool up = sample.time_s >= 1.5 - 1e-9 && sample.time_s < 2.5 - 1e-9;
+        sample.tools[1].tip_m[2] = up ? 0.001F : 0.0F;
+        recording.samples.push_back(sample);
+    }
+    const MetricSet m = compute_metrics(recording);
+    EXPECT_NEAR(*m.find("lift_hold_s"), 1.0, 0.011);
+    EXPECT_EQ(*m.find("snips"), 2);
+    EXPECT_NEAR(*m.find("skin_snip_mm2"), 2, 1e-5);
+    EXPECT_NEAR(*m.find("placode_snip_mm2"), 0.5, 1e-6);
+    EXPECT_EQ(*m.find("pieces_out"), 1);
+    EXPECT_NEAR(*m.find("resected_mm3"), 3, 1e-5);
+    EXPECT_NEAR(*m.find("resected_percent"), 75, 1e-4);
+    EXPECT_EQ(*m.find("grasps"), 1);
+    EXPECT_EQ(*m.find("crush_count"), 1);
+    EXPECT_NEAR(*m.find("peak_traction_mn"), 25, 1e-4);
+    // In the order of the definitions, each once.
+    size_t at = 0;
+    const auto definitions = metric_definitions();
+    for (const Metric& metric : m.values) {
+        while (at < definitions.size() && definitions[at].id != metric.id) ++at;
+        EXPECT_LT(at, definitions.size()) << metric.id;
+        ++at;
+    }
+}
+
 TEST(TissueMetrics, ADoseBeyondAllNumbersIsStillAMetric) {
     sim::Recording recording = ring(0, 359, 0);
     recording.samples[1].placode_peak_cem43_min = INFINITY;
