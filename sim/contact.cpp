@@ -12,15 +12,23 @@ namespace placode::sim {
 namespace {
 
 constexpr int kMostCandidates = 16384, kMostContacts = 2048, kMostVertices = 2048;
+constexpr int kFeatureTable = 8192;  // a power of two, four times the most contacts
+// Stiffness of a contact against what the touched vertices answer at once. Sphere of 1.5 mm pressed
+// 0.1 mm into skin (edges 0.1 mm): 2 to 8 are quiet and 0.2 to 1 % below the rigid force; 25 and
+// more burst, because a vertex with a small weight then overshoots before its neighbours answer.
+constexpr double kContactRatio = 6;
 constexpr double kTissueReach = 0.0005;  // tissue may come this much nearer within a frame [m]
 constexpr double kStepOfRadius = 0.6;    // motion per substep near tissue, in radii of the tip
 constexpr double kFreeStep = 0.003;      // motion per frame where nothing is near [m]
 // Tried on a 1.5 mm probe in 60 kPa tissue with grips of 50 and 600 N/m: 1 oscillates, 4 is quiet.
 constexpr double kCaution = 6;
-constexpr double kStiffnessMemory = 0.95;  // per substep: a short lift-off does not forget tissue
 // Deepest overlap that still adds force [m]. In touch it stays below 0.02 mm; more only happens
 // where surface appears inside an instrument (removed tets) or a hand comes back inside tissue.
-constexpr double kDeepest = 1e-4;
+constexpr double kDeepest = 2e-4;
+// A nearest point this much deeper than its corners say, in edges, counts as a whole contact.
+constexpr double kBulge = 0.02;
+constexpr double kHardest = 1e-4;   // contacts harden up to this overlap [m]
+constexpr double kHardening = 5e4;  // of a contact, for every metre of overlap [1/m]
 constexpr double kFacing = 0.5;  // faces that look away from the instrument more than this are not
                                  // touched: their other side is
 
@@ -37,12 +45,6 @@ Quat between(const Quat& from, const Quat& to, double share) noexcept {
     q.coeffs() = (1 - share) * from.coeffs() + (share * sign) * to.coeffs();
     q.normalize();
     return q;
-}
-
-double gap_of(const Contact& c, const SoftBodyState& body) noexcept {
-    double gap = c.offset_m;
-    for (int i = 0; i < 3; ++i) gap += c.b[i] * c.n.dot(position(body, c.vertex[i]));
-    return gap;
 }
 
 /// Slot of a vertex in the contact colour; -1 when the list is full.
@@ -64,13 +66,67 @@ void clear_contacts(ContactSet& set, SoftBodyState& body) noexcept {
         set.slot[v] = -1;
         body.contact_vertex[v] = 0;
     }
-    set.contact_count = set.vertex_count = 0;
+    for (int i = 0; i < set.feature_count; ++i) set.feature[set.feature_used[i]] = 0;
+    set.contact_count = set.vertex_count = set.feature_count = 0;
+}
+
+/// True when the corner or edge on which the contact lies has one already: the same point must not
+/// push as often as triangles meet there.
+bool is_double(ContactSet& set, const Contact& c) noexcept {
+    if (c.corners == 3) return false;
+    const int32_t a = c.vertex[0], b = c.vertex[c.corners - 1];
+    const auto low = static_cast<uint64_t>(std::min(a, b)),
+               high = static_cast<uint64_t>(std::max(a, b));
+    const uint64_t key = ((high << 30 | low) << 2 | static_cast<uint64_t>(c.tool)) + 1;
+    uint64_t place = key * 0x9E3779B97F4A7C15ull >> 51;
+    for (;; place = (place + 1) % kFeatureTable) {
+        if (set.feature[place] == key) return true;
+        if (set.feature[place] == 0) break;
+    }
+    set.feature[place] = key;
+    set.feature_used[set.feature_count++] = static_cast<int32_t>(place);
+    return false;
+}
+
+/// What a vertex answers along `n` with its neighbours held [N/m].
+double answer_along(const ContactSet& set, int v, const Vec3& n) noexcept {
+    const auto& k = set.hessian[v];
+    return k[0] * n.x() * n.x() + k[3] * n.y() * n.y() + k[5] * n.z() * n.z() +
+           2 * (k[1] * n.x() * n.y() + k[2] * n.x() * n.z() + k[4] * n.y() * n.z());
+}
+
+/// Stiffness of every contact and friction spring, from the tissue's. Once a frame for each vertex.
+void set_stiffness(const Scene& scene, State& state, double h) noexcept {
+    ContactSet& set = state.scratch->contacts;
+    const double most = scene.contact.stiffness_n_m;
+    for (int i = 0; i < set.vertex_count; ++i) {
+        ContactVertex& cv = set.vertices[i];
+        auto& k = set.hessian[cv.vertex];
+        if (set.hessian_frame[cv.vertex] != state.frame) {
+            set.hessian_frame[cv.vertex] = state.frame;
+            const Mat3 m = vertex_system(scene.body, state.body, cv.vertex, h).hessian;
+            const double values[6] = {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
+            for (int n = 0; n < 6; ++n) k[n] = static_cast<float>(values[n]);
+        }
+        cv.friction_n_m = std::min(most, kContactRatio * (k[0] + k[3] + k[5]) / 3);
+    }
+    for (int i = 0; i < set.contact_count; ++i) {
+        Contact& c = set.contacts[i];
+        double gives = 0;
+        for (int n = 0; n < c.corners; ++n) {
+            if (state.body.x[c.vertex[n]].w == 0) continue;
+            const double answer = answer_along(set, c.vertex[n], c.n);
+            if (answer > 0) gives += c.b[n] * c.b[n] / answer;
+        }
+        c.stiffness_n_m *= gives * most > kContactRatio ? kContactRatio / gives : most;
+    }
 }
 
 /// Incidence lists: contacts of each vertex, in the order of the contacts.
 void build_incidence(ContactSet& set) noexcept {
     for (int i = 0; i < set.contact_count; ++i) {
-        for (const int32_t v : set.contacts[i].vertex) ++set.vertices[set.slot[v]].count;
+        const Contact& c = set.contacts[i];
+        for (int n = 0; n < c.corners; ++n) ++set.vertices[set.slot[c.vertex[n]]].count;
     }
     int sum = 0;
     for (int i = 0; i < set.vertex_count; ++i) {
@@ -79,7 +135,7 @@ void build_incidence(ContactSet& set) noexcept {
         set.vertices[i].count = 0;
     }
     for (int i = 0; i < set.contact_count; ++i) {
-        for (int corner = 0; corner < 3; ++corner) {
+        for (int corner = 0; corner < set.contacts[i].corners; ++corner) {
             ContactVertex& cv = set.vertices[set.slot[set.contacts[i].vertex[corner]]];
             set.incidence[cv.first + cv.count++] = i * 4 + corner;
         }
@@ -100,53 +156,88 @@ void note_spot(const Scene& scene, const SoftBodyState& body, ToolState& tool,
     tool.touched = tri.tissue;
 }
 
-struct Friction {
-    Vec3 slide = Vec3::Zero();  // tangential way from the anchor [m]
-    Vec3 normal = Vec3::UnitZ();
-    double stiffness_n_m = 0, limit_n = 0;
-};
-
-/// Tangential spring of a vertex, softened where the cone ends.
-Friction friction_of(const Scene& scene, const State& state, const ContactVertex& cv) noexcept {
-    Friction f;
-    const FrictionAnchor& anchor = state.friction[cv.vertex];
-    const double load = cv.normal_force_n.norm();
-    if (anchor.tool < 0 || !(load > 0)) return f;
-    f.normal = cv.normal_force_n / load;
-    const Vec3 at = state.tools[anchor.tool].proxy *
-                    Vec3(anchor.anchor_T[0], anchor.anchor_T[1], anchor.anchor_T[2]);
-    const Vec3 way = position(state.body, cv.vertex) - at;
-    f.slide = way - f.normal * f.normal.dot(way);
-    f.limit_n = cv.friction * load * (anchor.slipping ? 1.0f : cv.friction_static_ratio);
-    f.stiffness_n_m = scene.contact.stiffness_n_m;
-    const double length = f.slide.norm();
-    if (length * f.stiffness_n_m > f.limit_n) f.stiffness_n_m = f.limit_n / length;
-    return f;
+/// Adds a contact whose corners, weights, normal and share (in stiffness_n_m) are set. False when a
+/// list is full.
+bool add_contact(const Scene& scene, State& state, Contact c, double gap,
+                 const Triangle& x) noexcept {
+    ContactSet& set = state.scratch->contacts;
+    ToolState& tool = state.tools[c.tool];
+    tool.gap_m = std::min(tool.gap_m, gap);
+    c.offset_m = std::max(gap, -kDeepest * tool.contact_share);
+    // Harder the deeper it is: a soft contact is calm, and a strong hand must not get through.
+    c.stiffness_n_m *= 1 + kHardening * std::clamp(-c.offset_m, 0.0, kHardest);
+    // Corners that count come first.
+    Triangle at = x;
+    c.corners = 0;
+    for (int k = 0; k < 3; ++k) {
+        if (c.b[k] == 0) continue;
+        c.offset_m -= c.b[k] * c.n.dot(at[k]);
+        c.vertex[c.corners] = c.vertex[k];
+        c.b[c.corners++] = c.b[k];
+    }
+    if (is_double(set, c)) return true;
+    if (set.contact_count == static_cast<int>(set.contacts.size())) return false;
+    const Material& material = scene.body.spec().materials[static_cast<int>(c.tissue)];
+    for (int k = 0; k < c.corners; ++k) {
+        const int slot = slot_of(set, state.body, c.vertex[k]);
+        if (slot < 0) return false;
+        ContactVertex& cv = set.vertices[slot];
+        cv.tool = c.tool;
+        cv.friction = static_cast<float>(material.friction);
+        cv.friction_static_ratio = static_cast<float>(material.friction_static_ratio);
+    }
+    set.contacts[set.contact_count++] = c;
+    return true;
 }
 
-/// After a substep: drags the anchor along where the vertex slips, forgets it where it lifts off.
-void update_anchor(const Scene& scene, State& state, const ContactVertex& cv) noexcept {
-    FrictionAnchor& anchor = state.friction[cv.vertex];
-    if (!(cv.normal_force_n.norm() > 0)) {
-        anchor = {};
-        return;
+/// Distance of a corner to an instrument; open blades do not touch what is between them.
+Distance distance_of_corner(const Scene& scene, const State& state, int t,
+                            const Vec3& x_T) noexcept {
+    const ToolShape& shape = state.scratch->contacts.shapes[t];
+    if (!blades_open(scene, state, t)) return signed_distance(shape, x_T);
+    Distance best{1, Vec3::UnitX()};
+    for (int i = 1; i < shape.count; ++i) {
+        const Distance d = signed_distance(shape.parts[i], x_T);
+        if (d.value_m < best.value_m) best = d;
     }
-    const Vec3 x = position(state.body, cv.vertex);
-    Vec3 at = x;
-    if (anchor.tool == cv.tool) {
-        const Friction f = friction_of(scene, state, cv);
-        const double k = scene.contact.stiffness_n_m, length = f.slide.norm();
-        const double dynamic = cv.friction * cv.normal_force_n.norm();
-        if (length * k > f.limit_n) anchor.slipping = 1;
-        if (length * k < 0.99 * dynamic) anchor.slipping = 0;
-        const double keep = anchor.slipping && length * k > dynamic ? dynamic / (length * k) : 1.0;
-        at = x - keep * f.slide;
-    } else {
-        anchor.slipping = 0;
+    return best;
+}
+
+/// Contacts of one triangle: its corners, and its nearest point where the instrument is more curved
+/// than the corners show. Corners do not move over the triangle as the nearest point does, which on
+/// a flat face jumps about with every micrometre.
+bool touch_triangle(const Scene& scene, State& state, const SurfaceTriangle& tri, int t,
+                    const Triangle& x, const Triangle& x_T, const TriangleDistance& d) noexcept {
+    const Quat& q = state.tools[t].proxy.q;
+    const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+    Contact c;
+    c.tool = static_cast<int8_t>(t);
+    c.tissue = tri.tissue;
+    c.vertex = tri.vertex;
+    c.stiffness_n_m = 1;
+    if (d.pierced) {
+        c.n = -face;  // back to the side that the instrument came from
+        for (int k = 0; k < 3; ++k) c.b[k] = d.weight[k];
+        return add_contact(scene, state, c, d.value_m, x);
     }
-    const Vec3 at_T = state.tools[cv.tool].proxy.inverse() * at;
-    anchor.tool = cv.tool;
-    for (int i = 0; i < 3; ++i) anchor.anchor_T[i] = static_cast<float>(at_T[i]);
+    double chord = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Distance corner = distance_of_corner(scene, state, t, x_T[k]);
+        chord += d.weight[k] * corner.value_m;
+        c.n = q * corner.gradient;
+        if (corner.value_m > scene.contact.margin_m || c.n.dot(face) > kFacing) continue;
+        c.b = {};
+        c.b[k] = 1;
+        if (!add_contact(scene, state, c, corner.value_m, x)) return false;
+    }
+    const double size =
+        std::max({(x[1] - x[0]).norm(), (x[2] - x[0]).norm(), (x[2] - x[1]).norm()});
+    const double share = std::min(1.0, (chord - d.value_m) / (kBulge * size));
+    c.n = q * d.gradient;
+    if (!(share > 1e-3) || c.n.dot(face) > kFacing) return true;
+    c.stiffness_n_m = share;
+    for (int k = 0; k < 3; ++k) c.b[k] = d.weight[k];
+    return add_contact(scene, state, c, d.value_m, x);
 }
 
 }  // namespace
@@ -157,7 +248,11 @@ ContactSet::ContactSet(const Scene& scene)
       vertices(kMostVertices),
       incidence(3 * kMostContacts),
       previous(kMostVertices),
-      slot(scene.body.vertex_capacity(), -1) {
+      slot(scene.body.vertex_capacity(), -1),
+      hessian(scene.body.vertex_capacity()),
+      hessian_frame(scene.body.vertex_capacity(), -1),
+      feature(kFeatureTable, 0),
+      feature_used(kMostContacts) {
     for (size_t t = 0; t < scene.tools.size() && t < shapes.size(); ++t) {
         shapes[t] = make_tool_shape(scene.tools[t]);
     }
@@ -227,7 +322,11 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         const double grip = scene.tools[t].grip_n_m;
         Vec3 step = (grip * (hand - tool.proxy.p) + tool.substep_force_n) /
                     (grip + kCaution * tool.substep_stiffness_n_m);
-        const double longest = kStepOfRadius * set.shapes[t].parts[0].near_radius_m;
+        double longest = kStepOfRadius * set.shapes[t].parts[0].near_radius_m;
+        // Into tissue that has not given way yet only as far as the axis stays outside of it.
+        if (step.dot(tool.substep_force_n) < 0) {
+            longest = std::max(0.0, longest - tool.substep_overlap_m);
+        }
         const double length = step.norm();
         if (length > longest) step *= longest / length;
         tool.proxy.p += step;
@@ -257,140 +356,31 @@ void find_contacts(const Scene& scene, State& state) noexcept {
             x[k] = Vec3(before.x, before.y, before.z);
             x_T[k] = to_tool[t] * x[k];
         }
-        const ToolShape& shape = set.shapes[t];
-        const TriangleDistance d = nearest_on_triangle(shape, x_T, scene.contact.margin_m);
+        const TriangleDistance d = nearest_on_triangle(set.shapes[t], x_T, scene.contact.margin_m);
         if (d.part < 0 || (d.part == 0 && blades_open(scene, state, t))) continue;
-        if (d.part < shape.bare_parts) note_spot(scene, state.body, state.tools[t], tri, x, d);
-        const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
-        Vec3 n = state.tools[t].proxy.q * d.gradient;
-        double gap = d.value_m;
-        if (d.pierced) {
-            n = -face;  // back to the side that the instrument came from
-        } else if (n.dot(face) > kFacing) {
-            continue;
+        if (d.part < set.shapes[t].bare_parts) {
+            note_spot(scene, state.body, state.tools[t], tri, x, d);
         }
-        state.tools[t].gap_m = std::min(state.tools[t].gap_m, gap);
-        gap = std::max(gap, -kDeepest * state.tools[t].contact_share);
-        if (set.contact_count == static_cast<int>(set.contacts.size())) {
+        if (!touch_triangle(scene, state, tri, t, x, x_T, d)) {
             state.flags |= kContactsDropped;
             break;
-        }
-        int slots[3];
-        for (int k = 0; k < 3; ++k) slots[k] = slot_of(set, state.body, tri.vertex[k]);
-        if (slots[0] < 0 || slots[1] < 0 || slots[2] < 0) {
-            state.flags |= kContactsDropped;
-            break;
-        }
-        Contact& c = set.contacts[set.contact_count++];
-        c = {tri.vertex, {d.weight[0], d.weight[1], d.weight[2]},
-             n,          0,
-             tri.tissue, static_cast<int8_t>(t)};
-        c.offset_m = gap - (d.weight[0] * n.dot(x[0]) + d.weight[1] * n.dot(x[1]) +
-                            d.weight[2] * n.dot(x[2]));
-        const Material& material = scene.body.spec().materials[static_cast<int>(tri.tissue)];
-        for (const int slot : slots) {
-            ContactVertex& cv = set.vertices[slot];
-            cv.tool = static_cast<int8_t>(t);
-            cv.friction = static_cast<float>(material.friction);
-            cv.friction_static_ratio = static_cast<float>(material.friction_static_ratio);
         }
     }
     // Who left the colour has lifted off.
     for (int i = 0; i < set.previous_count; ++i) {
         if (set.slot[set.previous[i]] < 0) state.friction[set.previous[i]] = {};
     }
-    // A vertex between instrument and tissue starts from where it was (the gaps above are those of
-    // that place, or the deepest-overlap bound would mean nothing): with the swept guess of its
-    // momentum a pressed patch was seen to burst into oscillation (60 kPa, h = .25 ms, one sweep).
+    // A vertex between instrument and tissue starts from where it was: with the momentum of the
+    // others a deeply pressed patch of fine triangles bursts into oscillation (60 kPa, edges of
+    // 0.1 mm, sphere of 1.5 mm dug 0.5 mm in, h = 0.25 ms).
     for (int i = 0; i < set.vertex_count; ++i) {
         Float4& x = state.body.x[set.vertices[i].vertex];
         const Float4& before = state.body.x_start[set.vertices[i].vertex];
         x = {before.x, before.y, before.z, x.w};
     }
+    set_stiffness(scene, state, scene.body.spec().solver.frame_s / state.substeps);
     build_incidence(set);
     set.most_contacts = std::max(set.most_contacts, set.contact_count);
-}
-
-void solve_contacts(const Scene& scene, State& state, double h) noexcept {
-    ContactSet& set = state.scratch->contacts;
-    const double k = scene.contact.stiffness_n_m;
-    for (int i = 0; i < set.vertex_count; ++i) {
-        ContactVertex& cv = set.vertices[i];
-        Float4& x = state.body.x[cv.vertex];
-        if (x.w == 0) continue;
-        VertexSystem system = vertex_system(scene.body, state.body, cv.vertex, h);
-        const Mat3 tissue = system.hessian;
-        Vec3 load = Vec3::Zero();
-        for (int n = cv.first; n < cv.first + cv.count; ++n) {
-            const Contact& c = set.contacts[set.incidence[n] / 4];
-            const double b = c.b[set.incidence[n] % 4], gap = gap_of(c, state.body);
-            if (gap >= 0 || b == 0) continue;
-            system.gradient += k * gap * b * c.n;
-            system.hessian += (k * b * b) * c.n * c.n.transpose();
-            load -= k * gap * b * c.n;
-        }
-        cv.normal_force_n = load;
-        const double size = load.norm();
-        cv.stiffness_n_m = size > 0 ? load.dot(tissue * load) / (size * size) : 0.0;
-        const Friction f = friction_of(scene, state, cv);
-        if (f.stiffness_n_m > 0) {
-            system.gradient += f.stiffness_n_m * f.slide;
-            system.hessian +=
-                f.stiffness_n_m * (Mat3::Identity() - f.normal * f.normal.transpose());
-        }
-        Vec3 step = -system.hessian.llt().solve(system.gradient);
-        const double longest =
-            0.25 * scene.body.shortest_edge_m()[origin_of(state.body, cv.vertex)];
-        const double length = step.norm();
-        if (!std::isfinite(length)) {
-            state.flags |= kNotFinite;
-            continue;
-        }
-        if (length > longest) {
-            step *= longest / length;
-            state.flags |= kStepLimited;
-        }
-        x.x += static_cast<float>(step.x());
-        x.y += static_cast<float>(step.y());
-        x.z += static_cast<float>(step.z());
-    }
-}
-
-void finish_contacts(const Scene& scene, State& state) noexcept {
-    ContactSet& set = state.scratch->contacts;
-    const double share = 1.0 / state.substeps;
-    for (ToolState& tool : state.tools) {
-        tool.substep_force_n = Vec3::Zero();
-    }
-    std::array<double, kMaxTools> stiffness{};
-    for (int i = 0; i < set.vertex_count; ++i) set.vertices[i].normal_force_n = Vec3::Zero();
-    for (int i = 0; i < set.contact_count; ++i) {
-        const Contact& c = set.contacts[i];
-        const double gap = gap_of(c, state.body);
-        if (gap >= 0) continue;
-        const double force = -scene.contact.stiffness_n_m * gap;
-        ToolState& tool = state.tools[c.tool];
-        tool.substep_force_n -= force * c.n;
-        if (c.tissue == Tissue::kPlacode) tool.placode_force_n += share * force;
-        for (int corner = 0; corner < 3; ++corner) {
-            set.vertices[set.slot[c.vertex[corner]]].normal_force_n += force * c.b[corner] * c.n;
-        }
-    }
-    for (int i = 0; i < set.vertex_count; ++i) {
-        const ContactVertex& cv = set.vertices[i];
-        ToolState& tool = state.tools[cv.tool];
-        const Friction f = friction_of(scene, state, cv);
-        tool.substep_force_n += f.stiffness_n_m * f.slide;
-        stiffness[cv.tool] += cv.stiffness_n_m;
-        update_anchor(scene, state, cv);
-    }
-    for (int t = 0; t < kMaxTools; ++t) {
-        ToolState& tool = state.tools[t];
-        tool.substep_stiffness_n_m =
-            std::max(stiffness[t], kStiffnessMemory * tool.substep_stiffness_n_m);
-        tool.force_n += share * tool.substep_force_n;
-        tool.stiffness_n_m += share * stiffness[t];
-    }
 }
 
 }  // namespace placode::sim

@@ -29,8 +29,10 @@ struct Contact {
     std::array<double, 3> b{};  // barycentric weights
     Vec3 n = Vec3::UnitZ();     // from the instrument into the tissue, in W
     double offset_m = 0;
+    double stiffness_n_m = 0;
     Tissue tissue = Tissue::kSkin;
     int8_t tool = 0;
+    int8_t corners = 3;  // the first of `vertex` and `b` that count
 };
 
 /// A vertex of the contact colour and its share of the contacts.
@@ -41,6 +43,7 @@ struct ContactVertex {
     float friction = 0, friction_static_ratio = 1;
     Vec3 normal_force_n = Vec3::Zero();
     double stiffness_n_m = 0;  // of the tissue alone, along the normal
+    double friction_n_m = 0;   // of the tangential spring
 };
 
 /// Bounded lists of a frame. Incidence entries are contact * 4 + corner.
@@ -54,6 +57,13 @@ struct ContactSet {
     std::vector<int32_t> incidence;
     std::vector<int32_t> previous;  // contact colour of the substep before
     std::vector<int32_t> slot;      // (V) into vertices, -1 = not in contact
+    // What a vertex answers with its neighbours held: xx xy xz yy yz zz [N/m], of this frame.
+    std::vector<std::array<float, 6>> hessian;  // (V)
+    std::vector<int64_t> hessian_frame;         // (V)
+    // Corners and edges that have their contact already: open addressing, key + 1, 0 = empty.
+    std::vector<uint64_t> feature;
+    std::vector<int32_t> feature_used;
+    int feature_count = 0;
     int candidate_count = 0, contact_count = 0, vertex_count = 0, previous_count = 0;
     int most_contacts = 0;  // within this frame
 };
@@ -70,10 +80,11 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
 /// Closest points of the candidates; marks the contact colour in `contact_vertex`.
 void find_contacts(const Scene& scene, State& state) noexcept;
 
-/// One pass over the contact colour. h [s].
-void solve_contacts(const Scene& scene, State& state, double h) noexcept;
+/// One pass over the contact colour, there or back: the two together are symmetric, as sweeps that
+/// carry momentum must be to stay calm. h [s].
+void solve_contacts(const Scene& scene, State& state, double h, bool backward) noexcept;
 
 /// End of a substep: forces on the instruments, friction's memory.
-void finish_contacts(const Scene& scene, State& state) noexcept;
+void finish_contacts(State& state) noexcept;
 
 }  // namespace placode::sim

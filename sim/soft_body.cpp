@@ -164,6 +164,15 @@ SoftBody& SoftBody::operator=(SoftBody&&) noexcept = default;
 
 void SoftBody::check_method() const {
     const SolverSettings& s = spec_.solver;
+    if (s.method == Method::kVbd && !s.allow_invalid) {
+        for (const Tissue tissue : spec_.mesh.tissue) {
+            const double nu = spec_.materials[static_cast<size_t>(tissue)].poissons_ratio;
+            if (nu <= kVbdMaxPoissonsRatio) continue;
+            throw MeshError(std::string(tissue_name(tissue)) + ": poissons_ratio " + number(nu) +
+                            " is above " + number(kVbdMaxPoissonsRatio) +
+                            ", the limit of vbd (it would tremble); lower it");
+        }
+    }
     const double limit = limit_of(s.method);
     const auto courant = courant_numbers();
     const auto worst = std::max_element(courant.begin(), courant.end());

@@ -38,6 +38,9 @@ struct SolverSettings {
 
 /// XPBD is refused above these Courant numbers, see `SoftBody::SoftBody`.
 inline constexpr double kXpbdMaxCourant = 1.1, kXpbdPairMaxCourant = 0.7;
+/// VBD is refused above this Poisson's ratio: one sweep a substep trembles (0.495 is quiet, 0.499
+/// is not, at Courant numbers of 1 to 7).
+inline constexpr double kVbdMaxPoissonsRatio = 0.495;
 /// Above this XPBD is announced as inexact.
 inline constexpr double kXpbdGoodCourant = 0.7;
 

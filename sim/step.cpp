@@ -18,12 +18,13 @@ namespace placode::sim {
 namespace {
 
 constexpr int kVaporisedPerStep = 64;
-constexpr int kContactPasses = 2;        // over the contact colour for each sweep
 constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
+constexpr int kReseedInterval = 256;     // frames between two searches for collapsed tissue
 constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
 constexpr double kFrameMotion = 0.0005;  // of the tissue [m]
 constexpr float kSettleDamping = 0.9f;   // of the velocity per substep while settling
 constexpr double kEmbedded = 3e-5;       // deeper than any overlap of mere touch [m]
+constexpr double kThrough = 1.5;         // deeper than this, in radii of the tip, it is through
 constexpr double kShareRecovery = 0.2;   // seconds until the whole contact force is back
 constexpr float kTouchForce = 1e-5f;     // less is rounding, not a touch [N]
 
@@ -52,7 +53,7 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         if (!engaged) {
             if (sound) tool.proxy = tool.hand = hand;
             tool.substep_force_n = Vec3::Zero();
-            tool.substep_stiffness_n_m = 0;
+            tool.substep_stiffness_n_m = tool.substep_overlap_m = 0;
             tool.bare_gap_m = 1;
         } else if (!tool.engaged) {
             // The hand comes back, perhaps inside tissue: its force comes up slowly.
@@ -158,6 +159,7 @@ void hash_tool(Hash& hash, const ToolState& t) noexcept {
     hash.add(t.force_n);
     hash.add(t.substep_force_n);
     hash.add(t.substep_stiffness_n_m);
+    hash.add(t.substep_overlap_m);
     hash.add(t.spot);
     hash.add(t.dwell_centre);
     for (const float f : {t.contact_s, t.peak_force_n, t.energy_on_s, t.energy_j, t.air_s,
@@ -266,12 +268,14 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         find_contacts(scene, state);
         charge(1);
         for (int i = 0; i < solver.iterations; ++i) {
+            solve_contacts(scene, state, h, false);
+            charge(1);
             sweep(scene.body, state.body, h, *state.workers);
             charge(0);
-            for (int pass = 0; pass < kContactPasses; ++pass) solve_contacts(scene, state, h);
+            solve_contacts(scene, state, h, true);
             charge(1);
         }
-        finish_contacts(scene, state);
+        finish_contacts(state);
         feel_grasped(scene, state);
         charge(1);
         end_substep(scene.body, state.body, h, *state.workers);
@@ -284,6 +288,11 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         // touches, and not at all while the needle is still stuck in what it has not removed.
         if (tool.gap_m >= 0) {
             tool.contact_share = 1;
+        } else if (tool.gap_m <
+                   -kThrough * state.scratch->contacts.shapes[t].parts[0].near_radius_m) {
+            // Right through the surface (a hand that jumps, a shaft that swings): pushing would
+            // only tear the field apart. It is let out without force, as one that comes back.
+            tool.contact_share = 0;
         } else if (tool.gap_m > -kEmbedded) {
             tool.contact_share = std::min(
                 1.0f, tool.contact_share + static_cast<float>(solver.frame_s / kShareRecovery));
@@ -295,6 +304,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     charge(1);
     std::array<uint8_t, kMaxTools> active{};
     report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
+    charge(2);
     run_scissors(scene, state);
     tear(scene, state);
     separate(scene, state);
@@ -304,10 +314,12 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         state.loose_version = state.surface.version();
         update_free_vertices(scene.body, state.body);
     }
-    charge(2);
+    charge(3);
+    // Tissue shrunk to a point feels no force and raises no flag: it has to be looked for.
+    if (state.frame % kReseedInterval == 0) reseed_collapsed(scene.body, state.body);
     state.flags |= state.body.flags;
     update_ledger(scene, state, active, solver.frame_s);
-    charge(3);
+    charge(4);
     report.flags = state.flags;
     report.contacts = state.scratch->contacts.most_contacts;
     return report;

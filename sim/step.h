@@ -42,6 +42,7 @@ struct ToolState {
         0;  ///< What the touched tissue answers at once, mean of the frame [N/m].
     Vec3 substep_force_n = Vec3::Zero();  ///< Of the last substep.
     double substep_stiffness_n_m = 0;     ///< Of the last substep.
+    double substep_overlap_m = 0;         ///< Deepest contact at its end.
     double bare_gap_m = 1;  ///< Signed distance of bare metal to the surface, 1 = farther than the
                             ///< contact margin.
     Vec3 spot = Vec3::Zero();       ///< Point of the surface next to the bare metal, in W [m].
@@ -62,7 +63,7 @@ struct ToolState {
 struct FrictionAnchor {
     std::array<float, 3> anchor_T{};  ///< Point of the tool, in T [m].
     int8_t tool = -1;                 ///< -1 = none.
-    uint8_t slipping = 0;
+    uint8_t slipping = 0;             ///< Counts down the substeps since it slipped; 0 = sticks.
 };
 
 /// How far the incision has come. A contour point counts as cut when one of its eleven columns is
@@ -119,8 +120,8 @@ struct StepReport {
     uint32_t flags = 0;  ///< StepFlag bits.
     int contacts = 0;
     int vaporised = 0;
-    std::array<int64_t, 4> cost_ns{};  ///< solve, contact, heat and cut, rest. Wall clock; never
-                                       ///< fed back into the state.
+    /// solve, contact, heat, cut, rest. Wall clock; never fed back into the state.
+    std::array<int64_t, 5> cost_ns{};
 };
 
 /// Advances one frame. Inputs that are not finite count as not engaged; the body's settings say how

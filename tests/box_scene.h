@@ -3,7 +3,9 @@
 #pragma once
 // Scenes of one block of tissue for the tests of the simulation: top face at z = 0, bottom held.
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "sim/step.h"
 
@@ -16,12 +18,14 @@ struct BoxOptions {
     Material material;
     Method method = Method::kVbd;
     int substeps = 4;
-    double over_relaxation = 1.0;  ///< 1.2 makes a pressed patch of stiff tissue tremble.
+    double over_relaxation = 1.0;  ///< 1.2 makes this lattice of stiff tissue tremble.
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
     bool hold_bottom = true;
     int spare_vertices = 0;
     ToolSpec tool;
+    /// Moves the lattice: new coordinate along `axis` (0, 1, 2) of a plane of it; empty = as it is.
+    std::function<double(int axis, double x)> graded;
 };
 
 /// Block centred on the z axis with its top at z = 0 and one tool; depth known to the field.
@@ -31,6 +35,11 @@ inline Scene box_scene(const BoxOptions& options) {
     for (Vec3& x : spec.mesh.rest) {
         x -= Vec3(options.size_m.x() / 2, options.size_m.y() / 2, options.size_m.z());
     }
+    if (options.graded) {
+        for (Vec3& x : spec.mesh.rest) {
+            for (int k = 0; k < 3; ++k) x[k] = options.graded(k, x[k]);
+        }
+    }
     spec.mesh = renumbered(spec.mesh, rcm_order(spec.mesh));
     spec.materials.fill(options.material);
     spec.solver.method = options.method;
@@ -39,8 +48,10 @@ inline Scene box_scene(const BoxOptions& options) {
     spec.solver.gravity_m_s2 = options.gravity;
     spec.solver.allow_invalid = true;
     spec.spare_vertices = options.spare_vertices;
+    double bottom = 0;
+    for (const Vec3& x : spec.mesh.rest) bottom = std::min(bottom, x.z());
     for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
-        if (options.hold_bottom && spec.mesh.rest[v].z() < -options.size_m.z() + 1e-9) {
+        if (options.hold_bottom && spec.mesh.rest[v].z() < bottom + 1e-9) {
             spec.fixed.push_back(v);
         }
     }

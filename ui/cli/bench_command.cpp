@@ -272,6 +272,8 @@ void add_bench_commands(CLI::App& app, Context& context) {
         context.run = [&context, options] { return speed(context, *options); };
     });
     add_accuracy_command(*bench, context);
+    add_contact_bench_command(*bench, context);
+    add_stability_command(*bench, context);
 }
 
 }  // namespace placode::cli

@@ -42,7 +42,12 @@ void add_import_command(CLI::App& app, Context& context);
 void add_stats_commands(CLI::App& app, Context& context);
 void add_report_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
+void add_contact_bench_command(CLI::App& bench, Context& context);
+void add_stability_command(CLI::App& bench, Context& context);
 void add_demo_commands(CLI::App& app, Context& context);
+
+/// Processor, system, compiler, kernels and load, for benchmarks.
+[[nodiscard]] Json machine();
 
 /// Prints one JSON document with --json, else the text.
 void print(const Context& context, const Json& json, const std::string& text);
