@@ -28,11 +28,6 @@ double variance_of(std::span<const double> values, double mean) {
     return sum / static_cast<double>(values.size() - 1);
 }
 
-double two_sided(double z) {
-    return std::min(
-        1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z))));
-}
-
 /// Centred rank sum of group 1 after a shift, over its tie-corrected standard deviation.
 double shifted_z(std::span<const double> a, std::span<const double> b, double shift, bool correct) {
     std::vector<double> all;
@@ -181,8 +176,8 @@ MannWhitney mann_whitney(std::span<const double> group1, std::span<const double>
     result.u1 = rank_sum - n1 * (n1 + 1) / 2;
     result.u2 = n1 * n2 - result.u1;
     result.z = shifted_z(group1, group2, 0, false);
-    result.p_asymptotic_nocc = two_sided(result.z);
-    result.p_asymptotic_cc = two_sided(shifted_z(group1, group2, 0, true));
+    result.p_asymptotic_nocc = normal_two_sided_p(result.z);
+    result.p_asymptotic_cc = normal_two_sided_p(shifted_z(group1, group2, 0, true));
     if (all.size() <= 60) result.p_exact = exact_p(ranks, group1.size(), rank_sum);
     result.r = std::abs(result.z) / std::sqrt(n1 + n2);
     result.a12 = result.u1 / (n1 * n2);

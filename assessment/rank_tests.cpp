@@ -14,11 +14,6 @@
 namespace placode::assessment {
 namespace {
 
-double normal_two_sided(double z) {
-    return std::min(
-        1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z))));
-}
-
 double t_two_sided(double t, double df) {
     return std::min(1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(df),
                                                                       std::abs(t))));
@@ -49,6 +44,11 @@ double exact_signed_rank_p(std::span<const double> ranks, double v) {
 }
 
 }  // namespace
+
+double normal_two_sided_p(double z) {
+    return std::min(
+        1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z))));
+}
 
 std::vector<double> mid_ranks(std::span<const double> values) {
     std::vector<size_t> order(values.size());
@@ -107,8 +107,8 @@ WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const d
     const double sigma = std::sqrt(squares / 4);
     const double centred = result.v - sum / 2;
     result.z = centred / sigma;
-    result.p_nocc = normal_two_sided(result.z);
-    result.p_cc = normal_two_sided((centred - 0.5 * sign(centred)) / sigma);
+    result.p_nocc = normal_two_sided_p(result.z);
+    result.p_cc = normal_two_sided_p((centred - 0.5 * sign(centred)) / sigma);
     if (result.n_nonzero <= 60) result.p_exact = exact_signed_rank_p(ranks, result.v);
     result.matched_rank_biserial = (2 * result.v - sum) / sum;
     result.r = std::abs(result.z) / std::sqrt(static_cast<double>(result.n_nonzero));
@@ -123,7 +123,7 @@ WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const d
         pratt_squares += pratt[i] * pratt[i];
     }
     result.z_pratt = (pratt_v - pratt_sum / 2) / std::sqrt(pratt_squares / 4);
-    result.p_pratt = normal_two_sided(result.z_pratt);
+    result.p_pratt = normal_two_sided_p(result.z_pratt);
 
     const double n = static_cast<double>(result.n);
     const double mean = std::accumulate(difference.begin(), difference.end(), 0.0) / n;
@@ -193,7 +193,7 @@ KruskalWallis kruskal_wallis(std::span<const NamedGroup> groups) {
             DunnComparison pair{groups[a].name, groups[b].name};
             pair.z =
                 (mean_rank[b] - mean_rank[a]) / std::sqrt(variance * (1 / size[a] + 1 / size[b]));
-            pair.p = normal_two_sided(pair.z);
+            pair.p = normal_two_sided_p(pair.z);
             p_values.push_back(pair.p);
             result.dunn.push_back(pair);
         }

@@ -17,6 +17,9 @@ struct Interval {
     double low = 0, high = 0;
 };
 
+/// Two-sided p of a standard normal z.
+[[nodiscard]] double normal_two_sided_p(double z);
+
 /// Ranks from 1, ties get their mean rank (n).
 [[nodiscard]] std::vector<double> mid_ranks(std::span<const double> values);
 

@@ -14,6 +14,14 @@ double quantile(std::span<const double> sorted, double q) {
     return sorted[below] + (rank - static_cast<double>(below)) * (sorted[above] - sorted[below]);
 }
 
+double quantile_type6(std::span<const double> sorted, double q) {
+    const auto n = static_cast<double>(sorted.size());
+    const double at = std::clamp(q * (n + 1), 1.0, n);
+    const auto below = static_cast<size_t>(at) - 1;
+    const size_t above = std::min(below + 1, sorted.size() - 1);
+    return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
+}
+
 std::optional<double> mean_of(std::span<const double> values) {
     if (values.empty()) return std::nullopt;
     double sum = 0;
@@ -36,7 +44,6 @@ LikertSummary summarise_likert(std::span<const std::optional<int>> answers, int 
     summary.scale_max = scale_max;
     summary.counts.assign(static_cast<size_t>(scale_max - scale_min + 1), 0);
     std::vector<double> values;
-    int top = 0;
     for (const std::optional<int>& answer : answers) {
         if (!answer || *answer < scale_min || *answer > scale_max) {
             ++summary.missing;
@@ -44,7 +51,7 @@ LikertSummary summarise_likert(std::span<const std::optional<int>> answers, int 
         }
         ++summary.counts[static_cast<size_t>(*answer - scale_min)];
         values.push_back(*answer);
-        if (*answer >= scale_max - 1) ++top;
+        if (*answer >= scale_max - 1) ++summary.top2;
     }
     summary.n = static_cast<int>(values.size());
     if (values.empty()) return summary;
@@ -54,7 +61,18 @@ LikertSummary summarise_likert(std::span<const std::optional<int>> answers, int 
     summary.lower_quartile = quantile(values, 0.25);
     summary.median = quantile(values, 0.5);
     summary.upper_quartile = quantile(values, 0.75);
-    summary.top2_percent = 100.0 * top / summary.n;
+    summary.lower_quartile_type6 = quantile_type6(values, 0.25);
+    summary.upper_quartile_type6 = quantile_type6(values, 0.75);
+    double squares = 0;
+    std::vector<double> distances;
+    for (const double value : values) {
+        squares += (value - *summary.mean) * (value - *summary.mean);
+        distances.push_back(std::abs(value - *summary.median));
+    }
+    std::sort(distances.begin(), distances.end());
+    summary.sd_population = std::sqrt(squares / summary.n);
+    summary.mad = quantile(distances, 0.5);
+    summary.top2_percent = 100.0 * summary.top2 / summary.n;
     return summary;
 }
 

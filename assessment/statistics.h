@@ -17,7 +17,11 @@ struct LikertSummary {
     int missing = 0;                         ///< Not answered, or not on the scale.
     std::vector<int> counts;                 ///< Per value, from scale_min to scale_max.
     std::optional<double> mean, sd, median;  ///< sd needs two answers.
-    std::optional<double> lower_quartile, upper_quartile;
+    std::optional<double> sd_population;     ///< Divides by n.
+    std::optional<double> lower_quartile, upper_quartile;              ///< Type 7.
+    std::optional<double> lower_quartile_type6, upper_quartile_type6;  ///< As SPSS.
+    std::optional<double> mad;           ///< Median of the distances from the median, not scaled.
+    int top2 = 0;                        ///< Answers in the two highest values.
     std::optional<double> top2_percent;  ///< Answers in the two highest values / answered.
 };
 
@@ -27,6 +31,8 @@ struct LikertSummary {
 
 /// Type 7 quantile, q in 0..1. @pre `sorted` ascending and not empty.
 [[nodiscard]] double quantile(std::span<const double> sorted, double q);
+/// Type 6 quantile (SPSS, Minitab). @pre as quantile().
+[[nodiscard]] double quantile_type6(std::span<const double> sorted, double q);
 
 [[nodiscard]] std::optional<double> mean_of(std::span<const double> values);
 /// Sample SD (n - 1); nothing below two values.

@@ -13,48 +13,28 @@
 namespace placode::cli {
 namespace {
 
-/// Quantile of type 6 (SPSS, Minitab).
-double quantile_type6(const std::vector<double>& sorted, double p) {
-    const auto n = static_cast<double>(sorted.size());
-    const double at = std::clamp(p * (n + 1), 1.0, n);
-    const auto below = static_cast<size_t>(at) - 1;
-    const size_t above = std::min(below + 1, sorted.size() - 1);
-    return sorted[below] + (at - std::floor(at)) * (sorted[above] - sorted[below]);
-}
-
-Json likert_item(std::vector<double> answers, int missing, const Scale& scale) {
-    std::sort(answers.begin(), answers.end());
-    const auto n = static_cast<double>(answers.size());
-    Json item{{"n", answers.size()}, {"missing", missing}};
-    if (answers.empty()) return item;
-    double mean = 0, squares = 0;
-    for (const double answer : answers) mean += answer / n;
-    for (const double answer : answers) squares += (answer - mean) * (answer - mean);
-    const double median = assessment::quantile(answers, 0.5);
-    std::vector<double> deviations;
-    for (const double answer : answers) deviations.push_back(std::abs(answer - median));
-    std::sort(deviations.begin(), deviations.end());
-    const double q1 = assessment::quantile(answers, 0.25), q3 = assessment::quantile(answers, 0.75);
-    const double q1_6 = quantile_type6(answers, 0.25), q3_6 = quantile_type6(answers, 0.75);
-    const auto top = std::count_if(answers.begin(), answers.end(),
-                                   [&](double a) { return a >= scale.high - 1; });
-    item["mean"] = mean;
-    item["sd_sample"] = n > 1 ? Json(std::sqrt(squares / (n - 1))) : Json();
-    item["sd_population"] = std::sqrt(squares / n);
-    item["median"] = median;
-    item["q1_type7"] = q1;
-    item["q3_type7"] = q3;
-    item["iqr_type7"] = q3 - q1;
-    item["q1_type6"] = q1_6;
-    item["q3_type6"] = q3_6;
-    item["iqr_type6"] = q3_6 - q1_6;
-    item["mad_raw"] = assessment::quantile(deviations, 0.5);
-    item["top2_count"] = top;
-    item["top2_percent"] = 100 * static_cast<double>(top) / n;
+Json likert_item(const std::vector<double>& answers, int missing, const Scale& scale) {
+    std::vector<std::optional<int>> values;
+    for (const double answer : answers) values.emplace_back(static_cast<int>(answer));
+    const auto s = assessment::summarise_likert(values, scale.low, scale.high);
+    Json item{{"n", s.n}, {"missing", missing}};
+    if (s.n == 0) return item;
+    item["mean"] = *s.mean;
+    item["sd_sample"] = s.sd ? Json(*s.sd) : Json();
+    item["sd_population"] = *s.sd_population;
+    item["median"] = *s.median;
+    item["q1_type7"] = *s.lower_quartile;
+    item["q3_type7"] = *s.upper_quartile;
+    item["iqr_type7"] = *s.upper_quartile - *s.lower_quartile;
+    item["q1_type6"] = *s.lower_quartile_type6;
+    item["q3_type6"] = *s.upper_quartile_type6;
+    item["iqr_type6"] = *s.upper_quartile_type6 - *s.lower_quartile_type6;
+    item["mad_raw"] = *s.mad;
+    item["top2_count"] = s.top2;
+    item["top2_percent"] = *s.top2_percent;
     Json counts = Json::object();
-    for (int value = scale.low; value <= scale.high; ++value) {
-        counts[std::to_string(value)] = std::count(answers.begin(), answers.end(), value);
-    }
+    for (int value = scale.low; value <= scale.high; ++value)
+        counts[std::to_string(value)] = s.counts[static_cast<size_t>(value - scale.low)];
     item["counts"] = counts;
     return item;
 }
