@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/study.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <utility>
+
+#include "curriculum/json_reader.h"
+
+namespace placode::curriculum {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, StepKind>, 5> kKinds{
+    {{"consent", StepKind::kConsent},
+     {"questionnaire", StepKind::kQuestionnaire},
+     {"briefing", StepKind::kBriefing},
+     {"familiarisation", StepKind::kFamiliarisation},
+     {"procedure", StepKind::kProcedure}}};
+
+StepKind kind_of(const std::string& name) {
+    for (const auto& [known, kind] : kKinds)
+        if (name == known) return kind;
+    return StepKind::kBriefing;  // The schema has refused everything else.
+}
+
+void check_step(const StudyStep& step, const std::string& origin, const std::string& pointer) {
+    const auto need = [&](bool there, const char* key) {
+        if (!there)
+            throw DefinitionError(origin, pointer,
+                                  std::string("a step of kind \"") + step_kind_name(step.kind) +
+                                      "\" needs \"" + key + "\"");
+    };
+    need(step.kind != StepKind::kQuestionnaire || !step.questionnaire.empty(), "questionnaire");
+    need(step.kind != StepKind::kBriefing || !step.text.empty(), "text");
+    need(step.kind != StepKind::kFamiliarisation || !step.task.empty(), "task");
+    need(step.kind != StepKind::kFamiliarisation || step.max_s > 0, "max_s");
+    need(step.kind != StepKind::kProcedure || !step.task.empty(), "task");
+}
+
+StudyStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
+    StudyStep step;
+    step.id = json["id"];
+    step.kind = kind_of(json["kind"]);
+    if (json.contains("title")) step.title = local_text(json["title"]);
+    for (const Json& text : json.value("text", Json::array()))
+        step.text.push_back(local_text(text));
+    step.questionnaire = json.value("questionnaire", std::string());
+    step.task = json.value("task", std::string());
+    step.max_s = json.value("max_s", 0.0);
+    if (json.contains("time_limit_s")) step.time_limit_s = json["time_limit_s"].get<double>();
+    step.required = json.value("required", true);
+    check_step(step, origin, pointer);
+    return step;
+}
+
+Consent read_consent(const Json& json) {
+    Consent consent;
+    consent.version = json["version"];
+    for (const Json& text : json["information"]) consent.information.push_back(local_text(text));
+    for (const Json& statement : json["statements"])
+        consent.statements.push_back(
+            {statement["id"], local_text(statement["text"]), statement.value("required", true)});
+    return consent;
+}
+
+Arms read_arms(const Json& json, const std::string& origin) {
+    Arms arms;
+    for (const Json& name : json["names"]) arms.names.push_back(local_text(name));
+    arms.block_size = json["block_size"];
+    if (arms.block_size % static_cast<int>(arms.names.size()) != 0)
+        throw DefinitionError(origin, "/arms/block_size",
+                              std::to_string(arms.block_size) +
+                                  " is not a multiple of the number of arms, " +
+                                  std::to_string(arms.names.size()));
+    return arms;
+}
+
+/// What a step names must be there when the study is read from a file, not on the first day.
+void check_references(const StudyProtocol& study, const std::string& origin) {
+    for (size_t i = 0; i < study.steps.size(); ++i) {
+        const StudyStep& step = study.steps[i];
+        const std::string pointer = "/steps/" + std::to_string(i);
+        try {
+            if (!step.questionnaire.empty())
+                (void)find_definition("questionnaires", step.questionnaire);
+            if (!step.task.empty()) (void)find_definition("tasks", step.task);
+        } catch (const DefinitionError& error) {
+            throw DefinitionError(
+                origin, pointer + (step.questionnaire.empty() ? "/task" : "/questionnaire"),
+                error.what());
+        }
+    }
+}
+
+/// splitmix64: small, seeded, the same everywhere.
+uint64_t next_random(uint64_t& state) {
+    state += 0x9e3779b97f4a7c15ULL;
+    uint64_t z = state;
+    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31U);
+}
+
+}  // namespace
+
+const char* step_kind_name(StepKind kind) {
+    for (const auto& [name, known] : kKinds)
+        if (kind == known) return name;
+    return "";
+}
+
+const StudyStep* StudyProtocol::step(const std::string& step_id) const {
+    for (const StudyStep& candidate : steps)
+        if (candidate.id == step_id) return &candidate;
+    return nullptr;
+}
+
+bool StudyProtocol::needs_consent() const {
+    return std::any_of(steps.begin(), steps.end(),
+                       [](const StudyStep& step) { return step.kind == StepKind::kConsent; });
+}
+
+StudyProtocol load_study_text(const std::string& text, const std::string& origin) {
+    const Json json = parse_json(text, origin);
+    check_schema(json, "study", origin);
+    StudyProtocol study;
+    study.json = text;
+    study.id = json["id"];
+    study.version = json["version"];
+    study.title = local_text(json["title"]);
+    if (json.contains("description")) study.description = local_text(json["description"]);
+    study.source = json.value("source", std::string());
+    study.visits = json.value("visits", 1);
+    if (json.contains("consent")) study.consent = read_consent(json["consent"]);
+    if (json.contains("arms")) study.arms = read_arms(json["arms"], origin);
+    std::set<std::string> seen;
+    for (size_t i = 0; i < json["steps"].size(); ++i) {
+        const std::string pointer = "/steps/" + std::to_string(i);
+        study.steps.push_back(read_step(json["steps"][i], origin, pointer));
+        if (!seen.insert(study.steps.back().id).second)
+            throw DefinitionError(origin, pointer + "/id",
+                                  "\"" + study.steps.back().id +
+                                      "\" is used twice; every step needs an id of its own");
+    }
+    if (study.needs_consent() && study.consent.statements.empty())
+        throw DefinitionError(origin, "/consent",
+                              "a step asks for consent, but there is nothing to consent to");
+    return study;
+}
+
+StudyProtocol load_study(const std::string& id_or_file) {
+    const std::filesystem::path file = find_definition("studies", id_or_file);
+    StudyProtocol study = load_study_text(read_definition(file), file.string());
+    check_references(study, file.string());
+    return study;
+}
+
+int allocated_arm(const Arms& arms, uint64_t seed, int participant_number) {
+    const int index = participant_number - 1;
+    const int block = index / arms.block_size;
+    std::vector<int> order;
+    for (int i = 0; i < arms.block_size; ++i)
+        order.push_back(i % static_cast<int>(arms.names.size()));
+    uint64_t state = seed ^ (0xd1342543de82ef95ULL * static_cast<uint64_t>(block + 1));
+    for (size_t i = order.size(); i > 1; --i)  // Fisher-Yates
+        std::swap(order[i - 1], order[next_random(state) % i]);
+    return order[static_cast<size_t>(index % arms.block_size)];
+}
+
+}  // namespace placode::curriculum
