@@ -69,6 +69,11 @@ struct AttemptResult {
     std::string recording_file;  ///< Compressed into the store; empty = none.
 };
 
+/// One change of an answer before it was submitted; empty = not answered.
+struct AnswerChange {
+    std::string item, old_answer, new_answer, at_utc;
+};
+
 struct AnswerRecord {
     int64_t id = 0;
     std::string study_id;
@@ -78,6 +83,53 @@ struct AnswerRecord {
     std::string answered_utc;
     curriculum::Answers answers;
     bool demonstration = false;
+    std::string language = "en";  ///< In which the questions were read.
+    int visit = 1;
+    std::vector<AnswerChange> changes;  ///< In order of time.
+};
+
+/// What becomes of the data of who withdraws. The code and the withdrawal itself always stay.
+enum class WithdrawalMode : uint8_t {
+    kKeep,  ///< Takes no further part; the data to date stay in use.
+    kStop,  ///< The data stay in the store, but no export and no report uses them any more.
+    kErase  ///< Answers, steps and the attempts made for the study are deleted.
+};
+
+struct ParticipantRecord {
+    std::string study_id, code, enrolled_utc;
+    int number = 0;
+    int protocol_version = 0;  ///< 0 = the study has no published protocol.
+    int arm = -1;              ///< From 0; -1 = no allocation.
+    bool demonstration = false;
+    std::optional<WithdrawalMode> withdrawal;
+    std::string withdrawn_utc, withdrawal_reason;
+    /// False when the participant's data must not be used any more.
+    [[nodiscard]] bool usable() const {
+        return !withdrawal || *withdrawal == WithdrawalMode::kKeep;
+    }
+};
+
+enum class StepState : uint8_t { kStarted, kDone, kSkipped };
+
+/// Something that a participant did in a study.
+struct StepRecord {
+    int64_t id = 0;
+    std::string study_id, participant;
+    int visit = 1;
+    std::string step;  ///< Id in the protocol.
+    StepState state = StepState::kDone;
+    int64_t attempt_id = 0, answer_id = 0;  ///< 0 = none.
+    std::string detail, at_utc;
+};
+
+/// A published version of a questionnaire or study.
+struct DefinitionRecord {
+    std::string kind;  ///< "questionnaire" or "study".
+    std::string id;
+    int version = 1;
+    std::string json, checksum, reason, published_by, published_utc;
+
+    friend bool operator==(const DefinitionRecord&, const DefinitionRecord&) = default;
 };
 
 struct AuditRecord {

@@ -34,8 +34,20 @@ class SqlStore final : public Store {
     void extract_recording(int64_t attempt_id, const std::string& path) override;
     std::optional<int64_t> attempt_of_recording(const std::string& recording_file) override;
 
+    // sql_store_protocols.cpp
+    void publish(const DefinitionRecord& definition) override;
+    std::vector<DefinitionRecord> definitions(const std::string& kind) override;
+    std::optional<DefinitionRecord> definition(const std::string& kind, const std::string& id,
+                                               int version) override;
+    void withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
+                  const std::string& reason) override;
+    int64_t record_step(const StepRecord& step) override;
+    std::vector<StepRecord> steps(const std::string& study_id) override;
+
     // sql_store_studies.cpp
-    std::string new_participant(const std::string& study_id) override;
+    std::string new_participant(const std::string& study_id, bool demonstration) override;
+    std::vector<ParticipantRecord> participants(const std::string& study_id) override;
+    std::vector<std::string> study_ids() override;
     int64_t save_answers(const AnswerRecord& answers) override;
     std::vector<AnswerRecord> answers(const std::string& study_id) override;
 
@@ -54,6 +66,15 @@ class SqlStore final : public Store {
                       const std::string& object, const std::string& detail);
     [[nodiscard]] int wait_before_sign_in(const std::string& key);
     [[nodiscard]] UserRecord need_user(int64_t id);
+    [[nodiscard]] std::optional<DefinitionRecord> find_definition(const std::string& kind,
+                                                                  const std::string& id,
+                                                                  int version);
+    /// Throws unless this participant may go on: there, not withdrawn, consented where that is
+    /// needed. `step` is the one that gives the consent, or empty.
+    void need_active_participant(const std::string& study_id, const std::string& code,
+                                 const std::string& step);
+    void erase_participant(const std::string& study_id, const std::string& code);
+    int64_t insert_step(const StepRecord& step);
     void check_audit_chain(std::vector<std::string>& problems);
     void check_recordings(std::vector<std::string>& problems);
 

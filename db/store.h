@@ -87,9 +87,31 @@ class Store {
     [[nodiscard]] virtual std::optional<int64_t> attempt_of_recording(
         const std::string& recording_file) = 0;
 
-    // --- studies (thin): answers of participants
-    virtual std::string new_participant(
-        const std::string& study_id) = 0;  ///< Next code with check character.
+    // --- studies: published definitions, participants, what they did and answered
+    /// Publishes a version for good. The same text again is no change; another text under a
+    /// version that is there throws kConflict, a version above 1 without a reason kRefused.
+    virtual void publish(const DefinitionRecord& definition) = 0;
+    /// All versions of one kind, by id and version.
+    [[nodiscard]] virtual std::vector<DefinitionRecord> definitions(const std::string& kind) = 0;
+    /// version 0 = the newest.
+    [[nodiscard]] virtual std::optional<DefinitionRecord> definition(const std::string& kind,
+                                                                     const std::string& id,
+                                                                     int version = 0) = 0;
+    /// Next code with check character; where the study is published with arms, allocates.
+    virtual std::string new_participant(const std::string& study_id,
+                                        bool demonstration = false) = 0;
+    [[nodiscard]] virtual std::vector<ParticipantRecord> participants(
+        const std::string& study_id) = 0;
+    /// Ids of all studies that have participants or a published protocol.
+    [[nodiscard]] virtual std::vector<std::string> study_ids() = 0;
+    /// Throws kRefused without a reason, kConflict when the participant has withdrawn already and
+    /// the new mode does not erase.
+    virtual void withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
+                          const std::string& reason) = 0;
+    /// Throws kRefused for who has withdrawn, and where consent is needed and missing.
+    virtual int64_t record_step(const StepRecord& step) = 0;
+    [[nodiscard]] virtual std::vector<StepRecord> steps(const std::string& study_id) = 0;
+    /// Refuses as record_step() does.
     virtual int64_t save_answers(const AnswerRecord& answers) = 0;
     [[nodiscard]] virtual std::vector<AnswerRecord> answers(const std::string& study_id) = 0;
 

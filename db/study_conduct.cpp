@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/study_conduct.h"
+
+#include <algorithm>
+#include <map>
+
+#include "db/packing.h"
+
+namespace placode::db {
+namespace {
+
+/// What was read on screen, as one text.
+std::string consent_text(const curriculum::Consent& consent, const std::string& language) {
+    std::string text;
+    for (const auto& paragraph : consent.information) text += paragraph.in(language) + "\n";
+    for (const auto& statement : consent.statements) text += statement.text.in(language) + "\n";
+    return text;
+}
+
+/// The first step of that kind which asks for this questionnaire.
+std::string step_of(const curriculum::StudyProtocol& protocol, const std::string& questionnaire) {
+    for (const auto& step : protocol.steps)
+        if (step.kind == curriculum::StepKind::kQuestionnaire &&
+            step.questionnaire == questionnaire)
+            return step.id;
+    return {};
+}
+
+/// Consent and demographics are not asked again at a second visit.
+bool first_visit_only(const curriculum::StudyStep& step) {
+    return step.kind == curriculum::StepKind::kConsent || step.questionnaire == "demographics";
+}
+
+}  // namespace
+
+std::optional<curriculum::StudyProtocol> published_study(Store& store, const std::string& study_id,
+                                                         int version) {
+    const auto published = store.definition("study", study_id, version);
+    if (!published) return std::nullopt;
+    return curriculum::load_study_text(published->json, "study " + study_id);
+}
+
+void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire) {
+    if (questionnaire.json.empty()) return;
+    const auto there = store.definition("questionnaire", questionnaire.id, questionnaire.version);
+    if (there && there->json == questionnaire.json) return;
+    DefinitionRecord definition;
+    definition.kind = "questionnaire";
+    definition.id = questionnaire.id;
+    definition.version = questionnaire.version;
+    definition.json = questionnaire.json;
+    definition.reason = "first use of this version";
+    store.publish(definition);
+}
+
+void record_consent(Store& store, const std::string& study_id, const std::string& code,
+                    const std::string& language, const std::vector<std::string>& agreed) {
+    const auto protocol = published_study(store, study_id);
+    const auto refuse = [&](const std::string& problem) {
+        throw StoreError(StoreError::Kind::kRefused,
+                         "consent of " + code + " to " + study_id + ": " + problem);
+    };
+    if (!protocol || !protocol->needs_consent())
+        refuse("the study has no published protocol that asks for one");
+    for (const auto& statement : protocol->consent.statements)
+        if (statement.required &&
+            std::find(agreed.begin(), agreed.end(), statement.id) == agreed.end())
+            refuse("the statement \"" + statement.id + "\" is required and was not agreed to");
+    StepRecord step;
+    step.study_id = study_id;
+    step.participant = code;
+    for (const auto& each : protocol->steps)
+        if (each.kind == curriculum::StepKind::kConsent) step.step = each.id;
+    std::string list;
+    for (const std::string& each : agreed) list += (list.empty() ? "" : " ") + each;
+    step.detail = "consent version " + std::to_string(protocol->consent.version) + ", " + language +
+                  ", text " + checksum_hex(consent_text(protocol->consent, language)) +
+                  ", agreed: " + list;
+    store.record_step(step);
+}
+
+int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
+                       const AnswerRecord& answers) {
+    if (const auto problem = curriculum::check_answers(questionnaire, answers.answers))
+        throw StoreError(StoreError::Kind::kRefused, "answers of " + answers.participant + " to " +
+                                                         questionnaire.id + ": " + *problem);
+    publish_on_first_use(store, questionnaire);
+    const int64_t id = store.save_answers(answers);
+    const auto protocol = published_study(store, answers.study_id);
+    if (!protocol) return id;
+    StepRecord step;
+    step.study_id = answers.study_id;
+    step.participant = answers.participant;
+    step.visit = answers.visit;
+    step.step = step_of(*protocol, questionnaire.id);
+    step.answer_id = id;
+    step.detail = questionnaire.id + " version " + std::to_string(questionnaire.version);
+    if (!step.step.empty()) store.record_step(step);
+    return id;
+}
+
+std::vector<Progress> study_progress(Store& store, const std::string& study_id) {
+    std::map<std::string, std::vector<StepRecord>> steps;
+    for (auto& step : store.steps(study_id)) steps[step.participant].push_back(step);
+    std::map<int, std::optional<curriculum::StudyProtocol>> protocols;
+    std::vector<Progress> list;
+    for (auto& participant : store.participants(study_id)) {
+        Progress progress;
+        progress.participant = participant;
+        for (const StepRecord& step : steps[participant.code]) {
+            progress.last_utc = std::max(progress.last_utc, step.at_utc);
+            if (step.state != StepState::kStarted)
+                progress.finished.push_back(std::to_string(step.visit) + "/" + step.step);
+        }
+        const int version = participant.protocol_version;
+        if (version > 0 && !protocols.contains(version))
+            protocols[version] = published_study(store, study_id, version);
+        if (version > 0 && protocols[version]) {
+            for (int visit = 1; visit <= protocols[version]->visits; ++visit) {
+                for (const auto& step : protocols[version]->steps) {
+                    if (visit > 1 && first_visit_only(step)) continue;
+                    ++progress.total;
+                    const std::string key = std::to_string(visit) + "/" + step.id;
+                    if (std::find(progress.finished.begin(), progress.finished.end(), key) !=
+                        progress.finished.end()) {
+                        ++progress.done;
+                    } else if (progress.next.empty()) {
+                        progress.next = step.id;
+                        progress.visit = visit;
+                    }
+                }
+            }
+        }
+        list.push_back(std::move(progress));
+    }
+    return list;
+}
+
+}  // namespace placode::db
