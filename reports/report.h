@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Paper and files for people: PDF, plots, CSV. Every one says when its data is a demonstration.
+// Paper for people: PDF and plots. Every one says when its data is a demonstration. Files for other
+// programs: reports/export.h.
 
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "curriculum/questionnaire.h"
 #include "db/records.h"
 
 class QPainter;
@@ -25,14 +25,6 @@ class ReportError : public std::runtime_error {
 /// charts are QCustomPlot.
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
                        const std::vector<db::AttemptRecord>& history, const std::string& path);
-
-/// Answers of one study, one row a participant, one column an item, UTF-8, '.' decimals; cells that
-/// a spreadsheet would run as a formula are neutralised.
-void write_answers_csv(const curriculum::Questionnaire& questionnaire,
-                       const std::vector<db::AnswerRecord>& answers, const std::string& path);
-
-/// Attempts with their metrics, one row an attempt.
-void write_attempts_csv(const std::vector<db::AttemptDetail>& attempts, const std::string& path);
 
 /// Colours and sizes of a chart, so that window (both themes) and paper share the code.
 struct ChartStyle {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reports are read back: CSV cell by cell, PDF by its text, pictures by their pixels.
+// Reports are read back: PDF by its text, pictures by their pixels.
 
 #include "reports/report.h"
 
@@ -81,12 +81,6 @@ db::AttemptDetail attempt() {
     return detail;
 }
 
-std::string text_of(const QString& path) {
-    QFile file(path);
-    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
-    return file.readAll().toStdString();
-}
-
 int pixels_unlike(const QImage& image, QRgb background) {
     int count = 0;
     for (int y = 0; y < image.height(); ++y) {
@@ -96,53 +90,6 @@ int pixels_unlike(const QImage& image, QRgb background) {
 }
 
 }  // namespace
-
-TEST(Report, AnswersKeepMissingCellsEmptyAndNeutraliseFormulas) {
-    application();
-    QTemporaryDir folder;
-    curriculum::Questionnaire questionnaire;
-    questionnaire.items.resize(3);
-    questionnaire.items[0].id = "A";
-    questionnaire.items[1].id = "B";
-    questionnaire.items[2].id = "comment";
-    questionnaire.items[2].kind = curriculum::ItemKind::kText;
-    db::AnswerRecord record;
-    record.study_id = "face";
-    record.participant = "P001-K";
-    record.questionnaire_id = "face_validity";
-    record.answered_utc = "2026-11-21T12:00:00Z";
-    record.answers = {{"A", "4"}, {"comment", "=HYPERLINK(\"x\"), good"}};
-    const QString path = folder.filePath("answers.csv");
-    reports::write_answers_csv(questionnaire, {record}, path.toStdString());
-    EXPECT_EQ(
-        text_of(path),
-        "study_id,participant,questionnaire_id,questionnaire_version,answered_utc,demonstration,A,"
-        "B,comment\n"
-        "face,P001-K,face_validity,1,2026-11-21T12:00:00Z,0,4,,\"'=HYPERLINK(\"\"x\"\"), good\"\n");
-}
-
-TEST(Report, AttemptCellsReadBackToTheSameDouble) {
-    application();
-    QTemporaryDir folder;
-    const QString path = folder.filePath("attempts.csv");
-    reports::write_attempts_csv({attempt()}, path.toStdString());
-    const QStringList rows = QString::fromStdString(text_of(path)).split('\n', Qt::SkipEmptyParts);
-    ASSERT_EQ(rows.size(), 2);
-    ASSERT_EQ(rows[0].split(',').size(), rows[1].split(',').size());
-    EXPECT_EQ(rows[1].split(',').back().toDouble(), 1.0 / 3.0);
-    EXPECT_EQ(rows[1].split(',')[rows[0].split(',').indexOf("points")].toDouble(), 61.5);
-}
-
-TEST(Report, AFolderThatIsNotThereIsNamed) {
-    application();
-    try {
-        reports::write_attempts_csv({attempt()}, "/no/such/folder/a.csv");
-        FAIL() << "must throw";
-    } catch (const reports::ReportError& error) {
-        EXPECT_NE(std::string(error.what()).find("/no/such/folder/a.csv"), std::string::npos);
-        EXPECT_NE(std::string(error.what()).find("choose"), std::string::npos);
-    }
-}
 
 TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
     application();

@@ -4,6 +4,7 @@
 // questionnaire, export, administration, and what it says when something is broken.
 
 #include <QApplication>
+#include <QComboBox>
 #include <QRadioButton>
 #include <QSqlDatabase>
 #include <QSqlQuery>
@@ -145,7 +146,7 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.signIn("cor", "first password"));
     QVERIFY(shell.arrives(PageId::kStudies));
-    QVERIFY(!shell.find<QPushButton>("export_csv")->isEnabled());
+    QVERIFY(!shell.find<QPushButton>("export")->isEnabled());
     for (int participant = 0; participant < 3; ++participant) {
         QVERIFY(shell.click("new_participant"));
         QVERIFY(shell.arrives(PageId::kParticipant));
@@ -172,14 +173,21 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     QCOMPARE(items->item(0, 2)->text(), QString("3"));     // n
     QCOMPARE(items->item(0, 3)->text(), QString("4.00"));  // mean of 3, 4, 5
     QCOMPARE(items->item(0, 4)->text(), QString("1.00"));  // sample SD
-    shell.save_as = shell.path("answers.csv");
-    QVERIFY(shell.click("export_csv"));
-    QVERIFY(shell.bannerSays("answers.csv"));
-    QFile file(shell.save_as);
+    shell.save_as = shell.path("exported");
+    QVERIFY(shell.click("export"));
+    QVERIFY(shell.bannerSays("exported"));
+    QFile file(shell.save_as + "/face_validity_face_validity.csv");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), 4);  // header and three participants
     QVERIFY(lines[0].contains("A") && lines[0].contains("F"));
+    auto* format = shell.find<QComboBox>("export_format");
+    format->setCurrentIndex(format->findData("spss"));
+    QVERIFY(shell.click("export"));
+    QVERIFY(QFile::exists(shell.save_as + "/face_validity_face_validity.sav"));
+    // What was answered is kept with every change, and the questionnaire's text beside it.
+    QVERIFY(!shell.context().store().answers("face_validity").at(0).changes.empty());
+    QVERIFY(shell.context().store().definition("questionnaire", "face_validity").has_value());
     for (const auto& record : shell.context().store().answers("face_validity"))
         QVERIFY(lines.join('\n').contains(QString::fromStdString(record.participant)));
 }
@@ -219,7 +227,7 @@ void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
     QVERIFY(shell.arrives(PageId::kAudit));
     auto* table = shell.find<QTableWidget>("audit_table");
     QVERIFY(table->rowCount() >= 8);
-    QVERIFY(shell.type("audit_search", "study.export"));
+    QVERIFY(shell.type("audit_search", "export.csv"));
     int shown = 0;
     for (int row = 0; row < table->rowCount(); ++row) shown += table->isRowHidden(row) ? 0 : 1;
     QCOMPARE(shown, 1);

@@ -41,6 +41,8 @@ void add_metrics_commands(CLI::App& app, Context& context);
 void add_import_command(CLI::App& app, Context& context);
 void add_stats_commands(CLI::App& app, Context& context);
 void add_report_commands(CLI::App& app, Context& context);
+void add_export_command(CLI::App& app, Context& context);
+void add_study_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
 void add_contact_bench_command(CLI::App& bench, Context& context);
 void add_stability_command(CLI::App& bench, Context& context);

@@ -79,6 +79,8 @@ int main(int argc, char** argv) {
     cli::add_stats_commands(app, context);
     cli::add_report_commands(app, context);
     cli::add_solve_command(app, context);
+    cli::add_export_command(app, context);
+    cli::add_study_commands(app, context);
     cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);
     try {

@@ -156,6 +156,12 @@ QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QSt
     return QFileDialog::getSaveFileName(parent, title, proposal, filter);
 }
 
+QString AppContext::askFolder(QWidget* parent, const QString& title,
+                              const QString& proposal) const {
+    if (ask_save_file_) return ask_save_file_(parent, title, proposal, {});
+    return QFileDialog::getExistingDirectory(parent, title, proposal);
+}
+
 void AppContext::installTranslators() {
     own_strings_ = std::make_unique<QTranslator>();
     qt_strings_ = std::make_unique<QTranslator>();

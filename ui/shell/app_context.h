@@ -76,6 +76,9 @@ class AppContext : public QObject {
 
     [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title,
                                       const QString& proposal, const QString& filter) const;
+    /// A folder to put files into; empty = cancelled.
+    [[nodiscard]] QString askFolder(QWidget* parent, const QString& title,
+                                    const QString& proposal) const;
 
     [[nodiscard]] AttemptLauncher& launcher() { return *launcher_; }
 

@@ -4,6 +4,7 @@
 // because the screen belongs to somebody who has no account here.
 
 #include <QButtonGroup>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
@@ -11,8 +12,11 @@
 #include <QPlainTextEdit>
 #include <QRadioButton>
 #include <QScrollArea>
+#include <QSlider>
 #include <QStackedWidget>
+#include <algorithm>
 
+#include "db/study_conduct.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -22,6 +26,8 @@ namespace {
 using curriculum::ItemKind;
 using curriculum::QuestionnaireItem;
 
+constexpr int kNoValue = 1000;  ///< "does not apply" among the values of a scale.
+
 class ParticipantPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
  public:
@@ -29,11 +35,19 @@ class ParticipantPage : public Page {
         : Page(context),
           code_(place.text),
           questionnaire_(curriculum::load_questionnaire(
-              place.state.value("questionnaire").toString().toStdString())) {
+              place.state.value("questionnaire").toString().toStdString())),
+          study_(place.state.value("study", place.state.value("questionnaire"))
+                     .toString()
+                     .toStdString()) {
         context.require(db::Action::kRunQuestionnaire);
         const QVariantMap kept = place.state.value("answers").toMap();
         for (auto it = kept.begin(); it != kept.end(); ++it)
             answers_[it.key().toStdString()] = it.value().toString().toStdString();
+        for (const QVariant& each : place.state.value("changes").toList()) {
+            const QStringList change = each.toStringList();
+            changes_.push_back({change.value(0).toStdString(), change.value(1).toStdString(),
+                                change.value(2).toStdString(), change.value(3).toStdString()});
+        }
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(0, 0, 0, 0);
         steps_ = new QStackedWidget;
@@ -46,7 +60,14 @@ class ParticipantPage : public Page {
     [[nodiscard]] QVariantMap state() const override {
         QVariantMap kept;
         for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
-        return {{"answers", kept}, {"questionnaire", qstr(questionnaire_.id)}};
+        QVariantList changes;
+        for (const db::AnswerChange& each : changes_)
+            changes << QStringList{qstr(each.item), qstr(each.old_answer), qstr(each.new_answer),
+                                   qstr(each.at_utc)};
+        return {{"answers", kept},
+                {"changes", changes},
+                {"questionnaire", qstr(questionnaire_.id)},
+                {"study", qstr(study_)}};
     }
     [[nodiscard]] bool mayLeave() override {
         if (submitted_ || answers_.empty()) return true;
@@ -60,8 +81,16 @@ class ParticipantPage : public Page {
         QVBoxLayout* column = make_column(step, 900);
         column->addWidget(make_label(context_.in(questionnaire_.title), "display"));
         column->addWidget(make_label(context_.in(questionnaire_.introduction), "muted"));
-        for (const QuestionnaireItem& item : questionnaire_.items)
+        std::string section;
+        for (const QuestionnaireItem& item : questionnaire_.items) {
+            if (item.section != section)
+                for (const auto& each : questionnaire_.sections)
+                    if (each.id == item.section)
+                        column->addWidget(make_label(context_.in(each.title), "heading"));
+            section = item.section;
             column->addWidget(itemCard(item));
+        }
+        showBranches();
         message_ = make_label({}, "critical");
         message_->setObjectName("participant_message");
         message_->hide();
@@ -97,14 +126,28 @@ class ParticipantPage : public Page {
         layout->addWidget(make_label(text, "heading"));
         switch (item.kind) {
             case ItemKind::kLikert:
-                layout->addLayout(scale(item));
+                if (item.point_labels.empty())
+                    layout->addLayout(scale(item));
+                else
+                    layout->addLayout(labelledScale(item));
                 break;
             case ItemKind::kChoice:
                 layout->addWidget(choice(item));
                 break;
+            case ItemKind::kMultiple:
+                layout->addLayout(multiple(item));
+                break;
+            case ItemKind::kDate:
+                layout->addWidget(date(item));
+                break;
+            case ItemKind::kVisualAnalogue:
+                layout->addLayout(analogue(item));
+                break;
             default:
                 layout->addWidget(line(item));
         }
+        if (item.not_applicable && item.kind != ItemKind::kLikert)
+            layout->addWidget(doesNotApply(item));
         QFrame* card = make_card(layout);
         cards_[item.id] = card;
         return card;
@@ -133,12 +176,118 @@ class ParticipantPage : public Page {
         QLabel* high = make_label(context_.in(item.anchor_high), "muted");
         high->setFixedWidth(150);
         row->addWidget(high);
+        if (item.not_applicable) {
+            auto* none = new QRadioButton(tr("does not apply"));
+            none->setObjectName(QString("answer_%1_NA").arg(qstr(item.id)));
+            none->setMinimumHeight(kTouchTarget);
+            none->setChecked(answer(item.id) == curriculum::kNotApplicable);
+            group->addButton(none, kNoValue);
+            row->addWidget(none);
+        }
         row->addStretch();
         connect(group, &QButtonGroup::idClicked, this, [this, id = item.id](int value) {
-            answers_[id] = std::to_string(value);
-            unmark(id);
+            keep(id,
+                 value == kNoValue ? QString(curriculum::kNotApplicable) : QString::number(value));
         });
         return row;
+    }
+
+    /// Every value with its words, one below the other.
+    QVBoxLayout* labelledScale(const QuestionnaireItem& item) {
+        auto* column = new QVBoxLayout;
+        auto* group = new QButtonGroup(this);
+        const auto add = [&](int value, const QString& text, const QString& name, bool checked) {
+            auto* button = new QRadioButton(text);
+            button->setObjectName(QString("answer_%1_%2").arg(qstr(item.id), name));
+            button->setMinimumHeight(kTouchTarget);
+            button->setChecked(checked);
+            group->addButton(button, value);
+            column->addWidget(button);
+        };
+        for (int value = item.scale_min; value <= item.scale_max; ++value) {
+            const auto& label = item.point_labels.at(static_cast<size_t>(value - item.scale_min));
+            const QString number = QString::number(value);
+            add(value, number + "  " + context_.in(label), number, answer(item.id) == number);
+        }
+        if (item.not_applicable)
+            add(kNoValue, tr("does not apply"), "NA",
+                answer(item.id) == curriculum::kNotApplicable);
+        connect(group, &QButtonGroup::idClicked, this, [this, id = item.id](int value) {
+            keep(id,
+                 value == kNoValue ? QString(curriculum::kNotApplicable) : QString::number(value));
+        });
+        return column;
+    }
+
+    QVBoxLayout* multiple(const QuestionnaireItem& item) {
+        auto* column = new QVBoxLayout;
+        const auto given = curriculum::answer_indices(answer(item.id).toStdString());
+        std::vector<QCheckBox*> boxes;
+        for (size_t i = 0; i < item.choices.size(); ++i) {
+            auto* box = new QCheckBox(context_.in(item.choices[i]));
+            box->setObjectName(QString("answer_%1_%2").arg(qstr(item.id)).arg(i));
+            box->setMinimumHeight(kTouchTarget);
+            box->setChecked(given && std::find(given->begin(), given->end(), static_cast<int>(i)) !=
+                                         given->end());
+            boxes.push_back(box);
+            column->addWidget(box);
+        }
+        for (QCheckBox* box : boxes) {
+            connect(box, &QCheckBox::clicked, this, [this, boxes, id = item.id] {
+                QStringList chosen;
+                for (size_t i = 0; i < boxes.size(); ++i)
+                    if (boxes[i]->isChecked()) chosen << QString::number(i);
+                keep(id, chosen.join(';'));
+            });
+        }
+        return column;
+    }
+
+    QWidget* date(const QuestionnaireItem& item) {
+        auto* edit = new QLineEdit(answer(item.id));
+        edit->setObjectName("answer_" + qstr(item.id));
+        edit->setAccessibleName(context_.in(item.text));
+        edit->setPlaceholderText(tr("year-month-day, e.g. 2026-11-21"));
+        edit->setMaximumWidth(320);
+        connect(edit, &QLineEdit::textChanged, this,
+                [this, edit, id = item.id] { keep(id, edit->text().trimmed()); });
+        return edit;
+    }
+
+    /// A line without marks. Nothing is answered before it was touched.
+    QHBoxLayout* analogue(const QuestionnaireItem& item) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        row->addWidget(make_label(context_.in(item.anchor_low), "muted"));
+        auto* slider = new QSlider(Qt::Horizontal);
+        slider->setObjectName("answer_" + qstr(item.id));
+        slider->setAccessibleName(context_.in(item.text));
+        slider->setRange(static_cast<int>(item.number_min), static_cast<int>(item.number_max));
+        slider->setMinimumSize(360, kTouchTarget);
+        slider->setValue(answer(item.id).isEmpty() ? (slider->minimum() + slider->maximum()) / 2
+                                                   : answer(item.id).toInt());
+        auto* state =
+            make_label(answer(item.id).isEmpty() ? tr("not answered") : tr("answered"), "small");
+        const auto take = [this, slider, state, id = item.id] {
+            keep(id, QString::number(slider->value()));
+            state->setText(tr("answered"));
+        };
+        connect(slider, &QSlider::valueChanged, this, take);
+        connect(slider, &QSlider::sliderReleased, this, take);  // a tap on the middle counts
+        row->addWidget(slider, 1);
+        row->addWidget(make_label(context_.in(item.anchor_high), "muted"));
+        row->addWidget(state);
+        return row;
+    }
+
+    QWidget* doesNotApply(const QuestionnaireItem& item) {
+        auto* box = new QCheckBox(tr("does not apply"));
+        box->setObjectName(QString("answer_%1_NA").arg(qstr(item.id)));
+        box->setChecked(answer(item.id) == curriculum::kNotApplicable);
+        connect(box, &QCheckBox::clicked, this, [this, id = item.id](bool on) {
+            keep(id, on ? QString(curriculum::kNotApplicable) : QString());
+        });
+        return box;
     }
 
     QWidget* choice(const QuestionnaireItem& item) {
@@ -185,13 +334,46 @@ class ParticipantPage : public Page {
         return found == answers_.end() ? QString() : qstr(found->second);
     }
 
+    /// Every change is kept with its time; typing in one field is one change.
+    void logChange(const std::string& id, const std::string& before, const std::string& now) {
+        if (before == now) return;
+        const std::string at = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+        const QuestionnaireItem* item = questionnaire_.item(id);
+        const bool typed = item->kind == ItemKind::kText || item->kind == ItemKind::kNumber ||
+                           item->kind == ItemKind::kDate || item->kind == ItemKind::kVisualAnalogue;
+        if (typed && !changes_.empty() && changes_.back().item == id) {
+            changes_.back().new_answer = now;
+            changes_.back().at_utc = at;
+        } else {
+            changes_.push_back({id, before, now, at});
+        }
+    }
+
     void keep(const std::string& id, const QString& text) {
+        logChange(id, answer(id).toStdString(), text.toStdString());
         if (text.isEmpty()) {
             answers_.erase(id);
         } else {
             answers_[id] = text.toStdString();
         }
         unmark(id);
+        showBranches();
+    }
+
+    /// Items that an answer hides: their answers are put aside, and come back with them.
+    void showBranches() {
+        for (const QuestionnaireItem& item : questionnaire_.items) {
+            if (!item.show_if) continue;
+            const bool shown = curriculum::is_shown(questionnaire_, item, answers_);
+            if (shown && aside_.contains(item.id)) {
+                answers_[item.id] = aside_[item.id];
+                aside_.erase(item.id);
+            } else if (!shown && answers_.contains(item.id)) {
+                aside_[item.id] = answers_[item.id];
+                answers_.erase(item.id);
+            }
+            cards_[item.id]->setVisible(shown);
+        }
     }
 
     void unmark(const std::string& id) {
@@ -210,7 +392,8 @@ class ParticipantPage : public Page {
     [[nodiscard]] bool complete() {
         const QuestionnaireItem* first = nullptr;
         for (const QuestionnaireItem& item : questionnaire_.items) {
-            const bool missing = item.required && answers_.count(item.id) == 0;
+            const bool missing = item.required && answers_.count(item.id) == 0 &&
+                                 curriculum::is_shown(questionnaire_, item, answers_);
             mark(item.id, missing ? "accent" : "");
             if (missing && first == nullptr) first = &item;
         }
@@ -237,6 +420,7 @@ class ParticipantPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         for (const QuestionnaireItem& item : questionnaire_.items) {
+            if (!curriculum::is_shown(questionnaire_, item, answers_)) continue;
             auto* row = new QHBoxLayout;
             row->setSpacing(kSpace16);
             row->addWidget(make_label(markOf(item) + "  " + context_.in(item.text)), 1);
@@ -271,6 +455,14 @@ class ParticipantPage : public Page {
     [[nodiscard]] QString shown(const QuestionnaireItem& item) const {
         const QString given = answer(item.id);
         if (given.isEmpty()) return "–";
+        if (given == curriculum::kNotApplicable && item.not_applicable) return tr("does not apply");
+        if (item.kind == ItemKind::kMultiple) {
+            QStringList chosen;
+            for (const int index :
+                 curriculum::answer_indices(given.toStdString()).value_or(std::vector<int>{}))
+                chosen << context_.in(item.choices.at(static_cast<size_t>(index)));
+            return chosen.join(", ");
+        }
         if (item.kind == ItemKind::kChoice) return context_.in(item.choices.at(given.toUInt()));
         if (item.kind == ItemKind::kLikert) return tr("%1 of %2").arg(given).arg(item.scale_max);
         return item.unit.empty() ? given : given + " " + qstr(item.unit);
@@ -280,15 +472,17 @@ class ParticipantPage : public Page {
         if (submitted_) return;
         context_.guard(tr("Saving the answers"), [this] {
             db::AnswerRecord record;
-            record.study_id = questionnaire_.id;
+            record.study_id = study_;
             record.participant = code_.toStdString();
             record.questionnaire_id = questionnaire_.id;
             record.questionnaire_version = questionnaire_.version;
             record.answered_utc =
                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
             record.answers = answers_;
+            record.changes = changes_;
+            record.language = context_.language().toStdString();
             record.demonstration = context_.user().demonstration;
-            context_.store().save_answers(record);
+            db::submit_answers(context_.store(), questionnaire_, record);
             submitted_ = true;
             showThanks();
         });
@@ -321,7 +515,9 @@ class ParticipantPage : public Page {
 
     QString code_;
     curriculum::Questionnaire questionnaire_;
-    curriculum::Answers answers_;
+    std::string study_;
+    curriculum::Answers answers_, aside_;
+    std::vector<db::AnswerChange> changes_;
     std::map<std::string, QFrame*> cards_;
     QStackedWidget* steps_ = nullptr;
     QLabel* message_ = nullptr;

@@ -5,8 +5,10 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QStandardPaths>
+#include <algorithm>
 
 #include "assessment/statistics.h"
+#include "reports/export.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -22,7 +24,9 @@ class StudiesPage : public Page {
         context.require(db::Action::kRunQuestionnaire);
         chosen_ = place.text;
         const std::vector<std::string> ids = curriculum::list_definitions("questionnaires");
-        if (chosen_.isEmpty() && !ids.empty()) chosen_ = qstr(ids.front());
+        const bool paper = std::find(ids.begin(), ids.end(), "face_validity") != ids.end();
+        if (chosen_.isEmpty() && !ids.empty())
+            chosen_ = paper ? QString("face_validity") : qstr(ids.front());
         questionnaire_ = curriculum::load_questionnaire(chosen_.toStdString());
         answers_ = context.store().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
@@ -97,11 +101,21 @@ class StudiesPage : public Page {
         layout->setSpacing(kSpace12);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("Answers by item"), "heading"), 1);
-        QPushButton* csv = make_button(context_, tr("Export CSV"), "secondary", "download");
-        csv->setObjectName("export_csv");
-        csv->setEnabled(!answers_.empty() && context_.may(db::Action::kExportStudy));
-        connect(csv, &QPushButton::clicked, this, [this] { exportCsv(); });
-        head->addWidget(csv);
+        const bool may = !answers_.empty() && context_.may(db::Action::kExportStudy);
+        auto* format = new QComboBox;
+        format->setObjectName("export_format");
+        format->setAccessibleName(tr("Export format"));
+        for (const auto& each : reports::export_formats())
+            if (QString(each.name) != "motion-bids")  // there are no attempts here
+                format->addItem(QString::fromUtf8(each.title), QString(each.name));
+        format->setEnabled(may);
+        head->addWidget(format);
+        QPushButton* button = make_button(context_, tr("Export"), "secondary", "download");
+        button->setObjectName("export");
+        button->setEnabled(may);
+        connect(button, &QPushButton::clicked, this,
+                [this, format] { exportAs(format->currentData().toString()); });
+        head->addWidget(button);
         layout->addLayout(head);
         QTableWidget* table = make_table(
             {tr("Item"), tr("Question"), tr("n"), tr("Mean"), tr("SD")}, tr("Answers by item"));
@@ -176,17 +190,23 @@ class StudiesPage : public Page {
         return make_card(layout);
     }
 
-    void exportCsv() {
-        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString path = context_.askSaveFile(
-            this, tr("Export the answers"), folder + "/" + chosen_ + ".csv", tr("CSV (*.csv)"));
-        if (path.isEmpty()) return;
+    void exportAs(const QString& format) {
+        const QString documents =
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        const QString folder = context_.askFolder(this, tr("Export into this folder"), documents);
+        if (folder.isEmpty()) return;
         context_.guard(tr("Exporting the answers"), [&] {
             context_.require(db::Action::kExportStudy);
-            reports::write_answers_csv(questionnaire_, answers_, path.toStdString());
-            context_.audit("study.export", chosen_, path);
-            Q_EMIT notice(
-                tr("Answers of %1 participants written: %2").arg(answers_.size()).arg(path));
+            const reports::ExportSource source{
+                reports::study_dataset(context_.store(), questionnaire_.id,
+                                       {false, context_.language().toStdString()}),
+                reports::recordings_of(context_.store())};
+            const auto files =
+                reports::export_dataset(source, format.toStdString(), folder.toStdString());
+            context_.audit(("export." + format).toUtf8().constData(), "study " + chosen_, folder);
+            Q_EMIT notice(tr("%1 files, read back and compared with the store: %2")
+                              .arg(files.size())
+                              .arg(folder));
         });
     }
 

@@ -390,7 +390,7 @@
 <context>
     <name>Device</name>
     <message>
-        <source>tip in the picture's plane, wheel for depth; no force</source>
+        <source>tip in the picture&apos;s plane, wheel for depth; no force</source>
         <translation>końcówka w płaszczyźnie obrazu, kółko to głębokość; bez siły</translation>
     </message>
     <message>
@@ -779,6 +779,22 @@
     <message>
         <source>%1: %2 of %3</source>
         <translation>%1: %2 z %3</translation>
+    </message>
+    <message>
+        <source>does not apply</source>
+        <translation>nie dotyczy</translation>
+    </message>
+    <message>
+        <source>year-month-day, e.g. 2026-11-21</source>
+        <translation>rok-miesiąc-dzień, np. 2026-11-21</translation>
+    </message>
+    <message>
+        <source>not answered</source>
+        <translation>bez odpowiedzi</translation>
+    </message>
+    <message>
+        <source>answered</source>
+        <translation>udzielono odpowiedzi</translation>
     </message>
     <message>
         <source>Choose …</source>
@@ -1213,7 +1229,7 @@
         <translation>Nie można pokazać nagrania.</translation>
     </message>
     <message>
-        <source>The field from above: planned contour, what was cut, the needle's path. The measures beside it say the same in numbers.</source>
+        <source>The field from above: planned contour, what was cut, the needle&apos;s path. The measures beside it say the same in numbers.</source>
         <translation>Pole z góry: planowany kontur, wykonane cięcie, droga igły. Pomiary obok mówią to samo w liczbach.</translation>
     </message>
     <message>
@@ -1308,11 +1324,11 @@
         <translation>Próba się zakończyła; trwa obliczanie wyniku.</translation>
     </message>
     <message>
-        <source>Runs in the fetoscope's window: %1.</source>
+        <source>Runs in the fetoscope&apos;s window: %1.</source>
         <translation>Trwa w oknie fetoskopu: %1.</translation>
     </message>
     <message>
-        <source>The fetoscope's window is opening.</source>
+        <source>The fetoscope&apos;s window is opening.</source>
         <translation>Otwiera się okno fetoskopu.</translation>
     </message>
     <message>
@@ -1375,7 +1391,7 @@
         <translation>Dodaj konta demonstracyjne, aby się rozejrzeć</translation>
     </message>
     <message>
-        <source>demo.trainee, demo.educator, demo.coordinator, each with the password "%1"; their data is marked as demonstration everywhere.</source>
+        <source>demo.trainee, demo.educator, demo.coordinator, each with the password &quot;%1&quot;; their data is marked as demonstration everywhere.</source>
         <translation>demo.trainee, demo.educator, demo.coordinator, każde z hasłem „%1”; ich dane są wszędzie oznaczone jako demonstracja.</translation>
     </message>
     <message>
@@ -1438,8 +1454,12 @@
         <translation>Odpowiedzi według pytań</translation>
     </message>
     <message>
-        <source>Export CSV</source>
-        <translation>Eksport CSV</translation>
+        <source>Export format</source>
+        <translation>Format eksportu</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksportuj</translation>
     </message>
     <message>
         <source>Item</source>
@@ -1506,20 +1526,16 @@
         <translation>DEMONSTRACJA</translation>
     </message>
     <message>
-        <source>Export the answers</source>
-        <translation>Eksport odpowiedzi</translation>
+        <source>Export into this folder</source>
+        <translation>Eksportuj do tego folderu</translation>
     </message>
     <message>
-        <source>CSV (*.csv)</source>
-        <translation>CSV (*.csv)</translation>
+        <source>%1 files, read back and compared with the store: %2</source>
+        <translation>Pliki: %1, odczytane i porównane z bazą: %2</translation>
     </message>
     <message>
         <source>Exporting the answers</source>
         <translation>Eksport odpowiedzi</translation>
-    </message>
-    <message>
-        <source>Answers of %1 participants written: %2</source>
-        <translation>Zapisano odpowiedzi (uczestnicy: %1): %2</translation>
     </message>
 </context>
 <context>
@@ -1565,7 +1581,7 @@
         <translation>Rozpocznij próbę</translation>
     </message>
     <message>
-        <source>A window with the fetoscope's view opens. Time limit %1.</source>
+        <source>A window with the fetoscope&apos;s view opens. Time limit %1.</source>
         <translation>Otworzy się okno z obrazem fetoskopu. Limit czasu %1.</translation>
     </message>
     <message>

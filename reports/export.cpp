@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/export.h"
+
+#include <unistd.h>
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QSaveFile>
+#include <QString>
+#include <algorithm>
+#include <filesystem>
+
+#include "db/recording_file.h"
+#include "reports/formats.h"
+#include "reports/report.h"
+
+namespace placode::reports {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder beside the final place, so that moving is renaming. Gone with everything in it unless
+/// it was emptied.
+class Staging {
+ public:
+    explicit Staging(const fs::path& folder) {
+        std::string name = (folder / ".placode-export-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            throw ReportError("export to " + folder.string() +
+                              ": cannot write there; choose a folder that you may write to");
+        path_ = name;
+    }
+    ~Staging() {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    Staging(const Staging&) = delete;
+    Staging& operator=(const Staging&) = delete;
+    [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+    fs::path path_;
+};
+
+fs::path make_folder(const std::string& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (!fs::is_directory(folder))
+        throw ReportError("export to " + folder +
+                          ": cannot be made a folder; choose another place");
+    return folder;
+}
+
+std::vector<ExportedFile> files_in(const fs::path& folder) {
+    std::vector<ExportedFile> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file()) continue;
+        const std::string bytes = read_file(entry.path().string());
+        const QByteArray hash = QCryptographicHash::hash(
+            QByteArray::fromRawData(bytes.data(), static_cast<qsizetype>(bytes.size())),
+            QCryptographicHash::Sha256);
+        files.push_back({fs::relative(entry.path(), folder).string(), hash.toHex().toStdString(),
+                         static_cast<int64_t>(bytes.size())});
+    }
+    std::sort(files.begin(), files.end(),
+              [](const auto& a, const auto& b) { return a.path < b.path; });
+    return files;
+}
+
+/// A folder in the way is refused before anything is moved: it may hold another export.
+void hand_out(const fs::path& staged, const fs::path& folder) {
+    std::vector<fs::path> entries;
+    for (const auto& entry : fs::directory_iterator(staged)) entries.push_back(entry.path());
+    for (const fs::path& entry : entries) {
+        const fs::path target = folder / entry.filename();
+        if (fs::is_directory(target))
+            throw ReportError("export to " + target.string() +
+                              ": is there already; remove it or choose another folder");
+        if (fs::exists(target) && fs::is_directory(entry))
+            throw ReportError("export to " + target.string() +
+                              ": a file is in the way; remove it or choose another folder");
+    }
+    for (const fs::path& entry : entries) fs::rename(entry, folder / entry.filename());
+}
+
+const ExportFormat& format_of(const std::string& name) {
+    std::string known;
+    for (const ExportFormat& format : export_formats()) {
+        if (name == format.name) return format;
+        known += (known.empty() ? "" : ", ") + std::string(format.name);
+    }
+    throw ReportError("export: found the format \"" + name + "\"; expected one of: " + known);
+}
+
+}  // namespace
+
+std::string file_name(const std::string& text) {
+    std::string name = text;
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-' && c != '_' && c != '.')
+            c = '_';
+    return name.empty() || name[0] == '.' ? "_" + name : name;
+}
+
+void save_file(const std::string& path, const std::string& bytes) {
+    QSaveFile file(QString::fromStdString(path));
+    const auto size = static_cast<qint64>(bytes.size());
+    if (file.open(QIODevice::WriteOnly) && file.write(bytes.data(), size) == size && file.commit())
+        return;
+    throw ReportError("write " + path + ": " + file.errorString().toStdString() +
+                      "; choose a folder that you may write to");
+}
+
+std::string read_file(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.open(QIODevice::ReadOnly))
+        throw ReportError("read " + path + ": " + file.errorString().toStdString());
+    return file.readAll().toStdString();
+}
+
+const std::vector<ExportFormat>& export_formats() {
+    static const std::vector<ExportFormat> formats{
+        {"csv", "CSV (wide, long, codebook)", write_csv, verify_csv},
+        {"spss", "SPSS (.sav)", write_spss, verify_spss},
+        {"redcap", "REDCap (dictionary and records)", write_redcap, verify_redcap},
+        {"fhir", "FHIR R4 (Questionnaire, QuestionnaireResponse)", write_fhir, verify_fhir},
+        {"odm", "CDISC ODM 1.3.2", write_odm, verify_odm},
+        {"xapi", "xAPI statements", write_xapi, verify_xapi},
+        {"motion-bids", "Motion-BIDS (trajectories)", write_motion_bids, verify_motion_bids},
+        {"bundle", "All of these with manifest and checksums", write_bundle, verify_bundle}};
+    return formats;
+}
+
+std::vector<ExportedFile> export_dataset(const ExportSource& source, const std::string& format,
+                                         const std::string& folder) {
+    const ExportFormat& chosen = format_of(format);
+    const fs::path place = make_folder(folder);
+    const Staging staging(place);
+    chosen.write(source, staging.path().string());
+    chosen.verify(source, staging.path().string());
+    auto files = files_in(staging.path());
+    hand_out(staging.path(), place);
+    return files;
+}
+
+RecordingOf recordings_of(db::Store& store) {
+    return [&store](int64_t attempt_id) -> std::optional<sim::Recording> {
+        std::string name = (fs::temp_directory_path() / "placode-recording-XXXXXX").string();
+        if (::mkdtemp(name.data()) == nullptr)
+            throw ReportError("cannot make a temporary folder in " +
+                              fs::temp_directory_path().string());
+        std::optional<sim::Recording> recording;
+        try {
+            store.extract_recording(attempt_id, name + "/attempt.placode");
+            recording = db::recover_recording_file(name + "/attempt.placode").recording;
+        } catch (const db::StoreError& error) {
+            fs::remove_all(name);
+            if (error.kind() != db::StoreError::Kind::kNotFound) throw;
+            return std::nullopt;
+        }
+        fs::remove_all(name);
+        return recording;
+    };
+}
+
+// --- bundle ------------------------------------------------------------------------------------
+
+namespace {
+
+std::string bundle_folder(const ExportSource& source, const std::string& folder) {
+    return folder + "/" + file_name(source.data.id) + "_bundle";
+}
+
+std::string sums_of(const std::vector<ExportedFile>& files) {
+    std::string text;  // As `sha256sum -c` reads it.
+    for (const ExportedFile& file : files)
+        if (file.path != "SHA256SUMS") text += file.sha256 + "  " + file.path + "\n";
+    return text;
+}
+
+}  // namespace
+
+void write_bundle(const ExportSource& source, const std::string& folder) {
+    const std::string root = bundle_folder(source, folder);
+    for (const ExportFormat& format : export_formats()) {
+        if (format.write == write_bundle) continue;
+        const std::string part = root + "/" + format.name;
+        fs::create_directories(part);
+        format.write(source, part);
+    }
+    fs::create_directories(root + "/definitions");
+    if (!source.data.definition_json.empty())
+        save_file(root + "/definitions/study.json", source.data.definition_json);
+    for (const auto& [name, json] : source.data.questionnaire_json)
+        save_file(root + "/definitions/" + file_name(name) + ".json", json);
+    save_file(root + "/manifest.json", bundle_manifest(source, files_in(root)));
+    save_file(root + "/SHA256SUMS", sums_of(files_in(root)));
+}
+
+void verify_bundle(const ExportSource& source, const std::string& folder) {
+    const std::string root = bundle_folder(source, folder);
+    for (const ExportFormat& format : export_formats())
+        if (format.write != write_bundle) format.verify(source, root + "/" + format.name);
+    if (read_file(root + "/SHA256SUMS") != sums_of(files_in(root)))
+        throw ReportError(
+            "export bundle: read back, a checksum in SHA256SUMS does not fit; "
+            "nothing was handed out");
+}
+
+}  // namespace placode::reports

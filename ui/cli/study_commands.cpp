@@ -1,0 +1,486 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl study | questionnaire: protocols and instruments, participants, what they did and
+// answered.
+
+#include <algorithm>
+#include <memory>
+
+#include "curriculum/study.h"
+#include "db/participant.h"
+#include "db/study_conduct.h"
+#include "reports/csv_table.h"
+#include "reports/export.h"
+#include "ui/cli/session.h"
+
+namespace placode::cli {
+namespace {
+
+using db::Action;
+using db::Scope;
+
+struct Options {
+    std::string id, code, step, questionnaire, file, reason, mode, state = "done", language = "en";
+    std::vector<std::string> answers, agreed;
+    int64_t attempt = 0;
+    int visit = 1, version = 0;
+    bool demonstration = false, consented = false;
+};
+
+Session coordinator(const Context& context, Missing missing = Missing::kRefuse) {
+    Session session(context, missing);
+    session.need(Action::kRunQuestionnaire, Scope::kOther);
+    return session;
+}
+
+/// A refusal about what was typed is bad input, not a failure of the store.
+template <class Work>
+auto as_input(Work&& work) {
+    try {
+        return work();
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kRefused ||
+            error.kind() == db::StoreError::Kind::kConflict)
+            throw InputError(error.what());
+        throw;
+    }
+}
+
+std::string need_code(const std::string& code) {
+    if (!db::valid_participant_code(code))
+        throw InputError("participant: found \"" + code +
+                         "\", whose check letter does not fit; expected a code such as P001-C");
+    return code;
+}
+
+/// The published version, else the shipped one, else the file.
+curriculum::Questionnaire questionnaire_named(Session& session, const std::string& id) {
+    if (id.find('/') == std::string::npos && !id.ends_with(".json"))
+        if (const auto published = session.store().definition("questionnaire", id))
+            return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
+    return curriculum::load_questionnaire(id);
+}
+
+// --- definitions -------------------------------------------------------------------------------
+
+int list_definitions(const Context& context, const std::string& kind) {
+    Session session = coordinator(context);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{{"id", "version", "published (UTC)", "by", "why"}};
+    std::vector<std::string> published;
+    for (const auto& each : session.store().definitions(kind)) {
+        published.push_back(each.id);
+        json.push_back({{"id", each.id},
+                        {"version", each.version},
+                        {"published_utc", each.published_utc},
+                        {"published_by", each.published_by},
+                        {"reason", each.reason},
+                        {"checksum", each.checksum}});
+        rows.push_back({each.id, std::to_string(each.version), each.published_utc,
+                        each.published_by, each.reason});
+    }
+    const std::string folder = kind == "study" ? "studies" : "questionnaires";
+    for (const std::string& id : curriculum::list_definitions(folder)) {
+        if (std::find(published.begin(), published.end(), id) != published.end()) continue;
+        json.push_back({{"id", id}, {"shipped", true}});
+        rows.push_back({id, "", "shipped, not published", "", ""});
+    }
+    if (kind == "study") {
+        for (const std::string& id : session.store().study_ids()) {
+            const auto n = session.store().participants(id).size();
+            for (Json& entry : json)
+                if (entry["id"] == id) entry["participants"] = n;
+            if (std::find(published.begin(), published.end(), id) != published.end()) continue;
+            json.push_back({{"id", id}, {"participants", n}});
+            rows.push_back({id, "", "answers without a protocol", "", ""});
+        }
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
+int show_definition(const Context& context, const std::string& kind, const Options& options) {
+    Session session = coordinator(context);
+    std::string text;
+    if (const auto there = session.store().definition(kind, options.id, options.version))
+        text = there->json;
+    else if (options.version != 0)
+        throw InputError(kind + " " + options.id + ": version " + std::to_string(options.version) +
+                         " is not published");
+    else
+        text = kind == "study" ? curriculum::load_study(options.id).json
+                               : curriculum::load_questionnaire(options.id).json;
+    print(context, Json::parse(text), text);
+    return 0;
+}
+
+int publish(const Context& context, const std::string& kind, const Options& options) {
+    Session session = coordinator(context, Missing::kCreate);
+    db::DefinitionRecord definition;
+    definition.kind = kind;
+    definition.reason = options.reason;
+    if (kind == "study") {
+        const auto study = curriculum::load_study(options.file);
+        definition.id = study.id;
+        definition.version = study.version;
+        definition.json = study.json;
+        for (const auto& step : study.steps)
+            if (!step.questionnaire.empty())
+                db::publish_on_first_use(session.store(),
+                                         curriculum::load_questionnaire(step.questionnaire));
+    } else {
+        const auto read = curriculum::load_questionnaire(options.file);
+        definition.id = read.id;
+        definition.version = read.version;
+        definition.json = read.json;
+    }
+    as_input([&] { session.store().publish(definition); });
+    const auto there = session.store().definition(kind, definition.id, definition.version);
+    print(context,
+          {{"kind", kind},
+           {"id", definition.id},
+           {"version", definition.version},
+           {"checksum", there->checksum}},
+          "published " + kind + " " + definition.id + " version " +
+              std::to_string(definition.version) + "; it is never changed from now on");
+    return 0;
+}
+
+// --- participants ------------------------------------------------------------------------------
+
+std::vector<std::string> required_statements(Session& session, const std::string& study) {
+    std::vector<std::string> ids;
+    if (const auto protocol = db::published_study(session.store(), study))
+        for (const auto& statement : protocol->consent.statements)
+            if (statement.required) ids.push_back(statement.id);
+    return ids;
+}
+
+int enrol(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const std::string code = as_input(
+        [&] { return session.store().new_participant(options.id, options.demonstration); });
+    if (options.consented)
+        as_input([&] {
+            db::record_consent(session.store(), options.id, code, options.language,
+                               required_statements(session, options.id));
+        });
+    print(context, {{"study", options.id}, {"participant", code}, {"consented", options.consented}},
+          code + (options.consented ? " (consent recorded)" : ""));
+    return 0;
+}
+
+int consent(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    as_input([&] {
+        db::record_consent(session.store(), options.id, need_code(options.code), options.language,
+                           options.agreed);
+    });
+    print(context, {{"study", options.id}, {"participant", options.code}, {"consented", true}},
+          "consent of " + options.code + " recorded");
+    return 0;
+}
+
+int step(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const auto protocol = db::published_study(session.store(), options.id);
+    if (protocol && protocol->step(options.step) == nullptr) {
+        std::string known;
+        for (const auto& each : protocol->steps) known += (known.empty() ? "" : ", ") + each.id;
+        throw InputError("step: found \"" + options.step + "\"; expected one of: " + known);
+    }
+    if (protocol && protocol->step(options.step)->kind == curriculum::StepKind::kConsent)
+        throw InputError("step: consent is recorded with `placodectl study consent`");
+    db::StepRecord record;
+    record.study_id = options.id;
+    record.participant = need_code(options.code);
+    record.visit = options.visit;
+    record.step = options.step;
+    record.state = options.state == "started"   ? db::StepState::kStarted
+                   : options.state == "skipped" ? db::StepState::kSkipped
+                                                : db::StepState::kDone;
+    record.attempt_id = options.attempt;
+    if (options.attempt != 0) (void)session.store().attempt(options.attempt);
+    as_input([&] { session.store().record_step(record); });
+    print(context,
+          {{"participant", options.code}, {"step", options.step}, {"state", options.state}},
+          options.code + ": " + options.step + " " + options.state);
+    return 0;
+}
+
+const char* withdrawal_word(const db::ParticipantRecord& participant) {
+    if (!participant.withdrawal) return "";
+    switch (*participant.withdrawal) {
+        case db::WithdrawalMode::kKeep:
+            return "withdrew, data to date are used";
+        case db::WithdrawalMode::kStop:
+            return "withdrew, data are not used";
+        case db::WithdrawalMode::kErase:
+            break;
+    }
+    return "withdrew, data are erased";
+}
+
+int status(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const auto list = db::study_progress(session.store(), options.id);
+    if (list.empty())
+        throw InputError("study: found \"" + options.id +
+                         "\", which has no participants; `placodectl study enrol " + options.id +
+                         "` adds one");
+    Json json{{"study", options.id}, {"participants", Json::array()}};
+    std::vector<std::vector<std::string>> rows{
+        {"code", "enrolled (UTC)", "arm", "steps", "next", "last (UTC)", "remark"}};
+    for (const auto& each : list) {
+        const auto& who = each.participant;
+        const std::string steps =
+            each.total == 0 ? "-" : std::to_string(each.done) + " of " + std::to_string(each.total);
+        json["participants"].push_back({{"code", who.code},
+                                        {"enrolled_utc", who.enrolled_utc},
+                                        {"protocol_version", who.protocol_version},
+                                        {"arm", who.arm},
+                                        {"demonstration", who.demonstration},
+                                        {"done", each.done},
+                                        {"total", each.total},
+                                        {"visit", each.visit},
+                                        {"next", each.next},
+                                        {"withdrawal", withdrawal_word(who)}});
+        std::string remark = withdrawal_word(who);
+        if (who.demonstration) remark += std::string(remark.empty() ? "" : "; ") + "DEMONSTRATION";
+        rows.push_back({who.code, who.enrolled_utc, who.arm < 0 ? "" : std::to_string(who.arm + 1),
+                        steps, who.withdrawal ? "" : each.next, each.last_utc, remark});
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
+int withdraw(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const db::WithdrawalMode mode = options.mode == "keep"   ? db::WithdrawalMode::kKeep
+                                    : options.mode == "stop" ? db::WithdrawalMode::kStop
+                                                             : db::WithdrawalMode::kErase;
+    as_input([&] {
+        session.store().withdraw(options.id, need_code(options.code), mode, options.reason);
+    });
+    print(context, {{"participant", options.code}, {"mode", options.mode}},
+          options.code + " has withdrawn (" + options.mode + "); code and withdrawal stay");
+    return 0;
+}
+
+// --- answers -----------------------------------------------------------------------------------
+
+bool is_demonstration(Session& session, const std::string& study, const std::string& code) {
+    for (const auto& each : session.store().participants(study))
+        if (each.code == code) return each.demonstration;
+    return false;
+}
+
+int answer(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const auto questionnaire = questionnaire_named(session, options.questionnaire);
+    db::AnswerRecord record;
+    record.study_id = options.id;
+    record.participant = need_code(options.code);
+    record.questionnaire_id = questionnaire.id;
+    record.questionnaire_version = questionnaire.version;
+    record.language = options.language;
+    record.visit = options.visit;
+    record.demonstration = is_demonstration(session, options.id, options.code);
+    for (const std::string& pair : options.answers) {
+        const size_t at = pair.find('=');
+        if (at == std::string::npos || at == 0)
+            throw InputError("answer: found \"" + pair + "\"; expected ITEM=VALUE");
+        record.answers[pair.substr(0, at)] = pair.substr(at + 1);
+    }
+    const int64_t id =
+        as_input([&] { return db::submit_answers(session.store(), questionnaire, record); });
+    Json json{{"participant", options.code}, {"questionnaire", questionnaire.id}, {"answers", id}};
+    std::string text = options.code + ": answers to " + questionnaire.id + " saved";
+    for (const auto& score : curriculum::scale_scores(questionnaire, record.answers)) {
+        json["scores"][score.id] = score.value ? Json(*score.value) : Json();
+        text += "\n" + score.id + ": " + (score.value ? shortest(*score.value) : "too few answers");
+    }
+    print(context, json, text);
+    return 0;
+}
+
+/// One row of a table as answers; an empty cell is no answer.
+db::AnswerRecord row_answers(const curriculum::Questionnaire& questionnaire,
+                             const std::vector<std::string>& head,
+                             const std::vector<std::string>& row, const std::string& place) {
+    if (row.size() != head.size())
+        throw InputError(place + ": found " + std::to_string(row.size()) + " cells; expected " +
+                         std::to_string(head.size()));
+    db::AnswerRecord record;
+    record.questionnaire_id = questionnaire.id;
+    record.questionnaire_version = questionnaire.version;
+    for (size_t c = 0; c < head.size(); ++c)
+        if (questionnaire.item(head[c]) != nullptr && !row[c].empty())
+            record.answers[head[c]] = reports::as_typed(row[c]);
+    if (const auto problem = curriculum::check_answers(questionnaire, record.answers))
+        throw InputError(place + ": " + *problem);
+    return record;
+}
+
+/// Answers from a table: one row a participant, one column an item; the column "participant" says
+/// whose they are. Everything is checked before anything is saved.
+int import_answers(const Context& context, const Options& options) {
+    Session session = coordinator(context);
+    const auto questionnaire = questionnaire_named(session, options.questionnaire);
+    const auto rows = reports::parse_csv(reports::read_file(options.file));
+    if (rows.size() < 2) throw InputError(options.file + ": holds no rows");
+    const auto whose = std::find(rows[0].begin(), rows[0].end(), "participant");
+    if (whose == rows[0].end())
+        throw InputError(options.file + ":1: there is no column \"participant\"");
+    std::vector<db::AnswerRecord> records;
+    for (size_t r = 1; r < rows.size(); ++r) {
+        const std::string place = options.file + ":" + std::to_string(r + 1);
+        db::AnswerRecord record = row_answers(questionnaire, rows[0], rows[r], place);
+        record.participant = need_code(rows[r][static_cast<size_t>(whose - rows[0].begin())]);
+        record.study_id = options.id;
+        record.language = options.language;
+        record.demonstration = is_demonstration(session, options.id, record.participant);
+        records.push_back(std::move(record));
+    }
+    for (const auto& record : records)
+        as_input([&] { return db::submit_answers(session.store(), questionnaire, record); });
+    print(context, {{"study", options.id}, {"rows", records.size()}},
+          std::to_string(records.size()) + " sets of answers to " + questionnaire.id + " saved");
+    return 0;
+}
+
+/// The paper's study with 14 simulated participants: every code, answer and export says so.
+int demo(const Context& context) {
+    Session session = coordinator(context, Missing::kCreate);
+    const auto study = curriculum::load_study("face_content_validity");
+    if (!session.store().participants(study.id).empty())
+        throw InputError("study demo: " + study.id + " has participants in " +
+                         session.store().url() + "; expected an empty study");
+    for (const char* id : {"demographics", "face_validity"})
+        db::publish_on_first_use(session.store(), curriculum::load_questionnaire(id));
+    db::DefinitionRecord definition;
+    definition.kind = "study";
+    definition.id = study.id;
+    definition.version = study.version;
+    definition.json = study.json;
+    session.store().publish(definition);
+    const std::string file =
+        (curriculum::data_folder() / "studies" / "face_content_validity_simulated.csv").string();
+    const auto rows = reports::parse_csv(reports::read_file(file));
+    for (size_t r = 1; r < rows.size(); ++r) {
+        const std::string code = session.store().new_participant(study.id, true);
+        db::record_consent(session.store(), study.id, code, "en",
+                           required_statements(session, study.id));
+        for (const char* id : {"demographics", "face_validity"}) {
+            const auto questionnaire = curriculum::load_questionnaire(id);
+            db::AnswerRecord record =
+                row_answers(questionnaire, rows[0], rows[r], file + ":" + std::to_string(r + 1));
+            record.study_id = study.id;
+            record.participant = code;
+            record.demonstration = true;
+            db::submit_answers(session.store(), questionnaire, record);
+        }
+    }
+    print(context,
+          {{"study", study.id}, {"participants", rows.size() - 1}, {"demonstration", true}},
+          study.id + ": " + std::to_string(rows.size() - 1) +
+              " SIMULATED participants (demonstration); answers fit the figures that the paper "
+              "prints and are nobody's");
+    return 0;
+}
+
+void add_definition_commands(CLI::App& group, Context& context, const std::string& kind,
+                             const std::shared_ptr<Options>& options) {
+    CLI::App* list = group.add_subcommand("list", "What is published, and what is shipped");
+    list->callback([&context, kind] {
+        context.run = [&context, kind] { return list_definitions(context, kind); };
+    });
+    CLI::App* show = group.add_subcommand("show", "The text of a definition");
+    show->add_option("ID", options->id)->required();
+    show->add_option("--version", options->version, "0 = the newest");
+    show->callback([&context, kind, options] {
+        context.run = [&context, kind, options] {
+            return show_definition(context, kind, *options);
+        };
+    });
+    CLI::App* publish_command =
+        group.add_subcommand("publish", "Publishes a version for good: it is never changed");
+    publish_command->add_option("FILE", options->file, "FILE.json, or the id of a shipped one")
+        ->required();
+    publish_command->add_option("--reason", options->reason, "Needed after the first version");
+    publish_command->callback([&context, kind, options] {
+        context.run = [&context, kind, options] { return publish(context, kind, *options); };
+    });
+}
+
+}  // namespace
+
+void add_study_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* questionnaire = app.add_subcommand("questionnaire", "Instruments");
+    questionnaire->require_subcommand(1);
+    add_definition_commands(*questionnaire, context, "questionnaire", options);
+    CLI::App* study = app.add_subcommand("study", "Protocols, participants, answers");
+    study->require_subcommand(1);
+    add_definition_commands(*study, context, "study", options);
+    const auto add = [&](const char* name, const char* text,
+                         int (*work)(const Context&, const Options&)) {
+        CLI::App* command = study->add_subcommand(name, text);
+        command->add_option("STUDY", options->id, "Study id")->required();
+        command->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return command;
+    };
+    const auto with_code = [&](CLI::App* command) {
+        command->add_option("CODE", options->code, "Of the participant, e.g. P001-C")->required();
+        return command;
+    };
+    const auto with_language = [&](CLI::App* command) {
+        command->add_option("--language", options->language, "In which the text was read")
+            ->check(CLI::IsMember({"en", "pl"}))
+            ->capture_default_str();
+        return command;
+    };
+    CLI::App* enrol_command = add("enrol", "Adds a participant and prints the code", enrol);
+    with_language(enrol_command);
+    enrol_command->add_flag("--consented", options->consented,
+                            "All required statements were agreed to");
+    enrol_command->add_flag("--demonstration", options->demonstration, "A simulated participant");
+    CLI::App* consent_command = with_code(add("consent", "Records a consent", consent));
+    with_language(consent_command);
+    consent_command->add_option("--agreed", options->agreed, "Ids of the statements")->required();
+    CLI::App* step_command = with_code(add("step", "Records what a participant did", step));
+    step_command->add_option("STEP", options->step, "Id in the protocol")->required();
+    step_command->add_option("--state", options->state)
+        ->check(CLI::IsMember({"started", "done", "skipped"}))
+        ->capture_default_str();
+    step_command->add_option("--attempt", options->attempt, "Number of the attempt");
+    step_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
+    add("status", "Where everyone stands", status);
+    CLI::App* answer_command =
+        with_language(with_code(add("answer", "Saves the answers to a questionnaire", answer)));
+    answer_command->add_option("QUESTIONNAIRE", options->questionnaire, "Id or FILE.json")
+        ->required();
+    answer_command->add_option("ANSWERS", options->answers, "ITEM=VALUE ...")->required();
+    answer_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
+    CLI::App* import_command = with_language(add(
+        "import", "Answers from a table: a row a participant, a column an item", import_answers));
+    import_command->add_option("FILE", options->file, "FILE.csv with a column participant")
+        ->required();
+    import_command->add_option("--questionnaire", options->questionnaire, "Id or FILE.json")
+        ->required();
+    CLI::App* withdraw_command = with_code(add("withdraw", "A participant withdraws", withdraw));
+    withdraw_command
+        ->add_option("--mode", options->mode,
+                     "keep: data to date are used; stop: they stay, but are used no more; erase: "
+                     "they are deleted")
+        ->required()
+        ->check(CLI::IsMember({"keep", "stop", "erase"}));
+    withdraw_command->add_option("--reason", options->reason, "\"not given\" is one")->required();
+    CLI::App* demo_command =
+        study->add_subcommand("demo", "The paper's study with 14 simulated participants");
+    demo_command->callback([&context] { context.run = [&context] { return demo(context); }; });
+}
+
+}  // namespace placode::cli
