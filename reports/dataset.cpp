@@ -179,7 +179,7 @@ Field text_field(const std::string& id, const std::string& label) {
     return field;
 }
 
-Form participants_form(const Dataset& data, const std::vector<db::ParticipantRecord>& all,
+Form participants_form(const std::vector<db::ParticipantRecord>& all,
                        const std::optional<curriculum::StudyProtocol>& protocol,
                        const std::string& language) {
     Form form;
@@ -224,7 +224,6 @@ Form participants_form(const Dataset& data, const std::vector<db::ParticipantRec
             row.values["arm"] = std::to_string(each.arm);
         form.rows.push_back(std::move(row));
     }
-    (void)data;
     return form;
 }
 
@@ -378,7 +377,7 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
             ++data.participants_left_out;
         }
     }
-    data.forms.push_back(participants_form(data, all, protocol, options.language));
+    data.forms.push_back(participants_form(all, protocol, options.language));
     for (auto& record : store.answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);
@@ -390,6 +389,9 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     for (const auto& step : steps) {
         if (step.attempt_id == 0 || !usable.contains(step.participant)) continue;
         if (!seen.insert(step.attempt_id).second) continue;
+        // Getting used to the instruments is no data.
+        const auto* asked = protocol ? protocol->step(step.step) : nullptr;
+        if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
         data.attempts.push_back(store.attempt(step.attempt_id));
         owners.push_back(step.participant);
     }

@@ -486,6 +486,12 @@ TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
                                         HasSubstr("\"participants_left_out\": 1")));
     }
     EXPECT_EQ(carl("export motion-bids --study face_content_validity").status, 2) << "no attempts";
+    const Outcome report = carl("--json report study face_content_validity --out study.pdf");
+    EXPECT_EQ(report.status, 0) << report.err;
+    EXPECT_THAT(read_text(file("study.pdf")), testing::StartsWith("%PDF-"));
+    EXPECT_TRUE(fs::exists(file("study_figures/likert_face_validity_1.svg")));
+    EXPECT_EQ(carl("report study none --out none.pdf").status, 2);
+    EXPECT_FALSE(fs::exists(file("none.pdf")));
     EXPECT_EQ(carl("export word --study face_content_validity").status, 2);
     const std::string wide = read_text(file("csv/face_content_validity_face_validity.csv"));
     EXPECT_THAT(wide, Not(HasSubstr(code)));

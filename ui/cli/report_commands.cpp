@@ -1,12 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl report attempt
+// placodectl report attempt | study
+
+#include <unistd.h>
 
 #include <charconv>
+#include <iostream>
 #include <memory>
 
 #include "reports/export.h"
 #include "reports/report.h"
+#include "reports/study_report.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -16,7 +20,7 @@ using db::Action;
 using db::Scope;
 
 struct Options {
-    std::string out, id;
+    std::string out, id, figures, language = "en";
 };
 
 int report_attempt(const Context& context, const Options& options) {
@@ -42,6 +46,39 @@ int report_attempt(const Context& context, const Options& options) {
     return 0;
 }
 
+/// "x.pdf" to "x_figures".
+std::string figures_folder(const Options& options) {
+    if (!options.figures.empty()) return options.figures;
+    const std::string& out = options.out;
+    return (out.ends_with(".pdf") ? out.substr(0, out.size() - 4) : out) + "_figures";
+}
+
+int report_study(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kExportStudy, Scope::kOther);
+    if (session.store().participants(options.id).empty())
+        throw InputError("report study: found \"" + options.id +
+                         "\", which has no participants in " + session.store().url() +
+                         "; expected the id of a study, see `placodectl study list`");
+    const auto report = reports::read_study_report(session.store(), options.id, options.language);
+    reports::write_study_pdf(report, options.out, [](const std::string& what) {
+        if (isatty(STDERR_FILENO) != 0) std::cerr << "making: " << what << '\n';
+    });
+    const auto files = reports::write_study_figures(report, figures_folder(options));
+    session.store().audit(session.actor(), "report.study", "study " + options.id, options.out);
+    print(context,
+          {{"study", options.id},
+           {"path", options.out},
+           {"figures", files},
+           {"participants", report.data.participants.size()},
+           {"participants_left_out", report.data.participants_left_out},
+           {"demonstration", report.data.demonstration}},
+          "wrote " + options.out + " and " + std::to_string(files.size()) + " files in " +
+              figures_folder(options) +
+              (report.data.demonstration ? "; holds DEMONSTRATION data" : ""));
+    return 0;
+}
+
 }  // namespace
 
 void add_report_commands(CLI::App& app, Context& context) {
@@ -53,6 +90,18 @@ void add_report_commands(CLI::App& app, Context& context) {
     attempt->add_option("--out", options->out, "FILE.pdf")->required();
     attempt->callback([&context, options] {
         context.run = [&context, options] { return report_attempt(context, *options); };
+    });
+    CLI::App* study = report->add_subcommand(
+        "study", "Methods, flow, tables and figures of a study, ready to attach to a paper");
+    study->add_option("ID", options->id, "Study id")->required();
+    study->add_option("--out", options->out, "FILE.pdf")->required();
+    study->add_option("--figures", options->figures,
+                      "Folder for every figure as SVG, PNG and CSV (default: FILE_figures)");
+    study->add_option("--language", options->language, "Of the questions")
+        ->check(CLI::IsMember({"en", "pl"}))
+        ->capture_default_str();
+    study->callback([&context, options] {
+        context.run = [&context, options] { return report_study(context, *options); };
     });
 }
 

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/figure.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QSvgGenerator>
+
+#include "reports/export.h"
+#include "reports/plot_parts.h"
+
+namespace placode::reports {
+namespace {
+
+constexpr double kTitle = 24, kMargin = 10;
+
+/// Title, drawing and mark: what stands in a file of its own.
+void draw_whole(const Figure& figure, QPainter& painter, bool demonstration) {
+    const ChartStyle style;
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(QRectF(0, 0, figure.width + 2 * kMargin, figure.height + kTitle + 2 * kMargin),
+                     QColor::fromRgba(style.surface));
+    QString title = QString::fromStdString(figure.title);
+    // In front: the end of a long title may be cut off.
+    if (demonstration) title.prepend(QStringLiteral("DEMONSTRATION - "));
+    draw_text(painter, QRectF(kMargin, kMargin, figure.width, kTitle - 6), Qt::AlignLeft, title,
+              style.text, 13, true);
+    figure.draw(painter, QRectF(kMargin, kMargin + kTitle, figure.width, figure.height));
+}
+
+}  // namespace
+
+void save_figure(const Figure& figure, const std::string& folder, bool demonstration) {
+    const QSize size(static_cast<int>(figure.width + 2 * kMargin),
+                     static_cast<int>(figure.height + kTitle + 2 * kMargin));
+    const std::string stem = folder + "/" + file_name(figure.id);
+    QByteArray svg;
+    {
+        QBuffer buffer(&svg);
+        QSvgGenerator generator;
+        generator.setOutputDevice(&buffer);
+        generator.setSize(size);
+        generator.setViewBox(QRect(QPoint(0, 0), size));
+        // Qt writes both as they are: an ampersand would break the file.
+        generator.setTitle(QString::fromStdString(figure.title).toHtmlEscaped());
+        generator.setDescription(QString::fromStdString(figure.caption).toHtmlEscaped());
+        QPainter painter(&generator);
+        draw_whole(figure, painter, demonstration);
+    }
+    save_file(stem + ".svg", svg.toStdString());
+    constexpr int kScale = 3;  // 288 dpi
+    QImage image(size * kScale, QImage::Format_RGB32);
+    image.setDotsPerMeterX(kScale * 3780);
+    image.setDotsPerMeterY(kScale * 3780);
+    {
+        QPainter painter(&image);
+        painter.scale(kScale, kScale);
+        draw_whole(figure, painter, demonstration);
+    }
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    if (!image.save(&buffer, "PNG")) throw ReportError("write " + stem + ".png: cannot be encoded");
+    save_file(stem + ".png", png.toStdString());
+    save_file(stem + ".csv", figure.csv);
+}
+
+}  // namespace placode::reports

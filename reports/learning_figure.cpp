@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Learning curves with a CUSUM chart below, and the flow of participants.
+
+#include <QLocale>
+#include <algorithm>
+
+#include "reports/csv_table.h"
+#include "reports/figure.h"
+#include "reports/plot_parts.h"
+
+namespace placode::reports {
+namespace {
+
+QColor ink(unsigned argb) { return QColor::fromRgba(argb); }
+
+std::string plain(double value) {
+    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
+}
+
+struct Panel {
+    QRectF plot;
+    LinearScale x, y;
+};
+
+void draw_axes(QPainter& painter, const Panel& panel, const QString& name, bool with_x,
+               const ChartStyle& style) {
+    for (const double tick : round_ticks(panel.y.low, panel.y.high, 5)) {
+        const double y = panel.y.at(tick);
+        painter.setPen(QPen(ink(style.line), 0.8));
+        painter.drawLine(QPointF(panel.plot.left(), y), QPointF(panel.plot.right(), y));
+        draw_text(painter, QRectF(panel.plot.left() - 46, y - 8, 40, 16),
+                  Qt::AlignRight | Qt::AlignVCenter, QString::number(tick, 'g', 4), style.muted,
+                  11);
+    }
+    draw_text(painter, QRectF(panel.plot.left() - 46, panel.plot.top() - 18, 400, 16),
+              Qt::AlignLeft, name, style.muted, 11);
+    if (!with_x) return;
+    for (int trial = 1; trial <= static_cast<int>(panel.x.high); ++trial)
+        draw_text(painter, QRectF(panel.x.at(trial) - 20, panel.plot.bottom() + 3, 40, 14),
+                  Qt::AlignCenter, QString::number(trial), style.muted, 11);
+    draw_text(painter, QRectF(panel.plot.left(), panel.plot.bottom() + 18, panel.plot.width(), 14),
+              Qt::AlignCenter, QStringLiteral("attempt"), style.muted, 11);
+}
+
+void draw_line(QPainter& painter, const Panel& panel, const std::vector<double>& values, int first,
+               const QPen& pen, double dot) {
+    QPolygonF line;
+    for (size_t i = 0; i < values.size(); ++i)
+        line << QPointF(panel.x.at(first + static_cast<double>(i)), panel.y.at(values[i]));
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+    painter.setBrush(pen.color());
+    for (const QPointF& point : line) painter.drawEllipse(point, dot, dot);
+}
+
+void draw_limit(QPainter& painter, const Panel& panel, double value, const QString& name,
+                const ChartStyle& style) {
+    painter.setPen(QPen(ink(style.warn), 1.2, Qt::DashLine));
+    painter.drawLine(QPointF(panel.plot.left(), panel.y.at(value)),
+                     QPointF(panel.plot.right(), panel.y.at(value)));
+    draw_text(painter, QRectF(panel.plot.right() + 6, panel.y.at(value) - 8, 150, 16),
+              Qt::AlignVCenter, name, style.text, 11);
+}
+
+std::vector<double> means_of(const std::vector<LearningLine>& lines) {
+    std::vector<double> means;
+    for (size_t trial = 0;; ++trial) {
+        double sum = 0;
+        int n = 0;
+        for (const LearningLine& line : lines)
+            if (trial < line.points.size()) sum += line.points[trial], ++n;
+        if (n == 0) return means;
+        means.push_back(sum / n);
+    }
+}
+
+void draw_learning(QPainter& painter, const QRectF& where, const std::vector<LearningLine>& lines,
+                   double pass_points, const assessment::CusumLimits& limits,
+                   const ChartStyle& style) {
+    size_t longest = 1;
+    for (const LearningLine& line : lines) longest = std::max(longest, line.points.size());
+    Panel scores, sums;
+    const double left = where.left() + 52, right = where.right() - 160;
+    scores.plot = QRectF(left, where.top() + 22, right - left, where.height() * 0.5 - 30);
+    sums.plot = QRectF(left, where.top() + where.height() * 0.5 + 22, right - left,
+                       where.height() * 0.5 - 62);
+    // From 0, because the CUSUM begins there, before the first attempt.
+    scores.x = sums.x = {-0.2, static_cast<double>(longest) + 0.3, left, right};
+    scores.y = {0, 100, scores.plot.bottom(), scores.plot.top()};
+    double low = limits.h0_lower, high = limits.h1_upper;
+    std::vector<std::vector<double>> paths;
+    for (const LearningLine& line : lines) {
+        paths.push_back(assessment::cusum(line.failed, limits).path);
+        paths.back().insert(paths.back().begin(), 0);
+        for (const double value : paths.back())
+            low = std::min(low, value), high = std::max(high, value);
+    }
+    sums.y = {low - 0.5, high + 0.5, sums.plot.bottom(), sums.plot.top()};
+    draw_axes(painter, scores, QStringLiteral("score [points of 100]"), false, style);
+    draw_limit(painter, scores, pass_points, QStringLiteral("pass at ") + number(pass_points, 0),
+               style);
+    for (const LearningLine& line : lines)
+        draw_line(painter, scores, line.points, 1, QPen(ink(style.muted), 0.8), 1.6);
+    draw_line(painter, scores, means_of(lines), 1, QPen(ink(style.accent), 2.4), 3.4);
+    draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, 150, 16), Qt::AlignLeft,
+              QStringLiteral("thick: mean of all"), style.accent, 11);
+    draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, 150, 16), Qt::AlignLeft,
+              QStringLiteral("thin: each person"), style.muted, 11);
+    draw_axes(painter, sums, QStringLiteral("CUSUM of attempts not passed"), true, style);
+    draw_limit(painter, sums, limits.h1_upper, "h1 " + number(limits.h1_upper, 2) + " unacceptable",
+               style);
+    draw_limit(painter, sums, limits.h0_lower, "h0 " + number(limits.h0_lower, 2) + " acceptable",
+               style);
+    for (const auto& path : paths)
+        draw_line(painter, sums, path, 0, QPen(ink(style.muted), 0.9), 1.6);
+}
+
+struct Box {
+    QString text;
+    bool aside = false;
+};
+
+void draw_flow(QPainter& painter, const QRectF& where, const std::vector<Box>& boxes,
+               const ChartStyle& style) {
+    constexpr double kBox = 34, kStep = 50;
+    double y = where.top() + 2;
+    const double middle = where.left() + 170;
+    for (size_t i = 0; i < boxes.size(); ++i) {
+        const QRectF frame = boxes[i].aside ? QRectF(middle + 170, y, 320, kBox)
+                                            : QRectF(middle - 150, y, 300, kBox);
+        painter.setPen(QPen(ink(style.muted), 1));
+        if (boxes[i].aside) {
+            painter.drawLine(QPointF(middle, y + kBox / 2), QPointF(frame.left(), y + kBox / 2));
+        } else if (i > 0) {
+            const double above = y - (boxes[i - 1].aside ? 2 * kStep : kStep) + kBox;
+            painter.drawLine(QPointF(middle, above), QPointF(middle, y - 5));
+            painter.setBrush(ink(style.muted));
+            painter.drawPolygon(QPolygonF(
+                {QPointF(middle, y), QPointF(middle - 4, y - 7), QPointF(middle + 4, y - 7)}));
+        }
+        painter.setBrush(ink(style.surface));
+        painter.drawRect(frame);
+        draw_text(painter, frame.adjusted(6, 0, -6, 0), Qt::AlignCenter, boxes[i].text, style.text,
+                  12);
+        y += kStep;
+    }
+}
+
+}  // namespace
+
+Figure learning_figure(const std::string& id, const std::string& title,
+                       const std::vector<LearningLine>& lines, double pass_points,
+                       const assessment::CusumLimits& limits, const ChartStyle& style) {
+    Figure figure;
+    figure.id = id;
+    figure.title = title;
+    figure.caption =
+        "Scores over attempts and, below, the CUSUM of attempts that were not passed (Bolsin & "
+        "Colson 2000) with its limits; p0 " +
+        number(limits.p0, 2).toStdString() + ", p1 " + number(limits.p1, 2).toStdString() +
+        ", alpha " + number(limits.alpha, 2).toStdString() + ", beta " +
+        number(limits.beta, 2).toStdString() + ".";
+    figure.height = 430;
+    figure.csv = csv_line({"participant", "attempt", "points", "passed", "cusum"});
+    for (const LearningLine& line : lines) {
+        const auto path = assessment::cusum(line.failed, limits).path;
+        for (size_t i = 0; i < line.points.size(); ++i)
+            figure.csv += csv_line({line.label, std::to_string(i + 1), plain(line.points[i]),
+                                    line.failed[i] ? "0" : "1", plain(path[i])});
+    }
+    figure.draw = [lines, pass_points, limits, style](QPainter& painter, const QRectF& where) {
+        draw_learning(painter, where, lines, pass_points, limits, style);
+    };
+    return figure;
+}
+
+Figure flow_figure(const std::string& id, const std::string& title, const FlowNumbers& numbers,
+                   const ChartStyle& style) {
+    std::vector<Box> boxes;
+    const auto add = [&](const std::string& text, int n, bool aside) {
+        boxes.push_back(
+            {QString::fromStdString(text) + " (n = " + QString::number(n) + ")", aside});
+    };
+    Figure figure;
+    figure.csv = csv_line({"stage", "n"});
+    const auto both = [&](const std::string& text, int n, bool aside) {
+        add(text, n, aside);
+        figure.csv += csv_line({harmless(text), std::to_string(n)});
+    };
+    both("enrolled", numbers.enrolled, false);
+    const int left = numbers.stopped + numbers.erased;
+    if (left > 0) both("withdrew, data not used or erased", left, true);
+    if (numbers.kept > 0) both("withdrew, data to date are used", numbers.kept, true);
+    if (numbers.consented >= 0) both("consented", numbers.consented, false);
+    for (const auto& [step, n] : numbers.reached) both(step, n, false);
+    both("analysed", numbers.analysed, false);
+    figure.id = id;
+    figure.title = title;
+    figure.caption = "Flow of participants.";
+    figure.height = 50 * static_cast<double>(boxes.size()) + 4;
+    figure.draw = [boxes, style](QPainter& painter, const QRectF& where) {
+        draw_flow(painter, where, boxes, style);
+    };
+    return figure;
+}
+
+}  // namespace placode::reports

@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Strips of single values with boxes, and forests of effect sizes: for groups that are too small
+// for a box alone.
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "assessment/statistics.h"
+#include "reports/csv_table.h"
+#include "reports/figure.h"
+#include "reports/plot_parts.h"
+
+namespace placode::reports {
+namespace {
+
+QColor ink(unsigned argb) { return QColor::fromRgba(argb); }
+
+std::string plain(double value) {
+    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
+}
+
+/// Vertical lines with numbers below, and the name of the axis.
+void draw_axis(QPainter& painter, const QRectF& plot, const LinearScale& x, const QString& name,
+               const ChartStyle& style) {
+    for (const double tick : round_ticks(x.low, x.high, 6)) {
+        painter.setPen(QPen(ink(style.line), 0.8));
+        painter.drawLine(QPointF(x.at(tick), plot.top()), QPointF(x.at(tick), plot.bottom()));
+        draw_text(painter, QRectF(x.at(tick) - 40, plot.bottom() + 2, 80, 14), Qt::AlignCenter,
+                  QString::number(tick, 'g', 4), style.muted, 11);
+    }
+    draw_text(painter, QRectF(plot.left(), plot.bottom() + 16, plot.width(), 14), Qt::AlignCenter,
+              name, style.muted, 11);
+}
+
+/// Points that would hide each other are stacked above and below the middle.
+void draw_points(QPainter& painter, const std::vector<double>& sorted, const LinearScale& x,
+                 double y, const ChartStyle& style) {
+    painter.setPen(QPen(ink(style.surface), 0.8));
+    painter.setBrush(ink(style.accent));
+    for (size_t i = 0; i < sorted.size();) {
+        size_t end = i;
+        while (end < sorted.size() && std::abs(x.at(sorted[end]) - x.at(sorted[i])) < 3) ++end;
+        const size_t count = end - i;
+        const double step = std::min(5.0, 22.0 / static_cast<double>(count));
+        for (size_t k = 0; k < count; ++k) {
+            const double offset = (static_cast<double>(k) - (static_cast<double>(count) - 1) / 2);
+            painter.drawEllipse(QPointF(x.at(sorted[i + k]), y + step * offset), 3, 3);
+        }
+        i = end;
+    }
+}
+
+void draw_group(QPainter& painter, const std::vector<double>& sorted, const LinearScale& x,
+                double y, const ChartStyle& style) {
+    if (sorted.size() >= 4) {
+        const QRectF box(QPointF(x.at(assessment::quantile(sorted, 0.25)), y - 13),
+                         QPointF(x.at(assessment::quantile(sorted, 0.75)), y + 13));
+        painter.setPen(QPen(ink(style.muted), 1));
+        painter.setBrush(QColor(0x5f, 0x66, 0x6e, 30));
+        painter.drawRect(box);
+        painter.drawLine(QPointF(x.at(sorted.front()), y), QPointF(box.left(), y));
+        painter.drawLine(QPointF(box.right(), y), QPointF(x.at(sorted.back()), y));
+        const double median = x.at(assessment::quantile(sorted, 0.5));
+        painter.setPen(QPen(ink(style.text), 2));
+        painter.drawLine(QPointF(median, y - 13), QPointF(median, y + 13));
+    }
+    draw_points(painter, sorted, x, y, style);
+    if (const auto mean = assessment::mean_of(sorted)) {
+        const double at = x.at(*mean);
+        painter.setPen(QPen(ink(style.text), 1));
+        painter.setBrush(ink(style.surface));
+        painter.drawPolygon(QPolygonF(
+            {QPointF(at, y - 5), QPointF(at + 5, y), QPointF(at, y + 5), QPointF(at - 5, y)}));
+    }
+}
+
+void draw_strips(QPainter& painter, const QRectF& where, const std::vector<StripGroup>& groups,
+                 const QString& axis, const ChartStyle& style) {
+    constexpr double kLabel = 230, kRight = 60, kFoot = 34;
+    const QRectF plot = where.adjusted(kLabel, 4, -kRight, -kFoot);
+    double low = 1e300, high = -1e300;
+    for (const StripGroup& group : groups)
+        for (const double value : group.values)
+            low = std::min(low, value), high = std::max(high, value);
+    if (low > high) low = 0, high = 1;
+    const double margin = low == high ? 1 : 0.05 * (high - low);
+    const LinearScale x{low - margin, high + margin, plot.left(), plot.right()};
+    draw_axis(painter, plot, x, axis, style);
+    const double row = plot.height() / static_cast<double>(std::max<size_t>(1, groups.size()));
+    for (size_t i = 0; i < groups.size(); ++i) {
+        const double y = plot.top() + (static_cast<double>(i) + 0.5) * row;
+        draw_wrapped(painter, QRectF(where.left(), y - row / 2, kLabel - 12, row),
+                     Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(groups[i].label),
+                     style.text, 11);
+        std::vector<double> sorted = groups[i].values;
+        std::sort(sorted.begin(), sorted.end());
+        draw_group(painter, sorted, x, y, style);
+        draw_text(painter, QRectF(plot.right() + 8, y - 8, kRight - 8, 16), Qt::AlignVCenter,
+                  QString("n %1").arg(sorted.size()), style.text, 11);
+    }
+}
+
+void draw_forest(QPainter& painter, const QRectF& where, const std::vector<ForestRow>& rows,
+                 const QString& axis, double low, double high, const ChartStyle& style) {
+    constexpr double kLabel = 230, kRight = 190, kFoot = 34;
+    const QRectF plot = where.adjusted(kLabel, 4, -kRight, -kFoot);
+    const LinearScale x{low, high, plot.left(), plot.right()};
+    draw_axis(painter, plot, x, axis, style);
+    painter.setPen(QPen(ink(style.muted), 1.2, Qt::DashLine));
+    painter.drawLine(QPointF(x.at(0), plot.top()), QPointF(x.at(0), plot.bottom()));
+    const double row = plot.height() / static_cast<double>(std::max<size_t>(1, rows.size()));
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const ForestRow& each = rows[i];
+        const double y = plot.top() + (static_cast<double>(i) + 0.5) * row;
+        draw_wrapped(painter, QRectF(where.left(), y - row / 2, kLabel - 12, row),
+                     Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(each.label),
+                     style.text, 11);
+        painter.setPen(QPen(ink(style.accent), 2));
+        if (!each.no_interval) {
+            painter.drawLine(QPointF(x.at(each.low), y), QPointF(x.at(each.high), y));
+            for (const double end : {each.low, each.high})
+                painter.drawLine(QPointF(x.at(end), y - 4), QPointF(x.at(end), y + 4));
+        }
+        painter.setBrush(ink(style.accent));
+        painter.setPen(Qt::NoPen);
+        painter.drawRect(QRectF(x.at(each.estimate) - 4, y - 4, 8, 8));
+        const QString interval = each.no_interval
+                                     ? QStringLiteral("no interval")
+                                     : number(each.low, 2) + " to " + number(each.high, 2);
+        draw_text(painter, QRectF(plot.right() + 8, y - 15, kRight - 8, 15), Qt::AlignVCenter,
+                  number(each.estimate, 2) + "  (" + interval + ")", style.text, 11);
+        draw_text(painter, QRectF(plot.right() + 8, y, kRight - 8, 15), Qt::AlignVCenter,
+                  QString::fromStdString(each.note), style.muted, 11);
+    }
+}
+
+}  // namespace
+
+Figure strip_figure(const std::string& id, const std::string& title, const std::string& axis,
+                    const std::vector<StripGroup>& groups, const ChartStyle& style) {
+    Figure figure;
+    figure.id = id;
+    figure.title = title;
+    figure.caption =
+        "Every value is a point; box: quartiles (type 7), line: median, diamond: mean, whiskers: "
+        "least and greatest value.";
+    figure.height = 42 + 48 * static_cast<double>(std::max<size_t>(1, groups.size()));
+    figure.csv = csv_line({"group", "value"});
+    for (const StripGroup& group : groups)
+        for (const double value : group.values)
+            figure.csv += csv_line({harmless(group.label), plain(value)});
+    figure.draw = [groups, style, name = QString::fromStdString(axis)](QPainter& painter,
+                                                                       const QRectF& where) {
+        draw_strips(painter, where, groups, name, style);
+    };
+    return figure;
+}
+
+Figure forest_figure(const std::string& id, const std::string& title, const std::string& axis,
+                     const std::vector<ForestRow>& rows, double low, double high,
+                     const ChartStyle& style) {
+    Figure figure;
+    figure.id = id;
+    figure.title = title;
+    figure.caption = "Squares: estimates, lines: 95 % intervals, dashed: no effect.";
+    figure.height = 42 + 36 * static_cast<double>(std::max<size_t>(1, rows.size()));
+    figure.csv = csv_line({"item", "estimate", "low95", "high95", "note"});
+    for (const ForestRow& row : rows)
+        figure.csv += csv_line({harmless(row.label), plain(row.estimate),
+                                row.no_interval ? "" : plain(row.low),
+                                row.no_interval ? "" : plain(row.high), harmless(row.note)});
+    figure.draw = [rows, style, low, high, name = QString::fromStdString(axis)](
+                      QPainter& painter, const QRectF& where) {
+        draw_forest(painter, where, rows, name, low, high, style);
+    };
+    return figure;
+}
+
+}  // namespace placode::reports

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The report of a study on A4, ready to attach to a paper: methods, flow of participants, tables,
+// figures, what the sample cannot carry, versions.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "reports/dataset.h"
+#include "reports/figure.h"
+#include "reports/study_numbers.h"
+
+namespace placode::reports {
+
+struct StudyReport {
+    Dataset data;
+    std::vector<curriculum::Questionnaire> instruments;  ///< Of the data set's forms.
+    std::vector<db::StepRecord> steps;
+    std::vector<db::ParticipantRecord> everybody;  ///< With those who left.
+};
+
+/// Reads what the report needs. Throws ReportError as study_dataset() does.
+[[nodiscard]] StudyReport read_study_report(db::Store& store, const std::string& study_id,
+                                            const std::string& language = "en");
+
+/// All figures that the data allow.
+[[nodiscard]] std::vector<Figure> study_figures(const StudyReport& report,
+                                                const StudyNumbers& numbers);
+
+/// @param progress is told what is being made, may be empty. Needs a QGuiApplication.
+void write_study_pdf(const StudyReport& report, const std::string& path,
+                     const std::function<void(const std::string&)>& progress = {});
+
+/// Every figure as SVG, PNG and CSV. Returns the paths.
+std::vector<std::string> write_study_figures(const StudyReport& report, const std::string& folder);
+
+}  // namespace placode::reports
