@@ -186,7 +186,8 @@ int score(const Context& context, const Options& options) {
                                    {"points", reason.points},
                                    {"time_s", reason.time_s},
                                    {"critical", reason.critical}});
-        rows.push_back({"  -" + fixed(reason.points, 1), reason.text,
+        // A critical error may fail the attempt without taking points.
+        rows.push_back({reason.points > 0 ? "  -" + fixed(reason.points, 1) : "  !", reason.text,
                         reason.time_s < 0 ? "" : "at " + fixed(reason.time_s, 1) + " s",
                         reason.critical ? "critical" : ""});
     }
