@@ -87,7 +87,7 @@ std::vector<AccuracyRow> measure_accuracy(const AccuracyOptions& options) {
     measure_beams(table);
     measure_motion(table);
     measure_indentation(table);
-    if (!options.quick) measure_field(table);
+    if (options.field) measure_field(table);
     return table.rows();
 }
 

@@ -28,7 +28,8 @@ struct AccuracyRow {
 };
 
 struct AccuracyOptions {
-    bool quick = false;  ///< Small meshes and few steps only; the field is left out.
+    bool quick = false;  ///< Small meshes and few steps only.
+    bool field = true;   ///< With the default operative field (some minutes).
     /// Called after every row.
     std::function<void(const AccuracyRow&)> progress;
 };

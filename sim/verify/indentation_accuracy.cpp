@@ -58,7 +58,7 @@ VerificationScene block(int cells, double edge_m) {
 }  // namespace
 
 void measure_indentation(AccuracyTable& table) {
-    const int cells = table.quick() ? 8 : 14;
+    const int cells = table.quick() ? 8 : 12;
     const double edge = (table.quick() ? 0.3 : 0.2) * std::sqrt(kRadius * kDepth);
     const double hertz =
         4.0 / 3 * kE / (1 - kNu * kNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Free motion: period and decay of an oscillation, momentum, energy, free fall.
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -14,36 +15,47 @@ struct Oscillation {
     double decay_per_s = 0;  ///< Of the amplitude.
 };
 
-/// From the extremes of the probe's height, refined by a parabola through three samples: the period
-/// is the mean over whole swings, the decay a fit to the swings between neighbouring extremes.
+/// Squares left over by the best c + e^(-d t) (a cos w t + b sin w t).
+double misfit(const SolveResult& result, double omega, double decay) {
+    Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();  // of the three functions and of z itself
+    for (size_t i = 0; i < result.probe_m.size(); ++i) {
+        const double t = result.sample_time_s[i], e = std::exp(-decay * t);
+        const Eigen::Vector4d f(1, e * std::cos(omega * t), e * std::sin(omega * t),
+                                result.probe_m[i][0].z() - result.probe_m[0][0].z());
+        sums += f * f.transpose();
+    }
+    const Eigen::Vector3d right = sums.block<3, 1>(0, 3);
+    const Eigen::Vector3d best = sums.topLeftCorner<3, 3>().ldlt().solve(right);
+    return sums(3, 3) - best.dot(right);
+}
+
+/// The damped sine next to the motion (least squares): higher modes stay out of period and decay.
 Oscillation oscillation(const SolveResult& result) {
-    const auto z = [&](size_t i) { return result.probe_m[i][0].z(); };
-    std::vector<double> when, what;
-    for (size_t i = 1; i + 1 < result.probe_m.size(); ++i) {
-        const double before = z(i) - z(i - 1), after = z(i + 1) - z(i);
-        if (before * after > 0 || before == 0) continue;
-        const double bend = after - before;
-        const double shift = bend != 0 ? -0.5 * (before + after) / bend : 0;
-        const double dt = result.sample_time_s[i] - result.sample_time_s[i - 1];
-        when.push_back(result.sample_time_s[i] + shift * dt);
-        what.push_back(z(i) + 0.25 * shift * (before + after));
+    double omega = 0, decay = 2, least = 1e300;
+    for (double w = 10; w < 150; w += 0.5) {
+        for (const double d : {0.5, 2.0, 8.0}) {
+            if (const double m = misfit(result, w, d); m < least) {
+                least = m;
+                omega = w;
+                decay = d;
+            }
+        }
     }
-    Oscillation out;
-    if (when.size() < 4) return out;
-    const size_t swings = (when.size() - 1) / 2;
-    out.period_s = (when[2 * swings] - when[0]) / static_cast<double>(swings);
-    double n = 0, t = 0, y = 0, tt = 0, ty = 0;
-    for (size_t i = 0; i + 1 < when.size(); ++i) {
-        const double middle = 0.5 * (when[i] + when[i + 1]);
-        const double size = std::log(std::max(std::abs(what[i + 1] - what[i]), 1e-300));
-        n += 1;
-        t += middle;
-        y += size;
-        tt += middle * middle;
-        ty += middle * size;
+    // Pattern search from the best point of the grid.
+    for (double dw = 0.25, dd = 1; dw > 1e-5; dw /= 2, dd /= 2) {
+        for (bool better = true; better;) {
+            better = false;
+            for (const auto& [a, b] : {std::pair{dw, 0.0}, {-dw, 0.0}, {0.0, dd}, {0.0, -dd}}) {
+                const double m = misfit(result, omega + a, decay + b);
+                if (!(m < least)) continue;
+                least = m;
+                omega += a;
+                decay += b;
+                better = true;
+            }
+        }
     }
-    out.decay_per_s = -(n * ty - t * y) / (n * tt - t * t);
-    return out;
+    return {static_cast<double>(2 * EIGEN_PI) / omega, decay};
 }
 
 /// A soft beam swings about its sag after gravity is switched on; damping 2 / s takes 1 / s off the

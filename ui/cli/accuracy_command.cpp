@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 using sim::AccuracyRow;
 
 struct Options {
-    bool quick = false;
+    bool quick = false, field = false;
     std::string out, report;
 };
 
@@ -199,13 +199,13 @@ std::string conclusions(const std::vector<AccuracyRow>& rows) {
 }
 
 std::string report_of(const std::vector<AccuracyRow>& rows, const std::vector<Figure>& figures,
-                      const Json& machine, const std::string& figure_folder, bool quick,
+                      const Json& machine, const std::string& figure_folder, bool quick, bool field,
                       double wall_s) {
     std::string text =
         "<!-- Written by `placodectl bench accuracy`; run it again instead of editing. -->\n"
         "# Accuracy of the tissue solvers\n\n";
     text += "Measured with `placodectl bench accuracy" + std::string(quick ? " --quick" : "") +
-            "` on " + machine["processor"].get<std::string>() + " (" +
+            (field ? " --field" : "") + "` on " + machine["processor"].get<std::string>() + " (" +
             std::to_string(machine["logical_cores"].get<int>()) + " logical cores), " +
             machine["system"].get<std::string>() + ", " + machine["compiler"].get<std::string>() +
             ", " + machine["build"].get<std::string>() + ", kernels " +
@@ -267,6 +267,7 @@ int accuracy(const Context& context, const Options& options) {
     }
     sim::AccuracyOptions measured;
     measured.quick = options.quick;
+    measured.field = options.field || !options.quick;
     measured.progress = [](const AccuracyRow& row) {
         std::cerr << row.study << ", " << row.setting << ", " << row.method << ", h "
                   << fixed(row.h_s * 1e3, 4) << " ms: " << row.quantity << ": "
@@ -296,8 +297,8 @@ int accuracy(const Context& context, const Options& options) {
         figures = write_figures(rows, out);
         write_text(out / "bench_accuracy.csv", csv_of(rows));
         write_text(out / "bench_accuracy.json", json.dump(2) + "\n");
-        write_text(out / "REPORT.md",
-                   report_of(rows, figures, json["machine"], "", options.quick, wall));
+        write_text(out / "REPORT.md", report_of(rows, figures, json["machine"], "", options.quick,
+                                                options.field, wall));
     }
     if (!options.report.empty()) {
         // Figures stand in figures/ beside the report.
@@ -305,8 +306,8 @@ int accuracy(const Context& context, const Options& options) {
         std::error_code error;
         fs::create_directories(folder, error);
         figures = write_figures(rows, folder);
-        write_text(options.report,
-                   report_of(rows, figures, json["machine"], "figures/", options.quick, wall));
+        write_text(options.report, report_of(rows, figures, json["machine"], "figures/",
+                                             options.quick, options.field, wall));
     }
     print(context, json, table(cells));
     return 0;
