@@ -435,7 +435,7 @@ TEST(OperativeField, RefusesDegenerateSpecsByFieldValueAndRange) {
         {"asymmetry_m = 0.004", [](auto& s) { s.asymmetry_m = 0.004; }},
         {"skin_prestretch = 0.5", [](auto& s) { s.skin_prestretch = 0.5; }},
         {"tethers = -1", [](auto& s) { s.tethers = -1; }},
-        {"tools = 4", [](auto& s) { s.tools.resize(4); }},
+        {"tools = 5", [](auto& s) { s.tools.resize(5); }},  // one more than kMaxTools
         {"materials.gel.poissons_ratio = 0.5",
          [](auto& s) { s.materials[static_cast<size_t>(Tissue::kGel)].poissons_ratio = 0.5; }},
     };
