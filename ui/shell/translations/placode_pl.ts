@@ -582,6 +582,58 @@
 <context>
     <name>Metric</name>
     <message>
+        <source>Placode released</source>
+        <translation>Uwolnienie płytki</translation>
+    </message>
+    <message>
+        <source>Placode cut by scissors</source>
+        <translation>Płytka przecięta nożyczkami</translation>
+    </message>
+    <message>
+        <source>Skin cut by scissors</source>
+        <translation>Skóra przecięta nożyczkami</translation>
+    </message>
+    <message>
+        <source>Snips</source>
+        <translation>Cięcia nożyczkami</translation>
+    </message>
+    <message>
+        <source>Pieces taken out</source>
+        <translation>Wyjęte fragmenty</translation>
+    </message>
+    <message>
+        <source>Resected tissue</source>
+        <translation>Usunięta tkanka</translation>
+    </message>
+    <message>
+        <source>Marked tissue resected</source>
+        <translation>Usunięta tkanka oznaczona</translation>
+    </message>
+    <message>
+        <source>Grasps</source>
+        <translation>Uchwycenia</translation>
+    </message>
+    <message>
+        <source>Held lifted</source>
+        <translation>Czas uniesienia</translation>
+    </message>
+    <message>
+        <source>Slips of the grasper</source>
+        <translation>Wyślizgnięcia z chwytaka</translation>
+    </message>
+    <message>
+        <source>Crushed</source>
+        <translation>Zmiażdżenia</translation>
+    </message>
+    <message>
+        <source>Pulled too hard</source>
+        <translation>Zbyt silne pociągnięcia</translation>
+    </message>
+    <message>
+        <source>Peak traction</source>
+        <translation>Największa siła pociągania</translation>
+    </message>
+    <message>
         <source>Time</source>
         <translation>Czas</translation>
     </message>
