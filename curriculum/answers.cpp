@@ -9,24 +9,19 @@
 #include <set>
 
 #include "curriculum/questionnaire.h"
+#include "sim/number_text.h"
 
 namespace placode::curriculum {
 
 namespace {
-
-std::string plain(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    return {text, end.ptr};
-}
 
 std::optional<std::string> check_number(const std::string& answer, double low, double high,
                                         bool whole) {
     const std::optional<double> value = answer_number(answer);
     if (!value) return "\"" + answer + "\" is not a number";
     if (whole && *value != std::floor(*value)) return answer + " is not a whole number";
-    if (*value < low) return answer + " is below " + plain(low);
-    if (*value > high) return answer + " is above " + plain(high);
+    if (*value < low) return answer + " is below " + sim::shortest_text(low);
+    if (*value > high) return answer + " is above " + sim::shortest_text(high);
     return std::nullopt;
 }
 

@@ -8,7 +8,6 @@
 #pragma GCC diagnostic ignored "-Wrestrict"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
@@ -18,16 +17,11 @@
 #include <valijson/validator.hpp>
 
 #include "curriculum/json_reader.h"
+#include "sim/number_text.h"
 
 namespace placode::curriculum {
 
 namespace {
-
-std::string number_text(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    return {text, end.ptr};
-}
 
 /// What was found, short enough for a message.
 std::string found_text(const Json& value) {
@@ -124,9 +118,9 @@ class Explainer {
             text.append("a ").append(type);
         if (schema.contains("unit")) text += " in " + schema["unit"].get<std::string>();
         const bool open_low = schema.contains("exclusiveMinimum");
-        if (open_low) text += " above " + number_text(schema["exclusiveMinimum"]);
-        if (schema.contains("minimum")) text += " from " + number_text(schema["minimum"]);
-        if (schema.contains("maximum")) text += " to " + number_text(schema["maximum"]);
+        if (open_low) text += " above " + sim::shortest_text(schema["exclusiveMinimum"]);
+        if (schema.contains("minimum")) text += " from " + sim::shortest_text(schema["minimum"]);
+        if (schema.contains("maximum")) text += " to " + sim::shortest_text(schema["maximum"]);
         if (type == "array" && schema.contains("items")) {
             if (schema.contains("minItems") && schema.value("maxItems", 0) == schema["minItems"])
                 text += " of " + std::to_string(schema["minItems"].get<int>());
@@ -165,7 +159,8 @@ class Explainer {
                           number <= schema["exclusiveMinimum"].get<double>());
         const bool high = schema.contains("maximum") && number > schema["maximum"].get<double>();
         if (low || high)
-            fail(pointer, number_text(number) + (low ? " is too small" : " is too large"), schema);
+            fail(pointer, sim::shortest_text(number) + (low ? " is too small" : " is too large"),
+                 schema);
     }
 
     void check_object(const Json& value, const Json& schema, const std::string& pointer) const {

@@ -3,7 +3,6 @@
 #include "curriculum/verification_json.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <initializer_list>
@@ -12,6 +11,7 @@
 
 #include "curriculum/json_reader.h"
 #include "sim/mesh_io/mesh_io.h"
+#include "sim/number_text.h"
 
 namespace placode::curriculum {
 namespace {
@@ -21,12 +21,6 @@ using sim::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int64_t kMostTets = 3'000'000;  // about 2 GB with everything
-
-std::string shortest(double value) {
-    char text[40];
-    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
-    return error == std::errc() ? std::string(text, end) : "?";
-}
 
 /// Allowed range of a number; open ends are excluded.
 struct Range {
@@ -40,9 +34,9 @@ struct Range {
     [[nodiscard]] std::string text() const {
         if (low == -kInfinity && high == kInfinity) return "a number";
         std::string out = "a number ";
-        if (low > -kInfinity) out += (open_low ? "above " : "from ") + shortest(low);
+        if (low > -kInfinity) out += (open_low ? "above " : "from ") + sim::shortest_text(low);
         if (low > -kInfinity && high < kInfinity) out += open_low || open_high ? ", " : " ";
-        if (high < kInfinity) out += (open_high ? "below " : "to ") + shortest(high);
+        if (high < kInfinity) out += (open_high ? "below " : "to ") + sim::shortest_text(high);
         return out;
     }
 };
@@ -174,7 +168,7 @@ void read_box_mesh(const Place& box, sim::VerificationScene& scene) {
     const double tets = 6.0 * n[0] * n[1] * n[2];
     if (tets > static_cast<double>(kMostTets))
         cells.expected("at most " + std::to_string(kMostTets) +
-                       " tetrahedra (six a cell), these are " + shortest(tets));
+                       " tetrahedra (six a cell), these are " + sim::shortest_text(tets));
     sim::use_box(scene, size, n);
 }
 
@@ -374,10 +368,11 @@ void check_work(const Place& root, const sim::VerificationScene& scene) {
     const double steps = scene.end_s / scene.solver.frame_s * scene.solver.substeps;
     if (steps > 1e9)
         root.fail(
-            shortest(scene.end_s) + " s are " + shortest(steps) +
+            sim::shortest_text(scene.end_s) + " s are " + sim::shortest_text(steps) +
             " substeps; expected at most 1e9: a shorter time, longer frames or fewer substeps");
     if (scene.end_s / scene.sample_s > 1e7 && !scene.probes.empty())
-        root.at("sample_s").expected("at most 1e7 samples in " + shortest(scene.end_s) + " s");
+        root.at("sample_s")
+            .expected("at most 1e7 samples in " + sim::shortest_text(scene.end_s) + " s");
 }
 
 }  // namespace

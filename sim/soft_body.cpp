@@ -4,20 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
+#include "sim/number_text.h"
 #include "sim/packing.h"
 
 namespace placode::sim {
 namespace {
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 void require(bool ok, const std::string& message) {
     if (!ok) throw MeshError(message);
@@ -25,26 +19,28 @@ void require(bool ok, const std::string& message) {
 
 void check_solver(const SolverSettings& s) {
     require(s.frame_s > 0 && std::isfinite(s.frame_s),
-            "solver: frame " + number(s.frame_s) + " s, must be above 0");
+            "solver: frame " + rounded_text(s.frame_s, 4) + " s, must be above 0");
     require(s.substeps >= 1 && s.substeps <= 64,
             "solver: " + std::to_string(s.substeps) + " substeps, allowed 1 to 64");
     require(s.iterations >= 1 && s.iterations <= 64,
             "solver: " + std::to_string(s.iterations) + " iterations, allowed 1 to 64");
     require(s.over_relaxation > 0 && s.over_relaxation <= 1.3,
-            "solver: over-relaxation " + number(s.over_relaxation) +
+            "solver: over-relaxation " + rounded_text(s.over_relaxation, 4) +
                 ", allowed above 0 to 1.3 (1.6 explodes)");
     require(s.gravity_m_s2.allFinite(), "solver: gravity is not finite");
 }
 
 void check_material(const Material& m, const std::string& name) {
-    require(m.youngs_modulus_pa > 0,
-            name + ": Young's modulus " + number(m.youngs_modulus_pa) + " Pa, must be above 0");
-    require(m.poissons_ratio > -1 && m.poissons_ratio < 0.5,
-            name + ": Poisson's ratio " + number(m.poissons_ratio) + ", allowed -1 to 0.5");
+    require(m.youngs_modulus_pa > 0, name + ": Young's modulus " +
+                                         rounded_text(m.youngs_modulus_pa, 4) +
+                                         " Pa, must be above 0");
+    require(
+        m.poissons_ratio > -1 && m.poissons_ratio < 0.5,
+        name + ": Poisson's ratio " + rounded_text(m.poissons_ratio, 4) + ", allowed -1 to 0.5");
     require(m.density_kg_m3 > 0,
-            name + ": density " + number(m.density_kg_m3) + " kg/m^3, must be above 0");
+            name + ": density " + rounded_text(m.density_kg_m3, 4) + " kg/m^3, must be above 0");
     require(m.damping_per_s >= 0,
-            name + ": damping " + number(m.damping_per_s) + " 1/s, must not be negative");
+            name + ": damping " + rounded_text(m.damping_per_s, 4) + " 1/s, must not be negative");
 }
 
 void check_attachments(const SoftBodySpec& spec) {
@@ -168,8 +164,9 @@ void SoftBody::check_method() const {
         for (const Tissue tissue : spec_.mesh.tissue) {
             const double nu = spec_.materials[static_cast<size_t>(tissue)].poissons_ratio;
             if (nu <= kVbdMaxPoissonsRatio) continue;
-            throw MeshError(std::string(tissue_name(tissue)) + ": poissons_ratio " + number(nu) +
-                            " is above " + number(kVbdMaxPoissonsRatio) +
+            throw MeshError(std::string(tissue_name(tissue)) + ": poissons_ratio " +
+                            rounded_text(nu, 4) + " is above " +
+                            rounded_text(kVbdMaxPoissonsRatio, 4) +
                             ", the limit of vbd (it would tremble); lower it");
         }
     }
@@ -179,10 +176,10 @@ void SoftBody::check_method() const {
     if (*worst <= limit || s.allow_invalid) return;
     const auto tissue = static_cast<Tissue>(worst - courant.begin());
     const double needed = std::ceil(s.substeps * *worst / limit);
-    throw MeshError(std::string(tissue_name(tissue)) + ": Courant number " + number(*worst) +
-                    " is above " + number(limit) + ", the limit of " + method_name(s.method) +
-                    "; use vbd" +
-                    (needed <= 64 ? ", or at least " + number(needed) + " substeps a frame"
+    throw MeshError(std::string(tissue_name(tissue)) + ": Courant number " +
+                    rounded_text(*worst, 4) + " is above " + rounded_text(limit, 4) +
+                    ", the limit of " + method_name(s.method) + "; use vbd" +
+                    (needed <= 64 ? ", or at least " + rounded_text(needed, 4) + " substeps a frame"
                                   : "; no allowed number of substeps (64) would do"));
 }
 
@@ -207,13 +204,13 @@ std::vector<std::string> SoftBody::notes() const {
         if (courant[i] <= 0) continue;
         std::string verdict = "valid";
         if (courant[i] > limit_of(s.method)) {
-            verdict = "NOT VALID (limit " + number(limit_of(s.method)) + ")";
+            verdict = "NOT VALID (limit " + rounded_text(limit_of(s.method), 4) + ")";
         } else if (s.method != Method::kVbd && courant[i] > kXpbdGoodCourant) {
-            verdict =
-                "inexact, up to about 7 % too soft (good up to " + number(kXpbdGoodCourant) + ")";
+            verdict = "inexact, up to about 7 % too soft (good up to " +
+                      rounded_text(kXpbdGoodCourant, 4) + ")";
         }
         out.push_back(std::string(tissue_name(static_cast<Tissue>(i))) + ": Courant number " +
-                      number(courant[i]) + ", " + method_name(s.method) + ": " + verdict);
+                      rounded_text(courant[i], 4) + ", " + method_name(s.method) + ": " + verdict);
     }
     out.push_back("kernels: " + std::string(kernel_target()) + ", " +
                   std::to_string(packed_->colour_start.size() - 1) + " vertex colours" +

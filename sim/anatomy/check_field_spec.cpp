@@ -1,21 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include <charconv>
 #include <cmath>
 
 #include "sim/anatomy/field_shape.h"
+#include "sim/number_text.h"
 
 namespace placode::sim {
 
 namespace {
-
-std::string number(double value) {
-    std::array<char, 32> text{};
-    const auto end =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 6);
-    return {text.data(), end.ptr};
-}
 
 class Checker {
  public:
@@ -24,8 +17,9 @@ class Checker {
     void range(const std::string& field, double value, double low, double high) const {
         // Written so that NaN fails as well.
         if (value >= low && value <= high) return;
-        throw MeshError("operative field '" + spec_.id + "': " + field + " = " + number(value) +
-                        ", allowed " + number(low) + " to " + number(high));
+        throw MeshError("operative field '" + spec_.id + "': " + field + " = " +
+                        rounded_text(value, 6) + ", allowed " + rounded_text(low, 6) + " to " +
+                        rounded_text(high, 6));
     }
 
     void layers(const std::string& field, const std::array<double, 4>& value) const {

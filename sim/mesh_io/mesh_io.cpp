@@ -5,21 +5,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 
 #include "sim/mesh_io/file_cursor.h"
+#include "sim/number_text.h"
 
 namespace placode::sim {
 namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 /// The first ten of a list of numbers, and how many there are.
 class NumberList {
@@ -239,7 +233,7 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
         const Vec3 x = scale * file.points[p];
         if (!x.allFinite())
             throw MeshError(file.file + ": point " + std::to_string(file.point_id[p]) +
-                            " times scale " + number(scale) + " is not finite");
+                            " times scale " + rounded_text(scale, 3) + " is not finite");
         out.mesh.rest.push_back(x);
     }
     if (unused > 0)

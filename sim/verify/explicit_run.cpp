@@ -7,21 +7,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 
+#include "sim/number_text.h"
 #include "sim/verify/solve_setup.h"
 
 namespace placode::sim {
 namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 constexpr double kContactStiffness = 300;  // x E x edge, where the step allows it
 
@@ -94,10 +88,11 @@ void check_step(const SolveSetup& setup, double omega, SolveResult& out) {
     const VerificationSolver& s = setup.scene.solver;
     const double h = s.frame_s / s.substeps, limit = 0.95 * 2 / omega;
     if (h <= limit) return;
-    const std::string text = "explicit: substep " + number(h) + " s is above the CFL limit " +
-                             number(limit) + " s of this mesh and material; with frames of " +
-                             number(s.frame_s) + " s expected at least " +
-                             number(std::ceil(s.frame_s / limit)) + " substeps, found " +
+    const std::string text = "explicit: substep " + rounded_text(h, 4) +
+                             " s is above the CFL limit " + rounded_text(limit, 4) +
+                             " s of this mesh and material; with frames of " +
+                             rounded_text(s.frame_s, 4) + " s expected at least " +
+                             rounded_text(std::ceil(s.frame_s / limit), 4) + " substeps, found " +
                              std::to_string(s.substeps);
     if (!s.allow_invalid)
         throw VerificationError("/solver/substeps",
@@ -116,7 +111,7 @@ double contact_stiffness(const SolveSetup& setup, double omega, SolveResult& out
     const double room = std::max(0.1, 3.6 - omega * omega * h * h);
     const double k = std::min(kContactStiffness * unit, room * lightest / (6 * h * h));
     if (k < 30 * unit)
-        out.warnings.push_back("explicit: contact of " + number(k) +
+        out.warnings.push_back("explicit: contact of " + rounded_text(k, 4) +
                                " N/m is soft, more substeps make it stiffer");
     return k;
 }
@@ -157,7 +152,7 @@ class Run {
             if (!dynamics_.x.allFinite() || !std::isfinite(fastest)) {
                 out_.diverged = true;
                 out_.warnings.push_back(
-                    "explicit: diverged at t = " + number(static_cast<double>(n) * h_) +
+                    "explicit: diverged at t = " + rounded_text(static_cast<double>(n) * h_, 4) +
                     " s; expected more substeps");
                 break;
             }

@@ -7,9 +7,9 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "sim/event.h"
+#include "sim/number_text.h"
 #include "sim/verify/solve_setup.h"
 
 namespace placode::sim {
@@ -21,12 +21,6 @@ constexpr double kContactStiffness = 300;  // x E x edge: penetration far below 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 class FastRun {
  public:
@@ -101,20 +95,21 @@ class FastRun {
         if (s.method == SolveMethod::kVbd) return;
         const double limit = s.method == SolveMethod::kXpbd ? kXpbdMaxCourant : kXpbdPairMaxCourant;
         if (setup_.max_courant > limit) {
-            const std::string text = "Courant number " + number(setup_.max_courant) + " is above " +
-                                     number(limit) + ", the limit of " + method_name(s.method) +
-                                     "; with " + std::to_string(s.substeps) +
-                                     " substeps a frame expected at least " +
-                                     number(std::ceil(s.substeps * setup_.max_courant / limit)) +
-                                     ", or method vbd, which is valid at any";
+            const std::string text =
+                "Courant number " + rounded_text(setup_.max_courant, 4) + " is above " +
+                rounded_text(limit, 4) + ", the limit of " + method_name(s.method) + "; with " +
+                std::to_string(s.substeps) + " substeps a frame expected at least " +
+                rounded_text(std::ceil(s.substeps * setup_.max_courant / limit), 4) +
+                ", or method vbd, which is valid at any";
             if (!s.allow_invalid)
                 throw VerificationError("/solver/substeps",
                                         text + " (\"allow_invalid\": true runs it nevertheless)");
             out_.warnings.push_back("not valid: " + text);
         } else if (setup_.max_courant > kXpbdGoodCourant) {
-            out_.warnings.push_back("inexact: Courant number " + number(setup_.max_courant) +
+            out_.warnings.push_back("inexact: Courant number " +
+                                    rounded_text(setup_.max_courant, 4) +
                                     ", xpbd is up to about 7 % too soft (good up to " +
-                                    number(kXpbdGoodCourant) + ")");
+                                    rounded_text(kXpbdGoodCourant, 4) + ")");
         }
         if (s.iterations > 1)
             out_.warnings.push_back(
@@ -157,7 +152,8 @@ class FastRun {
         std::fill(force_.begin(), force_.end(), Vec3::Zero());
         frame_substeps_ = 0;
         if (const int placed = reseed_collapsed(body_, state_); placed > 0)
-            out_.warnings.push_back("t = " + number(time_) + " s: " + std::to_string(placed) +
+            out_.warnings.push_back("t = " + rounded_text(time_, 4) +
+                                    " s: " + std::to_string(placed) +
                                     " vertices of tissue shrunk to a point were re-seeded from the "
                                     "rest shape");
     }

@@ -3,8 +3,8 @@
 // `newton` on a verification scene: the equilibrium at the end of its time.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "sim/number_text.h"
 #include "sim/verify/newton.h"
 #include "sim/verify/solve_setup.h"
 
@@ -14,12 +14,6 @@ namespace {
 constexpr double kContactStiffness = 1000;  // x E x edge
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.4g", value);
-    return text;
-}
 
 /// Without support along an axis there is no equilibrium unless the forces along it cancel.
 void check_support(const SolveSetup& setup, const Coordinates& force) {
@@ -35,7 +29,7 @@ void check_support(const SolveSetup& setup, const Coordinates& force) {
         if ((held >> a & 1) != 0 || !(std::abs(sum[a]) > 1e-9 * size.sum())) continue;
         throw VerificationError(
             "/fixed", std::string("nothing holds the body along ") + "xyz"[a] +
-                          ", but gravity and loads add up to " + number(sum[a]) +
+                          ", but gravity and loads add up to " + rounded_text(sum[a], 4) +
                           " N there: newton finds no equilibrium; expected a fixed or prescribed "
                           "region along that axis, or another method");
     }
@@ -117,8 +111,9 @@ void run_newton(const SolveSetup& setup, SolveResult& out) {
     if (!report.converged) {
         out.diverged = true;
         out.warnings.push_back("newton: no equilibrium found, residual " +
-                               number(report.residual_n) + " N of " + number(report.force_scale_n) +
-                               " N after " + std::to_string(report.iterations) + " iterations");
+                               rounded_text(report.residual_n, 4) + " N of " +
+                               rounded_text(report.force_scale_n, 4) + " N after " +
+                               std::to_string(report.iterations) + " iterations");
     }
     setup.sample(time_s, x, out);
     if (setup.contacts) {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <limits>
 #include <numeric>
 
+#include "sim/number_text.h"
 #include "sim/surface.h"
 
 namespace placode::sim {
@@ -20,14 +20,9 @@ constexpr int kQuietFrames = 10;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
-
 std::string text_of(const Vec3& p) {
-    return "[" + number(p.x()) + ", " + number(p.y()) + ", " + number(p.z()) + "]";
+    return "[" + rounded_text(p.x(), 6) + ", " + rounded_text(p.y(), 6) + ", " +
+           rounded_text(p.z(), 6) + "]";
 }
 
 bool inside(const BoxSelection& box, const Vec3& p) {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
 #include "sim/event.h"
+#include "sim/number_text.h"
 #include "sim/step.h"
 #include "sim/verify/random_pokes.h"
 
@@ -102,20 +102,12 @@ Shape shape_of(const SoftBody& body, const SoftBodyState& state) {
     return shape;
 }
 
-/// Three digits, '.' in every locale.
-std::string number(double value) {
-    std::array<char, 40> text{};
-    const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
-    return error == std::errc{} ? std::string(text.data(), end) : "?";
-}
-
-std::string microns(double metres) { return number(1e6 * metres) + " um"; }
+std::string microns(double metres) { return rounded_text(1e6 * metres, 3) + " um"; }
 
 std::string describe(const Shape& shape) {
     if (!shape.finite) return "not finite";
     return std::to_string(shape.inverted) + " inverted tets, worst edge off by " +
-           number(100 * shape.worst_edge) + " %";
+           rounded_text(100 * shape.worst_edge, 3) + " %";
 }
 
 /// Follows a shape that was disturbed: when was it back for good?
@@ -220,7 +212,7 @@ void run_probes(StabilityResult& result, const Block& block, Method method, int 
     }
     watch.finish(result, false);
     result.detail += (result.detail.empty() ? "" : "; ") + std::string("peak force ") +
-                     number(force) + " N, deepest " + microns(deepest);
+                     rounded_text(force, 3) + " N, deepest " + microns(deepest);
 }
 
 Quat pointing(const Vec3& distal) { return Quat::FromTwoVectors(Vec3::UnitZ(), distal); }
@@ -270,7 +262,7 @@ void run_pokes(StabilityResult& result, Method method, const StabilityOptions& o
     result.detail = std::to_string(report.touching) + " of " + std::to_string(report.frames) +
                     " frames in touch, penetration p50 " + microns(report.median_m) + ", p99 " +
                     microns(report.p99_m) + ", max " + microns(report.deepest_m) + ", peak force " +
-                    number(report.largest_force_n) + " N";
+                    rounded_text(report.largest_force_n, 3) + " N";
 }
 
 void run_rest(StabilityResult& result, Method method, double seconds) {
@@ -306,7 +298,7 @@ void run_rest(StabilityResult& result, Method method, double seconds) {
     }
     // A unit in the last place of 3 mm is 0.2 nm.
     result.verdict = result.error < 1e-6 ? StabilityVerdict::kHolds : StabilityVerdict::kFails;
-    result.detail = "moved " + microns(result.error) + " in " + number(seconds) +
+    result.detail = "moved " + microns(result.error) + " in " + rounded_text(seconds, 3) +
                     " s; its rest shape lies " + microns(own) + " from the body's";
 }
 

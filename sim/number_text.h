@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Numbers in messages and files: '.' in every locale (printf and std::to_string follow the user's).
+
+#include <array>
+#include <charconv>
+#include <string>
+
+namespace placode::sim {
+
+/// The shortest text that reads back as the same number.
+[[nodiscard]] inline std::string shortest_text(double value) {
+    std::array<char, 40> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+/// `digits` significant digits, at most 20, without zeros at the end.
+[[nodiscard]] inline std::string rounded_text(double value, int digits) {
+    std::array<char, 40> text{};
+    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
+                                       std::chars_format::general, digits)
+                             .ptr};
+}
+
+}  // namespace placode::sim
