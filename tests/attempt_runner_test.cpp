@@ -11,26 +11,10 @@
 #include <thread>
 
 #include "assessment/metrics.h"
+#include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
 namespace {
-
-/// Keeps what it gets. One writer (the recorder thread), read after wait().
-class MemorySink final : public sim::RecordingSink {
- public:
-    explicit MemorySink(std::shared_ptr<sim::Recording> to) : to_(std::move(to)) {}
-    void begin(const sim::RecordingHeader& header) override { to_->header = header; }
-    void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
-                std::span<const sim::Event> events) override {
-        to_->inputs.insert(to_->inputs.end(), inputs.begin(), inputs.end());
-        to_->samples.insert(to_->samples.end(), samples.begin(), samples.end());
-        to_->events.insert(to_->events.end(), events.begin(), events.end());
-    }
-    void finish(const sim::RecordingEnd& end) override { to_->end = end; }
-
- private:
-    std::shared_ptr<sim::Recording> to_;
-};
 
 class FullDisk final : public sim::RecordingSink {
  public:
@@ -44,17 +28,10 @@ class FullDisk final : public sim::RecordingSink {
 
 /// The coarse task with a field that a test can afford.
 Task quick_task() {
-    Task task = load_task("diathermy_ring_small");
-    std::string json = task.json;
-    const auto set = [&json](const std::string& key, const std::string& value) {
-        const size_t at = json.find("\"" + key + "\":") + key.size() + 3;
-        json.replace(at, json.find_first_of(",}", at) - at, value);
-    };
-    set("edge_ring_m", "0.0012");
-    set("edge_placode_m", "0.0016");
-    set("edge_outer_m", "0.003");
-    set("settle_s", "0.02");
-    return load_task_text(json, "quick");
+    return test::changed_task("diathermy_ring_small", {{"edge_ring_m", "0.0012"},
+                                                       {"edge_placode_m", "0.0016"},
+                                                       {"edge_outer_m", "0.003"},
+                                                       {"settle_s", "0.02"}});
 }
 
 AttemptOptions fast(double duration_s, int threads = 1) {
@@ -68,7 +45,8 @@ AttemptOptions fast(double duration_s, int threads = 1) {
 
 std::shared_ptr<sim::Recording> perform(const AttemptOptions& options, uint64_t seed = 3) {
     auto recording = std::make_shared<sim::Recording>();
-    AttemptRunner runner(quick_task(), seed, options, std::make_unique<MemorySink>(recording));
+    AttemptRunner runner(quick_task(), seed, options,
+                         std::make_unique<test::MemorySink>(recording));
     runner.start();
     runner.wait();
     EXPECT_TRUE(runner.finished());

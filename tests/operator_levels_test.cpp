@@ -11,27 +11,11 @@
 
 #include "assessment/scoring.h"
 #include "curriculum/attempt_runner.h"
+#include "tests/attempt_fixture.h"
 
 using namespace placode;
 
 namespace {
-
-/// Keeps a recording in memory.
-class MemorySink : public sim::RecordingSink {
- public:
-    explicit MemorySink(sim::Recording& recording) : recording_(recording) {}
-    void begin(const sim::RecordingHeader& header) override { recording_.header = header; }
-    void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
-                std::span<const sim::Event> events) override {
-        recording_.inputs.insert(recording_.inputs.end(), inputs.begin(), inputs.end());
-        recording_.samples.insert(recording_.samples.end(), samples.begin(), samples.end());
-        recording_.events.insert(recording_.events.end(), events.begin(), events.end());
-    }
-    void finish(const sim::RecordingEnd& end) override { recording_.end = end; }
-
- private:
-    sim::Recording& recording_;
-};
 
 struct Attempt {
     sim::Recording recording;
@@ -45,11 +29,13 @@ Attempt perform(const std::string& level) {
     options.device = "script:" + level;
     options.fast = true;
     options.threads = 1;
-    Attempt attempt;
+    const auto recording = std::make_shared<sim::Recording>();
     curriculum::AttemptRunner runner(task, 1, options,
-                                     std::make_unique<MemorySink>(attempt.recording));
+                                     std::make_unique<test::MemorySink>(recording));
     runner.start();
     runner.wait();
+    Attempt attempt;
+    attempt.recording = std::move(*recording);
     attempt.metrics = assessment::compute_metrics(attempt.recording);
     attempt.score = assessment::score_attempt(task.rubric, attempt.metrics, attempt.recording);
     return attempt;

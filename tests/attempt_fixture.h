@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What tests of whole attempts share.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "curriculum/task.h"
+#include "sim/recording.h"
+
+namespace placode::test {
+
+/// Keeps what it gets. One writer (the recorder thread), read after wait().
+class MemorySink final : public sim::RecordingSink {
+ public:
+    explicit MemorySink(std::shared_ptr<sim::Recording> to) : to_(std::move(to)) {}
+    void begin(const sim::RecordingHeader& header) override { to_->header = header; }
+    void append(std::span<const sim::Input> inputs, std::span<const sim::Sample> samples,
+                std::span<const sim::Event> events) override {
+        to_->inputs.insert(to_->inputs.end(), inputs.begin(), inputs.end());
+        to_->samples.insert(to_->samples.end(), samples.begin(), samples.end());
+        to_->events.insert(to_->events.end(), events.begin(), events.end());
+    }
+    void finish(const sim::RecordingEnd& end) override { to_->end = end; }
+
+ private:
+    std::shared_ptr<sim::Recording> to_;
+};
+
+/// The task with other numbers in its scene: {"edge_ring_m", "0.0012"}, ...
+inline curriculum::Task changed_task(
+    const std::string& id, std::initializer_list<std::pair<const char*, const char*>> numbers) {
+    std::string json = curriculum::load_task(id).json;
+    for (const auto& [key, value] : numbers) {
+        std::string name = key;  // in steps: g++ 12 warns wrongly (-Wrestrict) about the sum
+        name.insert(0, 1, '"').append("\":");
+        const size_t found = json.find(name);
+        EXPECT_NE(found, std::string::npos) << key;
+        const size_t at = found + name.size();
+        json.replace(at, json.find_first_of(",}", at) - at, value);
+    }
+    return curriculum::load_task_text(json, id);
+}
+
+}  // namespace placode::test
