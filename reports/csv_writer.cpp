@@ -5,6 +5,7 @@
 #include "reports/csv_table.h"
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
@@ -100,14 +101,6 @@ const char* kind_word(const Field& field) {
     return "text";
 }
 
-std::string number_text(const std::optional<double>& value) {
-    if (!value) return {};
-    std::string text = std::to_string(*value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (!text.empty() && text.back() == '.') text.pop_back();
-    return text;
-}
-
 std::string condition_text(const Field& field) {
     if (!field.show_if) return {};
     std::string text = field.show_if->item + " is ";
@@ -130,13 +123,14 @@ std::string codebook_text(const Dataset& data) {
             }
             if (field.analogue) values = field.anchor_low + " ... " + field.anchor_high;
             const auto yes = [](bool truth) { return truth ? "yes" : "no"; };
-            text += csv_line({form.id, std::to_string(form.version), field.id, field.name,
-                              harmless(field.label), kind_word(field), harmless(values),
-                              harmless(field.unit), number_text(field.minimum),
-                              number_text(field.maximum), yes(field.required),
-                              field.not_applicable ? "yes (NA)" : "no", yes(field.reverse),
-                              condition_text(field), yes(field.derived), yes(field.identifying),
-                              harmless(form.source), harmless(form.licence)});
+            text +=
+                csv_line({form.id, std::to_string(form.version), field.id, field.name,
+                          harmless(field.label), kind_word(field), harmless(values),
+                          harmless(field.unit), field.minimum ? shortest_text(*field.minimum) : "",
+                          field.maximum ? shortest_text(*field.maximum) : "", yes(field.required),
+                          field.not_applicable ? "yes (NA)" : "no", yes(field.reverse),
+                          condition_text(field), yes(field.derived), yes(field.identifying),
+                          harmless(form.source), harmless(form.licence)});
         }
     }
     return text;

@@ -16,10 +16,6 @@ namespace {
 using curriculum::ItemKind;
 using curriculum::QuestionnaireItem;
 
-std::string shortest(double value) {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
-}
-
 /// Longest name that every format takes: REDCap asks for 26 characters at most.
 constexpr size_t kLongestName = 26;
 
@@ -137,7 +133,7 @@ Row answer_row(const curriculum::Questionnaire& questionnaire, const Form& form,
     for (const QuestionnaireItem& item : questionnaire.items)
         if (!is_shown(questionnaire, item, record.answers)) row.not_asked.insert(item.id);
     for (const auto& score : scale_scores(questionnaire, record.answers))
-        if (score.value) row.values[score.id] = shortest(*score.value);
+        if (score.value) row.values[score.id] = shortest_text(*score.value);
     return row;
 }
 
@@ -329,9 +325,9 @@ Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
         row.attempt_id = record.id;
         row.values = {{"attempt_id", std::to_string(record.id)},
                       {"task_version", std::to_string(record.task_version)},
-                      {"duration_s", shortest(record.duration_s)},
+                      {"duration_s", shortest_text(record.duration_s)},
                       {"end", end_word(record.end).toStdString()},
-                      {"points", shortest(record.points)},
+                      {"points", shortest_text(record.points)},
                       {"verdict", verdict_word(record.verdict).toStdString()},
                       {"rubric_version", std::to_string(record.rubric_version)},
                       {"metric_set_version", std::to_string(record.metric_set_version)}};
@@ -344,7 +340,7 @@ Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
         for (const auto& definition : definitions)
             if (const auto value = attempts[i].metrics.find(definition.id))
                 if (std::isfinite(*value))
-                    row.values[std::string(definition.id)] = shortest(*value);
+                    row.values[std::string(definition.id)] = shortest_text(*value);
         form.rows.push_back(std::move(row));
     }
     number_rows(form);

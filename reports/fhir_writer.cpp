@@ -11,6 +11,7 @@
 
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
@@ -239,10 +240,6 @@ std::string response_path(const std::string& root, const Form& form, const Row& 
 
 // --- reading back ------------------------------------------------------------------------------
 
-std::string number_text(double value) {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
-}
-
 std::string answer_text(const Field& field, const QJsonObject& item) {
     const QJsonArray extensions = item["extension"].toArray();
     if (!extensions.isEmpty() && extensions[0].toObject()["url"] == kAbsent)
@@ -254,7 +251,7 @@ std::string answer_text(const Field& field, const QJsonObject& item) {
         if (field.kind == FieldKind::kCode || field.kind == FieldKind::kMultiple)
             value += answer["valueCoding"].toObject()["code"].toString().toStdString();
         else if (field.kind == FieldKind::kDecimal)
-            value += number_text(answer["valueDecimal"].toDouble());
+            value += shortest_text(answer["valueDecimal"].toDouble());
         else if (field.kind == FieldKind::kDate)
             value += answer["valueDate"].toString().toStdString();
         else

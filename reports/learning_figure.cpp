@@ -8,15 +8,10 @@
 #include "reports/csv_table.h"
 #include "reports/figure.h"
 #include "reports/plot_parts.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
-
-QColor ink(unsigned argb) { return QColor::fromRgba(argb); }
-
-std::string plain(double value) {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
-}
 
 struct Panel {
     QRectF plot;
@@ -27,7 +22,7 @@ void draw_axes(QPainter& painter, const Panel& panel, const QString& name, bool 
                const ChartStyle& style) {
     for (const double tick : round_ticks(panel.y.low, panel.y.high, 5)) {
         const double y = panel.y.at(tick);
-        painter.setPen(QPen(ink(style.line), 0.8));
+        painter.setPen(QPen(colour(style.line), 0.8));
         painter.drawLine(QPointF(panel.plot.left(), y), QPointF(panel.plot.right(), y));
         draw_text(painter, QRectF(panel.plot.left() - 46, y - 8, 40, 16),
                   Qt::AlignRight | Qt::AlignVCenter, QString::number(tick, 'g', 4), style.muted,
@@ -57,7 +52,7 @@ void draw_line(QPainter& painter, const Panel& panel, const std::vector<double>&
 
 void draw_limit(QPainter& painter, const Panel& panel, double value, const QString& name,
                 const ChartStyle& style) {
-    painter.setPen(QPen(ink(style.warn), 1.2, Qt::DashLine));
+    painter.setPen(QPen(colour(style.warn), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(panel.plot.left(), panel.y.at(value)),
                      QPointF(panel.plot.right(), panel.y.at(value)));
     draw_text(painter, QRectF(panel.plot.right() + 6, panel.y.at(value) - 8, 150, 16),
@@ -102,8 +97,8 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     draw_limit(painter, scores, pass_points, QStringLiteral("pass at ") + number(pass_points, 0),
                style);
     for (const LearningLine& line : lines)
-        draw_line(painter, scores, line.points, 1, QPen(ink(style.muted), 0.8), 1.6);
-    draw_line(painter, scores, means_of(lines), 1, QPen(ink(style.accent), 2.4), 3.4);
+        draw_line(painter, scores, line.points, 1, QPen(colour(style.muted), 0.8), 1.6);
+    draw_line(painter, scores, means_of(lines), 1, QPen(colour(style.accent), 2.4), 3.4);
     draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, 150, 16), Qt::AlignLeft,
               QStringLiteral("thick: mean of all"), style.accent, 11);
     draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, 150, 16), Qt::AlignLeft,
@@ -114,7 +109,7 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     draw_limit(painter, sums, limits.h0_lower, "h0 " + number(limits.h0_lower, 2) + " acceptable",
                style);
     for (const auto& path : paths)
-        draw_line(painter, sums, path, 0, QPen(ink(style.muted), 0.9), 1.6);
+        draw_line(painter, sums, path, 0, QPen(colour(style.muted), 0.9), 1.6);
 }
 
 struct Box {
@@ -130,17 +125,17 @@ void draw_flow(QPainter& painter, const QRectF& where, const std::vector<Box>& b
     for (size_t i = 0; i < boxes.size(); ++i) {
         const QRectF frame = boxes[i].aside ? QRectF(middle + 170, y, 320, kBox)
                                             : QRectF(middle - 150, y, 300, kBox);
-        painter.setPen(QPen(ink(style.muted), 1));
+        painter.setPen(QPen(colour(style.muted), 1));
         if (boxes[i].aside) {
             painter.drawLine(QPointF(middle, y + kBox / 2), QPointF(frame.left(), y + kBox / 2));
         } else if (i > 0) {
             const double above = y - (boxes[i - 1].aside ? 2 * kStep : kStep) + kBox;
             painter.drawLine(QPointF(middle, above), QPointF(middle, y - 5));
-            painter.setBrush(ink(style.muted));
+            painter.setBrush(colour(style.muted));
             painter.drawPolygon(QPolygonF(
                 {QPointF(middle, y), QPointF(middle - 4, y - 7), QPointF(middle + 4, y - 7)}));
         }
-        painter.setBrush(ink(style.surface));
+        painter.setBrush(colour(style.surface));
         painter.drawRect(frame);
         draw_text(painter, frame.adjusted(6, 0, -6, 0), Qt::AlignCenter, boxes[i].text, style.text,
                   12);
@@ -167,8 +162,9 @@ Figure learning_figure(const std::string& id, const std::string& title,
     for (const LearningLine& line : lines) {
         const auto path = assessment::cusum(line.failed, limits).path;
         for (size_t i = 0; i < line.points.size(); ++i)
-            figure.csv += csv_line({line.label, std::to_string(i + 1), plain(line.points[i]),
-                                    line.failed[i] ? "0" : "1", plain(path[i])});
+            figure.csv +=
+                csv_line({line.label, std::to_string(i + 1), shortest_text(line.points[i]),
+                          line.failed[i] ? "0" : "1", shortest_text(path[i])});
     }
     figure.draw = [lines, pass_points, limits, style](QPainter& painter, const QRectF& where) {
         draw_learning(painter, where, lines, pass_points, limits, style);

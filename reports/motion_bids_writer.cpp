@@ -23,12 +23,9 @@ struct Channel {
     std::string name, component, type, tracked_point, units;
 };
 
-std::string plain(float value) {
-    std::array<char, 40> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end};
-}
-std::string plain(double value) {
+/// Floats get the digits of a float.
+template <class Number>
+std::string plain(Number value) {
     std::array<char, 40> text{};
     const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
     return {text.data(), end};

@@ -6,10 +6,10 @@
 #include <QXmlStreamReader>
 #include <QXmlStreamWriter>
 #include <array>
-#include <charconv>
 
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
@@ -18,12 +18,6 @@ constexpr const char* kNamespace = "http://www.cdisc.org/ns/odm/v1.3";
 constexpr const char* kEvent = "SE.STUDY";
 
 QString text(const std::string& value) { return QString::fromStdString(value); }
-
-std::string plain(double value) {
-    std::array<char, 40> digits{};
-    const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    return {digits.data(), end};
-}
 
 /// One ItemDef. A field with several choices becomes one item a choice.
 struct Item {
@@ -212,7 +206,7 @@ class Document {
         start("RangeCheck");
         attribute("Comparator", comparator);
         attribute("SoftHard", "Hard");
-        element("CheckValue", text(plain(value)));
+        element("CheckValue", text(shortest_text(value)));
         end();
     }
 

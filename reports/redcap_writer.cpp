@@ -3,12 +3,12 @@
 // REDCap: a data dictionary of 18 columns and the records to import after it.
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "reports/csv_table.h"
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
@@ -31,12 +31,6 @@ const std::vector<std::string> kDictionaryHead{"Variable / Field Name",
                                                "Matrix Group Name",
                                                "Matrix Ranking?",
                                                "Field Annotation"};
-
-std::string plain(double value) {
-    char text[40];
-    const auto end = std::to_chars(text, text + sizeof text, value);
-    return {text, end.ptr};
-}
 
 /// '|' separates choices and a line break ends them.
 std::string choice_text(std::string text) {
@@ -142,8 +136,8 @@ std::string dictionary_text(const Dataset& data) {
                 {field.name, form_name(form), field.section != section ? field.section : "",
                  field_type(form, field), harmless(field.label), choices_of(form, field),
                  harmless(note), validation_of(form, field),
-                 field.minimum ? plain(*field.minimum) : "",
-                 field.maximum ? plain(*field.maximum) : "", field.identifying ? "y" : "",
+                 field.minimum ? shortest_text(*field.minimum) : "",
+                 field.maximum ? shortest_text(*field.maximum) : "", field.identifying ? "y" : "",
                  branching_of(form, field), field.required ? "y" : "", "", "",
                  with_last || with_next ? form_name(form) + "_m" + std::to_string(matrix) : "", "",
                  field.derived ? "@READONLY" : ""});

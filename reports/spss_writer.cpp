@@ -9,13 +9,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
@@ -304,12 +304,6 @@ struct Reading {
     }
 };
 
-std::string plain(double value) {
-    std::array<char, 40> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-    return {text.data(), end};
-}
-
 void take_number(Reading& reading, const Column& column, double number) {
     const Field& field = *column.field;
     if (column.missing != 0 && (number == column.missing || number == column.missing + 1)) return;
@@ -319,7 +313,7 @@ void take_number(Reading& reading, const Column& column, double number) {
     else if (field.kind == FieldKind::kDate)
         value = date_text(number);
     else if (field.kind != FieldKind::kMultiple)
-        value = plain(number);
+        value = shortest_text(number);
     else if (number == 1)
         value += (value.empty() ? "" : ";") + std::to_string(column.choice);
 }
@@ -340,7 +334,7 @@ int take_value(int row, readstat_variable_t* variable, readstat_value_t value, v
         return READSTAT_HANDLER_OK;
     }
     const double number = readstat_double_value(value);
-    if (column.head == "instance") reading.instance = plain(number);
+    if (column.head == "instance") reading.instance = shortest_text(number);
     if (column.field != nullptr && readstat_value_is_system_missing(value) == 0)
         take_number(reading, column, number);
     return READSTAT_HANDLER_OK;

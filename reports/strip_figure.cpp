@@ -11,21 +11,16 @@
 #include "reports/csv_table.h"
 #include "reports/figure.h"
 #include "reports/plot_parts.h"
+#include "reports/text.h"
 
 namespace placode::reports {
 namespace {
-
-QColor ink(unsigned argb) { return QColor::fromRgba(argb); }
-
-std::string plain(double value) {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
-}
 
 /// Vertical lines with numbers below, and the name of the axis.
 void draw_axis(QPainter& painter, const QRectF& plot, const LinearScale& x, const QString& name,
                const ChartStyle& style) {
     for (const double tick : round_ticks(x.low, x.high, 6)) {
-        painter.setPen(QPen(ink(style.line), 0.8));
+        painter.setPen(QPen(colour(style.line), 0.8));
         painter.drawLine(QPointF(x.at(tick), plot.top()), QPointF(x.at(tick), plot.bottom()));
         draw_text(painter, QRectF(x.at(tick) - 40, plot.bottom() + 2, 80, 14), Qt::AlignCenter,
                   QString::number(tick, 'g', 4), style.muted, 11);
@@ -37,8 +32,8 @@ void draw_axis(QPainter& painter, const QRectF& plot, const LinearScale& x, cons
 /// Points that would hide each other are stacked above and below the middle.
 void draw_points(QPainter& painter, const std::vector<double>& sorted, const LinearScale& x,
                  double y, const ChartStyle& style) {
-    painter.setPen(QPen(ink(style.surface), 0.8));
-    painter.setBrush(ink(style.accent));
+    painter.setPen(QPen(colour(style.surface), 0.8));
+    painter.setBrush(colour(style.accent));
     for (size_t i = 0; i < sorted.size();) {
         size_t end = i;
         while (end < sorted.size() && std::abs(x.at(sorted[end]) - x.at(sorted[i])) < 3) ++end;
@@ -57,20 +52,20 @@ void draw_group(QPainter& painter, const std::vector<double>& sorted, const Line
     if (sorted.size() >= 4) {
         const QRectF box(QPointF(x.at(assessment::quantile(sorted, 0.25)), y - 13),
                          QPointF(x.at(assessment::quantile(sorted, 0.75)), y + 13));
-        painter.setPen(QPen(ink(style.muted), 1));
+        painter.setPen(QPen(colour(style.muted), 1));
         painter.setBrush(QColor(0x5f, 0x66, 0x6e, 30));
         painter.drawRect(box);
         painter.drawLine(QPointF(x.at(sorted.front()), y), QPointF(box.left(), y));
         painter.drawLine(QPointF(box.right(), y), QPointF(x.at(sorted.back()), y));
         const double median = x.at(assessment::quantile(sorted, 0.5));
-        painter.setPen(QPen(ink(style.text), 2));
+        painter.setPen(QPen(colour(style.text), 2));
         painter.drawLine(QPointF(median, y - 13), QPointF(median, y + 13));
     }
     draw_points(painter, sorted, x, y, style);
     if (const auto mean = assessment::mean_of(sorted)) {
         const double at = x.at(*mean);
-        painter.setPen(QPen(ink(style.text), 1));
-        painter.setBrush(ink(style.surface));
+        painter.setPen(QPen(colour(style.text), 1));
+        painter.setBrush(colour(style.surface));
         painter.drawPolygon(QPolygonF(
             {QPointF(at, y - 5), QPointF(at + 5, y), QPointF(at, y + 5), QPointF(at - 5, y)}));
     }
@@ -108,7 +103,7 @@ void draw_forest(QPainter& painter, const QRectF& where, const std::vector<Fores
     const QRectF plot = where.adjusted(kLabel, 4, -kRight, -kFoot);
     const LinearScale x{low, high, plot.left(), plot.right()};
     draw_axis(painter, plot, x, axis, style);
-    painter.setPen(QPen(ink(style.muted), 1.2, Qt::DashLine));
+    painter.setPen(QPen(colour(style.muted), 1.2, Qt::DashLine));
     painter.drawLine(QPointF(x.at(0), plot.top()), QPointF(x.at(0), plot.bottom()));
     const double row = plot.height() / static_cast<double>(std::max<size_t>(1, rows.size()));
     for (size_t i = 0; i < rows.size(); ++i) {
@@ -117,13 +112,13 @@ void draw_forest(QPainter& painter, const QRectF& where, const std::vector<Fores
         draw_wrapped(painter, QRectF(where.left(), y - row / 2, kLabel - 12, row),
                      Qt::AlignVCenter | Qt::AlignLeft, QString::fromStdString(each.label),
                      style.text, 11);
-        painter.setPen(QPen(ink(style.accent), 2));
+        painter.setPen(QPen(colour(style.accent), 2));
         if (!each.no_interval) {
             painter.drawLine(QPointF(x.at(each.low), y), QPointF(x.at(each.high), y));
             for (const double end : {each.low, each.high})
                 painter.drawLine(QPointF(x.at(end), y - 4), QPointF(x.at(end), y + 4));
         }
-        painter.setBrush(ink(style.accent));
+        painter.setBrush(colour(style.accent));
         painter.setPen(Qt::NoPen);
         painter.drawRect(QRectF(x.at(each.estimate) - 4, y - 4, 8, 8));
         const QString interval = each.no_interval
@@ -150,7 +145,7 @@ Figure strip_figure(const std::string& id, const std::string& title, const std::
     figure.csv = csv_line({"group", "value"});
     for (const StripGroup& group : groups)
         for (const double value : group.values)
-            figure.csv += csv_line({harmless(group.label), plain(value)});
+            figure.csv += csv_line({harmless(group.label), shortest_text(value)});
     figure.draw = [groups, style, name = QString::fromStdString(axis)](QPainter& painter,
                                                                        const QRectF& where) {
         draw_strips(painter, where, groups, name, style);
@@ -168,9 +163,10 @@ Figure forest_figure(const std::string& id, const std::string& title, const std:
     figure.height = 42 + 36 * static_cast<double>(std::max<size_t>(1, rows.size()));
     figure.csv = csv_line({"item", "estimate", "low95", "high95", "note"});
     for (const ForestRow& row : rows)
-        figure.csv += csv_line({harmless(row.label), plain(row.estimate),
-                                row.no_interval ? "" : plain(row.low),
-                                row.no_interval ? "" : plain(row.high), harmless(row.note)});
+        figure.csv +=
+            csv_line({harmless(row.label), shortest_text(row.estimate),
+                      row.no_interval ? "" : shortest_text(row.low),
+                      row.no_interval ? "" : shortest_text(row.high), harmless(row.note)});
     figure.draw = [rows, style, low, high, name = QString::fromStdString(axis)](
                       QPainter& painter, const QRectF& where) {
         draw_forest(painter, where, rows, name, low, high, style);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/text.h"
 
+#include <QLocale>
 #include <cmath>
 
 namespace placode::reports {
@@ -11,6 +12,10 @@ QString number(double value, int decimals) {
     const double scale = std::pow(10.0, decimals);
     if (std::round(value * scale) == 0) value = 0;  // no "-0.0" on paper
     return QString::number(value, 'f', decimals);
+}
+
+std::string shortest_text(double value) {
+    return QString::number(value, 'g', QLocale::FloatingPointShortest).toStdString();
 }
 
 QString metric_number(double value) {

@@ -5,6 +5,7 @@
 
 #include <QColor>
 #include <QString>
+#include <string>
 
 #include "db/records.h"
 #include "reports/report.h"
@@ -13,6 +14,9 @@ namespace placode::reports {
 
 /// `value` with `decimals` places and '.', never "-0.0".
 [[nodiscard]] QString number(double value, int decimals);
+/// The shortest text that reads back as the same number, without exponent where it is not needed:
+/// one function for all exports, because their cells are compared as texts.
+[[nodiscard]] std::string shortest_text(double value);
 /// Enough places for the metric's size: 0.034, 3.42, 34.2, 342.
 [[nodiscard]] QString metric_number(double value);
 /// "Passed", "Not yet", "Failed".
