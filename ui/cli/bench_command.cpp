@@ -17,7 +17,7 @@
 #include "curriculum/task.h"
 #include "sim/anatomy/operative_field.h"
 #include "sim/step.h"
-#include "ui/cli/cli.h"
+#include "ui/cli/bench_timing.h"
 #include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
@@ -31,67 +31,23 @@ struct Options {
     std::string task = "diathermy_ring";
 };
 
-struct Plan {
-    int runs = 7;
-    int substeps = 2000;  ///< A run.
-};
-
 struct Row {
     std::string case_name, method;
     int vertices = 0, tets = 0, threads = 0, substeps_a_frame = 0;
     double per_second = 0, slowest = 0, fastest = 0;
 };
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    const size_t middle = values.size() / 2;
-    return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
+/// The slab of the design's measurements: 43,200 tets.
+constexpr std::array<int, 3> kSlabCells{60, 30, 4};
 
-/// `run(substeps)` does that many substeps. One run before the clock starts warms caches and pages.
-template <class Run>
-void measure(Row& row, const Plan& plan, Run&& run) {
-    run(plan.substeps / 4);
-    std::vector<double> rates;
-    for (int i = 0; i < plan.runs; ++i) {
-        const auto start = Clock::now();
-        run(plan.substeps);
-        rates.push_back(plan.substeps /
-                        std::chrono::duration<double>(Clock::now() - start).count());
-    }
-    row.per_second = median(rates);
-    row.slowest = *std::min_element(rates.begin(), rates.end());
-    row.fastest = *std::max_element(rates.begin(), rates.end());
-}
-
-const char* method_name(sim::Method method) {
-    switch (method) {
-        case sim::Method::kXpbd:
-            return "xpbd";
-        case sim::Method::kXpbdPair:
-            return "xpbd_pair";
-        case sim::Method::kVbd:
-            return "vbd";
-    }
-    return "?";
-}
-
-/// The slab of the design's measurements: 60 x 30 x 4 cells of 1 mm, 43,200 tets, held at its ends.
-sim::SoftBody slab(sim::Method method) {
-    sim::SoftBodySpec spec;
-    const sim::TetMesh box = sim::box_mesh(sim::Vec3(0.060, 0.030, 0.004), {60, 30, 4});
-    spec.mesh = sim::renumbered(box, sim::rcm_order(box));
-    spec.solver.method = method;
-    spec.solver.substeps = 8;  // h = 0.125 ms keeps the Courant number of 5 kPa at 0.54.
-    for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
-        const double x = spec.mesh.rest[static_cast<size_t>(v)].x();
-        if (x < 1e-9 || x > 0.060 - 1e-9) spec.fixed.push_back(v);
-    }
-    return sim::SoftBody(std::move(spec));
+void fill(Row& row, const Rates& rates) {
+    row.per_second = rates.median;
+    row.slowest = rates.slowest;
+    row.fastest = rates.fastest;
 }
 
 Row bench_slab(sim::Method method, int threads, const Plan& plan) {
-    const sim::SoftBody body = slab(method);
+    const sim::SoftBody body = slab(method, kSlabCells);
     sim::SoftBodyState state(body);
     sim::Workers workers(threads);
     Row row{"slab, solver only",
@@ -100,7 +56,7 @@ Row bench_slab(sim::Method method, int threads, const Plan& plan) {
             body.tet_count(),
             threads,
             8};
-    measure(row, plan, [&](int n) { sim::run_substeps(body, state, n, workers); });
+    fill(row, measure_rates(plan, [&](int n) { sim::run_substeps(body, state, n, workers); }));
     return row;
 }
 
@@ -112,8 +68,9 @@ Row bench_field_body(const sim::Scene& scene, int threads, const Plan& plan) {
             scene.body.tet_count(),
             threads,
             state.substeps};
-    measure(row, plan,
-            [&](int n) { sim::run_substeps(scene.body, state.body, n, *state.workers); });
+    fill(row, measure_rates(plan, [&](int n) {
+             sim::run_substeps(scene.body, state.body, n, *state.workers);
+         }));
     return row;
 }
 
@@ -142,10 +99,10 @@ Row bench_frames(const sim::Scene& scene, const std::string& name, double depth_
             scene.body.tet_count(),
             threads,
             state.substeps};
-    measure(row, plan, [&](int n) {
-        for (int done = 0; done < n; done += state.substeps)
-            sim::step(scene, state, inputs, feedback);
-    });
+    fill(row, measure_rates(plan, [&](int n) {
+             for (int done = 0; done < n; done += state.substeps)
+                 sim::step(scene, state, inputs, feedback);
+         }));
     return row;
 }
 
@@ -241,10 +198,7 @@ int speed(const Context& context, const Options& options) {
     }
     if (!options.out.empty()) write_files(options.out, json, rows);
     const Json& at = json["machine"];
-    const double busy = json["machine"]["load_average_1min_before"].get<double>();
-    if (busy > 0.5)
-        std::cerr << "placodectl: other programs were running (load " << fixed(busy, 1)
-                  << "): the figures are too low; measure again on an idle machine\n";
+    warn_if_busy(at);
     print(context, json,
           table(cells) + at["processor"].get<std::string>() + ", " +
               std::to_string(at["logical_cores"].get<int>()) + " logical cores, kernels " +
@@ -273,6 +227,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     });
     add_accuracy_command(*bench, context);
     add_contact_bench_command(*bench, context);
+    add_scaling_command(*bench, context);
     add_stability_command(*bench, context);
 }
 

@@ -45,6 +45,7 @@ void add_export_command(CLI::App& app, Context& context);
 void add_study_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
 void add_contact_bench_command(CLI::App& bench, Context& context);
+void add_scaling_command(CLI::App& bench, Context& context);
 void add_stability_command(CLI::App& bench, Context& context);
 void add_demo_commands(CLI::App& app, Context& context);
 

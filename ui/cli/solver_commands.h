@@ -11,7 +11,4 @@ void add_solve_command(CLI::App& app, Context& context);
 /// `bench accuracy`.
 void add_accuracy_command(CLI::App& bench, Context& context);
 
-/// Processor, system, compiler, kernels and load, for benchmarks.
-[[nodiscard]] Json machine();
-
 }  // namespace placode::cli
