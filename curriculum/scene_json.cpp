@@ -100,6 +100,7 @@ void visit_solver(const V& v, S& s) {
     v("iterations", s.iterations);
     v("over_relaxation", s.over_relaxation);
     v("gravity_m_s2", s.gravity_m_s2);
+    v("sleep", s.sleep);
 }
 
 template <class V, class C>

@@ -262,7 +262,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
     ContactSet& set = state.scratch->contacts;
     set.candidate_count = set.most_contacts = 0;
     set.near.fill(0);
-    state.surface.refit(state.body.x);
+    if (!state.sleep.still()) state.surface.refit(state.body.x);
     const auto triangles = state.surface.triangles();
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         const ToolState& tool = state.tools[t];

@@ -45,6 +45,7 @@ bool lives(const Scene& scene, const State& state, int v) noexcept {
 void drop(const Scene& scene, State& state, Grasp& g, int i) noexcept {
     const int v = g.held[i].vertex;
     state.held_by[v] = -1;
+    rouse(state.body, v);
     if (lives(scene, state, v)) state.body.x[v].w = 1.0F / mass_of(scene.body, state.body, v);
     g.held[i] = g.held[--g.count];
 }

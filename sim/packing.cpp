@@ -11,16 +11,20 @@
 #include "sim/colouring.h"
 #include "sim/link_strip.h"
 #include "sim/packing_tets.h"
+#include "sim/space_order.h"
 
 namespace placode::sim {
 namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
+constexpr size_t kClass = 64;  // vertices of a colour, see add_group
+
 /// Builds the VBD part.
 class VertexPacker {
  public:
-    VertexPacker(const SoftBody& body, PackedElements& out) : body_(body), out_(out) {}
+    VertexPacker(const SoftBody& body, PackedElements& out)
+        : body_(body), out_(out), place_(hilbert_keys(body.mesh().rest)) {}
 
     void run() {
         make_constants();
@@ -136,7 +140,10 @@ class VertexPacker {
     }
 
     /// Cuts a colour into chunks of contiguous vertices with equal work (one half per thread with
-    /// two threads; more when the numbers would not fit), sorts each by strip length.
+    /// two threads; more when the numbers would not fit), sorts each by strip length into classes,
+    /// and these along a curve through space: large classes make batches that stay in one place, so
+    /// that the others can sleep; small ones waste fewer steps on lanes that are done (classes of
+    /// 64 take 8 % more steps on the default field than sorting by length alone).
     void add_group(const std::vector<int32_t>& members) {
         int64_t total = 0;
         for (const int32_t v : members) total += steps(v);
@@ -153,12 +160,22 @@ class VertexPacker {
                 const bool sa = spring_of_[at(a)] >= 0, sb = spring_of_[at(b)] >= 0;
                 return sa != sb ? sa : steps(a) > steps(b);
             });
-            for (size_t i = 0; i < chunk.size(); i += kLanes) {
-                const size_t n = std::min<size_t>(kLanes, chunk.size() - i);
-                add_batch({chunk.begin() + static_cast<int64_t>(i),
+            for (size_t i = 0; i < chunk.size(); i += kClass) {
+                const size_t n = std::min(kClass, chunk.size() - i);
+                add_class({chunk.begin() + static_cast<int64_t>(i),
                            chunk.begin() + static_cast<int64_t>(i + n)});
             }
             from = to;
+        }
+    }
+
+    void add_class(std::vector<int32_t> members) {
+        std::stable_sort(members.begin(), members.end(),
+                         [&](int32_t a, int32_t b) { return place_[at(a)] < place_[at(b)]; });
+        for (size_t i = 0; i < members.size(); i += kLanes) {
+            const size_t n = std::min<size_t>(kLanes, members.size() - i);
+            add_batch({members.begin() + static_cast<int64_t>(i),
+                       members.begin() + static_cast<int64_t>(i + n)});
         }
     }
 
@@ -247,6 +264,7 @@ class VertexPacker {
 
     const SoftBody& body_;
     PackedElements& out_;
+    std::vector<uint32_t> place_;  // (V) along a curve through space
     std::vector<TetConstants> constants_;
     std::vector<std::vector<StripStep>> strips_;
     std::vector<int32_t> spring_of_;

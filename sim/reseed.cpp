@@ -84,7 +84,10 @@ int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
             ++placed;
         }
     }
-    if (placed > 0) state.flags |= kReseed;
+    if (placed > 0) {
+        state.flags |= kReseed;
+        rouse_all(state);
+    }
     return placed;
 }
 

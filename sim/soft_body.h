@@ -31,6 +31,8 @@ struct SolverSettings {
     int iterations = 1;            ///< Sweeps a substep, 1 to 64.
     double over_relaxation = 1.2;  ///< VBD only; 1.3 is the edge of stability.
     Vec3 gravity_m_s2 = Vec3(0, 0, -9.81);
+    /// Let tissue sleep that is at rest and away from instruments (sleep.h). VBD only.
+    bool sleep = true;
     /// Verification and benchmarks only: build even where the method is not valid (notes() says
     /// so).
     bool allow_invalid = false;
@@ -155,6 +157,16 @@ class SoftBody {
     std::unique_ptr<PackedElements> packed_;
 };
 
+/// What a substep goes over: everything, or what sleep.h has left awake.
+struct AwakeRuns {
+    using Run = std::array<int32_t, 2>;  ///< [first, last)
+
+    bool all = true;
+    std::vector<Run> batches;           ///< Of VBD batches, colour by colour.
+    std::vector<int32_t> colour_start;  ///< (colours + 1) into `batches`.
+    std::vector<Run> vertices;          ///< Bounds are multiples of 16, or the end.
+};
+
 /// Changing part. All arrays are allocated by the constructor and never grow.
 struct SoftBodyState {
     explicit SoftBodyState(const SoftBody& body);
@@ -176,6 +188,9 @@ struct SoftBodyState {
     AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
     std::vector<int32_t> scratch;        ///< Private to update_free_vertices (V).
     TopologyPointer topology;            ///< Only in bodies with spare vertices.
+    AwakeRuns awake;
+    std::vector<int32_t> roused;  ///< Vertices that must not sleep in the next frame; see rouse().
+    int32_t roused_count = 0;     ///< Past the end of `roused`: all.
     uint32_t flags = 0;  ///< Bits of StepReport raised by the kernels; the caller clears them.
 };
 
@@ -230,6 +245,11 @@ void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
 /// tethers) that no held vertex (w = 0) and no spring holds. Call after removing tets, grasping or
 /// letting go; a breaking tether calls it by itself. Never allocates.
 void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept;
+
+/// Says that something has changed at a vertex, so that sleeping tissue there wakes (sleep.h).
+void rouse(SoftBodyState& state, int32_t vertex) noexcept;
+/// The same for all of it.
+void rouse_all(SoftBodyState& state) noexcept;
 
 /// Takes a tet out of the body (vaporised, torn). Its mass stays with its vertices.
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept;

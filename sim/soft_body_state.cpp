@@ -42,6 +42,7 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     contact_vertex.assign(n, 0);
     free_vertex.assign(n, 0);
     scratch.assign(n, 0);
+    roused.assign(256, 0);
     tether_alive.assign(body.spec().tethers.size(), 1);
     tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
     if (n > used) {
@@ -54,17 +55,32 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     } else {
         lanes = body.packed().lanes;
     }
+    const PackedElements& packed = packed_of(body, *this);
+    awake.batches.reserve(packed.batches.size());
+    awake.colour_start.assign(packed.colour_start.size(), 0);
+    awake.vertices.reserve(n / 16 + 1);
     update_free_vertices(body, *this);
+}
+
+void rouse(SoftBodyState& state, int32_t vertex) noexcept {
+    const auto room = static_cast<int32_t>(state.roused.size());
+    if (state.roused_count < room) state.roused[at(state.roused_count)] = vertex;
+    state.roused_count = std::min(state.roused_count + 1, room + 1);
+}
+
+void rouse_all(SoftBodyState& state) noexcept {
+    state.roused_count = static_cast<int32_t>(state.roused.size()) + 1;
 }
 
 void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
     // Flood from everything that holds; what is not reached is free. scratch is the stack.
+    // Until the end bit 1 remembers what was free before.
     auto& free = state.free_vertex;
-    std::fill(free.begin(), free.end(), uint8_t{1});
+    for (uint8_t& f : free) f = static_cast<uint8_t>(f << 1 | 1);
     size_t top = 0;
     const auto reach = [&](int32_t v) {
-        if (free[at(v)] == 0) return;
-        free[at(v)] = 0;
+        if ((free[at(v)] & 1) == 0) return;
+        free[at(v)] &= 2;
         state.scratch[top++] = v;
     };
     for (size_t v = 0; v < free.size(); ++v) {
@@ -84,6 +100,10 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
             for (const int32_t other : body.spec().tethers[tether].vertex) reach(other);
         }
     }
+    for (size_t v = 0; v < free.size(); ++v) {
+        if (free[v] == 1 || free[v] == 2) rouse(state, static_cast<int32_t>(v));
+        free[v] &= 1;
+    }
 }
 
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
@@ -93,6 +113,7 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
     for (size_t k = 0; k < 4; ++k) {
         state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
         const int32_t v = corners(body, state, tet)[k];
+        rouse(state, v);
         if (state.topology) {
             reweigh(state, v);
         } else {

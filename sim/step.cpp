@@ -210,6 +210,7 @@ State::Scratch::Scratch(const Scene& scene)
 State::State(const Scene& scene, int threads)
     : substeps(scene.body.spec().solver.substeps),
       body(scene.body),
+      sleep(scene.body),
       surface(scene.surface, scene.body.mesh()),
       held_by(scene.body.vertex_capacity(), -1),
       friction(scene.body.vertex_capacity()),
@@ -252,6 +253,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     std::array<Pose, kMaxTools> from, to;
     take_inputs(scene, state, inputs, from, to);
     collect_candidates(scene, state);
+    wake_tissue(scene, state);
     int64_t mark = now_ns();
     report.cost_ns[1] += mark - start;
     const auto charge = [&](int item) noexcept {
@@ -315,6 +317,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         update_free_vertices(scene.body, state.body);
     }
     charge(3);
+    doze(scene, state);
     // Tissue shrunk to a point feels no force and raises no flag: it has to be looked for.
     if (state.frame % kReseedInterval == 0) reseed_collapsed(scene.body, state.body);
     state.flags |= state.body.flags;
@@ -351,6 +354,8 @@ uint64_t state_hash(const State& state) noexcept {
     hash.add(state.substeps);
     hash.add(state.phase);
     hash.add(state_hash(state.body));
+    hash.all(state.sleep.asleep);
+    hash.all(state.sleep.calm);
     hash.all(state.body.tether_alive);
     hash.add(state.surface.version());
     for (const SurfaceTriangle& t : state.surface.triangles()) {

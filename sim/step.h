@@ -15,6 +15,7 @@
 #include "sim/pieces.h"
 #include "sim/scene.h"
 #include "sim/scissors.h"
+#include "sim/sleep.h"
 #include "sim/tool.h"
 #include "sim/workers.h"
 
@@ -85,6 +86,7 @@ struct State {
     int substeps = 4;  ///< Used by the next frame (adapts under load, recorded).
     Phase phase = Phase::kInspect;
     SoftBodyState body;
+    Sleep sleep;
     SurfaceState surface;
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};

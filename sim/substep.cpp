@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 
 #include "sim/event.h"
 #include "sim/links.h"
@@ -62,14 +63,15 @@ class Substep {
     }
 
     void begin(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
         uint32_t flags = 0;
-        for (size_t i = first; i < last;) {
-            if (state_.force_n.empty()) i = begin_motion(motion_, i, last);
-            for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
-                flags |= begin_vertex(i);
+        for_vertices(part, [&](size_t i, size_t last) noexcept {
+            while (i < last) {
+                if (state_.force_n.empty()) i = begin_motion(motion_, i, last);
+                for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
+                    flags |= begin_vertex(i);
+                }
             }
-        }
+        });
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
             const size_t start = at(packed_.tet_lambda_start);
@@ -86,14 +88,15 @@ class Substep {
     void sweep() noexcept { vbd_ ? sweep_vertices() : sweep_tets(); }
 
     void end(int part) noexcept {
-        const auto [first, last] = share(state_.x.size(), part, workers_.threads());
         uint32_t flags = 0;
-        for (size_t i = first; i < last;) {
-            if (state_.force_n.empty()) i = end_motion(motion_, i, last);
-            for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
-                flags |= end_vertex(i);
+        for_vertices(part, [&](size_t i, size_t last) noexcept {
+            while (i < last) {
+                if (state_.force_n.empty()) i = end_motion(motion_, i, last);
+                for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
+                    flags |= end_vertex(i);
+                }
             }
-        }
+        });
         raise(flags);
         if (part == 0) break_tethers();
     }
@@ -157,16 +160,13 @@ class Substep {
 
     /// Contact vertices are held for the time of a sweep; target.w remembers.
     void hold_contacts() noexcept {
-        for (size_t i = 0; i < state_.contact_vertex.size(); ++i) {
-            if (state_.contact_vertex[i] == 0) continue;
+        for_contacts([&](size_t i) noexcept {
             state_.target[i].w = state_.x[i].w;
             state_.x[i].w = 0;
-        }
+        });
     }
     void release_contacts() noexcept {
-        for (size_t i = 0; i < state_.contact_vertex.size(); ++i) {
-            if (state_.contact_vertex[i] != 0) state_.x[i].w = state_.target[i].w;
-        }
+        for_contacts([&](size_t i) noexcept { state_.x[i].w = state_.target[i].w; });
     }
 
     [[nodiscard]] bool broke_tether() const noexcept { return broke_; }
@@ -180,8 +180,40 @@ class Substep {
         if (!packed_.tether_vertices.empty()) raise(solve_tethers_vbd(body_, state_, h_));
     }
     void colour_part(int part) noexcept {
+        if (!state_.awake.all) return awake_part(part);
         const int first = packed_.colour_start[colour_], last = packed_.colour_start[colour_ + 1];
         raise(solve_vertex_batches(arguments_, cut(first, last, part), cut(first, last, part + 1)));
+    }
+    /// The same over the runs of batches that are awake: equal work for every part.
+    void awake_part(int part) noexcept {
+        const AwakeRuns& awake = state_.awake;
+        const int begin = awake.colour_start[colour_], end = awake.colour_start[colour_ + 1];
+        const auto cost = [&](int run) {
+            const auto& [first, last] = awake.batches[at(run)];
+            return packed_.cost[at(last)] - packed_.cost[at(first)];
+        };
+        int64_t total = 0;
+        for (int r = begin; r < end; ++r) total += cost(r);
+        const int parts = workers_.threads();
+        int64_t from = total * part / parts, to = total * (part + 1) / parts;
+        uint32_t flags = 0;
+        for (int r = begin; r < end && to > 0; ++r) {
+            const auto& [first, last] = awake.batches[at(r)];
+            const int64_t here = cost(r);
+            if (from < here) {
+                flags |= solve_vertex_batches(arguments_, after(first, last, from),
+                                              to < here ? after(first, last, to) : last);
+            }
+            from = std::max<int64_t>(0, from - here);
+            to -= here;
+        }
+        raise(flags);
+    }
+    /// First batch of [first, last) with at least `cost` steps before it.
+    [[nodiscard]] int after(int first, int last, int64_t cost) const noexcept {
+        const auto begin = packed_.cost.begin();
+        return static_cast<int>(
+            std::lower_bound(begin + first, begin + last, packed_.cost[at(first)] + cost) - begin);
     }
 
     void sweep_tets() noexcept {
@@ -225,10 +257,40 @@ class Substep {
         const int parts = workers_.threads();
         if (part == 0) return first;
         if (part == parts) return last;
-        const int64_t from = packed_.cost[at(first)], total = packed_.cost[at(last)] - from;
-        const auto begin = packed_.cost.begin();
-        return static_cast<int>(
-            std::lower_bound(begin + first, begin + last, from + total * part / parts) - begin);
+        const int64_t total = packed_.cost[at(last)] - packed_.cost[at(first)];
+        return after(first, last, total * part / parts);
+    }
+
+    /// Calls `visit(first, last)` on the part's share of the vertices that are awake.
+    template <class Visit>
+    void for_vertices(int part, Visit&& visit) const noexcept {
+        const AwakeRuns& awake = state_.awake;
+        if (awake.all) {
+            const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+            visit(first, last);
+            return;
+        }
+        size_t count = 0;
+        for (const auto& [first, last] : awake.vertices) count += at(last - first);
+        auto [from, to] = share(count, part, workers_.threads());
+        for (const auto& [first, last] : awake.vertices) {
+            const size_t here = at(last - first);
+            if (from < here && to > 0) visit(at(first) + from, at(first) + std::min(to, here));
+            from -= std::min(from, here);
+            to -= std::min(to, here);
+        }
+    }
+
+    template <class Visit>
+    void for_contacts(Visit&& visit) const noexcept {
+        const uint8_t* const flags = state_.contact_vertex.data();
+        const size_t count = state_.contact_vertex.size();
+        for (size_t i = 0; i < count; ++i) {
+            const void* next = std::memchr(flags + i, 1, count - i);
+            if (next == nullptr) return;
+            i = static_cast<size_t>(static_cast<const uint8_t*>(next) - flags);
+            visit(i);
+        }
     }
 
     void raise(uint32_t flags) noexcept {

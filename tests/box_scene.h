@@ -22,6 +22,7 @@ struct BoxOptions {
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
     bool hold_bottom = true;
+    bool sleep = true;
     int spare_vertices = 0;
     ToolSpec tool;
     /// Moves the lattice: new coordinate along `axis` (0, 1, 2) of a plane of it; empty = as it is.
@@ -46,6 +47,7 @@ inline Scene box_scene(const BoxOptions& options) {
     spec.solver.substeps = options.substeps;
     spec.solver.over_relaxation = options.over_relaxation;
     spec.solver.gravity_m_s2 = options.gravity;
+    spec.solver.sleep = options.sleep;
     spec.solver.allow_invalid = true;
     spec.spare_vertices = options.spare_vertices;
     double bottom = 0;

@@ -49,6 +49,7 @@ struct Costs {
     std::string case_name;
     int threads = 0, substeps = 0, frames = 0;
     double contacts = 0;
+    double awake = 0;                    ///< Share of the blocks of tissue that are solved, mean.
     std::vector<double> us[kParts + 1];  ///< By frame; the last is the whole frame.
 };
 
@@ -142,6 +143,9 @@ Costs measure(const sim::Scene& scene, const Case& what, int threads, int frames
         if (frame < kWarmUp) continue;
         ++costs.frames;
         costs.contacts += report.contacts;
+        costs.awake += state.sleep.enabled() ? 1 - static_cast<double>(state.sleep.asleep_count) /
+                                                       state.sleep.blocks()
+                                             : 1;
         for (int p = 0; p < kParts - 1; ++p) {
             costs.us[p].push_back(1e-3 *
                                   static_cast<double>(report.cost_ns[static_cast<size_t>(p)]));
@@ -156,6 +160,7 @@ Costs measure(const sim::Scene& scene, const Case& what, int threads, int frames
         std::filesystem::remove(path.string() + tail, ignored);
     }
     costs.contacts /= costs.frames;
+    costs.awake /= costs.frames;
     return costs;
 }
 
@@ -172,6 +177,7 @@ Json to_json(const Costs& costs) {
             {"substeps", costs.substeps},
             {"frames", costs.frames},
             {"mean_contacts", costs.contacts},
+            {"awake_share", costs.awake},
             {"share_of_all_but_solve", other_share(costs)},
             {"parts", parts}};
 }
@@ -180,12 +186,13 @@ void write_files(const std::string& folder, const Json& json, const std::vector<
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     std::ofstream csv(folder + "/bench_contact.csv");
-    csv << "case,threads,substeps,frames,mean_contacts,part,mean_us,p50_us,p99_us,p999_us\n";
+    csv << "case,threads,substeps,frames,mean_contacts,awake_share,part,mean_us,p50_us,p99_us,p999_"
+           "us\n";
     for (const Costs& costs : all) {
         for (int p = 0; p <= kParts; ++p) {
             csv << '"' << costs.case_name << "\"," << costs.threads << ',' << costs.substeps << ','
-                << costs.frames << ',' << fixed(costs.contacts, 1) << ','
-                << (p < kParts ? kPartNames[p] : "frame") << ','
+                << costs.frames << ',' << fixed(costs.contacts, 1) << ',' << fixed(costs.awake, 3)
+                << ',' << (p < kParts ? kPartNames[p] : "frame") << ','
                 << fixed(sum(costs.us[p]) / costs.frames, 2) << ','
                 << fixed(percentile(costs.us[p], 0.5), 2) << ','
                 << fixed(percentile(costs.us[p], 0.99), 2) << ','
@@ -231,15 +238,16 @@ int run(const Context& context, const Options& options) {
               {"tets", scene->body.tet_count()},
               {"triangles", scene->surface.rest_triangles().size()},
               {"rows", Json::array()}};
-    std::vector<std::vector<std::string>> cells{{"case", "threads", "contacts", "solve", "contact",
-                                                 "heat", "cut", "rest", "recording", "frame", "p99",
-                                                 "p99.9", "all but solve"}};
+    std::vector<std::vector<std::string>> cells{{"case", "threads", "contacts", "awake", "solve",
+                                                 "contact", "heat", "cut", "rest", "recording",
+                                                 "frame", "p99", "p99.9", "all but solve"}};
     std::vector<Costs> all;
     for (const int threads : {1, 2}) {
         for (const Case& what : kCases) {
             const Costs costs = measure(*scene, what, threads, frames);
             std::vector<std::string> row{costs.case_name, std::to_string(threads),
-                                         fixed(costs.contacts, 1)};
+                                         fixed(costs.contacts, 1),
+                                         fixed(100 * costs.awake, 0) + " %"};
             for (int p = 0; p <= kParts; ++p) row.push_back(fixed(percentile(costs.us[p], 0.5), 0));
             row.push_back(fixed(percentile(costs.us[kParts], 0.99), 0));
             row.push_back(fixed(percentile(costs.us[kParts], 0.999), 0));

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/sleep.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "sim/packing.h"
+#include "sim/space_order.h"
+#include "sim/step_scratch.h"
+#include "sim/topology.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+constexpr int kBlock = 32;  // vertices
+constexpr int kChunk = 16;  // vertices, as AwakeRuns::vertices
+constexpr int kLook = 16;   // frames between two looks at what may fall asleep
+constexpr uint8_t kCalmLooks = 10;
+constexpr float kCalmSpeed = 1e-4F;  // [m/s]
+constexpr float kCalmM = 2e-6F;      // from where the calm began
+constexpr float kWakeM = 5e-6F;      // of a neighbour since the block fell asleep
+
+std::array<float, 3> place(const Float4& x) noexcept { return {x.x, x.y, x.z}; }
+
+float distance2(const Float4& x, const std::array<float, 3>& from) noexcept {
+    const float a = x.x - from[0], b = x.y - from[1], c = x.z - from[2];
+    return a * a + b * b + c * c;
+}
+
+void wake_block(Sleep& sleep, int block) noexcept {
+    if (block < 0) return;
+    sleep.calm[at(block)] = 0;
+    if (sleep.asleep[at(block)] == 0) return;
+    sleep.asleep[at(block)] = 0;
+    --sleep.asleep_count;
+}
+
+void wake_vertex(Sleep& sleep, int32_t v) noexcept {
+    if (v < static_cast<int32_t>(sleep.block.size())) wake_block(sleep, sleep.block[at(v)]);
+}
+
+bool batch_awake(const Sleep& sleep, const VertexBatch& batch) noexcept {
+    for (int lane = 0; lane < batch.count; ++lane) {
+        const int32_t v = batch.vertex[at(lane)];
+        if (v >= static_cast<int32_t>(sleep.block.size())) return true;  // a copy
+        const int32_t block = sleep.block[at(v)];
+        if (block < 0 || sleep.asleep[at(block)] == 0) return true;
+    }
+    return false;
+}
+
+/// Runs of batches and vertices, and who is beside whom, after blocks woke or fell asleep.
+void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept {
+    const PackedElements& packed = packed_of(body, state);
+    AwakeRuns& awake = state.awake;
+    awake.all = sleep.asleep_count == 0;
+    awake.batches.clear();
+    awake.vertices.clear();
+    std::fill(sleep.chunk.begin(), sleep.chunk.end(), uint8_t{0});
+    std::fill(sleep.vertex_asleep.begin(), sleep.vertex_asleep.end(), uint8_t{1});
+    const auto stays_awake = [&](int32_t v) {
+        sleep.chunk[at(v / kChunk)] = 1;
+        sleep.vertex_asleep[at(v)] = 0;
+    };
+    for (size_t c = 0; c + 1 < packed.colour_start.size(); ++c) {
+        const auto first_run = static_cast<int32_t>(awake.batches.size());
+        awake.colour_start[c] = first_run;
+        for (int32_t b = packed.colour_start[c]; b < packed.colour_start[c + 1]; ++b) {
+            const VertexBatch& batch = packed.batches[at(b)];
+            if (!batch_awake(sleep, batch)) continue;
+            for (int lane = 0; lane < batch.count; ++lane) stays_awake(batch.vertex[at(lane)]);
+            const bool more = static_cast<int32_t>(awake.batches.size()) > first_run &&
+                              awake.batches.back()[1] == b;
+            if (more)
+                awake.batches.back()[1] = b + 1;
+            else
+                awake.batches.push_back({b, b + 1});
+        }
+    }
+    awake.colour_start.back() = static_cast<int32_t>(awake.batches.size());
+    for (const int32_t v : sleep.unblocked) stays_awake(v);
+    const auto end = static_cast<int32_t>(state.x.size());
+    for (int32_t i = 0; i < static_cast<int32_t>(sleep.chunk.size()); ++i) {
+        if (sleep.chunk[at(i)] == 0) continue;
+        const int32_t last = std::min(end, kChunk * (i + 1));
+        if (!awake.vertices.empty() && awake.vertices.back()[1] == kChunk * i)
+            awake.vertices.back()[1] = last;
+        else
+            awake.vertices.push_back({kChunk * i, last});
+    }
+    for (int b = 0; b < sleep.blocks(); ++b) {
+        sleep.beside[at(b)] = 0;
+        if (sleep.asleep[at(b)] == 0) continue;
+        for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
+            if (sleep.vertex_asleep[at(sleep.border[at(i)])] == 0) sleep.beside[at(b)] = 1;
+        }
+    }
+}
+
+/// Around new copies of vertices nothing sleeps any more: borders know the mesh as it was.
+void unsettle_cuts(const SoftBody& body, const SoftBodyState& state, Sleep& sleep) noexcept {
+    if (!state.topology) return;
+    for (; sleep.known_vertices < state.topology->vertices; ++sleep.known_vertices) {
+        for (const int32_t t : tets_around(body, state, sleep.known_vertices)) {
+            for (const int32_t v : corners(body, state, t)) {
+                const int32_t block = sleep.block[at(origin_of(state, v))];
+                if (block < 0) continue;
+                sleep.restless[at(block)] = 1;
+                wake_block(sleep, block);
+            }
+        }
+    }
+}
+
+void wake_roused(SoftBodyState& state, Sleep& sleep) noexcept {
+    if (state.roused_count > static_cast<int32_t>(state.roused.size())) {
+        for (int b = 0; b < sleep.blocks(); ++b) wake_block(sleep, b);
+    } else {
+        for (int32_t i = 0; i < state.roused_count; ++i) wake_vertex(sleep, state.roused[at(i)]);
+    }
+    state.roused_count = 0;
+}
+
+/// True when a neighbour has moved since the block fell asleep.
+bool shaken(const SoftBodyState& state, const Sleep& sleep, int b) noexcept {
+    for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
+        const Float4& x = state.x[at(sleep.border[at(i)])];
+        // Written so that a place that is not finite wakes as well.
+        if (!(distance2(x, sleep.before[at(i)]) <= kWakeM * kWakeM)) return true;
+    }
+    return false;
+}
+
+/// True when every member has stayed where it was at the first look of this calm.
+bool is_calm(const State& state, Sleep& sleep, int b) noexcept {
+    bool calm = true;
+    for (int32_t i = sleep.member_start[at(b)]; calm && i < sleep.member_start[at(b) + 1]; ++i) {
+        const auto v = at(sleep.member[at(i)]);
+        const Float4& speed = state.body.v[v];
+        calm = distance2(speed, {}) <= kCalmSpeed * kCalmSpeed &&
+               distance2(state.body.x[v], sleep.since[at(i)]) <= kCalmM * kCalmM &&
+               state.body.free_vertex[v] == 0 && state.held_by[v] < 0 &&
+               state.body.contact_vertex[v] == 0;
+    }
+    if (calm) return true;
+    for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
+        sleep.since[at(i)] = place(state.body.x[at(sleep.member[at(i)])]);
+    }
+    return false;
+}
+
+void fall_asleep(SoftBodyState& state, Sleep& sleep, int b) noexcept {
+    sleep.asleep[at(b)] = 1;
+    ++sleep.asleep_count;
+    for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
+        const auto v = at(sleep.member[at(i)]);
+        state.v[v] = {};
+        state.x_start[v] = state.target[v] = state.x[v];
+        state.target[v].w = 0;
+    }
+    for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
+        sleep.before[at(i)] = place(state.x[at(sleep.border[at(i)])]);
+    }
+}
+
+}  // namespace
+
+Sleep::Sleep(const SoftBody& body) {
+    const SolverSettings& solver = body.spec().solver;
+    const int vertices = body.vertex_count();
+    vertex_asleep.assign(at(body.vertex_capacity()), 0);
+    known_vertices = vertices;
+    block.assign(at(vertices), -1);
+    if (!solver.sleep || solver.method != Method::kVbd) return;
+    std::vector<uint8_t> fixed(at(vertices), 0);
+    for (const int32_t v : body.spec().fixed) fixed[at(v)] = 1;
+    const PackedElements& packed = body.packed();
+    const int32_t swept = packed.colour_start.back();
+    std::vector<int32_t> order;
+    for (int32_t v = 0; v < vertices; ++v) {
+        if (packed.slot[at(v)] / kLanes < swept)
+            order.push_back(v);
+        else if (fixed[at(v)] == 0)
+            unblocked.push_back(v);
+    }
+    const auto keys = hilbert_keys(body.mesh().rest);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int32_t a, int32_t b) { return keys[at(a)] < keys[at(b)]; });
+    const int count = static_cast<int>(order.size() + kBlock - 1) / kBlock;
+    member = order;
+    for (size_t i = 0; i < order.size(); ++i)
+        block[at(order[i])] = static_cast<int32_t>(i) / kBlock;
+    for (int b = 0; b < count; ++b) {
+        member_start.push_back(b * kBlock);
+        border_start.push_back(static_cast<int32_t>(border.size()));
+        std::vector<int32_t> around;
+        const size_t end = std::min(order.size(), at(b + 1) * kBlock);
+        for (size_t i = at(b) * kBlock; i < end; ++i) {
+            for (const int32_t t : body.tets_of(order[i])) {
+                for (const int32_t v : body.mesh().tets[at(t)]) {
+                    if (block[at(v)] != b && fixed[at(v)] == 0) around.push_back(v);
+                }
+            }
+        }
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        border.insert(border.end(), around.begin(), around.end());
+    }
+    member_start.push_back(static_cast<int32_t>(member.size()));
+    border_start.push_back(static_cast<int32_t>(border.size()));
+    for (std::vector<uint8_t>* flags : {&asleep, &calm, &restless, &beside})
+        flags->assign(at(count), 0);
+    since.resize(member.size());
+    before.resize(border.size());
+    chunk.resize((at(body.vertex_capacity()) + kChunk - 1) / kChunk);
+}
+
+void wake_tissue(const Scene& scene, State& state) noexcept {
+    Sleep& sleep = state.sleep;
+    if (!sleep.enabled()) return;
+    const int before = sleep.asleep_count;
+    unsettle_cuts(scene.body, state.body, sleep);
+    wake_roused(state.body, sleep);
+    if (before == 0) return;
+    const ContactSet& contacts = state.scratch->contacts;
+    for (int i = 0; i < contacts.candidate_count; ++i) {
+        const auto& triangle = state.surface.triangles()[at(contacts.candidates[at(i)] / 4)];
+        for (const int32_t v : triangle.vertex) wake_vertex(sleep, v);
+    }
+    for (const Grasp& grasp : state.grasps) {
+        for (int i = 0; i < grasp.count; ++i) wake_vertex(sleep, grasp.held[at(i)].vertex);
+    }
+    for (int b = 0; b < sleep.blocks(); ++b) {
+        if (sleep.beside[at(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
+    }
+    if (sleep.asleep_count != before) set_runs(scene.body, state.body, sleep);
+}
+
+void doze(const Scene& scene, State& state) noexcept {
+    Sleep& sleep = state.sleep;
+    if (!sleep.enabled() || state.frame % kLook != 0) return;
+    bool changed = false;
+    for (int b = 0; b < sleep.blocks(); ++b) {
+        if (sleep.asleep[at(b)] != 0 || sleep.restless[at(b)] != 0) continue;
+        uint8_t& looks = sleep.calm[at(b)];
+        looks = is_calm(state, sleep, b) ? static_cast<uint8_t>(looks + 1) : uint8_t{0};
+        if (looks < kCalmLooks) continue;
+        fall_asleep(state.body, sleep, b);
+        changed = true;
+    }
+    if (changed) set_runs(scene.body, state.body, sleep);
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Tissue that is at rest and away from instruments is not solved. The vertices are cut into blocks
+// that stay together in space. A block falls asleep when all of it has been calm for a while, and
+// wakes when an instrument, a cut or a grasp comes near or when its neighbours have moved since it
+// fell asleep. What sleeps keeps its place exactly and has no velocity, so that neither falling
+// asleep nor waking can be seen; the price is that motions below `kWakeM` end at its border.
+// VBD only.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/soft_body.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+/// Sized by the constructor, never grows.
+struct Sleep {
+    explicit Sleep(const SoftBody& body);
+
+    [[nodiscard]] bool enabled() const noexcept { return !calm.empty(); }
+    [[nodiscard]] int blocks() const noexcept { return static_cast<int>(calm.size()); }
+    /// True while nothing at all is solved.
+    [[nodiscard]] bool still() const noexcept { return asleep_count == blocks() && enabled(); }
+    /// True when no corner of a tet moves.
+    [[nodiscard]] bool sleeps(const std::array<int32_t, 4>& corners) const noexcept {
+        for (const int32_t v : corners) {
+            if (vertex_asleep[static_cast<size_t>(v)] == 0) return false;
+        }
+        return true;
+    }
+
+    // constant
+    std::vector<int32_t> block;                 ///< (V) -1 = none: fixed, tethered.
+    std::vector<int32_t> member_start, member;  ///< Vertices of a block.
+    std::vector<int32_t> border_start, border;  ///< Movable vertices next to a block.
+    std::vector<int32_t> unblocked;             ///< Movable vertices without a block.
+    // changing
+    std::vector<uint8_t> asleep, calm;         ///< (blocks) calm: looks in a row.
+    std::vector<uint8_t> restless;             ///< (blocks) 1 = was cut and never sleeps again.
+    std::vector<uint8_t> beside;               ///< (blocks) 1 = asleep, with awake neighbours.
+    std::vector<std::array<float, 3>> since;   ///< (members) where they were when calm began.
+    std::vector<std::array<float, 3>> before;  ///< (borders) where they were when it fell asleep.
+    std::vector<uint8_t> vertex_asleep;        ///< (V + spares) 1 = not solved, or fixed.
+    std::vector<uint8_t> chunk;                ///< (ceil((V + spares) / 16)) private.
+    int asleep_count = 0;
+    int32_t known_vertices = 0;  ///< Copies up to here have been looked at.
+};
+
+/// Start of a frame, after collect_candidates(): wakes what is touched, held, cut or shaken.
+void wake_tissue(const Scene& scene, State& state) noexcept;
+
+/// End of a frame: now and then looks for blocks that have come to rest.
+void doze(const Scene& scene, State& state) noexcept;
+
+}  // namespace placode::sim

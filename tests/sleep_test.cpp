@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sleeping tissue: it comes to rest, wakes for what matters, and nobody can see the difference.
+
+#include "sim/sleep.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/cutting.h"
+#include "sim/space_order.h"
+#include "tests/box_scene.h"
+
+namespace placode::sim {
+namespace {
+
+using test::box_scene;
+using test::BoxOptions;
+using test::frame;
+using test::upright;
+
+/// A wide soft sheet, so that far from the needle nothing moves.
+BoxOptions sheet(bool sleep) {
+    BoxOptions options;
+    options.size_m = Vec3(0.024, 0.024, 0.0015);
+    options.cells = {32, 32, 3};
+    options.tissue = Tissue::kZone;
+    options.material.youngs_modulus_pa = 10000;
+    options.material.damping_per_s = 30;
+    options.sleep = sleep;
+    return options;
+}
+
+const Vec3 kAway(0.010, 0.010, 0.004);
+
+/// Frames with the tip at `place(n)`; returns the force of the last.
+template <class Place>
+Vec3 run(const Scene& scene, State& state, int frames, Place&& place) {
+    ToolFeedback feedback;
+    for (int n = 0; n < frames; ++n) frame(scene, state, upright(place(n)), feedback);
+    return feedback.force_n;
+}
+
+Vec3 press(int n) { return {-0.006, -0.006, std::max(-0.0004, 0.0004 - 2e-6 * n)}; }
+
+TEST(Sleep, TissueAtRestFallsAsleepAndStaysWhereItIs) {
+    const Scene scene = box_scene(sheet(true));
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    EXPECT_TRUE(state.sleep.still());
+    const auto x = state.body.x;
+    run(scene, state, 50, [](int) { return kAway; });
+    for (size_t v = 0; v < x.size(); ++v) EXPECT_EQ(x[v].z, state.body.x[v].z);
+}
+
+TEST(Sleep, ANeedleWakesItsSurroundingsOnly) {
+    const Scene scene = box_scene(sheet(true));
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    const Vec3 force = run(scene, state, 500, press);
+    EXPECT_GT(force.norm(), 1e-3);
+    EXPECT_LT(state.sleep.asleep_count, state.sleep.blocks());
+    EXPECT_GT(state.sleep.asleep_count, state.sleep.blocks() / 2);
+    EXPECT_FALSE(state.body.awake.all);
+}
+
+TEST(Sleep, ForceAndShapeAreThoseOfTissueThatIsAwake) {
+    Vec3 force[2];
+    std::vector<Float4> x[2];
+    for (const bool sleep : {false, true}) {
+        const Scene scene = box_scene(sheet(sleep));
+        State state(scene, 1);
+        run(scene, state, 400, [](int) { return kAway; });
+        force[sleep] = run(scene, state, 800, press);
+        x[sleep] = state.body.x;
+    }
+    // The border of what sleeps stands still within 5 um; the push is 0.4 mm.
+    EXPECT_LT((force[1] - force[0]).norm(), 0.001 * force[0].norm());
+    double most = 0;
+    for (size_t v = 0; v < x[0].size(); ++v) {
+        const Vec3 d(x[1][v].x - x[0][v].x, x[1][v].y - x[0][v].y, x[1][v].z - x[0][v].z);
+        most = std::max(most, d.norm());
+    }
+    EXPECT_LT(most, 5e-6);
+    EXPECT_GT(most, 0);  // or nothing slept
+}
+
+TEST(Sleep, TheBitsDoNotDependOnTheThreads) {
+    const Scene scene = box_scene(sheet(true));
+    uint64_t first = 0;
+    for (const int threads : {1, 2, 3}) {
+        State state(scene, threads);
+        run(scene, state, 300, [](int) { return kAway; });
+        run(scene, state, 300, press);
+        EXPECT_GT(state.sleep.asleep_count, 0);
+        if (threads == 1) first = state_hash(state);
+        EXPECT_EQ(state_hash(state), first) << threads;
+    }
+}
+
+TEST(Sleep, ARemovedTetWakesItsBlocks) {
+    const Scene scene = box_scene(sheet(true));
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    ASSERT_TRUE(state.sleep.still());
+    take_out(scene, state, 0);
+    run(scene, state, 1, [](int) { return kAway; });
+    EXPECT_FALSE(state.sleep.still());
+    for (const int32_t v : scene.body.mesh().tets[0]) {
+        const int block = state.sleep.block[static_cast<size_t>(v)];
+        if (block < 0) continue;
+        EXPECT_EQ(state.sleep.asleep[static_cast<size_t>(block)], 0);
+    }
+}
+
+TEST(Sleep, WithoutIntentionNothingSleeps) {
+    const Scene scene = box_scene(sheet(false));
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    EXPECT_FALSE(state.sleep.enabled());
+    EXPECT_TRUE(state.body.awake.all);
+}
+
+TEST(SpaceOrder, NeighboursOnTheCurveAreNeighboursInSpace) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < 16; ++i)
+        for (int j = 0; j < 16; ++j)
+            for (int k = 0; k < 16; ++k) points.emplace_back(i, j, k);
+    const auto keys = hilbert_keys(points);
+    std::vector<size_t> order(points.size());
+    for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return keys[a] < keys[b]; });
+    // A Hilbert curve through a lattice takes unit steps only.
+    for (size_t i = 1; i < order.size(); ++i)
+        EXPECT_NEAR((points[order[i]] - points[order[i - 1]]).norm(), 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace placode::sim
