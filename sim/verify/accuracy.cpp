@@ -81,13 +81,38 @@ double convergence_order(const std::vector<AccuracyRow>& rows) {
     return n < 2 || !(spread > 0) ? 0 : (n * xy - x * y) / spread;
 }
 
+namespace {
+
+struct Group {
+    const char* name;
+    void (*measure)(AccuracyTable&);
+    bool on_field;
+};
+constexpr Group kGroups[] = {{"homogeneous", measure_homogeneous, false},
+                             {"beams", measure_beams, false},
+                             {"motion", measure_motion, false},
+                             {"indentation", measure_indentation, false},
+                             {"field", measure_field, true},
+                             {"drives", measure_drives, true}};
+
+}  // namespace
+
+const std::vector<std::string>& accuracy_groups() {
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> out;
+        for (const Group& group : kGroups) out.emplace_back(group.name);
+        return out;
+    }();
+    return names;
+}
+
 std::vector<AccuracyRow> measure_accuracy(const AccuracyOptions& options) {
     AccuracyTable table(options);
-    measure_homogeneous(table);
-    measure_beams(table);
-    measure_motion(table);
-    measure_indentation(table);
-    if (options.field) measure_field(table);
+    for (const Group& group : kGroups) {
+        const bool wanted =
+            options.only.empty() ? options.field || !group.on_field : options.only == group.name;
+        if (wanted) group.measure(table);
+    }
     return table.rows();
 }
 

@@ -30,9 +30,13 @@ struct AccuracyRow {
 struct AccuracyOptions {
     bool quick = false;  ///< Small meshes and few steps only.
     bool field = true;   ///< With the default operative field (some minutes).
+    std::string only;    ///< One of accuracy_groups(); empty = all.
     /// Called after every row.
     std::function<void(const AccuracyRow&)> progress;
 };
+
+/// homogeneous, beams, motion, indentation, field, drives.
+[[nodiscard]] const std::vector<std::string>& accuracy_groups();
 
 /// All cases. Runs for minutes; one thread.
 [[nodiscard]] std::vector<AccuracyRow> measure_accuracy(const AccuracyOptions& options);
@@ -47,5 +51,6 @@ void measure_beams(AccuracyTable& table);
 void measure_motion(AccuracyTable& table);
 void measure_indentation(AccuracyTable& table);
 void measure_field(AccuracyTable& table);
+void measure_drives(AccuracyTable& table);
 
 }  // namespace placode::sim

@@ -25,7 +25,7 @@ using sim::AccuracyRow;
 
 struct Options {
     bool quick = false, field = false;
-    std::string out, report;
+    std::string out, report, only;
 };
 
 /// Four significant digits.
@@ -81,7 +81,7 @@ std::vector<reports::Curve> curves(const std::vector<AccuracyRow>& rows, const s
     for (const AccuracyRow& row : rows) {
         if (row.study != study || !(row.h_s > 0) || row.quantity.find("reaction") == 0) continue;
         std::string name = row.method;
-        if (study == "operative field") name += ", " + row.setting;
+        if (study == "operative field" || study == "fast drives") name += ", " + row.setting;
         if (study.rfind("cantilever", 0) == 0)
             name += ", " + fixed(row.edge_m * 1e3, 0) + " mm" +
                     (row.setting.find("0.49") != std::string::npos ? ", nu 0.49" : "");
@@ -111,7 +111,8 @@ std::vector<Figure> write_figures(const std::vector<AccuracyRow>& rows, const fs
     };
     const std::pair<const char*, const char*> studies[]{{"cantilever, static", "static"},
                                                         {"cantilever, dynamic", "dynamic"},
-                                                        {"operative field", "field"}};
+                                                        {"operative field", "field"},
+                                                        {"fast drives", "drives"}};
     for (const auto& [study, name] : studies) {
         for (const bool cost : {false, true}) {
             reports::CurveChart chart;
@@ -268,6 +269,7 @@ int accuracy(const Context& context, const Options& options) {
     sim::AccuracyOptions measured;
     measured.quick = options.quick;
     measured.field = options.field || !options.quick;
+    measured.only = options.only;
     measured.progress = [](const AccuracyRow& row) {
         std::cerr << row.study << ", " << row.setting << ", " << row.method << ", h "
                   << fixed(row.h_s * 1e3, 4) << " ms: " << row.quantity << ": "
@@ -323,6 +325,8 @@ void add_accuracy_command(CLI::App& bench, Context& context) {
     command->add_option(
         "--out", options->out,
         "Folder for bench_accuracy.csv, bench_accuracy.json, REPORT.md and figures");
+    command->add_option("--only", options->only, "One group of cases")
+        ->check(CLI::IsMember(sim::accuracy_groups()));
     command->add_option("--report", options->report,
                         "Writes the report to this file (sim/verify/REPORT.md), figures beside it");
     command->callback([&context, options] {
