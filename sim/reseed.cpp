@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one state that no method leaves by itself: tissue shrunk to a point. F = 0 there, so that the
-// gradients of |F|^2 and of J are both zero.
+// States that a method does not leave by itself. Tissue shrunk to a point: F = 0 there, so that the
+// gradients of |F|^2 and of J are both zero. And a free piece at rest in a fold, another minimum of
+// the energy: without load, what is at rest and not stressed by anybody must have its rest shape.
+
+#include <Eigen/SVD>
+#include <algorithm>
 
 #include "sim/event.h"
 #include "sim/soft_body.h"
@@ -11,6 +15,8 @@ namespace {
 
 constexpr double kCollapsed = 1e-3;  // of the rest length; a working solver never comes near
 constexpr uint8_t kSeen = 2;         // in free_vertex, for the time of the search
+constexpr double kFolded = 0.4;      // edge against rest; pre-tension is at most 0.15
+constexpr double kSlow = 0.02;       // against the mean of the piece [m/s]
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
@@ -44,10 +50,107 @@ struct Piece {
     }
 };
 
+Vec3 rest_of(const SoftBody& body, const SoftBodyState& state, size_t v) noexcept {
+    return body.mesh().rest[at(origin_of(state, static_cast<int>(v)))];
+}
+
+/// Largest relative difference of an edge around a vertex from its rest length.
+double worst_edge(const SoftBody& body, const SoftBodyState& state, size_t v) noexcept {
+    double worst = 0;
+    for (const int32_t t : tets_around(body, state, static_cast<int>(v))) {
+        if (state.tet_alive[at(t)] == 0) continue;
+        for (const int32_t other : corners(body, state, t)) {
+            if (at(other) == v) continue;
+            const double rest = (rest_of(body, state, at(other)) - rest_of(body, state, v)).norm();
+            const double now = (to_vec(state.x[at(other)]) - to_vec(state.x[v])).norm();
+            worst = std::max(worst, std::abs(now / rest - 1));
+        }
+    }
+    return worst;
+}
+
+/// Lists the piece of free vertices around `first` in scratch, marks it kSeen, returns its size.
+size_t gather_free(const SoftBody& body, SoftBodyState& state, int32_t first) noexcept {
+    size_t count = 0;
+    const auto reach = [&](int32_t v) {
+        if (state.free_vertex[at(v)] != 1) return;
+        state.free_vertex[at(v)] |= kSeen;
+        state.scratch[count++] = v;
+    };
+    reach(first);
+    for (size_t head = 0; head < count; ++head) {
+        for (const int32_t t : tets_around(body, state, state.scratch[head])) {
+            if (state.tet_alive[at(t)] == 0) continue;
+            for (const int32_t v : corners(body, state, t)) reach(v);
+        }
+    }
+    return count;
+}
+
+/// True when the piece in scratch is at rest, untouched and folded.
+bool rests_folded(const SoftBody& body, const SoftBodyState& state, size_t count,
+                  const Vec3& velocity) noexcept {
+    double worst = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        if (state.contact_vertex[v] != 0 || state.x[v].w == 0) return false;
+        if (!((to_vec(state.v[v]) - velocity).norm() < kSlow)) return false;
+        worst = std::max(worst, worst_edge(body, state, v));
+    }
+    return worst > kFolded;
+}
+
+/// Rest shape in the place and turn that fit the piece in scratch best (Kabsch).
+void unfold(const SoftBody& body, SoftBodyState& state, size_t count,
+            const Vec3& velocity) noexcept {
+    Vec3 middle = Vec3::Zero(), rest_middle = Vec3::Zero();
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        middle += to_vec(state.x[v]) / static_cast<double>(count);
+        rest_middle += rest_of(body, state, v) / static_cast<double>(count);
+    }
+    Mat3 sum = Mat3::Zero();
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        sum += (to_vec(state.x[v]) - middle) * (rest_of(body, state, v) - rest_middle).transpose();
+    }
+    const Eigen::JacobiSVD<Mat3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Mat3 turn = svd.matrixU() * svd.matrixV().transpose();
+    if (turn.determinant() < 0) {
+        Mat3 u = svd.matrixU();
+        u.col(2) = -u.col(2);
+        turn = u * svd.matrixV().transpose();
+    }
+    const Vec3f u = velocity.cast<float>();
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        const Vec3f x = (middle + turn * (rest_of(body, state, v) - rest_middle)).cast<float>();
+        state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
+        state.v[v] = {u.x(), u.y(), u.z(), 0};
+    }
+}
+
+int reseed_folded(const SoftBody& body, SoftBodyState& state) noexcept {
+    int placed = 0;
+    for (size_t first = 0; first < state.free_vertex.size(); ++first) {
+        if (state.free_vertex[first] != 1) continue;
+        const size_t count = gather_free(body, state, static_cast<int32_t>(first));
+        Vec3 velocity = Vec3::Zero();
+        for (size_t i = 0; i < count; ++i) {
+            velocity += to_vec(state.v[at(state.scratch[i])]) / static_cast<double>(count);
+        }
+        if (!rests_folded(body, state, count, velocity)) continue;
+        unfold(body, state, count, velocity);
+        placed += static_cast<int>(count);
+    }
+    for (uint8_t& f : state.free_vertex) f &= static_cast<uint8_t>(~kSeen);
+    return placed;
+}
+
 }  // namespace
 
 int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
-    int placed = 0;
+    int placed = reseed_folded(body, state);
     for (int t = 0; t < body.tet_count(); ++t) {
         if (!collapsed(body, state, t)) continue;
         size_t count = 0;  // of the piece, listed in scratch
