@@ -216,6 +216,39 @@ TEST(Solve, ASphereIsPressedBackByWhatItPressesOn) {
     }
 }
 
+TEST(Solve, TheForceOnASphereIsThatOfNewtonOnTheSameGradedMesh) {
+    // Edges of 0.3 mm below the sphere and of 2 mm at the sides: a contact as stiff as the mean
+    // edge asks for would burst on the small ones. Newton itself must come to an end.
+    double force[2]{};
+    for (const bool fast : {false, true}) {
+        sim::VerificationScene scene = curriculum::verification_scene_from_json(
+            R"({"mesh": {"box": {"size_m": [0.008,0.008,0.008], "cells": [8,8,8]}},
+                "material": {"youngs_modulus_pa": 50000, "poissons_ratio": 0.45, "density_kg_m3": 1000},
+                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
+                "fixed": [{"box_m": [[-1,-1,0],[1,1,0]], "axes": "xyz"}],
+                "sdf_contacts": [{"sphere": {"centre_m": [0,0,0.013], "radius_m": 0.005},
+                                  "velocity_m_s": [0,0,-0.001], "friction": 0}],
+                "until": {"time_s": 0.2}, )" +
+                solver(fast ? "vbd" : "newton", 4) + "}",
+            "scene.json", ".");
+        for (std::vector<sim::Vec3>* points : {&scene.mesh.rest, &scene.output_points}) {
+            for (sim::Vec3& p : *points) {
+                for (int a = 0; a < 3; ++a) {
+                    const double t = p[a] / 0.008;
+                    p[a] = a < 2 ? 0.008 * t * (0.3 + 0.7 * t) : 0.008 * t * (1.7 - 0.7 * t);
+                }
+            }
+        }
+        const SolveResult result = curriculum::solve_verification_scene(scene, "scene.json");
+        EXPECT_FALSE(result.diverged);
+        EXPECT_EQ(result.inverted_tets, 0);
+        force[fast] = result.contact_force_n.z();
+    }
+    EXPECT_GT(force[0], 1e-3);
+    // 0.2 s at 1 mm/s and penalty contacts of different stiffness: 2 %.
+    EXPECT_NEAR(force[1] / force[0], 1, 0.02);
+}
+
 TEST(Solve, FrictionHoldsATangentialPullUpToTheCone) {
     // The sphere sits 0.4 mm deep and moves sideways: with friction it drags the surface along.
     double side[2]{};

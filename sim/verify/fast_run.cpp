@@ -7,6 +7,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "sim/event.h"
 #include "sim/number_text.h"
@@ -15,8 +16,11 @@
 namespace placode::sim {
 namespace {
 
-constexpr int kPasses = 2;                 // over the contact colour for each sweep, as in sim/step
-constexpr double kContactStiffness = 300;  // x E x edge: penetration far below the indentation
+constexpr int kPasses = 2;  // over the contact colour for each sweep, as in sim/step
+// Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
+// and x what the touched vertices answer at once, as in sim/contact.cpp: more bursts on fine
+// patches.
+constexpr double kContactStiffness = 300, kContactRatio = 6;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
@@ -227,6 +231,7 @@ class FastRun {
             const double margin = 0.2 * setup_.contacts->mean_edge_m() + 2 * h_ * fastest;
             setup_.contacts->find([this](int32_t v) { return to_vec(state_.x_start[at(v)]); },
                                   time_, margin, touches_);
+            drop_doubles();
             for (SphereTouch& t : touches_) {
                 double place = 0;
                 for (int i = 0; i < 3; ++i) {
@@ -236,6 +241,7 @@ class FastRun {
                 t.gap_m -= place;  // from here on the offset of gap = n . (sum b x) + offset
             }
         }
+        set_stiffness();
         incidence_.assign(special_.size(), {});
         for (size_t t = 0; t < touches_.size(); ++t) {
             for (int i = 0; i < 3; ++i)
@@ -249,6 +255,34 @@ class FastRun {
             if (x.w == 0) continue;
             const Float4& before = state_.x_start[at(special_[i])];
             x = {before.x, before.y, before.z, x.w};
+        }
+    }
+
+    /// A corner or an edge is touched once, however many triangles meet there.
+    void drop_doubles() {
+        std::set<std::array<int32_t, 4>> seen;
+        std::erase_if(touches_, [&](const SphereTouch& t) {
+            std::array<int32_t, 4> key{-1, -1, -1, t.sphere};
+            for (int i = 0; i < 3; ++i) {
+                if (t.b[i] > 0) key[at(i)] = t.vertex[at(i)];
+            }
+            std::sort(key.begin(), key.begin() + 3);
+            return !seen.insert(key).second;
+        });
+    }
+
+    void set_stiffness() {
+        answer_.resize(special_.size());
+        for (size_t i = 0; i < special_.size() && !touches_.empty(); ++i)
+            answer_[i] = vertex_system(body_, state_, special_[i], h_).hessian;
+        touch_n_m_.clear();
+        for (const SphereTouch& t : touches_) {
+            double gives = 0;
+            for (int i = 0; i < 3; ++i) {
+                const Mat3& k = answer_[at(slot_[at(t.vertex[at(i)])])];
+                gives += t.b[i] * t.b[i] / t.n.dot(k * t.n);
+            }
+            touch_n_m_.push_back(std::min(k_, kContactRatio / gives));
         }
     }
 
@@ -281,10 +315,14 @@ class FastRun {
         const Vec3 way = to_vec(state_.x[at(v)]) - (s.centre_at(time_) + a.from_centre);
         grip.slide = way - grip.normal * grip.normal.dot(way);
         grip.limit_n = s.friction * size;
-        grip.stiffness_n_m = k_;
+        grip.stiffness_n_m = grip_n_m(v);
         const double length = grip.slide.norm();
-        if (length * k_ > grip.limit_n) grip.stiffness_n_m = grip.limit_n / length;
+        if (length * grip.stiffness_n_m > grip.limit_n) grip.stiffness_n_m = grip.limit_n / length;
         return grip;
+    }
+
+    [[nodiscard]] double grip_n_m(int32_t v) const {
+        return std::min(k_, kContactRatio * answer_[at(slot_[at(v)])].trace() / 3);
     }
 
     void solve_special() {
@@ -297,11 +335,11 @@ class FastRun {
             Vec3 load = Vec3::Zero();
             for (const int32_t entry : incidence_[i]) {
                 const SphereTouch& t = touches_[at(entry / 4)];
-                const double b = t.b[entry % 4], g = gap(t);
+                const double b = t.b[entry % 4], g = gap(t), k = touch_n_m_[at(entry / 4)];
                 if (g >= 0 || b == 0) continue;
-                system.gradient += k_ * g * b * t.n;
-                system.hessian += k_ * b * b * t.n * t.n.transpose();
-                load -= k_ * g * b * t.n;
+                system.gradient += k * g * b * t.n;
+                system.hessian += k * b * b * t.n * t.n.transpose();
+                load -= k * g * b * t.n;
             }
             if (load.squaredNorm() > 0) {
                 const Grip grip = grip_of(v, load);
@@ -334,14 +372,15 @@ class FastRun {
         std::vector<Vec3> load(special_.size(), Vec3::Zero());
         std::vector<int> sphere(special_.size(), -1);
         deepest_ = 0;
-        for (const SphereTouch& t : touches_) {
-            const double g = gap(t);
+        for (size_t n = 0; n < touches_.size(); ++n) {
+            const SphereTouch& t = touches_[n];
+            const double g = gap(t), k = touch_n_m_[n];
             if (g >= 0) continue;
             deepest_ = std::max(deepest_, -g);
-            force_[at(t.sphere)] += k_ * g * t.n;
+            force_[at(t.sphere)] += k * g * t.n;
             for (int i = 0; i < 3; ++i) {
                 const auto slot = at(slot_[at(t.vertex[at(i)])]);
-                load[slot] -= k_ * g * t.b[i] * t.n;
+                load[slot] -= k * g * t.b[i] * t.n;
                 sphere[slot] = t.sphere;
             }
         }
@@ -357,7 +396,8 @@ class FastRun {
             if (anchor.sphere == sphere[i]) {
                 const Grip grip = grip_of(v, load[i]);
                 force_[at(sphere[i])] += grip.stiffness_n_m * grip.slide;
-                place -= grip.stiffness_n_m / k_ * grip.slide;  // dragged along where it slips
+                // Dragged along where it slips.
+                place -= grip.stiffness_n_m / grip_n_m(v) * grip.slide;
             }
             anchor = {sphere[i], place - s.centre_at(time_)};
         }
@@ -408,6 +448,8 @@ class FastRun {
     std::vector<int32_t> held_, special_, slot_;
     std::vector<std::vector<int32_t>> incidence_;  // touch * 4 + corner, of each special vertex
     std::vector<SphereTouch> touches_;
+    std::vector<double> touch_n_m_;  // stiffness of each
+    std::vector<Mat3> answer_;       // Hessian of each special vertex, its neighbours held
     std::vector<Anchor> anchor_;
     std::vector<Vec3> force_;
     int frame_substeps_ = 0;

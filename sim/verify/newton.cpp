@@ -6,6 +6,7 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace placode::sim {
 namespace {
@@ -15,6 +16,10 @@ constexpr int kMostDirect = 150000;
 // Added to the diagonal, relative to its mean: rigid motion that nothing holds stays where it is.
 // Far below the smallest stiffness of a body (about (edge / size)^2), it does not slow convergence.
 constexpr double kProximal = 1e-11;
+// Stiff contacts leave rounding that no step removes: a residual that has not halved in so many
+// iterations, and is this near to the tolerance, is accepted.
+constexpr int kStall = 12;
+constexpr double kStalled = 1e3;
 
 class StaticSolver {
  public:
@@ -156,12 +161,20 @@ class StaticSolver {
             held_step[i] = start[i] + share * (problem_.held_at[i] - start[i]) - x_[i];
         }
         bool moving = held_step.lpNorm<Eigen::Infinity>() > 0;
+        double halved = std::numeric_limits<double>::infinity();
+        int since = 0;
         for (int i = 0; i < settings_.max_iterations; ++i) {
             gradient(nullptr);
             report_.residual_n = residual();
             report_.force_scale_n = force_scale();
             const double small = std::max(settings_.tolerance * report_.force_scale_n, rounding_);
             if (!moving && report_.residual_n <= small) return true;
+            if (report_.residual_n < 0.5 * halved) {
+                halved = report_.residual_n;
+                since = i;
+            } else if (i - since >= kStall && report_.residual_n <= kStalled * small) {
+                return true;
+            }
             Coordinates direction;
             if (!newton_direction(held_step, false, direction) &&
                 !newton_direction(held_step, true, direction))
@@ -179,7 +192,7 @@ class StaticSolver {
                 if (!newton_direction(held_step, true, direction)) return false;
                 slope = gradient_.dot(direction);
             }
-            if (!line_search(direction, slope)) return report_.residual_n <= 1e3 * small;
+            if (!line_search(direction, slope)) return report_.residual_n <= kStalled * small;
         }
         return false;
     }
