@@ -26,6 +26,7 @@ constexpr auto kLatest = std::chrono::milliseconds(5);
 constexpr int kFewestSubsteps = 2;
 constexpr int kSlowFrames = 200, kQuickFrames = 2000;  // before the substeps change
 constexpr size_t kCosts = 1024;
+constexpr int kQuietHands = 50;  // frames without a word from the servo
 
 Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
 
@@ -87,6 +88,13 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
 void AttemptLoop::request_finish(sim::EndReason reason) noexcept {
     uint8_t none = 0;
     requested_.compare_exchange_strong(none, static_cast<uint8_t>(reason));
+    // No force goes on without an attempt, however long its last frame takes.
+    if (!lock_step_) servo_->release();
+}
+
+void AttemptLoop::set_paused(bool paused) noexcept {
+    paused_ = paused;
+    servo_->set_paused(paused);
 }
 
 template <class T>
@@ -174,8 +182,12 @@ void AttemptLoop::gather_inputs() noexcept {
         servo_->tick(t_ns, {inputs_.data(), scene_->tools.size()},
                      {feedback_.data(), scene_->tools.size()});
     } else {
-        servo_->exchange().inputs.refresh();
+        // Hands that have not spoken for 50 frames hold nothing and press no pedal.
+        quiet_frames_ = servo_->exchange().inputs.refresh() ? 0 : quiet_frames_ + 1;
         inputs_ = servo_->exchange().inputs.front();
+        if (quiet_frames_ > kQuietHands) {
+            for (sim::ToolInput& input : inputs_) input.pedals = input.engaged = 0;
+        }
     }
 }
 

@@ -41,7 +41,7 @@ class AttemptLoop {
 
     // Main thread.
     void request_finish(sim::EndReason reason) noexcept;
-    void set_paused(bool paused) noexcept { paused_ = paused; }
+    void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finished() const noexcept { return finished_; }
     [[nodiscard]] sim::Latest<sim::Snapshot>& snapshots() noexcept { return snapshots_; }
     [[nodiscard]] sim::Latest<LoopNumbers>& numbers() noexcept { return numbers_; }
@@ -99,7 +99,7 @@ class AttemptLoop {
     sim::EndReason reason_ = sim::EndReason::kRunning;
     sim::RecordingEnd end_;
     Clock::time_point next_{}, published_{}, second_{};
-    int second_frames_ = 0, slow_frames_ = 0, quick_frames_ = 0;
+    int second_frames_ = 0, slow_frames_ = 0, quick_frames_ = 0, quiet_frames_ = 0;
     double cost_s_ = 0;  // of a frame, smoothed
     std::vector<float> costs_ms_, sorted_ms_;
     size_t cost_count_ = 0;

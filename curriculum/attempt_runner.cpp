@@ -40,9 +40,11 @@ std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
     config.tools = task.scene.tools;
     config.window = options.window;
     config.frame_s = task.scene.solver.frame_s;
+    config.station = haptics::Station::of_this_computer();
     return std::make_unique<haptics::Servo>(
         haptics::open_device(config), task.scene.tools,
-        haptics::default_trocars(task.scene.tools, options.device), haptics::CouplingSettings{});
+        haptics::default_trocars(task.scene.tools, options.device, config.station),
+        haptics::station_limits(config.station));
 }
 
 }  // namespace

@@ -12,6 +12,11 @@ namespace placode::haptics {
 std::unique_ptr<DeviceGroup> open_mouse(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_keyboard(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_gamepad(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_spacemouse(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_openhaptics(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_haply(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_avatar(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_forcedimension(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_script(const DeviceConfig& config, OperatorLevel level);
 
 namespace {
@@ -20,34 +25,52 @@ constexpr std::string_view kScriptPrefix = "script:";
 
 struct Variant {
     std::string_view name, detail;
-    std::unique_ptr<DeviceGroup> (*open)(const DeviceConfig&);  // null: no driver in this version
+    std::unique_ptr<DeviceGroup> (*open)(const DeviceConfig&);
+    bool hardware = false;  // has to be there
 };
 
 constexpr Variant kVariants[] = {
     {"mouse", "tip in the picture's plane, wheel for depth; no force", open_mouse},
     {"keyboard", "fixed speeds; no force", open_keyboard},
     {"gamepad", "sticks and triggers; no force; needs a pad with a standard mapping", open_gamepad},
-    {"spacemouse", "3Dconnexion SpaceMouse over spacenavd", nullptr},
-    {"openhaptics", "Touch, Touch X, Omni over OpenHaptics", nullptr},
-    {"haply", "Haply Inverse3", nullptr},
-    {"avatar", "Follou Haptic Avatar", nullptr},
-    {"forcedimension", "Force Dimension omega, delta, sigma, lambda", nullptr},
+    {"spacemouse", "3Dconnexion SpaceMouse over spacenavd; no force", open_spacemouse, true},
+    {"openhaptics", "Touch, Touch X, Omni over OpenHaptics", open_openhaptics, true},
+    {"haply", "Haply Inverse3 over the Inverse service", open_haply, true},
+    {"avatar", "Follou Haptic Avatar over serial lines", open_avatar, true},
+    {"forcedimension", "Force Dimension omega, delta, sigma, lambda", open_forcedimension, true},
 };
 
-std::string usable_names() {
+std::string known_names() {
     std::string names;
-    for (const auto& variant : kVariants)
-        if (variant.open != nullptr) names += std::string(variant.name) + ", ";
+    for (const auto& variant : kVariants) names += std::string(variant.name) + ", ";
     for (const auto level : operator_levels())
         names += std::string(kScriptPrefix) + std::string(operator_name(level)) + ", ";
     names.resize(names.size() - 2);
     return names;
 }
 
-std::string unsupported(const Variant& variant) {
-    return "device \"" + std::string(variant.name) + "\" (" + std::string(variant.detail) +
-           ") is not supported by this version: it has no driver for it. Use one of: " +
-           usable_names() + ".";
+// Opens the device for a moment: what cannot be opened says why, what can says what it is.
+DeviceListing look_for(const Variant& variant, const Station& station) {
+    DeviceListing out{std::string(variant.name), true, std::string(variant.detail), {}};
+    if (!variant.hardware) return out;
+    DeviceConfig config;
+    config.name = out.name;
+    config.station = station;
+    config.tools.resize(2);
+    config.tools[1].hand = sim::Hand::kLeft;
+    try {
+        const auto group = variant.open(config);
+        for (const DeviceInfo& found : group->info()) {
+            const std::string name =
+                found.vendor + " " + found.model + (found.serial.empty() ? "" : " " + found.serial);
+            if (out.found.empty() || out.found.back() != name) out.found.push_back(name);
+        }
+        group->stop();
+    } catch (const DeviceError& error) {
+        out.available = false;
+        out.detail = error.what();
+    }
+    return out;
 }
 
 }  // namespace
@@ -64,24 +87,19 @@ std::unique_ptr<DeviceGroup> open_device(const DeviceConfig& config) {
     }
     for (const auto& variant : kVariants) {
         if (variant.name != name) continue;
-        if (variant.open == nullptr) throw DeviceError(unsupported(variant));
         return variant.open(config);
     }
-    throw DeviceError("unknown device \"" + config.name + "\"; known are: " + usable_names() + ".");
+    throw DeviceError("unknown device \"" + config.name + "\"; known are: " + known_names() + ".");
 }
 
-std::vector<DeviceListing> list_devices() {
+std::vector<DeviceListing> list_devices(const Station& station) {
     std::vector<DeviceListing> out;
-    for (const auto& variant : kVariants) {
-        const bool available = variant.open != nullptr;
-        out.push_back(
-            {std::string(variant.name), available,
-             available ? std::string(variant.detail)
-                       : "not supported by this version (" + std::string(variant.detail) + ")"});
-    }
+    for (const auto& variant : kVariants) out.push_back(look_for(variant, station));
     for (const auto level : operator_levels())
-        out.push_back({std::string(kScriptPrefix) + std::string(operator_name(level)), true,
-                       "scripted operator, seeded, runs in step with the simulation"});
+        out.push_back({std::string(kScriptPrefix) + std::string(operator_name(level)),
+                       true,
+                       "scripted operator, seeded, runs in step with the simulation",
+                       {}});
     return out;
 }
 
@@ -116,6 +134,32 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Turn the instrument", "right stick sideways"},
                 {"Stop the hand", "hold Space on the keyboard"},
                 {"Finish the task", "Start, or Enter on the keyboard"}};
+    if (device == "spacemouse")
+        return {{"Move the tip in the picture", "push the cap sideways and up or down"},
+                {"Go deeper / come back", "push the cap away from you / pull it"},
+                {"Cut (yellow pedal)", "hold the left button, or the yellow pedal"},
+                {"Coagulate (blue pedal)", "hold the right button, or the blue pedal"},
+                {"Turn the instrument", "twist the cap"},
+                {"Stop the hand", "hold Space on the keyboard"},
+                {"Other hand, when there are two", "Tab"},
+                {"Finish the task", "Enter"}};
+    if (device == "openhaptics" || device == "haply" || device == "forcedimension")
+        return {{"Move the handle outside the body", "move the arm; the port inverts"},
+                {"Cut (yellow pedal)", "yellow pedal, or the first button"},
+                {"Coagulate (blue pedal)", "blue pedal, or the third button"},
+                {"Close the jaws", "hold the first button, or the arm's gripper"},
+                {"Turn the instrument", "turn the stylus"},
+                {"Clutch: move the arm, not the handle", "hold the second button"},
+                {"Other instrument", "tap the second button, or Tab"},
+                {"Finish the task", "Enter"}};
+    if (device == "avatar")
+        return {{"Move the instrument in its port", "move the handle; the port inverts"},
+                {"Cut (yellow pedal)", "yellow pedal"},
+                {"Coagulate (blue pedal)", "blue pedal"},
+                {"Close the jaws", "close the handle"},
+                {"Turn the instrument", "turn the handle"},
+                {"Other instrument", "Tab"},
+                {"Finish the task", "Enter"}};
     return {};
 }
 

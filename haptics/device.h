@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "haptics/station.h"
 #include "sim/exchange.h"
 #include "sim/geometry.h"
 #include "sim/scene.h"
@@ -25,12 +26,6 @@ namespace placode::haptics {
 using sim::Mat3;
 using sim::Quat;
 using sim::Vec3;
-
-/// A device that cannot be opened or is not known. The message names it and the way out.
-class DeviceError : public std::runtime_error {
- public:
-    using std::runtime_error::runtime_error;
-};
 
 enum class DeviceStatus : uint8_t { kReady, kNotCalibrated, kLost, kFault };
 
@@ -56,8 +51,10 @@ struct DeviceState {
     uint32_t buttons = 0;
     uint8_t pedals = 0;  ///< sim::kPedalCut | sim::kPedalCoag
     DeviceStatus status = DeviceStatus::kReady;
-    bool engaged = true;  ///< false: hand off, inkwell, clutch at start.
-    bool finish = false;  ///< The operator declares the task done.
+    bool engaged = true;    ///< false: hand off, inkwell, clutch at start.
+    bool finish = false;    ///< The operator declares the task done.
+    bool clutched = false;  ///< The tool is held where it is, the hand is free: no force.
+    float motor_heat = 0;   ///< What the device says of its motors, 0 to 1.
 };
 
 /// Force for one device in one tick.
@@ -88,7 +85,7 @@ struct Perception {
     int pieces_out = 0;
 };
 
-/// Settings of `open_device`, from command line and task.
+/// Settings of `open_device`, from command line, station and task.
 struct DeviceConfig {
     std::string name;  ///< "mouse", "keyboard", "gamepad", "script:expert", ...
     uint64_t seed = 1;
@@ -96,6 +93,7 @@ struct DeviceConfig {
     sim::Latest<sim::WindowInput>* window =
         nullptr;  ///< For mouse, keyboard and gamepad; may be null.
     double frame_s = 1e-3;
+    Station station;  ///< What this computer says about its devices.
 };
 
 /// A group: one scheduler, one tick, one state per hand (same order as the tools).
@@ -109,6 +107,11 @@ class DeviceGroup {
     virtual void write(std::span<const DeviceCommand> commands) noexcept = 0;
     /// Only scripted operators look.
     virtual void perceive(const Perception&) noexcept {}
+    /// A group with a scheduler of its own (`DeviceInfo::owns_servo`) begins to call `tick` on its
+    /// thread once a period and says true; within the call it is read and written as usual. `tick`
+    /// answers false when the session is over. Any other group says false.
+    using ServoTick = bool (*)(void* context, int64_t t_ns) noexcept;
+    [[nodiscard]] virtual bool start(ServoTick, void* /*context*/) { return false; }
     /// True when the group must run in step with the simulation (scripts, recordings): then
     /// simulated time is its clock and no servo thread is started.
     [[nodiscard]] virtual bool lock_step() const noexcept { return false; }
@@ -124,9 +127,11 @@ class DeviceGroup {
 struct DeviceListing {
     std::string name;
     bool available = false;
-    std::string detail;
+    std::string detail;              ///< What it is, or what is missing and how to install it.
+    std::vector<std::string> found;  ///< Vendor, model and serial of hardware that answered.
 };
-[[nodiscard]] std::vector<DeviceListing> list_devices();
+/// Looks for hardware by opening it for a moment; takes up to some seconds.
+[[nodiscard]] std::vector<DeviceListing> list_devices(const Station& station = {});
 
 /// One line of the help: what happens, and what the hand does for it.
 struct ControlHelp {

@@ -2,105 +2,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/servo.h"
 
-#include <pthread.h>
-#include <sched.h>
-#include <sys/mman.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstring>
-#include <ctime>
+#include <chrono>
+#include <cmath>
 #include <thread>
 
 #include "haptics/coupling.h"
+#include "haptics/histogram.h"
+#include "haptics/real_time.h"
 
 namespace placode::haptics {
 
 namespace {
 
 constexpr int64_t kPeriodNs = 1'000'000;
+constexpr int64_t kLateNs = 1'100'000, kGapNs = 5'000'000;
 constexpr int64_t kCommandLifeNs = 10'000'000;  // A driver zeroes an older force by itself.
-constexpr int kPriority = 80;
-constexpr int kReleaseTicks = 60;  // The release ramp takes 50.
+constexpr int kReleaseTicks = 60;               // The release ramp takes 50.
 
-int64_t monotonic_ns() noexcept {
-    timespec now{};
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return static_cast<int64_t>(now.tv_sec) * 1'000'000'000 + now.tv_nsec;
+// Atomics that one thread writes: a plain store is enough and never locks the bus.
+using Counter = std::atomic<uint64_t>;
+void count(Counter& counter, bool happened = true, uint64_t n = 1) noexcept {
+    if (happened)
+        counter.store(counter.load(std::memory_order_relaxed) + n, std::memory_order_relaxed);
 }
 
-void sleep_until(int64_t t_ns) noexcept {
-    const timespec until{static_cast<time_t>(t_ns / 1'000'000'000), t_ns % 1'000'000'000};
-    while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr) == EINTR) {
-    }
-}
-
-// Touches the stack once, so that no page fault comes in the loop.
-void prefault_stack() noexcept {
-    volatile char room[256 * 1024];
-    for (size_t i = 0; i < sizeof room; i += 4096) room[i] = 0;
-}
-
-// Counts of periods: 5 us wide up to 5 ms, then 1 ms wide up to 1 s. One writer, any reader.
-class PeriodHistogram {
- public:
-    void add(int64_t period_ns) noexcept {
-        const int64_t us = std::max<int64_t>(0, period_ns / 1000);
-        const int64_t bin =
-            us < kFineUs
-                ? us / kFineWidthUs
-                : std::min<int64_t>(kFine + (us - kFineUs) / kCoarseWidthUs, kFine + kCoarse - 1);
-        counts_[static_cast<size_t>(bin)].fetch_add(1, std::memory_order_relaxed);
-        if (period_ns > max_ns_.load(std::memory_order_relaxed))
-            max_ns_.store(period_ns, std::memory_order_relaxed);
-    }
-    // Upper edge of the bin that holds the share `q` of all periods, never above the maximum [us].
-    [[nodiscard]] double quantile_us(double q) const noexcept {
-        uint64_t total = 0, sum = 0;
-        for (const auto& count : counts_) total += count.load(std::memory_order_relaxed);
-        if (total == 0) return 0;
-        for (int64_t bin = 0; bin < kFine + kCoarse; ++bin) {
-            sum += counts_[static_cast<size_t>(bin)].load(std::memory_order_relaxed);
-            if (static_cast<double>(sum) < q * static_cast<double>(total)) continue;
-            const int64_t edge = bin < kFine ? (bin + 1) * kFineWidthUs
-                                             : kFineUs + (bin - kFine + 1) * kCoarseWidthUs;
-            return std::min(static_cast<double>(edge), max_us());
-        }
-        return max_us();
-    }
-    [[nodiscard]] double max_us() const noexcept {
-        return static_cast<double>(max_ns_.load(std::memory_order_relaxed)) * 1e-3;
-    }
-
- private:
-    static constexpr int64_t kFine = 1000, kCoarse = 1000, kFineWidthUs = 5, kCoarseWidthUs = 1000,
-                             kFineUs = kFine * kFineWidthUs;
-    std::array<std::atomic<uint32_t>, kFine + kCoarse> counts_{};
-    std::atomic<int64_t> max_ns_{0};
+struct Counters {
+    Counter ticks{0}, missed{0}, late{0}, gaps{0}, tool_states{0}, saturated{0}, slewed{0}, hot{0},
+        stale{0}, silent{0}, passivity{0}, faults{0};
+    std::atomic<double> peak_n{0}, rms_n{0}, least_j{0};
+    std::atomic<int64_t> first_ns{0}, last_ns{0};
+    DurationHistogram periods, ages;
 };
-
-// Locks memory only where no limit can turn a later allocation into a failure.
-bool lock_memory() noexcept {
-    rlimit limit{};
-    const bool free = geteuid() == 0 ||
-                      (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY);
-    return free && mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0;
-}
-
-std::string missing_rights(bool real_time, bool locked) {
-    if (real_time && locked) return {};
-    std::string text = "The servo runs without ";
-    if (!real_time) text += "real-time priority (SCHED_FIFO)";
-    if (!real_time && !locked) text += " and ";
-    if (!locked) text += "locked memory (mlockall)";
-    text += ". To grant it, an administrator adds to /etc/security/limits.d/placode.conf: ";
-    if (!real_time) text += "\"@placode - rtprio 85\"";
-    if (!real_time && !locked) text += " and ";
-    if (!locked) text += "\"@placode - memlock unlimited\"";
-    return text + ", puts the user into the group placode, and the user logs in again.";
-}
 
 }  // namespace
 
@@ -108,37 +41,60 @@ struct Servo::Impl {
     struct HandLoop {
         Trocar trocar;
         Coupling coupling;
-        sim::ToolInput held;  // Last trusted input.
+        sim::ToolInput held;     // Last trusted input.
+        double tool_time_s = 0;  // Of the last tool state, to count distinct ones.
     };
 
     std::unique_ptr<DeviceGroup> devices;
+    std::string device_names;
+    bool force = false;
     // Servo thread (or the caller in lock step).
     std::vector<HandLoop> hands;
     std::vector<DeviceState> states;
     std::vector<DeviceCommand> commands;
+    std::array<sim::ToolInput, sim::kMaxTools> inputs{};
+    int64_t previous_ns = 0;
+    int release_ticks = -1;
     // Crosses threads.
     Exchange exchange;
-    std::atomic<uint64_t> ticks{0}, overruns{0}, clamped{0}, faults{0}, stale{0};
-    std::atomic<bool> finish{false}, running{false}, releasing{false}, real_time{false};
-    PeriodHistogram periods;
+    Counters counters;
+    std::atomic<bool> finish{false}, running{false}, releasing{false}, released{false},
+        real_time{false}, paused{false};
     // Owner.
     std::thread thread;
-    bool locked = false, was_started = false, stopped = false;
+    bool locked = false, was_started = false, stopped = false, own_scheduler = false;
 
     void tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                    const sim::ToolFeedback& feedback) noexcept;
+    void note(size_t i, const CouplingResult& result, const sim::ToolFeedback& feedback) noexcept;
+    void note_time(int64_t now_ns) noexcept;
+    void step_release() noexcept;
+    bool tick_all(int64_t now_ns) noexcept;
     void run() noexcept;
 };
 
-namespace {
-
-void count(std::atomic<uint64_t>& counter, bool happened = true, uint64_t n = 1) noexcept {
-    // One writer: a plain store is enough and never locks the bus.
-    if (happened)
-        counter.store(counter.load(std::memory_order_relaxed) + n, std::memory_order_relaxed);
+void Servo::Impl::note(size_t i, const CouplingResult& result,
+                       const sim::ToolFeedback& feedback) noexcept {
+    HandLoop& hand = hands[i];
+    count(counters.saturated, result.clamped);
+    count(counters.slewed, result.slewed);
+    count(counters.hot, result.hot);
+    count(counters.stale, result.stale);
+    count(counters.silent, result.silent);
+    count(counters.passivity, result.passive);
+    count(counters.faults, result.fault);
+    count(counters.tool_states, feedback.time_s != hand.tool_time_s);
+    hand.tool_time_s = feedback.time_s;
+    if (feedback.time_s > 0) counters.ages.add(std::llround(result.tool_age_s * 1e9));
+    constexpr auto relaxed = std::memory_order_relaxed;
+    const double size = result.force_n.norm();
+    if (size > counters.peak_n.load(relaxed)) counters.peak_n.store(size, relaxed);
+    const double least = hand.coupling.least_energy_j();
+    if (least < counters.least_j.load(relaxed)) counters.least_j.store(least, relaxed);
+    // Of the hand that works hardest.
+    const double rms = hand.coupling.rms_force_n();
+    if (rms > counters.rms_n.load(relaxed)) counters.rms_n.store(rms, relaxed);
 }
-
-}  // namespace
 
 void Servo::Impl::tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                             const sim::ToolFeedback& feedback) noexcept {
@@ -146,9 +102,7 @@ void Servo::Impl::tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
     const DeviceState& state = states[i];
     const sim::Pose tip = hand.trocar.tip_pose(state);
     const CouplingResult result = hand.coupling.tick(t_ns, state, tip.p, feedback, hand.trocar);
-    count(clamped, result.clamped);
-    count(faults, result.fault);
-    count(stale, result.stale);
+    if (!paused.load(std::memory_order_relaxed)) note(i, result, feedback);
     if (result.trusted) {
         hand.held.set_pose(tip);
         hand.held.jaw_rad = static_cast<float>(state.jaw_rad);
@@ -168,40 +122,52 @@ void Servo::Impl::tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
     commands[i].valid_until_ns = t_ns + kCommandLifeNs;
 }
 
+void Servo::Impl::note_time(int64_t now_ns) noexcept {
+    constexpr auto relaxed = std::memory_order_relaxed;
+    if (previous_ns != 0) {
+        const int64_t period = now_ns - previous_ns;
+        counters.periods.add(period);
+        count(counters.late, period > kLateNs);
+        count(counters.gaps, period > kGapNs);
+    } else {
+        counters.first_ns.store(now_ns, relaxed);
+    }
+    previous_ns = now_ns;
+    counters.last_ns.store(now_ns, relaxed);
+}
+
+// Counts the ticks of the ramp at the end.
+void Servo::Impl::step_release() noexcept {
+    if (release_ticks < 0) {
+        if (!releasing.load(std::memory_order_relaxed)) return;
+        release_ticks = kReleaseTicks;
+        for (auto& hand : hands) hand.coupling.release();
+    }
+    if (release_ticks > 0 && --release_ticks == 0) released.store(true, std::memory_order_release);
+}
+
+// One tick of the thread or of the device's own scheduler. False: the session is over.
+bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
+    note_time(now_ns);
+    step_release();
+    exchange.feedback.refresh();
+    devices->read(now_ns, states);
+    const auto& feedback = exchange.feedback.front();
+    for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now_ns, inputs[i], feedback[i]);
+    devices->write(commands);
+    exchange.inputs.publish(inputs);
+    count(counters.ticks);
+    return release_ticks != 0;
+}
+
 void Servo::Impl::run() noexcept {
-    prctl(PR_SET_TIMERSLACK, 1);
-    prefault_stack();
-    const sched_param param{.sched_priority = kPriority};
-    real_time = pthread_setschedparam(pthread_self(), SCHED_FIFO, &param) == 0;
-    std::array<sim::ToolInput, sim::kMaxTools> inputs{};
-    int64_t next = monotonic_ns() + kPeriodNs, previous = 0;
-    int release_ticks = -1;
+    real_time = make_thread_real_time(kServoPriority);
+    PeriodSchedule schedule(monotonic_ns(), kPeriodNs);
     while (running.load(std::memory_order_relaxed)) {
-        sleep_until(next);
-        const int64_t now = monotonic_ns();
-        if (previous != 0) periods.add(now - previous);
-        previous = now;
-        if (releasing.load(std::memory_order_relaxed) && release_ticks < 0) {
-            release_ticks = kReleaseTicks;
-            for (auto& hand : hands) hand.coupling.release();
-        }
-        if (release_ticks == 0) break;
-        if (release_ticks > 0) --release_ticks;
-        exchange.feedback.refresh();
-        devices->read(now, states);
-        const auto& feedback = exchange.feedback.front();
-        for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now, inputs[i], feedback[i]);
-        devices->write(commands);
-        exchange.inputs.publish(inputs);
-        count(ticks);
-        // A missed period is skipped: a burst to catch up would act on one old hand position.
-        next += kPeriodNs;
-        const int64_t late = monotonic_ns() - next;
-        if (late > 0) {
-            const int64_t missed = late / kPeriodNs + 1;
-            count(overruns, true, static_cast<uint64_t>(missed));
-            next += missed * kPeriodNs;
-        }
+        sleep_until(schedule.next_ns());
+        if (!tick_all(monotonic_ns())) break;
+        const uint64_t missed = schedule.advance(monotonic_ns());
+        count(counters.missed, missed > 0, missed);
     }
 }
 
@@ -216,8 +182,15 @@ Servo::Servo(std::unique_ptr<DeviceGroup> devices, std::span<const sim::ToolSpec
                           "at most " +
                           std::to_string(sim::kMaxTools));
     impl_->devices = std::move(devices);
+    const std::vector<DeviceInfo> infos = impl_->devices->info();
     for (size_t i = 0; i < tools.size(); ++i) {
-        Impl::HandLoop hand{Trocar(tools[i], trocars[i]), Coupling(coupling), {}};
+        const DeviceInfo info = i < infos.size() ? infos[i] : DeviceInfo{};
+        impl_->force = impl_->force || info.dof_force > 0;
+        const std::string name =
+            info.vendor + " " + info.model + (info.serial.empty() ? "" : " " + info.serial);
+        if (impl_->device_names.find(name) == std::string::npos)
+            impl_->device_names += (impl_->device_names.empty() ? "" : ", ") + name;
+        Impl::HandLoop hand{Trocar(tools[i], trocars[i]), Coupling(limited_to(coupling, info)), {}};
         hand.held.set_pose(hand.trocar.tip_pose(DeviceState{}));
         impl_->hands.push_back(hand);
     }
@@ -234,7 +207,9 @@ void Servo::tick(int64_t t_ns, std::span<sim::ToolInput> inputs,
     const size_t n = std::min({impl.hands.size(), inputs.size(), feedback.size()});
     for (size_t i = 0; i < n; ++i) impl.tick_hand(i, t_ns, inputs[i], feedback[i]);
     impl.devices->write(impl.commands);
-    count(impl.ticks);
+    count(impl.counters.ticks);
+    if (impl.counters.first_ns == 0) impl.counters.first_ns = t_ns;
+    impl.counters.last_ns = t_ns;
 }
 
 void Servo::start() {
@@ -243,22 +218,32 @@ void Servo::start() {
     impl.was_started = true;
     impl.locked = lock_memory();
     impl.running = true;
-    impl.thread = std::thread([this] { impl_->run(); });
+    const auto tick = [](void* context, int64_t t_ns) noexcept {
+        return static_cast<Impl*>(context)->tick_all(t_ns);
+    };
+    impl.own_scheduler = impl.devices->start(tick, &impl);
+    if (!impl.own_scheduler) impl.thread = std::thread([this] { impl_->run(); });
 }
+
+void Servo::release() noexcept { impl_->releasing = true; }
+void Servo::set_paused(bool paused) noexcept { impl_->paused = paused; }
 
 void Servo::stop() noexcept {
     Impl& impl = *impl_;
     if (impl.stopped) return;
     impl.stopped = true;
-    if (impl.thread.joinable()) {
-        impl.releasing = true;
-        impl.thread.join();
-        impl.running = false;
+    impl.releasing = true;
+    if (impl.thread.joinable()) impl.thread.join();
+    // A scheduler that died takes no ramp: after a fifth of a second the device is stopped anyway.
+    for (int i = 0; impl.own_scheduler && i < 200 && !impl.released; ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    impl.running = false;
+    if (!impl.own_scheduler) {
+        std::fill(impl.commands.begin(), impl.commands.end(), DeviceCommand{});
+        impl.devices->write(impl.commands);
     }
-    std::fill(impl.commands.begin(), impl.commands.end(), DeviceCommand{});
-    impl.devices->write(impl.commands);
     impl.devices->stop();
-    if (impl.locked) munlockall();
+    if (impl.locked) unlock_memory();
 }
 
 Servo::Exchange& Servo::exchange() noexcept { return impl_->exchange; }
@@ -266,23 +251,59 @@ DeviceGroup& Servo::devices() noexcept { return *impl_->devices; }
 
 ServoHealth Servo::health() const {
     const Impl& impl = *impl_;
+    const Counters& c = impl.counters;
     ServoHealth health;
-    health.ticks = impl.ticks;
-    health.overruns = impl.overruns;
-    health.clamped = impl.clamped;
-    health.faults = impl.faults;
-    health.stale = impl.stale;
-    health.period_p50_us = impl.periods.quantile_us(0.5);
-    health.period_p99_us = impl.periods.quantile_us(0.99);
-    health.period_p999_us = impl.periods.quantile_us(0.999);
-    health.period_max_us = impl.periods.max_us();
-    health.real_time = impl.real_time;
+    health.ticks = c.ticks;
+    health.overruns = c.missed;
+    health.clamped = c.saturated;
+    health.faults = c.faults;
+    health.stale = c.stale;
+    health.period_p50_us = c.periods.quantile_us(0.5);
+    health.period_p99_us = c.periods.quantile_us(0.99);
+    health.period_p999_us = c.periods.quantile_us(0.999);
+    health.period_max_us = c.periods.max_us();
+    health.real_time = impl.real_time || impl.own_scheduler;
     if (impl.was_started) {
-        health.remark = missing_rights(impl.real_time, impl.locked);
+        health.remark = missing_rights(health.real_time, impl.locked);
     } else if (impl.devices->lock_step()) {
         health.remark = "In step with the simulation: no servo thread, no real-time rights needed.";
     }
     return health;
+}
+
+HapticCertificate Servo::certificate() const {
+    const Impl& impl = *impl_;
+    const Counters& c = impl.counters;
+    HapticCertificate out;
+    out.device = impl.device_names;
+    out.force = impl.force;
+    out.lock_step = impl.devices->lock_step();
+    out.real_time = impl.real_time || impl.own_scheduler;
+    out.memory_locked = impl.locked;
+    out.duration_s = static_cast<double>(c.last_ns - c.first_ns) * 1e-9;
+    out.ticks = c.ticks;
+    out.missed = c.missed;
+    out.late = c.late;
+    out.gaps = c.gaps;
+    out.period_p50_us = c.periods.quantile_us(0.5);
+    out.period_p99_us = c.periods.quantile_us(0.99);
+    out.period_p999_us = c.periods.quantile_us(0.999);
+    out.period_max_us = c.periods.max_us();
+    out.tool_age_p50_us = c.ages.quantile_us(0.5);
+    out.tool_age_p99_us = c.ages.quantile_us(0.99);
+    out.tool_age_max_us = c.ages.max_us();
+    out.tool_states = c.tool_states;
+    out.saturated = c.saturated;
+    out.slewed = c.slewed;
+    out.hot = c.hot;
+    out.stale = c.stale;
+    out.silent = c.silent;
+    out.passivity = c.passivity;
+    out.faults = c.faults;
+    out.least_energy_j = c.least_j;
+    out.peak_force_n = c.peak_n;
+    out.rms_force_n = c.rms_n;
+    return out;
 }
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }

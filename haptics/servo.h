@@ -9,31 +9,14 @@
 #include <span>
 #include <vector>
 
+#include "haptics/certificate.h"
 #include "haptics/device.h"
+#include "haptics/safety.h"
 #include "haptics/trocar.h"
 
 namespace placode::haptics {
 
-/// Limits of the force law; defaults for a desktop arm of the Touch class.
-struct CouplingSettings {
-    double stiffness_n_m = 300;
-    double damping_ns_m = 1.5;
-    double velocity_cutoff_hz = 100;
-    double max_force_n = 3.0;
-    double slew_n_s = 200, slew_ramping_n_s = 30;
-    double ramp_s = 0.5;
-    double fade_after_s = 0.010, zero_after_s = 0.050;  ///< Age of the tool state.
-    double jump_m = 0.005;                              ///< Per ms; more is a fault.
-    double continuous_force_n = 0.88;                   ///< Allowed rms over `thermal_window_s`.
-    double thermal_window_s = 60, thermal_floor_n = 0.8;
-    double extrapolate_s = 0.004;      ///< Longest extrapolation of the tool state.
-    double recover_s = 0.1;            ///< Good ticks needed after a fault.
-    double servo_gap_s = 0.005;        ///< A longer gap between ticks ramps in again.
-    double passivity_ns_m = 20;        ///< Largest damping that the passivity controller adds.
-    double passivity_store_j = 0.005;  ///< Cap of the observed surplus, so that it is forgotten.
-};
-
-/// Counters of the loop, stored with the attempt as its haptic certificate.
+/// Counters of the loop, for a status line; the haptic certificate says more.
 struct ServoHealth {
     uint64_t ticks = 0, overruns = 0, clamped = 0, faults = 0, stale = 0;
     double period_p50_us = 0, period_p99_us = 0, period_p999_us = 0, period_max_us = 0;
@@ -51,8 +34,8 @@ class Servo {
     /// One tick at `t_ns`: read, map, couple, limit, write. noexcept, no lock, no allocation.
     void tick(int64_t t_ns, std::span<sim::ToolInput> inputs,
               std::span<const sim::ToolFeedback> feedback) noexcept;
-    /// Starts the 1 kHz thread; inputs and feedback then go through `exchange()`. Does nothing for
-    /// a group in lock step: there the caller ticks.
+    /// Starts the 1 kHz thread, or the scheduler of a group that has one; inputs and feedback then
+    /// go through `exchange()`. Does nothing for a group in lock step: there the caller ticks.
     void start();
     /// Ramps the force down (50 ms in the thread), ends the thread and releases the devices.
     void stop() noexcept;
@@ -64,6 +47,14 @@ class Servo {
     [[nodiscard]] Exchange& exchange() noexcept;
     [[nodiscard]] DeviceGroup& devices() noexcept;
     [[nodiscard]] ServoHealth health() const;
+    /// What the loop has done so far. Any thread but the servo's.
+    [[nodiscard]] HapticCertificate certificate() const;
+    /// The window closes or the attempt ends: force down to zero within 50 ms, and it stays so. Any
+    /// thread.
+    void release() noexcept;
+    /// While the simulation is paused its tool states age on purpose: that is not counted against
+    /// the certificate. The force has faded by then like in any stall. Any thread.
+    void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finish_requested() const noexcept;
 
  private:

@@ -127,7 +127,8 @@ Mat3 camera_basis(const Vec3& scope_pivot_m) {
 
 std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
                                             std::string_view device) {
-    const bool tip = device == "mouse" || device == "keyboard" || device == "gamepad";
+    const bool tip =
+        device == "mouse" || device == "keyboard" || device == "gamepad" || device == "spacemouse";
     Vec3 scope_pivot(-0.045, 0, 0.075);
     for (const auto& tool : tools)
         if (tool.kind == sim::ToolKind::kScope) scope_pivot = tool.pivot_m;
@@ -151,6 +152,19 @@ std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools
             settings.home_tip_m = Vec3(-0.003, 0.007 * side, 0.014);
         }
         out.push_back(settings);
+    }
+    return out;
+}
+
+std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
+                                            std::string_view device, const Station& station) {
+    std::vector<TrocarSettings> out = default_trocars(tools, device);
+    // An instrument in a port (avatar) is as it is.
+    if (device != "openhaptics" && device != "haply" && device != "forcedimension") return out;
+    for (size_t i = 0; i < out.size(); ++i) {
+        if (tools[i].kind == sim::ToolKind::kScope) continue;
+        out[i].scale = station.number("arm.scale");
+        if (station.text("arm.mapping") == "tip") out[i].mapping = Mapping::kTip;
     }
     return out;
 }

@@ -67,5 +67,9 @@ inline constexpr double kScopeDistanceM = 0.030;
 /// the image plane; scripts and haptic arms hold the handle outside, so that the port inverts.
 [[nodiscard]] std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
                                                           std::string_view device);
+/// The same with what the station says about arms: mapping and scale.
+[[nodiscard]] std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
+                                                          std::string_view device,
+                                                          const Station& station);
 
 }  // namespace placode::haptics

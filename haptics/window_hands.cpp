@@ -33,7 +33,10 @@ uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed) noexcept
 }
 
 WindowHands::WindowHands(const DeviceConfig& config, std::string model)
-    : model_(std::move(model)), window_(config.window), hands_(config.tools.size()) {
+    : model_(std::move(model)),
+      window_(config.window),
+      hands_(config.tools.size()),
+      feet_(config.station) {
     bool found = false;
     for (size_t i = 0; i < hands_.size(); ++i) {
         const auto kind = config.tools[i].kind;
@@ -109,6 +112,7 @@ void WindowHands::next_hand(uint32_t presses) noexcept {
 
 void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     if (hands_.empty()) return;
+    before_read(t_ns);
     if (window_ != nullptr) window_->refresh();
     const sim::WindowInput& now = window_ != nullptr ? window_->front() : idle_;
     if (!seen_) before_ = now;  // Totals from before the attempt do not count.
@@ -139,7 +143,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
             hand.rate_m_s.setZero();
         }
     }
-    uint8_t pressed = buttons(now);
+    uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
     if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
     if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
     const uint8_t held = pedals_.update(pressed, t_ns, allowed);

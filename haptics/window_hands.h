@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "haptics/device.h"
+#include "haptics/foot_pedals.h"
 
 namespace placode::haptics {
 
@@ -45,6 +46,8 @@ class WindowHands : public DeviceGroup {
     void write(std::span<const DeviceCommand>) noexcept override {}
 
  protected:
+    /// Called first in every tick, whatever the window says: to empty a device's queue.
+    virtual void before_read(int64_t) noexcept {}
     /// Moves `target_m` (and roll) of the active hand or the scope for this tick.
     virtual void move(const sim::WindowInput& now, const sim::WindowInput& before, double dt_s,
                       WindowHand& active, WindowHand* scope) noexcept = 0;
@@ -66,6 +69,7 @@ class WindowHands : public DeviceGroup {
     bool seen_ = false;
     std::vector<WindowHand> hands_;
     size_t active_ = 0;
+    FootPedals feet_;
     PedalGuard pedals_;
     int64_t last_ns_ = 0;
     uint64_t sequence_ = 0;

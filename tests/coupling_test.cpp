@@ -68,7 +68,7 @@ TEST(Coupling, PullsTheHandToTheToolWithItsStiffness) {
 
 TEST(Coupling, StartsWithoutForceWhereverTheToolIs) {
     Bench bench;
-    bench.feedback.proxy.p = bench.home + Vec3(0, 0, 0.004);
+    bench.feedback.proxy.p = bench.home + Vec3(0, 0, 0.0019);
     EXPECT_LT(bench.tick(Vec3::Zero()).force_n.norm(), 1e-4);
     double before = 0;
     for (int i = 0; i < 499; ++i) {
@@ -76,7 +76,102 @@ TEST(Coupling, StartsWithoutForceWhereverTheToolIs) {
         EXPECT_LE(std::abs(now - before), 0.03 + 1e-9) << "slew while ramping, 30 N/s";
         before = now;
     }
-    EXPECT_NEAR(bench.ticks(50, Vec3::Zero()).force_n.z(), 300 * 0.004, 0.02);
+    EXPECT_NEAR(bench.ticks(50, Vec3::Zero()).force_n.z(), 300 * 0.0019, 0.02);
+}
+
+TEST(Coupling, GivesNoForceBeforeHandAndToolHaveMet) {
+    Bench bench;
+    bench.feedback.proxy.p = bench.home + Vec3(0, 0, 0.004);
+    for (int i = 0; i < 200; ++i) {
+        const auto result = bench.tick(Vec3::Zero());
+        EXPECT_EQ(result.force_n, Vec3::Zero());
+        EXPECT_TRUE(result.silent);
+        EXPECT_TRUE(result.trusted) << "the tool may come to the hand";
+    }
+    bench.feedback.proxy.p = bench.home + Vec3(0, 0, 0.001);
+    EXPECT_NEAR(bench.ticks(700, Vec3::Zero()).force_n.z(), 0.3, 0.01);
+}
+
+TEST(Coupling, LetsAClutchedHandGoAndComesBackByARamp) {
+    Bench bench = pressed();
+    bench.state.clutched = true;
+    for (int i = 0; i < 20; ++i) {
+        const auto result = bench.tick(Vec3(0, 0, -0.002));
+        EXPECT_EQ(result.force_n, Vec3::Zero());
+        EXPECT_TRUE(result.trusted) << "the tool is held";
+    }
+    bench.state.clutched = false;
+    EXPECT_LT(bench.tick(Vec3(0, 0, -0.002)).force_n.norm(), 0.01);
+    EXPECT_NEAR(bench.ticks(700, Vec3(0, 0, -0.002)).force_n.z(), 0.6, 0.01);
+}
+
+TEST(Coupling, CallsAHandThatIsOffNoFaultWhereverItGoes) {
+    Bench bench = pressed();
+    bench.state.engaged = false;
+    EXPECT_FALSE(bench.tick(Vec3(0, 0, -0.002)).fault);
+    EXPECT_FALSE(bench.tick(Vec3(0.08, 0, 0)).fault);
+    bench.state.engaged = true;
+    EXPECT_TRUE(bench.tick(Vec3(0.08, 0, 0)).trusted);
+    EXPECT_EQ(bench.tick(Vec3(0.08, 0, 0)).force_n, Vec3::Zero()) << "far from its tool";
+}
+
+TEST(Coupling, GivesNoForceToAnArmThatIsNotCalibrated) {
+    Bench bench = pressed();
+    bench.state.status = DeviceStatus::kNotCalibrated;
+    const auto result = bench.tick(Vec3(0, 0, -0.002));
+    EXPECT_EQ(result.force_n, Vec3::Zero());
+    EXPECT_FALSE(result.trusted);
+}
+
+TEST(Coupling, LowersTheCeilingWhenTheDeviceSaysItsMotorsAreHot) {
+    Bench bench = pressed();
+    for (int i = 0; i < 100; ++i) bench.tick(Vec3(0, 0, -0.002 - 0.0001 * i));
+    EXPECT_NEAR(bench.tick(Vec3(0, 0, -0.0119)).force_n.norm(), 3.0, 0.01);
+    bench.state.motor_heat = 0.85f;
+    const auto result = bench.ticks(50, Vec3(0, 0, -0.0119));
+    EXPECT_TRUE(result.hot);
+    EXPECT_NEAR(result.force_n.norm(), bench.settings.thermal_floor_n, 1e-6);
+}
+
+// Clock jumps: whatever the clock does, the force stays in its limits and begins by a ramp.
+TEST(Coupling, StartsAgainByARampWhenTheClockGoesBack) {
+    Bench bench = pressed();
+    bench.state.position_m = Vec3(0, 0, -0.002);
+    const auto back = bench.tick(Vec3(0, 0, -0.002), false, -500 * kMs);
+    EXPECT_EQ(back.force_n, Vec3::Zero());
+    double before = 0;
+    for (int i = 0; i < 700; ++i) {
+        const auto result = bench.tick(Vec3(0, 0, -0.002));
+        EXPECT_LE(result.force_n.norm() - before, 0.03 + 1e-9);
+        before = result.force_n.norm();
+    }
+    EXPECT_NEAR(before, 150 * 0.002, 0.01) << "softer for ten minutes: the loop is not even";
+}
+
+TEST(Coupling, IsSilentWhenTheClockJumpsAheadPastTheWatchdog) {
+    Bench bench = pressed();
+    const auto ahead = bench.tick(Vec3(0, 0, -0.002), false, 10'000 * kMs);
+    EXPECT_EQ(ahead.force_n, Vec3::Zero());
+    EXPECT_TRUE(ahead.stale);
+}
+
+TEST(Coupling, BearsABurstOfTicks) {
+    Bench bench = pressed();
+    const double before = bench.tick(Vec3(0, 0, -0.002)).force_n.z();
+    for (int i = 0; i < 500; ++i) {
+        const auto result = bench.tick(Vec3(0, 0, -0.002), true, i % 3 == 0 ? 0 : 1000);
+        EXPECT_NEAR(result.force_n.z(), before, 1e-3);
+    }
+    EXPECT_NEAR(bench.tick(Vec3(0, 0, -0.002)).force_n.z(), before, 1e-3);
+}
+
+TEST(Coupling, IsSofterAfterAGapOfTheServo) {
+    Bench bench = pressed();
+    bench.tick(Vec3(0, 0, -0.002), true, 20 * kMs);
+    EXPECT_NEAR(bench.ticks(700, Vec3(0, 0, -0.002)).force_n.z(), 150 * 0.002, 0.01);
+    for (int i = 0; i < 600'000; ++i) bench.tick(Vec3(0, 0, -0.002));
+    EXPECT_NEAR(bench.tick(Vec3(0, 0, -0.002)).force_n.z(), 300 * 0.002, 0.01)
+        << "ten even minutes later";
 }
 
 TEST(Coupling, GivesNoForceBeforeThereIsAToolState) {

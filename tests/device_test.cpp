@@ -69,16 +69,22 @@ TEST(OpenDevice, NamesAnUnknownDeviceAndTheKnownOnes) {
     for (const char* name : {"mice", "", "script:", "script:surgeon", "MOUSE"}) {
         const std::string error = error_of(name);
         EXPECT_THAT(error, HasSubstr("unknown device \"" + std::string(name) + "\""));
-        EXPECT_THAT(error, HasSubstr("mouse, keyboard, gamepad, script:expert"));
+        EXPECT_THAT(error, HasSubstr("mouse, keyboard, gamepad, spacemouse"));
     }
 }
 
-TEST(OpenDevice, SaysPlainlyWhatThisVersionDoesNotDrive) {
-    for (const char* name : {"spacemouse", "openhaptics", "haply", "avatar", "forcedimension"}) {
+// None of them is at hand where tests run; with the device the message is not seen.
+TEST(OpenDevice, SaysWhatIsMissingAndHowToInstallIt) {
+    const std::vector<std::pair<std::string, std::string>> advice{
+        {"spacemouse", "apt install spacenavd"},
+        {"openhaptics", "OpenHaptics"},
+        {"haply", "Inverse service"},
+        {"avatar", "dialout"},
+        {"forcedimension", "Force Dimension SDK"}};
+    for (const auto& [name, way_out] : advice) {
         const std::string error = error_of(name);
         EXPECT_THAT(error, HasSubstr(name));
-        EXPECT_THAT(error, HasSubstr("not supported by this version"));
-        EXPECT_THAT(error, HasSubstr("mouse, keyboard"));
+        EXPECT_THAT(error, HasSubstr(way_out));
     }
 }
 
@@ -98,7 +104,8 @@ TEST(ListDevices, OffersExactlyWhatOpens) {
 }
 
 TEST(Controls, ExplainEveryHandDevice) {
-    for (const char* name : {"mouse", "keyboard", "gamepad"}) {
+    for (const char* name : {"mouse", "keyboard", "gamepad", "spacemouse", "openhaptics", "haply",
+                             "avatar", "forcedimension"}) {
         const auto help = controls(name);
         ASSERT_GE(help.size(), 6u);
         for (const auto& line : help) {

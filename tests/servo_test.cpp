@@ -8,6 +8,8 @@
 #include <cmath>
 #include <thread>
 
+#include "tests/count_allocations.h"
+
 namespace placode::haptics {
 namespace {
 
@@ -133,6 +135,78 @@ TEST(Servo, RemembersThatTheOperatorIsDone) {
     bench.script.state.finish = false;
     bench.tick();
     EXPECT_TRUE(bench.servo.finish_requested());
+}
+
+TEST(Servo, AllocatesNothingInATick) {
+    Bench bench;
+    bench.tick();
+    const long probe = placode::test::allocations;
+    ::operator delete(::operator new(8));
+    ASSERT_GT(placode::test::allocations, probe) << "the interposer counts";
+    const long before = placode::test::allocations;
+    for (int i = 0; i < 3000; ++i) {
+        bench.script.state.position_m = Vec3(0.001 * std::sin(0.01 * i), 0, -2e-6 * i);
+        if (i == 1500) bench.script.state.position_m.x() = std::nan("");
+        bench.script.state.status = i % 701 == 700 ? DeviceStatus::kLost : DeviceStatus::kReady;
+        bench.tick();
+    }
+    EXPECT_EQ(placode::test::allocations, before);
+}
+
+TEST(Servo, KeepsForceAndStiffnessWithinTheDevice) {
+    DeviceInfo weak;
+    weak.max_force_n = 1.0;
+    weak.max_stiffness_n_m = 200;
+    weak.max_damping_ns_m = 1;
+    const CouplingSettings settings = limited_to({}, weak);
+    EXPECT_DOUBLE_EQ(settings.max_force_n, 0.91);
+    EXPECT_DOUBLE_EQ(settings.stiffness_n_m, 200);
+    EXPECT_DOUBLE_EQ(settings.damping_ns_m, 1);
+    EXPECT_LE(settings.thermal_floor_n, settings.max_force_n);
+    const CouplingSettings free = limited_to({}, DeviceInfo{});
+    EXPECT_DOUBLE_EQ(free.max_force_n, CouplingSettings{}.max_force_n);
+    EXPECT_DOUBLE_EQ(free.stiffness_n_m, CouplingSettings{}.stiffness_n_m);
+}
+
+TEST(Servo, CertifiesWhatItDid) {
+    Bench bench;
+    for (int i = 0; i < 1000; ++i) bench.tick();
+    bench.feedback[0].proxy.p.z() += 0.001;
+    for (int i = 0; i < 100; ++i) bench.tick();
+    const double stopped = bench.feedback[0].time_s;
+    for (int i = 0; i < 20; ++i) {  // the physics stands still
+        bench.tick();
+        bench.feedback[0].time_s = stopped;
+        bench.servo.tick(bench.t_ns += kMs, bench.inputs, bench.feedback);
+    }
+    bench.script.state.status = DeviceStatus::kLost;
+    bench.tick();
+    const HapticCertificate certificate = bench.servo.certificate();
+    EXPECT_TRUE(certificate.lock_step);
+    EXPECT_EQ(certificate.ticks, 1141u);
+    EXPECT_NEAR(certificate.duration_s, 1.140, 1e-9);
+    EXPECT_EQ(certificate.faults, 1u);
+    EXPECT_GT(certificate.peak_force_n, 0.2);
+    EXPECT_GT(certificate.rms_force_n, 0);
+    EXPECT_LT(certificate.rms_force_n, certificate.peak_force_n);
+    EXPECT_GE(certificate.tool_states, 1100u);
+    EXPECT_GT(certificate.silent, 0u);
+}
+
+TEST(Servo, DoesNotCountAPauseAgainstTheCertificate) {
+    Bench bench;
+    for (int i = 0; i < 100; ++i) bench.tick();
+    const double stopped = bench.feedback[0].time_s;
+    bench.servo.set_paused(true);
+    for (int i = 0; i < 100; ++i) {
+        bench.feedback[0].time_s = stopped;
+        bench.servo.tick(bench.t_ns += kMs, bench.inputs, bench.feedback);
+    }
+    EXPECT_EQ(bench.script.force, Vec3::Zero());
+    EXPECT_EQ(bench.servo.certificate().stale, 0u);
+    bench.servo.set_paused(false);
+    bench.servo.tick(bench.t_ns += kMs, bench.inputs, bench.feedback);
+    EXPECT_EQ(bench.servo.certificate().stale, 1u);
 }
 
 TEST(Servo, GivesTheSameBitsForTheSameHand) {

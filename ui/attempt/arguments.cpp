@@ -44,7 +44,9 @@ void read_screenshots(const std::string& text, Arguments& arguments) {
 }
 
 void check(Arguments& arguments) {
-    if (arguments.list_devices) return;
+    if (arguments.json && !arguments.list_devices)
+        throw UsageError("--json goes with --list-devices; an attempt reports with --status");
+    if (arguments.list_devices || arguments.limits_file || arguments.station_file) return;
     if (arguments.device.rfind("play:", 0) == 0) {
         arguments.play = arguments.device.substr(5);
         if (arguments.play.empty()) throw UsageError("--device play:FILE: the file is missing");
@@ -80,7 +82,8 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
         ->type_name("ID|FILE.json");
     app.add_option(
         "--device", arguments.device,
-        "mouse, keyboard, gamepad, a haptic device, script:expert|intermediate|novice, play:FILE");
+        "mouse, keyboard, gamepad, spacemouse, openhaptics, haply, avatar, forcedimension, "
+        "script:expert|intermediate|novice, play:FILE");
     app.add_option("--record", arguments.record, "Write the recording here")
         ->type_name("FILE.placode");
     app.add_flag("--headless", arguments.headless, "No window, no display needed");
@@ -102,6 +105,11 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
                  "Mark picture and recording as demonstration");
     app.add_flag("--fullscreen", arguments.fullscreen, "Window over the whole screen");
     app.add_flag("--list-devices", arguments.list_devices, "What can be used here, and why not");
+    app.add_flag("--json", arguments.json, "With --list-devices: one JSON document");
+    app.add_flag("--limits-file", arguments.limits_file,
+                 "Print the limits file that grants real time to the haptic loop");
+    app.add_flag("--station-file", arguments.station_file,
+                 "Print this computer's device settings as a file to begin from");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {

@@ -26,7 +26,8 @@ struct Arguments {
     int width = 1280, height = 800;
     int scope_angle_deg = -1;  ///< -1 = as the task says.
     bool headless = false, fast = false, status = false, demonstration = false;
-    bool fullscreen = false, list_devices = false;
+    bool fullscreen = false, list_devices = false, json = false;
+    bool limits_file = false, station_file = false;
 };
 
 /// Throws UsageError. Prints help or version itself and then sets `exit_now`.

@@ -8,11 +8,13 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "curriculum/attempt_runner.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/device.h"
+#include "haptics/real_time.h"
 #include "sim/view/gl_program.h"
 #include "ui/attempt/sessions.h"
 
@@ -33,11 +35,34 @@ std::string utc_now() {
     return text;
 }
 
-int list_devices() {
-    for (const haptics::DeviceListing& device : haptics::list_devices()) {
+int list_devices(bool json) {
+    const auto devices = haptics::list_devices(haptics::Station::of_this_computer());
+    if (json) {
+        auto list = nlohmann::ordered_json::array();
+        for (const haptics::DeviceListing& device : devices)
+            list.push_back({{"name", device.name},
+                            {"available", device.available},
+                            {"detail", device.detail},
+                            {"found", device.found}});
+        const nlohmann::ordered_json out{
+            {"devices", list}, {"station_file", haptics::Station::path_of_this_computer()}};
+        std::printf(
+            "%s\n",
+            out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
+        return 0;
+    }
+    for (const haptics::DeviceListing& device : devices) {
         std::printf("%-22s %-13s %s\n", device.name.c_str(),
                     device.available ? "available" : "not available", device.detail.c_str());
+        for (const std::string& found : device.found)
+            std::printf("%-22s %-13s found: %s\n", "", "", found.c_str());
     }
+    return 0;
+}
+
+// Files that an administrator or a user may want to start from.
+int print_file(const std::string& text) {
+    std::fputs(text.c_str(), stdout);
     return 0;
 }
 
@@ -85,7 +110,9 @@ int run(int argc, char** argv) {
     bool exit_now = false;
     const Arguments arguments = parse_arguments(argc, argv, exit_now);
     if (exit_now) return 0;
-    if (arguments.list_devices) return list_devices();
+    if (arguments.list_devices) return list_devices(arguments.json);
+    if (arguments.limits_file) return print_file(haptics::limits_file());
+    if (arguments.station_file) return print_file(haptics::Station::of_this_computer().file_text());
     catch_stop_signals();
     StatusLine status(arguments.status);
     return arguments.play.empty() ? run_attempt(arguments, status) : run_replay(arguments, status);

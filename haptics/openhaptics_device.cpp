@@ -1,0 +1,468 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Touch, Touch X and Omni through the vendor's libHD.so, loaded at run time. The functions and
+// numbers are declared here in our own words after the OpenHaptics reference guide 3.4; no vendor
+// file is needed to build. One scheduler of the vendor's carries both arms: within one tick both
+// frames are begun and read, the force law runs, then both forces are set and the frames ended.
+#include <dlfcn.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+
+#include "haptics/arm_hands.h"
+#include "haptics/real_time.h"
+
+namespace placode::haptics {
+
+namespace {
+
+using DeviceHandle = unsigned;  // HHD
+struct ErrorInfo {              // HDErrorInfo, returned by value
+    unsigned code;
+    int internal;
+    DeviceHandle device;
+};
+static_assert(sizeof(ErrorInfo) == 12);
+
+constexpr DeviceHandle kNoHandle = 0xFFFFFFFFu;
+constexpr unsigned kButtons = 0x2000, kInkwell = 0x2002, kPosition = 0x2050, kTransform = 0x2052,
+                   kJointAngles = 0x2100, kGimbalAngles = 0x2150, kModel = 0x2501, kVendor = 0x2503,
+                   kSerial = 0x2504, kMaxForce = 0x2603, kContinuousForce = 0x2604,
+                   kMotorTemperature = 0x2605, kForce = 0x2700, kForceOutput = 0x4000,
+                   kForceRamping = 0x4002;
+constexpr unsigned kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
+constexpr unsigned kSuccess = 0, kInputType = 0x103, kDeviceFault = 0x300,
+                   kAlreadyInitiated = 0x301, kComm = 0x302, kTimer = 0x304,
+                   kInvalidPriority = 0x500, kSchedulerFull = 0x501, kInvalidLicense = 0x600;
+constexpr unsigned kCallbackDone = 0, kCallbackContinue = 1;
+constexpr unsigned short kMaxPriority = 65535;
+constexpr unsigned long kRateHz = 1000;
+constexpr int kPoll = 100;  // ticks between looks at calibration and motors
+constexpr double kMm = 1e-3;
+constexpr double kDefaultMaxForceN = 3.3, kDefaultContinuousN = 0.88, kMaxStiffnessNM = 400,
+                 kMaxDampingNsM = 4;  // of the Touch; the unit of the library's own is not settled
+constexpr auto kRetry = std::chrono::milliseconds(500);
+
+/// The functions that are used.
+struct Library {
+    DeviceHandle (*init_device)(const char*);
+    void (*disable_device)(DeviceHandle);
+    void (*make_current)(DeviceHandle);
+    void (*begin_frame)(DeviceHandle);
+    void (*end_frame)(DeviceHandle);
+    ErrorInfo (*get_error)();
+    const char* (*error_string)(unsigned);
+    void (*enable)(unsigned);
+    void (*disable)(unsigned);
+    void (*get_booleanv)(unsigned, unsigned char*);
+    void (*get_integerv)(unsigned, int*);
+    void (*get_doublev)(unsigned, double*);
+    void (*set_doublev)(unsigned, const double*);
+    const char* (*get_string)(unsigned);
+    unsigned (*check_calibration)();
+    unsigned (*calibration_style)();
+    void (*update_calibration)(unsigned);
+    void (*start_scheduler)();
+    void (*stop_scheduler)();
+    void (*set_rate)(unsigned long);
+    unsigned long (*schedule)(unsigned (*)(void*), void*, unsigned short);
+    void (*unschedule)(unsigned long);
+};
+
+constexpr const char* kHowToInstall =
+    "Install the vendor's OpenHaptics and Touch device driver (3D Systems, \"OpenHaptics for "
+    "Linux\"), and the old ncurses that it needs (libncurses5, libtinfo5); or name the file by "
+    "openhaptics.library in the station file or by PLACODE_LIBHD.";
+
+template <class Function>
+void load(void* library, const char* name, Function& function) {
+    void* symbol = dlsym(library, name);
+    if (symbol == nullptr)
+        throw DeviceError(std::string("openhaptics: the library has no ") + name +
+                          ": it is not the libHD of OpenHaptics 3.4. " + kHowToInstall);
+    function = reinterpret_cast<Function>(symbol);
+}
+
+void* open_library(const Station& station) {
+    std::vector<std::string> names;
+    if (const char* named = std::getenv("PLACODE_LIBHD")) names.emplace_back(named);
+    if (const std::string named = station.text("openhaptics.library"); !named.empty())
+        names.push_back(named);
+    if (names.empty()) names = {"libHD.so.3.4", "libHD.so"};
+    std::string problems;
+    for (const std::string& name : names) {
+        if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
+        const char* why = dlerror();  // as it stands: it names the missing file
+        problems += (problems.empty() ? "" : "; ") + std::string(why != nullptr ? why : name);
+    }
+    throw DeviceError("openhaptics: " + problems + ". " + kHowToInstall);
+}
+
+// The library stays loaded: threads of the vendor's may outlive a session.
+Library load_library(const Station& station) {
+    void* library = open_library(station);
+    Library hd{};
+    load(library, "hdInitDevice", hd.init_device);
+    load(library, "hdDisableDevice", hd.disable_device);
+    load(library, "hdMakeCurrentDevice", hd.make_current);
+    load(library, "hdBeginFrame", hd.begin_frame);
+    load(library, "hdEndFrame", hd.end_frame);
+    load(library, "hdGetError", hd.get_error);
+    load(library, "hdGetErrorString", hd.error_string);
+    load(library, "hdEnable", hd.enable);
+    load(library, "hdDisable", hd.disable);
+    load(library, "hdGetBooleanv", hd.get_booleanv);
+    load(library, "hdGetIntegerv", hd.get_integerv);
+    load(library, "hdGetDoublev", hd.get_doublev);
+    load(library, "hdSetDoublev", hd.set_doublev);
+    load(library, "hdGetString", hd.get_string);
+    load(library, "hdCheckCalibration", hd.check_calibration);
+    load(library, "hdCheckCalibrationStyle", hd.calibration_style);
+    load(library, "hdUpdateCalibration", hd.update_calibration);
+    load(library, "hdStartScheduler", hd.start_scheduler);
+    load(library, "hdStopScheduler", hd.stop_scheduler);
+    load(library, "hdSetSchedulerRate", hd.set_rate);
+    load(library, "hdScheduleAsynchronous", hd.schedule);
+    load(library, "hdUnschedule", hd.unschedule);
+    return hd;
+}
+
+bool ends_session(unsigned code) noexcept {
+    return code == kDeviceFault || (code >= kComm && code <= kTimer) || code == kInvalidPriority ||
+           code == kSchedulerFull || code == kInvalidLicense;
+}
+
+class OpenHapticsDevice final : public ArmHands {
+ public:
+    OpenHapticsDevice(const DeviceConfig& config, std::vector<sim::Hand> hands,
+                      std::vector<std::string> names)
+        : ArmHands(config, hands), hd_(load_library(config.station)), arms_(hands.size()) {
+        for (size_t i = 0; i < arms_.size(); ++i) {
+            arms_[i].name = names[i];
+            arms_[i].right = hands[i] != sim::Hand::kLeft;
+        }
+        try {
+            for (Arm& arm : arms_) init(arm);
+        } catch (...) {
+            disable_all();
+            throw;
+        }
+    }
+    ~OpenHapticsDevice() override { stop(); }
+
+    [[nodiscard]] bool start(ServoTick tick, void* context) override {
+        tick_ = tick;
+        context_ = context;
+        begin_session();
+        watcher_ = std::thread([this] { watch(); });
+        return true;
+    }
+
+    void stop() noexcept override {
+        if (stopped_) return;
+        stopped_ = true;
+        {
+            const std::lock_guard lock(mutex_);
+            leave_ = true;
+        }
+        wake_.notify_all();
+        if (watcher_.joinable()) watcher_.join();
+        end_session();
+        disable_all();
+    }
+
+ protected:
+    void sense(int64_t, std::span<ArmSample> samples) noexcept override {
+        for (size_t i = 0; i < samples.size(); ++i) samples[i] = arms_[i].sample;
+    }
+    void drive(std::span<const ArmForce> forces) noexcept override {
+        for (size_t i = 0; i < forces.size(); ++i) arms_[i].force = forces[i];
+    }
+    [[nodiscard]] std::vector<DeviceInfo> arm_info() const override {
+        std::vector<DeviceInfo> infos;
+        for (const Arm& arm : arms_) infos.push_back(arm.info);
+        return infos;
+    }
+
+ private:
+    struct Arm {
+        std::string name;
+        bool right = true;
+        DeviceHandle handle = kNoHandle;
+        DeviceInfo info;
+        // servo thread
+        ArmSample sample;
+        ArmForce force;
+        bool calibrated = false, forces_on = false, fault = false, lost = false;
+        int still_ticks = 0;  // joints at zero: not calibrated, whatever the library says
+    };
+
+    [[nodiscard]] std::string words(const ErrorInfo& error) const {
+        const char* text = hd_.error_string(error.code);
+        char code[16];
+        std::snprintf(code, sizeof code, "0x%03x", error.code);
+        return std::string(text != nullptr ? text : "unknown error") + " (" + code + ")";
+    }
+
+    void drain() noexcept {
+        for (int i = 0; i < 64 && hd_.get_error().code != kSuccess; ++i) {
+        }
+    }
+
+    // Tries the names that different versions of the driver accept.
+    void init(Arm& arm) {
+        std::vector<const char*> names{arm.name.c_str()};
+        if (arm.name.empty())
+            names = {nullptr, "Default PHANToM", "Default Device", "Right Device"};
+        std::string problem;
+        for (const char* name : names) {
+            drain();
+            const DeviceHandle handle = hd_.init_device(name);
+            const ErrorInfo error = hd_.get_error();
+            if (error.code == kSuccess && handle != kNoHandle) {
+                arm.handle = handle;
+                describe(arm);
+                return;
+            }
+            problem = words(error);
+            if (error.code == kAlreadyInitiated) break;  // another program or arm has it
+        }
+        throw DeviceError("openhaptics: the " + std::string(arm.right ? "right" : "left") +
+                          " arm \"" + (arm.name.empty() ? "default device" : arm.name) +
+                          "\" cannot be opened: " + problem +
+                          ". Plug it in, run the vendor's setup once, and write the name it got "
+                          "there into openhaptics.right or openhaptics.left of the station file.");
+    }
+
+    void describe(Arm& arm) {
+        hd_.make_current(arm.handle);
+        hd_.begin_frame(arm.handle);
+        const auto text = [&](unsigned what) {
+            const char* found = hd_.get_string(what);
+            return std::string(found != nullptr ? found : "");
+        };
+        arm.info.vendor = text(kVendor);
+        arm.info.model = text(kModel);
+        arm.info.serial = text(kSerial);
+        double force = 0, continuous = 0;
+        hd_.get_doublev(kMaxForce, &force);
+        hd_.get_doublev(kContinuousForce, &continuous);
+        hd_.end_frame(arm.handle);
+        drain();
+        if (arm.info.vendor.empty()) arm.info.vendor = "3D Systems";
+        arm.info.driver = "OpenHaptics";
+        arm.info.dof_sensed = 6;
+        arm.info.dof_force = 3;
+        arm.info.owns_servo = true;
+        arm.info.left_hand = !arm.right;
+        arm.info.max_force_n = force > 0 ? force : kDefaultMaxForceN;
+        arm.info.continuous_force_n = continuous > 0 ? continuous : kDefaultContinuousN;
+        arm.info.max_stiffness_n_m = kMaxStiffnessNM;
+        arm.info.max_damping_ns_m = kMaxDampingNsM;
+    }
+
+    // Forces are enabled by the tick, once an arm is calibrated; the scheduler starts last.
+    void begin_session() {
+        for (Arm& arm : arms_) {
+            arm.calibrated = arm.forces_on = arm.fault = arm.lost = false;
+            arm.still_ticks = 0;
+        }
+        ticks_ = 0;
+        drain();
+        hd_.set_rate(kRateHz);
+        task_ = hd_.schedule(&OpenHapticsDevice::scheduled, this, kMaxPriority);
+        hd_.start_scheduler();
+        scheduled_ = true;
+    }
+
+    void end_session() noexcept {
+        if (!scheduled_) return;
+        hd_.stop_scheduler();
+        hd_.unschedule(task_);
+        scheduled_ = false;
+    }
+
+    void disable_all() noexcept {
+        for (Arm& arm : arms_) {
+            if (arm.handle != kNoHandle) hd_.disable_device(arm.handle);
+            arm.handle = kNoHandle;
+        }
+        drain();
+    }
+
+    static unsigned scheduled(void* self) noexcept {
+        return static_cast<OpenHapticsDevice*>(self)->tick_all();
+    }
+
+    // Vendor's servo thread.
+    unsigned tick_all() noexcept {
+        if (over_.load(std::memory_order_relaxed)) return kCallbackDone;
+        for (Arm& arm : arms_) {
+            hd_.begin_frame(arm.handle);
+            read_arm(arm);
+        }
+        ++ticks_;
+        collect_errors();
+        for (Arm& arm : arms_) apply_faults(arm);
+        if (!tick_(context_, monotonic_ns())) over_.store(true, std::memory_order_relaxed);
+        const int64_t now = monotonic_ns();
+        for (Arm& arm : arms_) {
+            hd_.make_current(arm.handle);
+            const bool allowed = arm.forces_on && arm.sample.status == DeviceStatus::kReady &&
+                                 arm.sample.held && now <= arm.force.valid_until_ns;
+            const Vec3 force = allowed ? arm.force.force_n : Vec3(Vec3::Zero());
+            hd_.set_doublev(kForce, force.data());
+            hd_.end_frame(arm.handle);
+        }
+        collect_errors();
+        if (!any_lost()) return kCallbackContinue;
+        // The last tick of this session tells the servo that the hands are gone.
+        for (Arm& arm : arms_) arm.sample.status = DeviceStatus::kLost;
+        if (!tick_(context_, monotonic_ns())) over_.store(true, std::memory_order_relaxed);
+        lost_.store(true, std::memory_order_release);
+        return kCallbackDone;
+    }
+
+    void read_arm(Arm& arm) noexcept {
+        double position[3]{}, transform[16]{}, joints[3]{}, gimbal[3]{};
+        int buttons = 0;
+        unsigned char inkwell = 0;
+        hd_.get_doublev(kPosition, position);
+        hd_.get_doublev(kTransform, transform);
+        hd_.get_doublev(kJointAngles, joints);
+        hd_.get_doublev(kGimbalAngles, gimbal);
+        hd_.get_integerv(kButtons, &buttons);
+        hd_.get_booleanv(kInkwell, &inkwell);
+        ArmSample& sample = arm.sample;
+        const float heat = sample.motor_heat;
+        sample = {};
+        sample.motor_heat = heat;
+        sample.position_m = kMm * Vec3(position[0], position[1], position[2]);
+        Mat3 axes;  // column by column
+        axes << transform[0], transform[4], transform[8], transform[1], transform[5], transform[9],
+            transform[2], transform[6], transform[10];
+        if (axes.allFinite() && std::abs(axes.determinant() - 1) < 0.01)
+            sample.orientation = Quat(axes);
+        sample.roll_rad = gimbal[2];
+        sample.buttons = static_cast<uint32_t>(buttons);
+        sample.held = inkwell == 0;
+        const bool at_zero = joints[0] == 0 && joints[1] == 0 && joints[2] == 0;
+        arm.still_ticks = at_zero ? std::min(arm.still_ticks + 1, kPoll) : 0;
+        if (ticks_ % kPoll == 0) slow_look(arm);
+        const bool calibrated = arm.calibrated && arm.still_ticks < kPoll;
+        if (arm.calibrated && !arm.forces_on) {
+            hd_.enable(kForceOutput);
+            hd_.enable(kForceRamping);
+            arm.forces_on = true;
+        }
+        sample.status = calibrated ? DeviceStatus::kReady : DeviceStatus::kNotCalibrated;
+    }
+
+    // Calibration and motors, ten times a second. The frame of the arm is open and it is current.
+    void slow_look(Arm& arm) noexcept {
+        double heat[6]{};
+        hd_.get_doublev(kMotorTemperature, heat);
+        double hottest = 0;
+        for (const double one : heat) hottest = std::max(hottest, one);
+        arm.sample.motor_heat = static_cast<float>(hottest);
+        const unsigned state = hd_.check_calibration();
+        if (state == kCalibrationNeedsUpdate) hd_.update_calibration(hd_.calibration_style());
+        arm.calibrated = state == kCalibrationOk;
+        if (!arm.calibrated && arm.forces_on) {
+            hd_.disable(kForceOutput);
+            arm.forces_on = false;
+        }
+    }
+
+    // Empties the error stack. An error that names no arm of ours concerns both.
+    void collect_errors() noexcept {
+        for (int i = 0; i < 64; ++i) {
+            const ErrorInfo error = hd_.get_error();
+            if (error.code == kSuccess) return;
+            if (error.code == kInputType) continue;  // seen after start on sound hardware
+            last_error_.store(error.code, std::memory_order_relaxed);
+            bool named = false;
+            for (const Arm& arm : arms_) named = named || arm.handle == error.device;
+            for (Arm& arm : arms_) {
+                if (named && arm.handle != error.device) continue;
+                if (ends_session(error.code)) arm.lost = true;
+                arm.fault = true;
+            }
+        }
+    }
+
+    void apply_faults(Arm& arm) noexcept {
+        if (arm.fault) arm.sample.status = DeviceStatus::kFault;
+        if (arm.lost) arm.sample.status = DeviceStatus::kLost;
+        arm.fault = false;
+    }
+
+    [[nodiscard]] bool any_lost() const noexcept {
+        for (const Arm& arm : arms_)
+            if (arm.lost) return true;
+        return false;
+    }
+
+    // Own thread, ordinary priority: brings lost arms back.
+    void watch() {
+        std::unique_lock lock(mutex_);
+        while (!wake_.wait_for(lock, kRetry, [this] { return leave_; })) {
+            if (!lost_.load(std::memory_order_acquire)) continue;
+            end_session();
+            disable_all();
+            try {
+                for (Arm& arm : arms_) init(arm);
+            } catch (const DeviceError&) {
+                disable_all();
+                continue;  // not yet
+            }
+            lost_ = false;
+            begin_session();
+        }
+    }
+
+    Library hd_;
+    std::vector<Arm> arms_;
+    // servo thread
+    ServoTick tick_ = nullptr;
+    void* context_ = nullptr;
+    int64_t ticks_ = 0;
+    // crosses threads
+    std::atomic<bool> over_{false}, lost_{false};
+    std::atomic<unsigned> last_error_{0};
+    // owner and watcher
+    std::thread watcher_;
+    std::mutex mutex_;  // never taken by the servo thread
+    std::condition_variable wake_;
+    bool leave_ = false, stopped_ = false, scheduled_ = false;
+    unsigned long task_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<DeviceGroup> open_openhaptics(const DeviceConfig& config) {
+    const std::string right = config.station.text("openhaptics.right");
+    const std::string left = config.station.text("openhaptics.left");
+    const bool one_left = config.station.text("arm.one_hand") == "left";
+    if (!right.empty() && right == left)
+        throw DeviceError("openhaptics: openhaptics.right and openhaptics.left are both \"" +
+                          right + "\"; give each arm its own name");
+    std::vector<sim::Hand> hands;
+    std::vector<std::string> names;
+    if (!right.empty() || left.empty()) {
+        hands.push_back(left.empty() && one_left ? sim::Hand::kLeft : sim::Hand::kRight);
+        names.push_back(right);
+    }
+    if (!left.empty()) {
+        hands.push_back(sim::Hand::kLeft);
+        names.push_back(left);
+    }
+    return std::make_unique<OpenHapticsDevice>(config, hands, names);
+}
+
+}  // namespace placode::haptics

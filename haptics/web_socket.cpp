@@ -1,0 +1,249 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/web_socket.h"
+
+#include <arpa/inet.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace placode::haptics {
+
+namespace {
+
+constexpr int64_t kRetryNs = 500'000'000, kPatienceNs = 2'000'000'000;
+constexpr size_t kRoom = 1 << 17;  // of the longest message; full states are some kilobytes
+constexpr size_t kOutRoom = 1 << 13;
+constexpr uint8_t kContinuation = 0, kText = 1, kBinary = 2, kClose = 8, kPing = 9, kPong = 10;
+
+}  // namespace
+
+WebSocket::WebSocket(const std::string& host, int port, const std::string& path)
+    : request_("GET " + path + " HTTP/1.1\r\nHost: " + host + ":" + std::to_string(port) +
+               "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+               // Any 16 bytes do: the answer is not checked, the service is on this computer.
+               "Sec-WebSocket-Key: cGxhY29kZS1oYXB0aWNzIQ==\r\nSec-WebSocket-Version: 13\r\n\r\n"),
+      port_(static_cast<uint16_t>(port)),
+      in_(kRoom),
+      out_(kOutRoom),
+      message_(kRoom) {
+    addrinfo hints{}, *found = nullptr;
+    hints.ai_family = AF_INET;
+    hints.ai_socktype = SOCK_STREAM;
+    if (getaddrinfo(host.c_str(), nullptr, &hints, &found) == 0 && found != nullptr) {
+        address_ = reinterpret_cast<const sockaddr_in*>(found->ai_addr)->sin_addr.s_addr;
+        freeaddrinfo(found);
+    }
+}
+
+WebSocket::~WebSocket() { close(); }
+
+void WebSocket::drop(int64_t t_ns) noexcept {
+    if (socket_ >= 0) ::close(socket_);
+    socket_ = -1;
+    state_ = State::kClosed;
+    retry_ns_ = t_ns + kRetryNs;
+    in_size_ = out_size_ = message_size_ = 0;
+    message_complete_ = failed_ = false;
+}
+
+void WebSocket::begin(int64_t t_ns) noexcept {
+    if (address_ == 0) return;
+    socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+    if (socket_ < 0) {
+        drop(t_ns);
+        return;
+    }
+    const int on = 1;
+    setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    sockaddr_in peer{};
+    peer.sin_family = AF_INET;
+    peer.sin_port = htons(port_);
+    peer.sin_addr.s_addr = address_;
+    since_ns_ = t_ns;
+    if (connect(socket_, reinterpret_cast<const sockaddr*>(&peer), sizeof peer) == 0 ||
+        errno == EINPROGRESS)
+        state_ = State::kConnecting;
+    else
+        drop(t_ns);
+}
+
+bool WebSocket::flush() noexcept {
+    while (out_size_ > 0) {
+        const ssize_t sent = ::send(socket_, out_.data(), out_size_, MSG_DONTWAIT | MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+        std::memmove(out_.data(), out_.data() + sent, out_size_ - static_cast<size_t>(sent));
+        out_size_ -= static_cast<size_t>(sent);
+    }
+    return true;
+}
+
+// False: the other end has gone.
+bool WebSocket::receive() noexcept {
+    while (in_size_ < in_.size()) {
+        const ssize_t got =
+            ::recv(socket_, in_.data() + in_size_, in_.size() - in_size_, MSG_DONTWAIT);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return errno == EAGAIN || errno == EWOULDBLOCK;
+        if (got == 0) return false;
+        in_size_ += static_cast<size_t>(got);
+    }
+    return true;
+}
+
+// The answer to the request: 101, then frames.
+void WebSocket::shake() noexcept {
+    const std::string_view seen(in_.data(), in_size_);
+    const size_t end = seen.find("\r\n\r\n");
+    if (end == std::string_view::npos) {
+        failed_ = in_size_ > 8192;
+        return;
+    }
+    if (seen.substr(0, 12) != "HTTP/1.1 101") {
+        failed_ = true;
+        return;
+    }
+    in_size_ -= end + 4;
+    std::memmove(in_.data(), in_.data() + end + 4, in_size_);
+    state_ = State::kOpen;
+    ++connections_;
+}
+
+WebSocket::State WebSocket::step(int64_t t_ns) noexcept {
+    if (state_ == State::kClosed) {
+        if (t_ns >= retry_ns_) begin(t_ns);
+        return state_;
+    }
+    if (state_ == State::kConnecting) {
+        pollfd ready{socket_, POLLOUT, 0};
+        if (::poll(&ready, 1, 0) > 0) {
+            int error = 0;
+            socklen_t size = sizeof error;
+            getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+            failed_ = error != 0;
+            std::memcpy(out_.data(), request_.data(), request_.size());
+            out_size_ = request_.size();
+            state_ = State::kShaking;
+        }
+    }
+    if (state_ != State::kConnecting && !failed_) {
+        failed_ = !flush() || !receive();
+        if (!failed_ && state_ == State::kShaking) shake();
+    }
+    const bool waited = state_ != State::kOpen && t_ns - since_ns_ > kPatienceNs;
+    if (failed_ || waited) drop(t_ns);
+    return state_;
+}
+
+bool WebSocket::send_frame(uint8_t opcode, std::string_view payload) noexcept {
+    if (state_ != State::kOpen || payload.size() > 65535) return false;
+    const size_t header = payload.size() < 126 ? 6 : 8;
+    if (out_size_ + header + payload.size() > out_.size()) return false;
+    auto* at = reinterpret_cast<uint8_t*>(out_.data() + out_size_);
+    *at++ = static_cast<uint8_t>(0x80 | opcode);
+    if (payload.size() < 126) {
+        *at++ = static_cast<uint8_t>(0x80 | payload.size());
+    } else {
+        *at++ = 0x80 | 126;
+        *at++ = static_cast<uint8_t>(payload.size() >> 8);
+        *at++ = static_cast<uint8_t>(payload.size() & 0xFF);
+    }
+    // A client masks. xorshift32: nothing between here and a local service could be misled.
+    mask_ ^= mask_ << 13;
+    mask_ ^= mask_ >> 17;
+    mask_ ^= mask_ << 5;
+    uint8_t mask[4];
+    std::memcpy(mask, &mask_, 4);
+    std::memcpy(at, mask, 4);
+    at += 4;
+    for (size_t i = 0; i < payload.size(); ++i)
+        at[i] = static_cast<uint8_t>(static_cast<uint8_t>(payload[i]) ^ mask[i % 4]);
+    out_size_ += header + payload.size();
+    if (!flush()) failed_ = true;
+    return !failed_;
+}
+
+bool WebSocket::send_text(std::string_view text) noexcept {
+    // What the service has not taken yet is older than what there is to say now.
+    if (out_size_ > 0 && !flush()) failed_ = true;
+    if (out_size_ > 0) return false;
+    return send_frame(kText, text);
+}
+
+// Takes one frame from the buffer; false: none is complete.
+bool WebSocket::take_frame() noexcept {
+    const auto* in = reinterpret_cast<const uint8_t*>(in_.data());
+    if (in_size_ < 2) return false;
+    size_t header = 2;
+    uint64_t size = in[1] & 0x7Fu;
+    if (size == 126) {
+        header = 4;
+        if (in_size_ < header) return false;
+        size = static_cast<uint64_t>(in[2]) << 8 | in[3];
+    } else if (size == 127) {
+        header = 10;
+        if (in_size_ < header) return false;
+        size = 0;
+        for (int i = 2; i < 10; ++i) size = size << 8 | in[i];
+    }
+    const uint8_t opcode = in[0] & 0x0F;
+    // A service does not mask; a message that does not fit could never be finished.
+    if ((in[1] & 0x80) != 0 || size > in_.size() - header) {
+        failed_ = true;
+        return false;
+    }
+    if (in_size_ < header + size) return false;
+    const std::string_view payload(in_.data() + header, static_cast<size_t>(size));
+    if (opcode == kPing) {
+        send_frame(kPong, payload);
+    } else if (opcode == kClose) {
+        send_frame(kClose, payload.substr(0, 2));
+        failed_ = true;
+    } else if (opcode == kText || opcode == kBinary || opcode == kContinuation) {
+        if (opcode != kContinuation) {
+            message_size_ = 0;
+            message_text_ = opcode == kText;
+        }
+        if (message_size_ + payload.size() > message_.size()) {
+            failed_ = true;
+            return false;
+        }
+        std::memcpy(message_.data() + message_size_, payload.data(), payload.size());
+        message_size_ += payload.size();
+        message_complete_ = (in[0] & 0x80) != 0;
+    }
+    const size_t all = header + static_cast<size_t>(size);
+    in_size_ -= all;
+    std::memmove(in_.data(), in_.data() + all, in_size_);
+    return true;
+}
+
+bool WebSocket::next_message(std::string_view& text) noexcept {
+    while (state_ == State::kOpen && !failed_ && take_frame()) {
+        if (!message_complete_) continue;
+        message_complete_ = false;
+        if (!message_text_) continue;
+        text = {message_.data(), message_size_};
+        message_size_ = 0;
+        return true;
+    }
+    return false;
+}
+
+void WebSocket::close() noexcept {
+    if (state_ == State::kOpen) {
+        const char normal[2] = {0x03, static_cast<char>(0xE8)};
+        send_frame(kClose, {normal, 2});
+    }
+    drop(0);
+}
+
+}  // namespace placode::haptics
