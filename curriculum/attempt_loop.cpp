@@ -9,6 +9,8 @@
 #include <numbers>
 #include <thread>
 
+#include "haptics/real_time.h"
+
 namespace placode::curriculum {
 
 namespace {
@@ -391,8 +393,19 @@ void AttemptLoop::keep_pace() noexcept {
         std::this_thread::sleep_until(next_);
 }
 
+// A thread of the FIFO class that never sleeps would starve picture, recorder and desktop: beyond
+// four fifths of its period it goes back to the ordinary scheduler for good.
+void AttemptLoop::leave_room() noexcept {
+    if (!real_time_ || cost_s_ < 0.8 * frame_s_) return;
+    haptics::make_thread_ordinary();
+    real_time_ = false;
+}
+
 void AttemptLoop::run() noexcept {
     servo_->start();
+    // Hands that feel come before pictures; the others need no more than the usual share.
+    real_time_ = !lock_step_ && servo_->renders_force() &&
+                 haptics::make_thread_real_time(haptics::kPhysicsPriority);
     next_ = published_ = second_ = Clock::now();
     while (reason_ == sim::EndReason::kRunning) {
         if (paused_.load(std::memory_order_relaxed)) {
@@ -406,6 +419,7 @@ void AttemptLoop::run() noexcept {
         const auto start = Clock::now();
         one_frame();
         measure(Clock::now() - start);
+        leave_room();
         if (!fast_ && !lock_step_) adapt(frame_s_);
         keep_pace();
     }

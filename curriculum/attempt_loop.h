@@ -68,6 +68,7 @@ class AttemptLoop {
     void keep_pace() noexcept;
     template <class T>
     void record(const T& value) noexcept;
+    void leave_room() noexcept;
     void record_event(sim::EventKind kind, float value, uint64_t hash) noexcept;
 
     // constant
@@ -100,7 +101,8 @@ class AttemptLoop {
     sim::RecordingEnd end_;
     Clock::time_point next_{}, published_{}, second_{};
     int second_frames_ = 0, slow_frames_ = 0, quick_frames_ = 0, quiet_frames_ = 0;
-    double cost_s_ = 0;  // of a frame, smoothed
+    double cost_s_ = 0;       // of a frame, smoothed
+    bool real_time_ = false;  // SCHED_FIFO was granted and is kept
     std::vector<float> costs_ms_, sorted_ms_;
     size_t cost_count_ = 0;
     LoopNumbers numbers_now_;

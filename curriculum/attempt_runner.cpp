@@ -121,12 +121,20 @@ AttemptStatus AttemptRunner::status() const {
     status.frame_p99_ms = numbers.frame_p99_ms;
     status.substeps = numbers.substeps;
     status.cut_fraction = numbers.cut_fraction;
-    status.servo_p999_us = loop.servo().health().period_p999_us;
+    const haptics::HapticCertificate certificate = loop.servo().certificate();
+    status.servo_p999_us = certificate.period_p999_us;
+    status.servo_missed = certificate.missed;
+    status.servo_gaps = certificate.gaps;
+    status.servo_faults = certificate.faults;
     loop.set_servo_p999(status.servo_p999_us);
     status.dropped = numbers.dropped;
     status.running = impl_->started && !loop.finished();
     status.warning = impl_->recorder->problem();
     return status;
+}
+
+std::string AttemptRunner::haptic_certificate() const {
+    return haptics::certificate_to_json(impl_->loop->servo().certificate());
 }
 
 sim::RecordingEnd AttemptRunner::end() const { return impl_->loop->end(); }

@@ -32,6 +32,7 @@ struct AttemptStatus {
     int substeps = 0;
     double cut_fraction = 0;
     double servo_p999_us = 0;
+    uint64_t servo_missed = 0, servo_gaps = 0, servo_faults = 0;  ///< As in the certificate.
     int64_t dropped = 0;
     bool running = true;
     std::string warning;  ///< e.g. why the recording stopped.
@@ -57,6 +58,8 @@ class AttemptRunner {
     [[nodiscard]] const sim::Snapshot& snapshot(bool* fresh = nullptr) noexcept;
     [[nodiscard]] AttemptStatus status() const;
     [[nodiscard]] sim::RecordingEnd end() const;  ///< After wait().
+    /// What the haptic loop has done so far, as JSON (haptics/certificate.h).
+    [[nodiscard]] std::string haptic_certificate() const;
 
  private:
     struct Impl;

@@ -94,6 +94,8 @@ struct DeviceConfig {
         nullptr;  ///< For mouse, keyboard and gamepad; may be null.
     double frame_s = 1e-3;
     Station station;  ///< What this computer says about its devices.
+    /// Clock of groups with a scheduler of their own [ns]; null: CLOCK_MONOTONIC. For tests.
+    int64_t (*clock_ns)() noexcept = nullptr;
 };
 
 /// A group: one scheduler, one tick, one state per hand (same order as the tools).

@@ -141,7 +141,10 @@ class OpenHapticsDevice final : public ArmHands {
  public:
     OpenHapticsDevice(const DeviceConfig& config, std::vector<sim::Hand> hands,
                       std::vector<std::string> names)
-        : ArmHands(config, hands), hd_(load_library(config.station)), arms_(hands.size()) {
+        : ArmHands(config, hands),
+          hd_(load_library(config.station)),
+          arms_(hands.size()),
+          clock_ns_(config.clock_ns != nullptr ? config.clock_ns : monotonic_ns) {
         for (size_t i = 0; i < arms_.size(); ++i) {
             arms_[i].name = names[i];
             arms_[i].right = hands[i] != sim::Hand::kLeft;
@@ -309,8 +312,8 @@ class OpenHapticsDevice final : public ArmHands {
         ++ticks_;
         collect_errors();
         for (Arm& arm : arms_) apply_faults(arm);
-        if (!tick_(context_, monotonic_ns())) over_.store(true, std::memory_order_relaxed);
-        const int64_t now = monotonic_ns();
+        if (!tick_(context_, clock_ns_())) over_.store(true, std::memory_order_relaxed);
+        const int64_t now = clock_ns_();
         for (Arm& arm : arms_) {
             hd_.make_current(arm.handle);
             const bool allowed = arm.forces_on && arm.sample.status == DeviceStatus::kReady &&
@@ -323,7 +326,7 @@ class OpenHapticsDevice final : public ArmHands {
         if (!any_lost()) return kCallbackContinue;
         // The last tick of this session tells the servo that the hands are gone.
         for (Arm& arm : arms_) arm.sample.status = DeviceStatus::kLost;
-        if (!tick_(context_, monotonic_ns())) over_.store(true, std::memory_order_relaxed);
+        if (!tick_(context_, clock_ns_())) over_.store(true, std::memory_order_relaxed);
         lost_.store(true, std::memory_order_release);
         return kCallbackDone;
     }
@@ -428,6 +431,7 @@ class OpenHapticsDevice final : public ArmHands {
 
     Library hd_;
     std::vector<Arm> arms_;
+    int64_t (*clock_ns_)() noexcept;
     // servo thread
     ServoTick tick_ = nullptr;
     void* context_ = nullptr;

@@ -307,5 +307,6 @@ HapticCertificate Servo::certificate() const {
 }
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }
+bool Servo::renders_force() const noexcept { return impl_->force; }
 
 }  // namespace placode::haptics

@@ -56,6 +56,7 @@ class Servo {
     /// the certificate. The force has faded by then like in any stall. Any thread.
     void set_paused(bool paused) noexcept;
     [[nodiscard]] bool finish_requested() const noexcept;
+    [[nodiscard]] bool renders_force() const noexcept;  ///< One of the devices has motors.
 
  private:
     struct Impl;

@@ -78,6 +78,17 @@ TEST(AttemptRunner, RecordsEveryFrameSampleAndHash) {
         for (const float x : sample.tools[0].tip_m) ASSERT_LT(std::abs(x), 0.3f);
 }
 
+TEST(AttemptRunner, CertifiesItsHapticLoop) {
+    AttemptRunner runner(quick_task(), 3, fast(0.3), nullptr);
+    runner.start();
+    runner.wait();
+    const auto certificate = haptics::certificate_from_json(runner.haptic_certificate());
+    EXPECT_EQ(certificate.ticks, 300u);
+    EXPECT_TRUE(certificate.lock_step);
+    EXPECT_EQ(certificate.faults, 0u);
+    EXPECT_EQ(judge(certificate).grade, haptics::CertificateGrade::kNotApplicable);
+}
+
 TEST(AttemptRunner, AReplayIsIdenticalWithAnyNumberOfThreads) {
     const auto r = perform(fast(1.1, 2));
     for (const int threads : {1, 3}) {

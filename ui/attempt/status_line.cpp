@@ -19,6 +19,9 @@ nlohmann::ordered_json fields(const curriculum::AttemptStatus& status) {
             {"phase", std::string(sim::phase_name(status.phase))},
             {"physics_hz", status.physics_hz},
             {"servo_p999_us", status.servo_p999_us},
+            {"servo_missed", status.servo_missed},
+            {"servo_gaps", status.servo_gaps},
+            {"servo_faults", status.servo_faults},
             {"cut_fraction", status.cut_fraction},
             {"substeps", status.substeps},
             {"frame_p99_ms", status.frame_p99_ms},
@@ -61,13 +64,18 @@ void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
 }
 
 void StatusLine::end(const curriculum::AttemptStatus& status, const std::string& reason,
-                     const std::string& recording, const std::string& detail) {
+                     const std::string& recording, const std::string& detail,
+                     const std::string& haptics) {
     if (!enabled_) return;
     nlohmann::ordered_json object = fields(status);
     object["end"] = reason;
     object["recording"] =
         recording.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(recording);
     if (!detail.empty()) object["detail"] = detail;
+    if (!haptics.empty()) {
+        const auto certificate = nlohmann::ordered_json::parse(haptics, nullptr, false);
+        if (!certificate.is_discarded()) object["haptics"] = certificate;
+    }
     print_line(object);
 }
 

@@ -17,7 +17,8 @@ class StatusLine {
     void print(const curriculum::AttemptStatus& status, bool now = false);
     /// Last line. `recording` empty = none.
     void end(const curriculum::AttemptStatus& status, const std::string& reason,
-             const std::string& recording, const std::string& detail = {});
+             const std::string& recording, const std::string& detail = {},
+             const std::string& haptics = {});
 
  private:
     bool enabled_;

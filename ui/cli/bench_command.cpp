@@ -229,6 +229,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     add_contact_bench_command(*bench, context);
     add_scaling_command(*bench, context);
     add_stability_command(*bench, context);
+    add_haptics_bench_command(*bench, context);
 }
 
 }  // namespace placode::cli

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/port_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+
+#include "haptics/hand_motion.h"
+#include "haptics/port_tissue.h"
+
+namespace placode::haptics {
+
+namespace {
+
+constexpr Grip kGrips[] = {{"firm", 800, 3}, {"light", 150, 0.5}, {"fingertip", 60, 0.2}};
+constexpr int kFine = 20;
+constexpr double kTick = 1e-3;
+constexpr double kArmKg = 0.554, kArmNsM = 6.45, kArmNM = 135;
+constexpr double kDeviceKg = 0.045, kDeviceNsM = 0.1, kEncoderM = 55e-6, kCoulombN = 0.26;
+constexpr double kStartS = 0.6;  // after the ramp of the force
+constexpr double kPushS = 0.3, kDisturbS = 2.0, kUnplugS = 0.1;
+constexpr double kEndS = 0.5;  // what is measured at the end
+
+double minimum_jerk(double x) noexcept {
+    x = std::clamp(x, 0.0, 1.0);
+    return x * x * x * (10 + x * (-15 + 6 * x));
+}
+
+/// Arm, grip and device: three axes alike.
+class Hand {
+ public:
+    Hand(const Grip& grip, bool friction) : grip_(grip), friction_(friction) {}
+    /// One tick of 1 ms with the arm aiming at `target` and the motors giving `force`.
+    void step(const Vec3& target_m, const Vec3& force_n) noexcept {
+        const double dt = kTick / kFine;
+        for (int i = 0; i < kFine; ++i) {
+            const Vec3 hold =
+                grip_.stiffness_n_m * (arm_ - device_) + grip_.damping_ns_m * (arm_v_ - device_v_);
+            const Vec3 pull = kArmNM * (target_m - arm_) - kArmNsM * arm_v_ - hold;
+            arm_v_ += dt / kArmKg * pull;
+            arm_ += dt * arm_v_;
+            device_v_ += dt / kDeviceKg * (force_n + hold - kDeviceNsM * device_v_);
+            if (friction_) {
+                const double speed = device_v_.norm(), loss = dt / kDeviceKg * kCoulombN;
+                device_v_ *= speed > loss ? 1 - loss / speed : 0.0;
+            }
+            device_ += dt * device_v_;
+        }
+    }
+    [[nodiscard]] const Vec3& device_m() const noexcept { return device_; }
+    [[nodiscard]] Vec3 encoder_m() const noexcept {
+        return kEncoderM * (device_ / kEncoderM).array().round().matrix();
+    }
+
+ private:
+    Grip grip_;
+    bool friction_;
+    Vec3 arm_ = Vec3::Zero(), arm_v_ = Vec3::Zero();
+    Vec3 device_ = Vec3::Zero(), device_v_ = Vec3::Zero();
+};
+
+/// What the servo sees of it.
+struct Link {
+    DeviceState state;
+    Vec3 force = Vec3::Zero();
+};
+
+class BenchDevice final : public DeviceGroup {
+ public:
+    explicit BenchDevice(Link& link) : link_(link) {}
+    [[nodiscard]] std::vector<DeviceInfo> info() const override {
+        DeviceInfo info;
+        info.vendor = "Placode";
+        info.model = "bench";
+        info.driver = "model";
+        info.dof_sensed = info.dof_force = 3;
+        return {info};
+    }
+    void read(int64_t t_ns, std::span<DeviceState> states) noexcept override {
+        states[0] = link_.state;
+        states[0].t_ns = t_ns;
+    }
+    void write(std::span<const DeviceCommand> commands) noexcept override {
+        link_.force = commands[0].force_n;
+    }
+    [[nodiscard]] bool lock_step() const noexcept override { return true; }
+
+ private:
+    Link& link_;
+};
+
+sim::ToolSpec bench_tool() {
+    sim::ToolSpec tool;
+    tool.kind = sim::ToolKind::kProbe;
+    tool.tip_radius_m = 0.0015;
+    tool.pivot_m = Vec3(0, 0, 0.100);
+    return tool;
+}
+
+/// Tip mapping along the axes of the world: what the coupling sees is what the hand does.
+TrocarSettings bench_trocar() {
+    TrocarSettings settings;
+    settings.mapping = Mapping::kTip;
+    settings.home_tip_m = Vec3(0, 0, 0.0002);
+    return settings;
+}
+
+class Run {
+ public:
+    explicit Run(const PortCase& what)
+        : what_(what),
+          hand_(what.grip, what.friction),
+          tool_(bench_tool()),
+          servo_(std::make_unique<BenchDevice>(link_), std::span(&tool_, 1), std::span(&trocar_, 1),
+                 what.settings),
+          home_(trocar_.home_tip_m) {
+        const double ratio = 1000 / what.physics_hz;
+        every_ = static_cast<int>(std::lround(ratio));
+        if (every_ < 1 || std::abs(ratio - every_) > 1e-9 || what.hold_ticks < 1)
+            throw std::invalid_argument("port bench: the physics rate must divide 1000 Hz");
+        if (what.world == PortWorld::kTissue)
+            tissue_.emplace(tool_, what.youngs_modulus_pa, every_ * kTick);
+        feedback_[0].proxy.p = pending_.proxy.p = home_;
+    }
+
+    PortResult all() {
+        const int ticks = static_cast<int>(std::lround(what_.seconds / kTick));
+        for (int i = 0; i < ticks; ++i) tick(i);
+        finish();
+        return std::move(result_);
+    }
+
+ private:
+    [[nodiscard]] Vec3 target(double t) const noexcept {
+        if (what_.world == PortWorld::kAir) {
+            // 2 Hz to and fro, once the force has begun.
+            const double w = 2 * std::numbers::pi * 2;
+            const double rise = std::min(1.0, t);
+            return what_.direction * (rise * what_.speed_m_s / w * std::sin(w * t));
+        }
+        return what_.direction * (what_.push_m * minimum_jerk((t - kStartS) / kPushS));
+    }
+
+    // The world answers to the input of this frame; it is published a frame later.
+    void physics(int i, double t) {
+        const bool stalled = what_.stall_s > 0 && t >= kDisturbS && t < kDisturbS + what_.stall_s;
+        if (i % every_ != 0 || stalled) return;
+        feedback_[0] = pending_;
+        pending_.time_s = t + kTick;
+        const Vec3 tip = inputs_[0].pose().p;
+        if (tissue_) {
+            tissue_->frame(inputs_[0], pending_);
+            pending_.time_s = t + kTick;
+        } else {
+            pending_.proxy.p = tip;
+            // A wall takes what goes through it.
+            const double behind = (tip - home_).dot(what_.direction);
+            if (what_.world == PortWorld::kWall && behind > 0)
+                pending_.proxy.p -= behind * what_.direction;
+        }
+    }
+
+    void disturb(double t) noexcept {
+        DeviceState& state = link_.state;
+        state.status = DeviceStatus::kReady;
+        const bool now = t >= kDisturbS && t < kDisturbS + kTick / 2;
+        if (what_.nan && now) state.position_m.x() = std::nan("");
+        if (what_.teleport && now) state.position_m.y() += 0.02;
+        if (what_.unplug && t >= kDisturbS && t < kDisturbS + kUnplugS)
+            state.status = DeviceStatus::kLost;
+    }
+
+    void tick(int i) {
+        const double t = i * kTick;
+        link_.state.position_m = hand_.encoder_m();
+        disturb(t);
+        if (i % what_.hold_ticks == 0)
+            servo_.tick(static_cast<int64_t>(i + 1) * 1'000'000, inputs_, feedback_);
+        physics(i, t);
+        const Vec3 before = hand_.device_m();
+        hand_.step(target(t), link_.force);
+        note(t, hand_.device_m() - before);
+    }
+
+    void note(double t, const Vec3& moved) {
+        const double force = link_.force.norm();
+        result_.peak_force_n = std::max(result_.peak_force_n, force);
+        result_.steepest_n_s = std::max(result_.steepest_n_s, (force - last_force_) / kTick);
+        last_force_ = force;
+        energy_j_ -= link_.force.dot(moved);
+        result_.least_energy_j = std::min(result_.least_energy_j, energy_j_);
+        const double disturbed = what_.stall_s + (what_.unplug ? kUnplugS : 0);
+        if (t < kDisturbS) force_before_ = force;
+        if (t > kDisturbS + disturbed && !recovered_ && force > 0.5 * force_before_ &&
+            seen_silent_) {
+            recovered_ = true;
+            result_.recovered_s = t - kDisturbS - disturbed;
+        }
+        if (t >= kDisturbS && force == 0) seen_silent_ = true;
+        const double along = hand_.device_m().dot(what_.direction);
+        result_.position_m.push_back(static_cast<float>(along));
+        result_.force_n.push_back(static_cast<float>(-link_.force.dot(what_.direction)));
+        if (t < what_.seconds - kEndS) {
+            energy_then_j_ = energy_j_;
+            return;
+        }
+        low_ = std::min(low_, along);
+        high_ = std::max(high_, along);
+        ++counted_;
+        mean_force_ += link_.force;
+        mean_tissue_ += feedback_[0].force_n;
+        mean_gap_ += feedback_[0].proxy.p - home_ - hand_.device_m();
+    }
+
+    void finish() {
+        const double n = std::max(1, counted_);
+        result_.peak_to_peak_m = high_ - low_;
+        // Vectors first: the encoder's steps would only ever add to a mean of sizes.
+        result_.mean_force_n = mean_force_.norm() / n;
+        result_.gap_m = mean_gap_.norm() / n;
+        result_.tissue_force_n = mean_tissue_.norm() / n;
+        result_.drift_j_s = (energy_then_j_ - energy_j_) / kEndS;
+        result_.certificate = servo_.certificate();
+    }
+
+    PortCase what_;
+    Hand hand_;
+    Link link_;
+    sim::ToolSpec tool_;
+    TrocarSettings trocar_ = bench_trocar();
+    Servo servo_;
+    Vec3 home_;
+    int every_ = 1;
+    std::optional<PortTissue> tissue_;
+    std::array<sim::ToolInput, 1> inputs_{};
+    std::array<sim::ToolFeedback, 1> feedback_{};
+    sim::ToolFeedback pending_;
+    PortResult result_;
+    Vec3 mean_force_ = Vec3::Zero(), mean_tissue_ = Vec3::Zero(), mean_gap_ = Vec3::Zero();
+    double energy_j_ = 0, energy_then_j_ = 0, last_force_ = 0, force_before_ = 0;
+    double low_ = 1, high_ = -1;
+    int counted_ = 0;
+    bool recovered_ = false, seen_silent_ = false;
+};
+
+}  // namespace
+
+std::span<const Grip> grips() noexcept { return kGrips; }
+
+PortResult run_port(const PortCase& what) { return Run(what).all(); }
+
+bool calm(const PortResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }
+
+double largest_stiffness(PortCase what, double most_n_m) {
+    double found = 0;
+    what.seconds = 3.5;
+    for (double k = 50; k <= most_n_m; k *= 1.15) {
+        what.settings.stiffness_n_m = k;
+        if (!calm(run_port(what))) return found;
+        found = k;
+    }
+    return found;
+}
+
+}  // namespace placode::haptics

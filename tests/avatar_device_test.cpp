@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Haptic Avatar driver against stand-ins on pseudo-terminals. No hardware: signs and the zero
+// of the depth of a real device are not shown here.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <functional>
+
+#include "haptics/rcm.h"
+#include "haptics/real_time.h"
+#include "tests/count_allocations.h"
+#include "tests/stand_in/avatar_port.h"
+
+namespace placode::haptics {
+namespace {
+
+using test::AvatarPort;
+using ::testing::HasSubstr;
+
+DeviceConfig config(const AvatarPort& port) {
+    DeviceConfig out;
+    out.name = "avatar";
+    out.tools.resize(1);
+    out.tools[0].kind = sim::ToolKind::kGrasper;
+    out.station.set("avatar.right", port.path());
+    out.station.set("avatar.settle_s", "0");
+    return out;
+}
+
+std::string error_of(const DeviceConfig& what) {
+    try {
+        open_device(what)->stop();
+    } catch (const DeviceError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+/// 0.1 rad and 120 mm, as the device says it.
+std::vector<int> angles(double roll, double pitch, double depth_mm, double yaw) {
+    const auto scaled = [](double v) { return static_cast<int>(std::lround(v * 10'000)); };
+    return {scaled(roll), scaled(pitch), scaled(depth_mm), scaled(yaw)};
+}
+
+struct Session {
+    explicit Session(const DeviceConfig& what) : device(open_device(what)) {}
+    ~Session() { device->stop(); }
+    void tick(const Vec3& force = Vec3::Zero()) {
+        const int64_t t = monotonic_ns();
+        device->read(t, states);
+        commands[0].force_n = force;
+        commands[0].valid_until_ns = t + 10'000'000;
+        device->write(commands);
+    }
+    bool until(const std::function<bool()>& done, const Vec3& force = Vec3::Zero()) {
+        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (std::chrono::steady_clock::now() < limit) {
+            tick(force);
+            if (done()) return true;
+            sleep_until(monotonic_ns() + 300'000);
+        }
+        return false;
+    }
+    std::unique_ptr<DeviceGroup> device;
+    std::array<DeviceState, 1> states;
+    std::array<DeviceCommand, 1> commands;
+};
+
+TEST(Avatar, SaysWhatIsWrongWithThePort) {
+    DeviceConfig wrong;
+    wrong.name = "avatar";
+    wrong.tools.resize(1);
+    wrong.station.set("avatar.right", "/dev/nothing");
+    EXPECT_THAT(error_of(wrong), HasSubstr("/dev/nothing: No such file"));
+    EXPECT_THAT(error_of(wrong), HasSubstr("dialout"));
+    AvatarPort port;
+    port.change([](auto& p) { p.silent = true; });
+    EXPECT_THAT(error_of(config(port)), HasSubstr("no Haptic Avatar answers"));
+    wrong.station.set("avatar.signs", "1 1 1 2");
+    wrong.station.set("avatar.right", port.path());
+    EXPECT_THAT(error_of(wrong), HasSubstr("avatar.signs"));
+    wrong.station.set("avatar.left", port.path());
+    EXPECT_THAT(error_of(wrong), HasSubstr("both"));
+}
+
+TEST(Avatar, PutsTheInstrumentWhereAnglesAndDepthSay) {
+    AvatarPort port;
+    port.change([](auto& p) { p.answers[2] = angles(0.3, -0.1, 70, 0.2); });
+    const DeviceConfig what = config(port);
+    Session session(what);
+    ASSERT_TRUE(session.until([&] { return session.states[0].status == DeviceStatus::kReady; }));
+    const RcmMap map(what.tools[0], default_trocars(what.tools, "avatar")[0]);
+    const Vec3 expected = map.handle_m({0.2, -0.1, 0.070, 0.3});
+    EXPECT_LT((session.states[0].position_m - expected).norm(), 1e-9)
+        << "the instrument stands in its port: no fresh start";
+    EXPECT_NEAR(session.states[0].roll_rad, 0.3, 1e-9);
+}
+
+TEST(Avatar, SendsTorquesAndThrustByTheTranspose) {
+    AvatarPort port;
+    port.change([](auto& p) { p.answers[2] = angles(0, -0.1, 70, 0.2); });
+    const DeviceConfig what = config(port);
+    Session session(what);
+    const Vec3 force(0.4, -0.7, 1.1);
+    const RcmMap map(what.tools[0], default_trocars(what.tools, "avatar")[0]);
+    const RcmForce expected = map.force({0.2, -0.1, 0.070, 0}, force);
+    ASSERT_TRUE(session.until([&] { return port.forces()[2] != 0; }, force));
+    EXPECT_EQ(port.enabled, 1) << "force feedback is switched on once calibrated";
+    EXPECT_NEAR(port.forces()[1], expected.pitch_nm * 1e4, 1);
+    EXPECT_NEAR(port.forces()[2], expected.depth_n * 1e4, 1);
+    EXPECT_NEAR(port.forces()[3], expected.yaw_nm * 1e4, 1);
+    EXPECT_EQ(port.forces()[0], 0);
+}
+
+TEST(Avatar, GivesNoForceUncalibratedOrWithoutAnInstrument) {
+    AvatarPort port;
+    port.change([](auto& p) { p.answers[38] = {1, 0, 1}; });
+    Session session(config(port));
+    ASSERT_TRUE(session.until([&] { return port.lines > 30; }, Vec3(1, 1, 1)));
+    EXPECT_EQ(session.states[0].status, DeviceStatus::kNotCalibrated);
+    EXPECT_EQ(port.forces()[2], 0);
+    EXPECT_EQ(port.enabled, -1);
+    port.change([](auto& p) { p.answers[38] = {1, 1, 1}; });
+    ASSERT_TRUE(session.until([&] { return port.forces()[2] != 0; }, Vec3(1, 1, 1)));
+    port.change([](auto& p) { p.answers[28] = {0}; });
+    EXPECT_TRUE(session.until([&] { return !session.states[0].engaged && port.forces()[2] == 0; },
+                              Vec3(1, 1, 1)));
+}
+
+TEST(Avatar, TakesJawsAndPedalsFromItsBox) {
+    AvatarPort port, box(true);
+    DeviceConfig what = config(port);
+    what.station.set("avatar.ibox", box.path());
+    what.tools[0].kind = sim::ToolKind::kScissors;
+    Session session(what);
+    box.change([](auto& b) { b.answers[2] = {5'000, 0, 0, 0, 0, 0}; });
+    EXPECT_TRUE(session.until([&] {
+        return std::abs(session.states[0].jaw_rad - 0.5 * what.tools[0].jaw_open_rad) < 1e-6;
+    }));
+    DeviceConfig needle = what;
+    needle.tools[0].kind = sim::ToolKind::kNeedle;
+    AvatarPort other;
+    needle.station.set("avatar.right", other.path());
+    AvatarPort pedals(true);
+    needle.station.set("avatar.ibox", pedals.path());
+    Session cutting(needle);
+    pedals.change([](auto& b) { b.answers[4] = {0, 1}; });
+    EXPECT_TRUE(cutting.until([&] { return cutting.states[0].pedals == sim::kPedalCoag; }));
+    pedals.change([](auto& b) { b.silent = true; });
+    EXPECT_TRUE(cutting.until([&] { return cutting.states[0].pedals == 0; })) << "box gone: let go";
+}
+
+TEST(Avatar, IsLostInSilenceAndRubbishAndComesBack) {
+    AvatarPort port;
+    Session session(config(port));
+    const auto is = [&](DeviceStatus status) {
+        return [&session, status] { return session.states[0].status == status; };
+    };
+    ASSERT_TRUE(session.until(is(DeviceStatus::kReady)));
+    port.change([](auto& p) { p.silent = true; });
+    EXPECT_TRUE(session.until(is(DeviceStatus::kLost)));
+    port.change([](auto& p) { p.silent = false; });
+    EXPECT_TRUE(session.until(is(DeviceStatus::kReady)));
+    port.change([](auto& p) { p.garbage = true; });
+    EXPECT_TRUE(session.until(is(DeviceStatus::kLost)));
+    port.change([](auto& p) { p.garbage = false; });
+    EXPECT_TRUE(session.until(is(DeviceStatus::kReady)));
+    port.pull_out();
+    EXPECT_TRUE(session.until(is(DeviceStatus::kLost)));
+}
+
+TEST(Avatar, LowersItsForceWhenAnAmplifierIsHot) {
+    AvatarPort port;
+    port.change([](auto& p) { p.answers[5] = {0x20}; });
+    Session session(config(port));
+    EXPECT_TRUE(session.until([&] { return session.states[0].motor_heat == 1.0f; }));
+}
+
+TEST(Avatar, AllocatesNothingInItsTickAndLeavesTheMotorsOff) {
+    AvatarPort port;
+    {
+        Session session(config(port));
+        session.until([&] { return port.forces()[2] != 0; }, Vec3(1, 1, 1));
+        const long before = placode::test::allocations;
+        for (int i = 0; i < 200; ++i) session.tick(Vec3(1, 1, 1));
+        EXPECT_EQ(placode::test::allocations, before);
+    }
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (port.enabled != 0 && std::chrono::steady_clock::now() < limit)
+        sleep_until(monotonic_ns() + 1'000'000);
+    EXPECT_EQ(port.enabled, 0);
+    EXPECT_EQ(port.forces()[2], 0);
+}
+
+}  // namespace
+}  // namespace placode::haptics

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The SpaceMouse driver against a socket that speaks as spacenavd does. No hardware.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <filesystem>
+
+#include "haptics/device.h"
+
+namespace placode::haptics {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Daemon {
+ public:
+    Daemon()
+        : path(std::filesystem::temp_directory_path() /
+               ("spnav_" + std::to_string(::getpid()) + ".sock")) {
+        listen_again();
+    }
+    ~Daemon() {
+        quit();
+        std::filesystem::remove(path);
+    }
+    void listen_again() {
+        std::filesystem::remove(path);
+        sockaddr_un address{};
+        address.sun_family = AF_UNIX;
+        std::strcpy(address.sun_path, path.c_str());
+        listener_ = ::socket(AF_UNIX, SOCK_STREAM, 0);
+        (void)!bind(listener_, reinterpret_cast<sockaddr*>(&address), sizeof address);
+        (void)!listen(listener_, 4);
+    }
+    void accept_client() { client_ = ::accept(listener_, nullptr, nullptr); }
+    void quit() {
+        if (client_ >= 0) ::close(client_);
+        if (listener_ >= 0) ::close(listener_);
+        client_ = listener_ = -1;
+    }
+    void event(int32_t type, std::array<int32_t, 7> rest) {
+        int32_t words[8]{type};
+        std::copy(rest.begin(), rest.end(), words + 1);
+        (void)!::send(client_, words, sizeof words, MSG_NOSIGNAL);
+    }
+    std::string path;
+
+ private:
+    int listener_ = -1, client_ = -1;
+};
+
+struct Session {
+    explicit Session(Daemon& daemon) {
+        DeviceConfig config;
+        config.name = "spacemouse";
+        config.tools.resize(1);
+        config.station.set("spacemouse.socket", daemon.path);
+        device = open_device(config);
+        daemon.accept_client();
+        read(5);
+    }
+    const DeviceState& read(int ms) {
+        for (int i = 0; i < ms; ++i) device->read(t_ns += 1'000'000, states);
+        return states[0];
+    }
+    std::unique_ptr<DeviceGroup> device;
+    std::array<DeviceState, 1> states;
+    int64_t t_ns = 0;
+};
+
+TEST(SpaceMouse, SaysHowToInstallTheDaemon) {
+    DeviceConfig config;
+    config.name = "spacemouse";
+    config.tools.resize(1);
+    config.station.set("spacemouse.socket", "/nowhere/spnav.sock");
+    try {
+        (void)open_device(config);
+        FAIL();
+    } catch (const DeviceError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("/nowhere/spnav.sock: No such file"));
+        EXPECT_THAT(error.what(), HasSubstr("apt install spacenavd"));
+    }
+}
+
+TEST(SpaceMouse, MovesAtARateWhileTheCapIsPushed) {
+    Daemon daemon;
+    Session session(daemon);
+    for (int i = 0; i < 50; ++i) {
+        daemon.event(0, {350, 175, -350, 0, 0, 0, 10});
+        session.read(10);
+    }
+    const Vec3 start = session.states[0].position_m;
+    for (int i = 0; i < 10; ++i) {
+        daemon.event(0, {350, 175, -350, 0, 0, 0, 10});
+        session.read(10);
+    }
+    const Vec3 moved = session.states[0].position_m - start;
+    EXPECT_NEAR(moved.x(), 0.004, 2e-4) << "full deflection, 40 mm/s for 0.1 s";
+    EXPECT_NEAR(moved.y(), 0.004 * (175 - 15) / 335, 2e-4) << "behind the dead zone of 15";
+    EXPECT_GT(moved.z(), 0) << "pulled towards the operator: back";
+}
+
+TEST(SpaceMouse, StandsStillWithoutEventsAndInTheDeadZone) {
+    Daemon daemon;
+    Session session(daemon);
+    daemon.event(0, {350, 0, 0, 0, 0, 0, 10});
+    session.read(500);
+    const Vec3 rest = session.states[0].position_m;
+    EXPECT_GT(rest.x(), 0.001);
+    // The eased end of the motion, a hundredth of a millimetre, is all that may follow.
+    EXPECT_LT((session.read(300).position_m - rest).norm(), 1e-5)
+        << "the daemon never sent the zero";
+    daemon.event(0, {14, -15, 3, 0, 0, 0, 10});
+    EXPECT_LT((session.read(200).position_m - rest).norm(), 1e-5);
+}
+
+TEST(SpaceMouse, DrainsItsQueue) {
+    Daemon daemon;
+    Session session(daemon);
+    for (int i = 0; i < 100; ++i) daemon.event(0, {350, 0, 0, 0, 0, 0, 10});
+    daemon.event(0, {0, 0, 0, 0, 0, 0, 10});
+    EXPECT_LT(session.read(500).position_m.norm(), 1e-6) << "the last event counts, at rest";
+}
+
+TEST(SpaceMouse, PressesPedalsByItsButtonsAndLetsGoWhenTheDaemonDies) {
+    Daemon daemon;
+    Session session(daemon);
+    daemon.event(1, {0, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(session.read(2).pedals, sim::kPedalCut);
+    daemon.event(2, {0, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(session.read(2).pedals, 0);
+    daemon.event(1, {1, 0, 0, 0, 0, 0, 0});
+    EXPECT_EQ(session.read(2).pedals, sim::kPedalCoag);
+    daemon.quit();
+    EXPECT_EQ(session.read(2).pedals, 0);
+    EXPECT_EQ(session.states[0].status, DeviceStatus::kLost);
+    daemon.listen_again();
+    session.read(1100);  // it looks once a second
+    EXPECT_EQ(session.states[0].status, DeviceStatus::kReady);
+}
+
+}  // namespace
+}  // namespace placode::haptics
