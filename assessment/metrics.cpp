@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
 
@@ -125,6 +126,59 @@ std::vector<MetricDefinition> metric_definitions() {
          "Balasubramanian et al. 2015"},
         {"out_of_view_s", "Out of view", "s", kLowerIsBetter,
          "Time that instrument tips were outside the picture.", "Placode"},
+        {"out_of_view_count", "Times out of view", "", kLowerIsBetter,
+         "Times that an instrument tip left the picture.", "Placode"},
+        {"out_of_view_percent", "Share out of view", "%", kLowerIsBetter,
+         "Share of the time that instrument tips were outside the picture.", "Placode"},
+        {"idle_percent", "Idle share", "%", kLowerIsBetter, "Idle time over the whole time.",
+         "after Oropesa et al. 2013"},
+        {"roll_path_deg", "Rotation about the shaft", "deg", kLowerIsBetter,
+         "Total rotation of the instruments about their own shafts.", "Cotin et al. 2002"},
+        {"pitch_path_deg", "Pitch path", "deg", kLowerIsBetter,
+         "Total change of the shafts' direction up and down, seen from the first pose.",
+         "after Ershad et al. 2018"},
+        {"yaw_path_deg", "Yaw path", "deg", kLowerIsBetter,
+         "Total change of the shafts' direction to the sides, seen from the first pose.",
+         "after Ershad et al. 2018"},
+        {"cutting_economy", "Economy of cutting", "", kHigherIsBetter,
+         "Planned contour that was cut, over the way of the tip while energy was on.", "Placode"},
+        {"economy_of_volume", "Economy of volume", "", kNeutral,
+         "Cube root of the box around the tip's way over its length, busiest instrument.",
+         "Oropesa et al. 2013"},
+        {"jerk_normalised", "Normalised jerk", "", kLowerIsBetter,
+         "Root of squared jerk without unit, median over the movements of SPARC; 19 at best.",
+         "Chmarra et al. 2008"},
+        {"speed_peaks_per_min", "Speed peaks", "1/min", kLowerIsBetter,
+         "Local maxima of the tips' speeds above 20 mm/s, per minute.", "after PMC5845064"},
+        {"path_length_left_mm", "Path length, left hand", "mm", kLowerIsBetter,
+         "Way of the left hand's instrument.", "Chmarra et al. 2008"},
+        {"path_length_right_mm", "Path length, right hand", "mm", kLowerIsBetter,
+         "Way of the right hand's instruments.", "Chmarra et al. 2008"},
+        {"bimanual_r", "Hands together", "", kNeutral, "Correlation of the hands' speeds.",
+         "Hofstad et al. 2013"},
+        {"bimanual_balance", "Balance of hands", "", kHigherIsBetter,
+         "Shorter over longer way of the two hands.", "SurgTrac"},
+        {"both_moving_percent", "Both hands moving", "%", kHigherIsBetter,
+         "Share of the time with both hands above 5 mm/s.", "Placode"},
+        {"tremor_rms_mm", "Tremor", "mm", kLowerIsBetter,
+         "Root of the tip's power from 8 to 12 Hz, unfiltered, worst instrument.", "Welch 1967"},
+        {"mean_force_mn", "Mean force", "mN", kLowerIsBetter,
+         "Mean force of instruments on tissue while they touch it.", "Placode"},
+        {"rms_force_mn", "RMS force", "mN", kLowerIsBetter, "Root mean square of that force.",
+         "Placode"},
+        {"force_impulse_mn_s", "Impulse of force", "mN s", kLowerIsBetter,
+         "Force on tissue summed up over time.", "Placode"},
+        {"placode_impulse_mn_s", "Impulse on the placode", "mN s", kLowerIsBetter,
+         "Force on the placode summed up over time.", "Placode"},
+        {"contour_deviation_rms_mm", "Deviation, RMS", "mm", kLowerIsBetter,
+         "Root mean square of the distance of the kerf's centre from the planned contour.",
+         "Placode"},
+        {"gap_count", "Gaps", "", kLowerIsBetter, "Uncut stretches of the planned contour.",
+         "Placode"},
+        {"over_stretch_count", "Over-stretched", "", kLowerIsBetter,
+         "Times that tissue was stretched beyond its injury limit.", "Placode"},
+        {"max_stretch", "Largest stretch", "", kLowerIsBetter,
+         "Largest principal stretch among these, 1 = at rest.", "Placode"},
     };
 }
 
@@ -138,6 +192,7 @@ std::optional<double> MetricSet::find(std::string_view id) const {
 MetricSet compute_metrics(const sim::Recording& recording) {
     std::vector<Metric> found;
     add_motion_metrics(recording, found);
+    add_motion_details(recording, found);
     add_tissue_metrics(recording, found);
     // In the order of the definitions; what is not finite is not known.
     MetricSet set;

@@ -272,7 +272,9 @@ void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     out.push_back({"angular_path_deg", turn_rad * 180 / std::numbers::pi});
     if (time_s > 0) out.push_back({"mean_speed_mm_s", path_m * 1e3 / time_s});
     out.push_back({"movements", static_cast<double>(movements)});
-    out.push_back({"idle_time_s", idle_seconds(recording, tracks, tools)});
+    const double idle_s = idle_seconds(recording, tracks, tools);
+    out.push_back({"idle_time_s", idle_s});
+    if (time_s > 0) out.push_back({"idle_percent", 100 * std::min(1.0, idle_s / time_s)});
     if (!smoothness.sparc.empty()) out.push_back({"sparc", median(smoothness.sparc)});
     if (!smoothness.ldlj.empty()) out.push_back({"ldlj_vector", median(smoothness.ldlj)});
 

@@ -15,6 +15,9 @@ namespace placode::assessment {
 using sim::Quat;
 using sim::Vec3;
 
+/// Raised when time base, filter or derivative change: stored with every score, because scores of
+/// different pre-processing are not comparable.
+inline constexpr int kPreprocessingVersion = 1;
 inline constexpr double kAnalysisRateHz = 100;  ///< All motion metrics are computed at this rate.
 inline constexpr double kCutoffHz = 10;         ///< Low pass before speed, jerk and path length.
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
 
 namespace placode::assessment {
@@ -48,6 +49,7 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
     if (!incision) return;
     out.push_back({"ring_completeness_percent", incision->cover.covered * 100});
     out.push_back({"largest_gap_mm", incision->cover.largest_gap * 1e3});
+    out.push_back({"gap_count", static_cast<double>(incision->cover.gaps)});
     std::vector<double> distance;
     double mean_signed = 0, width = 0;
     double outside_m = 0, toward_m = 0, off_m = 0;
@@ -62,12 +64,16 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
     }
     if (!distance.empty()) {
         const double n = static_cast<double>(distance.size());
-        double mean = 0;
-        for (const double d : distance) mean += d / n;
+        double mean = 0, square = 0;
+        for (const double d : distance) {
+            mean += d / n;
+            square += d * d / n;
+        }
         std::sort(distance.begin(), distance.end());
         out.push_back({"contour_deviation_mm", mean * 1e3});
         out.push_back({"contour_deviation_p95_mm", quantile(distance, 0.95) * 1e3});
         out.push_back({"contour_deviation_max_mm", distance.back() * 1e3});
+        out.push_back({"contour_deviation_rms_mm", std::sqrt(square) * 1e3});
         out.push_back({"contour_signed_mm", mean_signed / n * 1e3});
         out.push_back({"kerf_width_mm", width / n * 1e3});
     }
@@ -173,6 +179,62 @@ void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
     out.push_back({"over_force_s", over.value});
     out.push_back({"torn_volume_mm3", torn_m3 * 1e9});
     out.push_back({"torn_skin_mm3", torn_skin_m3 * 1e9});
+}
+
+/// Sums over the samples in which an instrument touches tissue.
+void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out) {
+    const double dt = recording.header.sample_s;
+    double contact_s = 0, impulse = 0, square = 0, placode = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+            const sim::ToolSample& tool = sample.tools[i];
+            if (tool.in_contact == 0) continue;
+            const double force = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
+            contact_s += dt;
+            impulse += force * dt;
+            square += force * force * dt;
+            if (tool.touched == sim::Tissue::kPlacode) placode += force * dt;
+        }
+    }
+    if (contact_s > 0) {
+        out.push_back({"mean_force_mn", impulse / contact_s * 1e3});
+        out.push_back({"rms_force_mn", std::sqrt(square / contact_s) * 1e3});
+    }
+    out.push_back({"force_impulse_mn_s", impulse * 1e3});
+    out.push_back({"placode_impulse_mn_s", placode * 1e3});
+    double stretch = 0;
+    int count = 0;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::EventKind::kOverStretch) continue;
+        ++count;
+        stretch = std::max(stretch, static_cast<double>(event.value));
+    }
+    out.push_back({"over_stretch_count", static_cast<double>(count)});
+    if (count > 0) out.push_back({"max_stretch", stretch});
+}
+
+/// Planned contour that is cut, over the tip's way with the pedal down and in contact.
+void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out) {
+    const std::optional<Incision> incision = analyse_incision(recording);
+    if (!incision) return;
+    double way = 0;
+    for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+        const sim::ToolKind kind = recording.header.tools[i].kind;
+        if (kind != sim::ToolKind::kNeedle && kind != sim::ToolKind::kHook) continue;
+        const Track track = tool_track(recording, i);  // Filtered: raw samples lengthen the way.
+        size_t sample = 0;
+        for (size_t k = 1; k < track.position_m.size(); ++k) {
+            while (sample + 1 < recording.samples.size() &&
+                   recording.samples[sample].time_s < track.time_s(k))
+                ++sample;
+            const sim::ToolSample& tool = recording.samples[sample].tools[i];
+            if (tool.pedals != 0 && tool.in_contact != 0)
+                way += (track.position_m[k] - track.position_m[k - 1]).norm();
+        }
+    }
+    // A way shorter than a millimetre says nothing.
+    if (way > 1e-3)
+        out.push_back({"cutting_economy", incision->cover.covered * incision->perimeter_m / way});
 }
 
 /// Seconds during which held tissue was lifted, from the height of the tip since its grasp.
@@ -304,6 +366,8 @@ void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     add_placode(recording, out);
     add_energy(recording, out);
     add_force(recording, out);
+    add_contact_force(recording, out);
+    add_cutting_economy(recording, out);
     add_dissection(recording, out);
 }
 

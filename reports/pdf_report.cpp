@@ -8,6 +8,7 @@
 #include <QSaveFile>
 #include <QTextDocument>
 #include <cmath>
+#include <span>
 
 #include "reports/report.h"
 #include "reports/text.h"
@@ -25,7 +26,8 @@ double draw_html(QPainter& painter, const QPointF& at, double width, const QStri
     QTextDocument document;
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(12);
-    // Letter spacing (at least 1/64 pixel) switches ligatures off: with them a search for "finished" finds nothing.
+    // Letter spacing (at least 1/64 pixel) switches ligatures off: with them a search for
+    // "finished" finds nothing.
     font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
     document.setDefaultFont(font);
     document.setDocumentMargin(0);
@@ -78,14 +80,24 @@ QString reasons_html(const assessment::Score& score) {
     return html + QStringLiteral("</table>");
 }
 
-QString metrics_html(const assessment::MetricSet& metrics) {
+constexpr size_t kMetricsAPage = 46;
+
+/// Definitions of those that this attempt has.
+std::vector<assessment::MetricDefinition> known_metrics(const assessment::MetricSet& metrics) {
+    std::vector<assessment::MetricDefinition> known;
+    for (const assessment::MetricDefinition& definition : assessment::metric_definitions())
+        if (metrics.find(definition.id)) known.push_back(definition);
+    return known;
+}
+
+QString metrics_html(const assessment::MetricSet& metrics,
+                     std::span<const assessment::MetricDefinition> shown) {
     QString html = QStringLiteral(
         "<h3>Metrics</h3><table cellspacing='0' cellpadding='1' width='100%'>"
         "<tr style='color:#5f666e'><td>metric</td><td "
         "align='right'>value</td><td>unit</td><td>better</td></tr>");
-    for (const assessment::MetricDefinition& definition : assessment::metric_definitions()) {
+    for (const assessment::MetricDefinition& definition : shown) {
         const auto value = metrics.find(definition.id);
-        if (!value) continue;
         const char* better = definition.direction == assessment::Direction::kLowerIsBetter ? "lower"
                              : definition.direction == assessment::Direction::kHigherIsBetter
                                  ? "higher"
@@ -112,13 +124,14 @@ QString provenance_html(const db::AttemptRecord& record, const sim::Recording& r
              QString::number(recording.end.final_hash, 16));
 }
 
-void draw_footer(QPainter& painter, int page, const db::AttemptRecord& record) {
-    draw_html(painter, {kMargin, kHeight - kMargin + 10}, kInner,
-              QStringLiteral(
-                  "<p style='color:#5f666e;font-size:10px'>Placode attempt %1%2 - page %3 of 2</p>")
-                  .arg(QString::number(record.id),
-                       record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString(),
-                       QString::number(page)));
+void draw_footer(QPainter& painter, int page, int pages, const db::AttemptRecord& record) {
+    draw_html(
+        painter, {kMargin, kHeight - kMargin + 10}, kInner,
+        QStringLiteral(
+            "<p style='color:#5f666e;font-size:10px'>Placode attempt %1%2 - page %3 of %4</p>")
+            .arg(QString::number(record.id),
+                 record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString(),
+                 QString::number(page), QString::number(pages)));
 }
 
 }  // namespace
@@ -150,12 +163,24 @@ void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& r
                      70, style);
         y += 346;
         draw_html(painter, {kMargin, y}, kInner, reasons_html(attempt.score));
-        draw_footer(painter, 1, attempt.record);
-        writer.newPage();
-        y = kMargin;
-        y += draw_html(painter, {kMargin, y}, kInner, metrics_html(attempt.metrics)) + 12;
-        draw_html(painter, {kMargin, y}, kInner, provenance_html(attempt.record, recording));
-        draw_footer(painter, 2, attempt.record);
+        const auto known = known_metrics(attempt.metrics);
+        const size_t tables =
+            std::max<size_t>(1, (known.size() + kMetricsAPage - 1) / kMetricsAPage);
+        const int pages = 1 + static_cast<int>(tables);
+        draw_footer(painter, 1, pages, attempt.record);
+        for (size_t i = 0; i < tables; ++i) {
+            writer.newPage();
+            const size_t from = i * kMetricsAPage;
+            const auto shown =
+                std::span(known).subspan(from, std::min(kMetricsAPage, known.size() - from));
+            y = kMargin + 12 +
+                draw_html(painter, {kMargin, kMargin}, kInner,
+                          metrics_html(attempt.metrics, shown));
+            if (i + 1 == tables)
+                draw_html(painter, {kMargin, y}, kInner,
+                          provenance_html(attempt.record, recording));
+            draw_footer(painter, static_cast<int>(i) + 2, pages, attempt.record);
+        }
     }
     if (!file.commit()) {
         throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +

@@ -6,7 +6,9 @@
 #include <array>
 #include <memory>
 
+#include "assessment/phases.h"
 #include "assessment/scoring.h"
+#include "assessment/signal.h"
 #include "assessment/tissue_metrics.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
@@ -20,7 +22,7 @@ namespace {
 struct Options {
     std::string file, task, plan;
     double tolerance_mm = 1;
-    bool recover = false;
+    bool recover = false, phases = false;
     double threshold_n = -1;
     SignalOptions signal;
 };
@@ -84,9 +86,22 @@ int metrics_of_recording(const Context& context, const Options& options) {
     const auto metrics = assessment::compute_metrics(recording);
     Json json = recording_head(recording, damage);
     json["metric_set_version"] = metrics.version;
+    json["preprocessing_version"] = assessment::kPreprocessingVersion;
     json["metrics"] = to_json(metrics);
-    print(context, json,
-          (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics));
+    std::string text = (damage.empty() ? "" : "damaged: " + damage + "\n") + metric_table(metrics);
+    if (options.phases) {
+        json["phases"] = Json::array();
+        for (const auto& part : assessment::compute_phase_metrics(recording)) {
+            const std::string name(sim::phase_name(part.phase));
+            json["phases"].push_back({{"phase", name},
+                                      {"from_s", part.from_s},
+                                      {"to_s", part.to_s},
+                                      {"metrics", to_json(part.metrics)}});
+            text += "\n" + name + ", " + fixed(part.from_s, 1) + " to " + fixed(part.to_s, 1) +
+                    " s\n" + metric_table(part.metrics);
+        }
+    }
+    print(context, json, text);
     return 0;
 }
 
@@ -207,6 +222,7 @@ void add_metrics_commands(CLI::App& app, Context& context) {
                               "Signal: no filter and no resampling, it is clean already");
     metrics_command->add_option("--threshold", options->threshold_n,
                                 "Force signal: what counts as too much [N]");
+    metrics_command->add_flag("--phases", options->phases, "Recording: each phase as well");
     metrics_command->add_flag("--recover", options->recover,
                               "Recording: use what stands before the damage");
     metrics_command->callback([&context, options] {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "assessment/bimanual.h"
+#include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "assessment/tremor.h"
@@ -19,6 +20,10 @@ namespace {
 using assessment::Quat;
 using assessment::Vec3;
 using Values = std::vector<std::pair<std::string, double>>;
+
+// PerkTutor's actions.
+constexpr double kActionMmS = 50, kActionDegS = 50, kActionRestS = 0.2;
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 constexpr const char* kKnownColumns =
     "t_s,speed_mm_s | t_s,speed_left_mm_s,speed_right_mm_s | t_s,x_mm | "
@@ -65,6 +70,9 @@ void add_speed(Values& out, std::span<const double> speed, double rate_hz,
     add(out, "sparc", assessment::sparc(speed, rate_hz));
     add(out, "ldlj_speed", assessment::ldlj_speed(speed, rate_hz));
     add(out, "movements", assessment::movement_count(speed, options.movement_threshold_mm_s));
+    const int peaks = assessment::speed_peaks(speed, options.movement_threshold_mm_s);
+    add(out, "speed_peaks", peaks);
+    add(out, "speed_peaks_per_min", peaks / (static_cast<double>(speed.size() - 1) * dt) * 60);
     const double idle = assessment::idle_time(speed, dt, options.idle_threshold_mm_s);
     add(out, "idle_time_s", idle);
     add(out, "idle_fraction", idle / (static_cast<double>(speed.size() - 1) * dt));
@@ -182,12 +190,21 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     add(out, "mean_speed_mm_s", assessment::path_length(position) / time);
     add_speed(out, speed, rate, options);
     add(out, "ldlj_vector", assessment::ldlj_vector(velocity, rate));
+    add(out, "jerk_normalised", assessment::normalised_jerk(velocity, rate));
+    add(out, "translational_actions",
+        assessment::action_count(speed, 1 / rate, kActionMmS, kActionRestS));
     add_extent(out, position);
     if (has_even_steps(file)) add_tremor(out, file, 3, rate_of(file, false));
     if (!orientation.empty()) {
         add(out, "depth_path_mm", assessment::depth_path(position, orientation));
-        add(out, "angular_path_deg",
-            assessment::angular_path(orientation) * 180 / std::numbers::pi);
+        add(out, "angular_path_deg", assessment::angular_path(orientation) * kDegrees);
+        add(out, "roll_path_deg", assessment::roll_path(orientation) * kDegrees);
+        const auto pivot = assessment::pivot_paths(orientation);
+        add(out, "pitch_path_deg", pivot.pitch_rad * kDegrees);
+        add(out, "yaw_path_deg", pivot.yaw_rad * kDegrees);
+        add(out, "rotational_actions",
+            assessment::action_count(assessment::angular_speed(orientation, 1 / rate), 1 / rate,
+                                     kActionDegS / kDegrees, kActionRestS));
     }
     return out;
 }
@@ -253,8 +270,9 @@ Values temperature_metrics(const SignalFile& file) {
     add(out, "time_s", time.back() - time.front());
     add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
     add(out, "cem43_min", assessment::cem43_min(time, celsius));
-    add(out, "arrhenius_skin",
-        assessment::arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol));
+    const double skin = assessment::arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol);
+    add(out, "arrhenius_skin", skin);
+    add(out, "dead_fraction_skin", -std::expm1(-skin));
     add(out, "arrhenius_liver",
         assessment::arrhenius_damage(time, celsius, kLiverAPerS, kLiverEaJMol));
     add(out, "arrhenius_artery",

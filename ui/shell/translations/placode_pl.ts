@@ -790,6 +790,102 @@
         <translation>Płynność (SPARC)</translation>
     </message>
     <message>
+        <source>Times out of view</source>
+        <translation>Wyjścia z pola widzenia</translation>
+    </message>
+    <message>
+        <source>Share out of view</source>
+        <translation>Udział poza polem widzenia</translation>
+    </message>
+    <message>
+        <source>Idle share</source>
+        <translation>Udział bezruchu</translation>
+    </message>
+    <message>
+        <source>Rotation about the shaft</source>
+        <translation>Obrót wokół trzonu</translation>
+    </message>
+    <message>
+        <source>Pitch path</source>
+        <translation>Droga kątowa w pionie</translation>
+    </message>
+    <message>
+        <source>Yaw path</source>
+        <translation>Droga kątowa w poziomie</translation>
+    </message>
+    <message>
+        <source>Economy of cutting</source>
+        <translation>Ekonomia cięcia</translation>
+    </message>
+    <message>
+        <source>Economy of volume</source>
+        <translation>Ekonomia objętości</translation>
+    </message>
+    <message>
+        <source>Normalised jerk</source>
+        <translation>Znormalizowany zryw</translation>
+    </message>
+    <message>
+        <source>Speed peaks</source>
+        <translation>Szczyty prędkości</translation>
+    </message>
+    <message>
+        <source>Path length, left hand</source>
+        <translation>Długość drogi, lewa ręka</translation>
+    </message>
+    <message>
+        <source>Path length, right hand</source>
+        <translation>Długość drogi, prawa ręka</translation>
+    </message>
+    <message>
+        <source>Hands together</source>
+        <translation>Zgodność rąk</translation>
+    </message>
+    <message>
+        <source>Balance of hands</source>
+        <translation>Równowaga rąk</translation>
+    </message>
+    <message>
+        <source>Both hands moving</source>
+        <translation>Ruch obu rąk</translation>
+    </message>
+    <message>
+        <source>Tremor</source>
+        <translation>Drżenie</translation>
+    </message>
+    <message>
+        <source>Mean force</source>
+        <translation>Średnia siła</translation>
+    </message>
+    <message>
+        <source>RMS force</source>
+        <translation>Siła skuteczna (RMS)</translation>
+    </message>
+    <message>
+        <source>Impulse of force</source>
+        <translation>Popęd siły</translation>
+    </message>
+    <message>
+        <source>Impulse on the placode</source>
+        <translation>Popęd siły na płytkę</translation>
+    </message>
+    <message>
+        <source>Deviation, RMS</source>
+        <translation>Odchylenie, RMS</translation>
+    </message>
+    <message>
+        <source>Gaps</source>
+        <translation>Przerwy w nacięciu</translation>
+    </message>
+    <message>
+        <source>Over-stretched</source>
+        <translation>Nadmierne rozciągnięcia</translation>
+    </message>
+    <message>
+        <source>Largest stretch</source>
+        <translation>Największe rozciągnięcie</translation>
+    </message>
+    <message>
         <source>Smoothness (LDLJ-V)</source>
         <translation>Płynność (LDLJ-V)</translation>
     </message>
