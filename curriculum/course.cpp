@@ -5,80 +5,108 @@
 #include <algorithm>
 #include <set>
 
-#include "curriculum/json_reader.h"
+#include "curriculum/utc_time.h"
 
 namespace placode::curriculum {
 
 namespace {
 
-/// One task's stage in the light of all outcomes: the streak that was reached once stays reached.
-StageProgress stage_progress(const CourseStage& stage,
+constexpr int64_t kDayS = 86400;
+
+/// One stage in the light of all outcomes: mastery that was reached once stays reached.
+StageProgress stage_progress(const Course& course, const CourseStage& stage,
                              const std::vector<AttemptOutcome>& outcomes) {
     StageProgress progress;
     progress.status = StageStatus::kOpen;
+    std::string last_met_utc;
     for (const AttemptOutcome& outcome : outcomes) {
-        if (outcome.task_id != stage.task_id || outcome.interrupted) continue;
+        if (!counts_for(course, stage, outcome)) continue;
         progress.best_points = progress.attempts == 0
                                    ? outcome.points
                                    : std::max(progress.best_points, outcome.points);
         ++progress.attempts;
-        const bool met = outcome.points >= stage.benchmark_points && !outcome.critical;
+        progress.last_critical = outcome.critical;
+        const bool met = stage.mode == StageMode::kFamiliarisation ||
+                         (outcome.points >= stage.benchmark_points && !outcome.critical);
         progress.streak = met ? progress.streak + 1 : 0;
-        if (progress.streak >= stage.consecutive) progress.status = StageStatus::kMastered;
+        if (met) last_met_utc = outcome.at_utc;
+        if (progress.streak >= stage.consecutive && progress.status != StageStatus::kMastered) {
+            progress.status = StageStatus::kMastered;
+            progress.mastered_utc = outcome.at_utc;
+        }
     }
+    if (progress.status == StageStatus::kMastered && stage.remind_after_days > 0) {
+        if (const auto last = utc_seconds(last_met_utc))
+            progress.refresh_utc = utc_text(*last + stage.remind_after_days * kDayS);
+    }
+    if (!stage.exam.seeds.empty())
+        progress.next_seed =
+            stage.exam.seeds[static_cast<size_t>(progress.attempts) % stage.exam.seeds.size()];
     return progress;
+}
+
+void apply_limit(const CourseStage& stage, const ExtraAttempts& extra, StageProgress& progress) {
+    if (stage.max_attempts == 0) return;
+    const auto more = extra.find(stage.id);
+    const int allowed = stage.max_attempts + (more == extra.end() ? 0 : more->second);
+    progress.attempts_left = std::max(0, allowed - progress.attempts);
+    if (progress.status == StageStatus::kOpen && progress.attempts_left == 0)
+        progress.status = StageStatus::kExhausted;
 }
 
 }  // namespace
 
-Course load_course(const std::string& id_or_file) {
-    const std::filesystem::path file = find_definition("courses", id_or_file);
-    const std::string origin = file.string();
-    const Json json = parse_json(read_definition(file), origin);
-    check_schema(json, "course", origin);
-    Course course;
-    course.id = json["id"];
-    course.version = json["version"];
-    course.title = local_text(json["title"]);
-    if (json.contains("description")) course.description = local_text(json["description"]);
-    std::set<std::string> earlier;
-    for (size_t i = 0; i < json["stages"].size(); ++i) {
-        const Json& entry = json["stages"][i];
-        const std::string pointer = "/stages/" + std::to_string(i);
-        CourseStage stage;
-        stage.task_id = entry["task_id"];
-        stage.benchmark_points = entry.value("benchmark_points", stage.benchmark_points);
-        stage.consecutive = entry.value("consecutive", stage.consecutive);
-        for (const Json& required : entry.value("requires_tasks", Json::array())) {
-            stage.requires_tasks.push_back(required);
-            // A stage that waits for itself or for a later one could never open.
-            if (!earlier.contains(stage.requires_tasks.back())) {
-                throw DefinitionError(
-                    origin, pointer + "/requires_tasks",
-                    "\"" + stage.requires_tasks.back() + "\" is not the task of an earlier stage");
-            }
-        }
-        if (!earlier.insert(stage.task_id).second) {
-            throw DefinitionError(origin, pointer + "/task_id",
-                                  "\"" + stage.task_id + "\" is already a stage of this course");
-        }
-        course.stages.push_back(std::move(stage));
+const char* stage_mode_name(StageMode mode) {
+    switch (mode) {
+        case StageMode::kFamiliarisation:
+            return "familiarisation";
+        case StageMode::kPractice:
+            return "practice";
+        case StageMode::kExam:
+            return "exam";
     }
-    return course;
+    return "";
 }
 
-CourseProgress course_progress(const Course& course, const std::vector<AttemptOutcome>& outcomes) {
+const CourseStage* Course::stage(const std::string& stage_id) const {
+    for (const CourseStage& candidate : stages)
+        if (candidate.id == stage_id) return &candidate;
+    return nullptr;
+}
+
+bool counts_for(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
+    if (outcome.task_id != stage.task_id || outcome.interrupted) return false;
+    if (stage.mode != StageMode::kExam) return true;
+    return outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
+           (!stage.exam.proctor || !outcome.proctor.empty()) &&
+           (!stage.exam.haptic_certificate || outcome.certified) &&
+           std::find(stage.exam.seeds.begin(), stage.exam.seeds.end(), outcome.seed) !=
+               stage.exam.seeds.end();
+}
+
+CourseProgress course_progress(const Course& course, const std::vector<AttemptOutcome>& outcomes,
+                               const std::string& now_utc, const ExtraAttempts& extra) {
     CourseProgress progress;
     std::set<std::string> mastered;
     for (const CourseStage& stage : course.stages) {
-        StageProgress own = stage_progress(stage, outcomes);
-        if (own.status == StageStatus::kMastered) mastered.insert(stage.task_id);
+        StageProgress own = stage_progress(course, stage, outcomes);
+        apply_limit(stage, extra, own);
+        const auto now = utc_seconds(now_utc), refresh = utc_seconds(own.refresh_utc);
+        own.refresh_due = now && refresh && *now >= *refresh;
+        if (own.status == StageStatus::kMastered) {
+            mastered.insert(stage.id);
+            progress.mastered_utc = std::max(progress.mastered_utc, own.mastered_utc);
+        }
         progress.stages.push_back(std::move(own));
     }
+    progress.mastered = mastered.size() == course.stages.size();
+    if (!progress.mastered) progress.mastered_utc.clear();
     for (size_t i = 0; i < course.stages.size(); ++i) {
         StageProgress& own = progress.stages[i];
-        for (const std::string& task : course.stages[i].requires_tasks) {
-            if (!mastered.contains(task)) own.missing.push_back(task);
+        for (const std::string& id : course.stages[i].requires_stages) {
+            const CourseStage* required = course.stage(id);
+            if (required != nullptr && !mastered.contains(id))
+                own.missing.push_back(required->task_id);
         }
         if (!own.missing.empty() && own.status == StageStatus::kOpen)
             own.status = StageStatus::kLocked;

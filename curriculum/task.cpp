@@ -108,6 +108,26 @@ Task load_task(const std::string& id_or_file) {
     return load_task_text(read_definition(file), file.string());
 }
 
+LocalText load_task_title(const std::string& id_or_file) {
+    const std::filesystem::path file = find_definition("tasks", id_or_file);
+    const Json json = parse_json(read_definition(file), file.string());
+    if (!json.is_object() || !json.contains("title"))
+        throw DefinitionError(file.string(), "/title", "is missing");
+    return local_text(json["title"]);
+}
+
+std::string rubric_text(const Task& task) {
+    return parse_json(task.json, "task " + task.id)["rubric"].dump(2) + "\n";
+}
+
+assessment::Rubric load_rubric_text(const std::string& text, const std::string& origin) {
+    const Json json = parse_json(text, origin);
+    for (const char* key : {"id", "version", "items"})
+        if (!json.is_object() || !json.contains(key))
+            throw DefinitionError(origin, std::string("/") + key, "is missing in the rubric");
+    return read_rubric(json, origin);
+}
+
 Task load_task_text(const std::string& json, const std::string& origin) {
     return read_task(parse_json(json, origin), origin);
 }

@@ -39,6 +39,12 @@ struct Task {
 
 /// By id of a shipped task, or by path of a JSON file. Throws DefinitionError.
 [[nodiscard]] Task load_task(const std::string& id_or_file);
+/// Its title alone, without building the scene. Throws DefinitionError.
+[[nodiscard]] LocalText load_task_title(const std::string& id_or_file);
+/// The rubric alone, as the store keeps it.
+[[nodiscard]] std::string rubric_text(const Task& task);
+[[nodiscard]] assessment::Rubric load_rubric_text(const std::string& json,
+                                                  const std::string& origin);
 /// From the text that a recording carries. `origin` is used in messages.
 [[nodiscard]] Task load_task_text(const std::string& json, const std::string& origin);
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace placode::curriculum {
@@ -12,9 +13,10 @@ namespace {
 Course two_stages() {
     Course course;
     course.stages.resize(2);
-    course.stages[0].task_id = "warm_up";
-    course.stages[1].task_id = "real";
-    course.stages[1].requires_tasks = {"warm_up"};
+    course.id = "c";
+    course.stages[0].id = course.stages[0].task_id = "warm_up";
+    course.stages[1].id = course.stages[1].task_id = "real";
+    course.stages[1].requires_stages = {"warm_up"};
     return course;
 }
 
@@ -81,16 +83,181 @@ TEST(Course, TheShippedCourseNamesShippedTasks) {
     EXPECT_EQ(load_course("first_steps").stages.size(), 5u);
 }
 
-TEST(Course, AStageThatWaitsForALaterOneIsRefused) {
-    const std::string file = testing::TempDir() + "broken_course.json";
-    std::ofstream(file) << R"({"id":"c","version":1,"title":{"en":"t"},"stages":[
-        {"task_id":"a","requires_tasks":["b"]},{"task_id":"b"}]})";
+TEST(Course, WrongCoursesAreRefusedWithTheirPlace) {
+    struct Case {
+        const char *stages, *pointer, *says;
+    };
+    const Case cases[]{
+        {R"({"task_id":"a","requires_stages":["b"]},{"task_id":"b"})", "/stages/0/requires_stages",
+         "earlier stage"},
+        {R"({"task_id":"a"},{"task_id":"a"})", "/stages/1/task_id", "give the stage an"},
+        {R"({"task_id":"a","id":"x"},{"task_id":"b","id":"x"})", "/stages/1/id", "already"},
+        {R"({"task_id":"a","max_attempts":1,"consecutive":2})", "/stages/0/max_attempts",
+         "cannot reach"},
+        {R"({"task_id":"a","mode":"exam"})", "/stages/0", "fixed seeds"},
+        {R"({"task_id":"a","exam":{"seeds":[1]}})", "/stages/0/exam", "mode"},
+        {R"({"task_id":"a","mode":"exam","exam":{"seeds":[1,2,1]}})", "/stages/0/exam/seeds/2",
+         "twice"},
+        {R"({"task_id":"a","mode":"exam","exam":{"seeds":[]}})", "/stages/0/exam/seeds",
+         "list of 0"},
+        {R"({"task_id":"a","mode":"test"})", "/stages/0/mode", "practice"},
+        {R"({"task_id":"a","benchmark_points":101})", "/stages/0/benchmark_points", "too large"},
+        {R"({"task_id":"a","requires_tasks":["b"]})", "/stages/0", "requires_stages"},
+    };
+    for (const Case& each : cases) {
+        const std::string text = R"({"id":"c","version":1,"title":{"en":"t"},"stages":[)" +
+                                 std::string(each.stages) + "]}";
+        try {
+            (void)load_course_text(text, "c.json");
+            ADD_FAILURE() << "was accepted: " << each.stages;
+        } catch (const DefinitionError& error) {
+            EXPECT_EQ(error.pointer(), each.pointer) << error.what();
+            EXPECT_NE(std::string(error.what()).find(each.says), std::string::npos) << error.what();
+        }
+    }
+}
+
+TEST(Course, ACourseFileMayNameOnlyTasksThatAreThere) {
+    const std::string file = testing::TempDir() + "course_of_nothing.json";
+    std::ofstream(file)
+        << R"({"id":"c","version":1,"title":{"en":"t"},"stages":[{"task_id":"a"}]})";
     try {
         (void)load_course(file);
         FAIL() << "was accepted";
     } catch (const DefinitionError& error) {
-        EXPECT_EQ(error.pointer(), "/stages/0/requires_tasks");
+        EXPECT_EQ(error.pointer(), "/stages/0/task_id");
+        EXPECT_NE(std::string(error.what()).find("diathermy_ring"), std::string::npos);
     }
+}
+
+TEST(Course, WhatAnEditorSavesReadsBackTheSame) {
+    for (const std::string& id : list_definitions("courses")) {
+        const Course course = load_course(id);
+        const std::string text = course_json(course);
+        EXPECT_EQ(course_json(load_course_text(text, id)), text);
+        const Course again = load_course_text(text, id);
+        ASSERT_EQ(again.stages.size(), course.stages.size());
+        for (size_t i = 0; i < course.stages.size(); ++i) {
+            EXPECT_EQ(again.stages[i].id, course.stages[i].id);
+            EXPECT_EQ(again.stages[i].mode, course.stages[i].mode);
+            EXPECT_EQ(again.stages[i].requires_stages, course.stages[i].requires_stages);
+            EXPECT_EQ(again.stages[i].exam.seeds, course.stages[i].exam.seeds);
+            EXPECT_EQ(again.stages[i].remind_after_days, course.stages[i].remind_after_days);
+        }
+    }
+}
+
+TEST(Course, TheCourseToTheExamReachesFromFamiliarisationToTheWholeDissection) {
+    const Course course = load_course("full_dissection");
+    EXPECT_EQ(course.stages.front().mode, StageMode::kFamiliarisation);
+    EXPECT_EQ(course.stages.back().mode, StageMode::kExam);
+    EXPECT_EQ(course.stages.back().task_id, "sb_dissection");
+    for (const char* task : {"diathermy_ring_small", "diathermy_ring", "grasp_and_lift",
+                             "scissors_resection", "sb_dissection"})
+        EXPECT_TRUE(std::any_of(course.stages.begin(), course.stages.end(),
+                                [&](const CourseStage& stage) { return stage.task_id == task; }))
+            << task << " is in no stage";
+}
+
+TEST(Course, FamiliarisationCountsWhateverTheScore) {
+    Course course = two_stages();
+    course.stages[0].mode = StageMode::kFamiliarisation;
+    course.stages[0].consecutive = 1;
+    EXPECT_EQ(course_progress(course, {{"warm_up", 0, true}}).stages[0].status,
+              StageStatus::kMastered);
+    EXPECT_EQ(course_progress(course, {{"warm_up", 0, false, true}}).stages[0].status,
+              StageStatus::kOpen)
+        << "an interrupted one does not";
+}
+
+TEST(Course, TheLimitOfAttemptsClosesAStageAndAGrantOpensItAgain) {
+    Course course = two_stages();
+    course.stages[0].max_attempts = 2;
+    const std::vector<AttemptOutcome> two{{"warm_up", 50}, {"warm_up", 90}};
+    const CourseProgress used = course_progress(course, two);
+    EXPECT_EQ(used.stages[0].status, StageStatus::kExhausted);
+    EXPECT_EQ(used.stages[0].attempts_left, 0);
+    EXPECT_EQ(used.next_stage, -1);
+    EXPECT_FALSE(used.mastered);
+    const CourseProgress granted = course_progress(course, two, {}, {{"warm_up", 1}});
+    EXPECT_EQ(granted.stages[0].status, StageStatus::kOpen);
+    EXPECT_EQ(granted.stages[0].attempts_left, 1);
+    EXPECT_EQ(granted.next_stage, 0);
+    EXPECT_EQ(course_progress(course, two, {}, {{"real", 5}}).next_stage, -1) << "another stage's";
+    EXPECT_EQ(course_progress(course, {{"warm_up", 90}, {"warm_up", 90}}).stages[0].status,
+              StageStatus::kMastered)
+        << "mastered with the last attempt";
+}
+
+AttemptOutcome at(const char* task, double points, const char* day) {
+    AttemptOutcome outcome;
+    outcome.task_id = task;
+    outcome.points = points;
+    outcome.at_utc = day;
+    return outcome;
+}
+
+TEST(Course, AMasteredSkillIsDueAgainAfterItsDaysAndEveryGoodAttemptPutsItOff) {
+    Course course = two_stages();
+    course.stages[0].remind_after_days = 30;
+    std::vector<AttemptOutcome> done{at("warm_up", 80, "2026-01-01"),
+                                     at("warm_up", 80, "2026-01-02")};
+    const auto due = [&](const char* now) {
+        return course_progress(course, done, now).stages[0].refresh_due;
+    };
+    EXPECT_EQ(course_progress(course, done).stages[0].refresh_utc, "2026-02-01T00:00:00Z");
+    EXPECT_EQ(course_progress(course, done).stages[0].mastered_utc, "2026-01-02");
+    EXPECT_FALSE(due(""));
+    EXPECT_FALSE(due("2026-01-31T23:59:59Z"));
+    EXPECT_TRUE(due("2026-02-01T00:00:00Z"));
+    done.push_back(at("warm_up", 20, "2026-02-01"));
+    EXPECT_TRUE(due("2026-02-02")) << "a poor attempt refreshes nothing";
+    done.push_back(at("warm_up", 75, "2026-02-02"));
+    EXPECT_FALSE(due("2026-02-02"));
+    EXPECT_TRUE(due("2026-03-04"));
+    course.stages[0].remind_after_days = 0;
+    EXPECT_FALSE(due("2036-01-01"));
+}
+
+TEST(Course, AnExamCountsOnlyUnderItsConditions) {
+    Course course = two_stages();
+    CourseStage& exam = course.stages[1];
+    exam.id = "final";
+    exam.mode = StageMode::kExam;
+    exam.consecutive = 1;
+    exam.exam.seeds = {7, 8};
+    exam.exam.haptic_certificate = true;
+    AttemptOutcome good = at("real", 90, "2026-01-01");
+    good.seed = 7;
+    good.exam_course = "c";
+    good.exam_stage = "final";
+    good.proctor = "Dr Nowak";
+    good.certified = true;
+    EXPECT_TRUE(counts_for(course, exam, good));
+    const auto spoiled = [&](auto change) {
+        AttemptOutcome outcome = good;
+        change(outcome);
+        return counts_for(course, exam, outcome);
+    };
+    EXPECT_FALSE(spoiled([](auto& o) { o.seed = 9; }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.proctor.clear(); }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.certified = false; }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.exam_stage.clear(); })) << "practice";
+    EXPECT_FALSE(spoiled([](auto& o) { o.exam_course = "other"; }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.interrupted = true; }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.task_id = "warm_up"; }));
+    std::vector<AttemptOutcome> all{at("warm_up", 80, "2026-01-01"),
+                                    at("warm_up", 80, "2026-01-01")};
+    EXPECT_EQ(course_progress(course, all).stages[1].next_seed, 7u);
+    AttemptOutcome poor = good;
+    poor.points = 40;
+    all.push_back(poor);
+    EXPECT_EQ(course_progress(course, all).stages[1].next_seed, 8u);
+    all.push_back(poor);
+    EXPECT_EQ(course_progress(course, all).stages[1].next_seed, 7u) << "from the start again";
+    all.push_back(good);
+    EXPECT_TRUE(course_progress(course, all).mastered);
+    EXPECT_EQ(course_progress(course, all).mastered_utc, "2026-01-01");
 }
 
 }  // namespace
