@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "db/store.h"
+
 namespace placode::db {
 namespace {
 
@@ -16,27 +18,49 @@ constexpr Roles kEverybody = kTrainee | kEducator | kCoordinator | kAdministrato
 
 struct Rule {
     Action action;
-    Roles own, other;  ///< Roles that may, on their own data and on other people's.
+    Roles own, group, other;  ///< Roles that may, on their own data and on other people's.
     const char* what;
     const char* who;
 };
 
 // An administrator keeps accounts and therefore sees names, but no scores. A coordinator works with
-// pseudonyms and therefore sees no names but the own one.
-constexpr std::array<Rule, 8> kRules{{
-    {Action::kPerformAttempt, kEverybody, kNobody, "perform an attempt",
+// pseudonyms and therefore sees no names but the own one. An educator sees the attempts of the
+// whole centre, and acts (assigns, judges, certifies) on the own groups and on people without a
+// group.
+constexpr std::array<Rule, 17> kRules{{
+    {Action::kPerformAttempt, kEverybody, kNobody, kNobody, "perform an attempt",
      "everybody, in their own name"},
-    {Action::kViewAttempts, kEverybody, kEducator, "see other people's attempts", "an educator"},
-    {Action::kViewPersonalData, kEverybody, kEducator | kAdministrator,
+    {Action::kViewAttempts, kEverybody, kEducator, kEducator, "see other people's attempts",
+     "an educator"},
+    {Action::kViewPersonalData, kEverybody, kEducator | kAdministrator, kEducator | kAdministrator,
      "see other people's personal data", "an educator or an administrator"},
-    {Action::kManageUsers, kAdministrator, kAdministrator, "manage accounts", "an administrator"},
-    {Action::kRunQuestionnaire, kCoordinator, kCoordinator, "have a questionnaire answered",
-     "a coordinator"},
-    {Action::kExportStudy, kCoordinator, kCoordinator, "export the data of a study",
-     "a coordinator"},
-    {Action::kBackup, kAdministrator, kAdministrator, "back up, restore or check the store",
+    {Action::kManageUsers, kAdministrator, kAdministrator, kAdministrator, "manage accounts",
      "an administrator"},
-    {Action::kViewAudit, kAdministrator, kAdministrator, "see the audit trail", "an administrator"},
+    {Action::kRunQuestionnaire, kCoordinator, kCoordinator, kCoordinator,
+     "have a questionnaire answered", "a coordinator"},
+    {Action::kExportStudy, kCoordinator, kCoordinator, kCoordinator, "export the data of a study",
+     "a coordinator"},
+    {Action::kBackup, kAdministrator, kAdministrator, kAdministrator,
+     "back up, restore or check the store", "an administrator"},
+    {Action::kViewAudit, kAdministrator, kAdministrator, kAdministrator, "see the audit trail",
+     "an administrator"},
+    {Action::kManageCourses, kEducator, kEducator, kEducator, "publish courses", "an educator"},
+    {Action::kAssignCourses, kEducator, kEducator, kNobody,
+     "assign courses to this person or group", "an educator of the group"},
+    {Action::kManageGroups, kEducator | kAdministrator, kEducator | kAdministrator, kAdministrator,
+     "change groups", "an educator of the group or an administrator"},
+    {Action::kIssueCertificate, kEverybody, kEducator, kNobody, "issue this person's certificate",
+     "the person, or an educator of the group,"},
+    {Action::kReviewAttempts, kNobody, kEducator, kNobody, "review this person's attempts",
+     "an educator of the group, not the person,"},
+    {Action::kSetStandards, kEducator, kEducator, kEducator, "set standards or rescore",
+     "an educator"},
+    {Action::kExportPersonalData, kEverybody, kNobody, kNobody, "export another person's data",
+     "the person"},
+    {Action::kRequestErasure, kEverybody, kNobody, kNobody, "ask for another person's erasure",
+     "the person"},
+    {Action::kErase, kNobody, kAdministrator, kAdministrator, "erase a person",
+     "an administrator, not the person,"},
 }};
 
 const Rule* rule_of(Action action) noexcept {
@@ -50,7 +74,15 @@ const Rule* rule_of(Action action) noexcept {
 bool allowed(Roles roles, Action action, Scope scope) noexcept {
     const Rule* rule = rule_of(action);
     if (rule == nullptr) return false;
-    return (roles & (scope == Scope::kOwn ? rule->own : rule->other)) != 0;
+    const Roles may = scope == Scope::kOwn     ? rule->own
+                      : scope == Scope::kGroup ? rule->group
+                                               : rule->other;
+    return (roles & may) != 0;
+}
+
+Scope scope_between(Store& store, int64_t actor, int64_t subject) {
+    if (actor == subject) return Scope::kOwn;
+    return store.in_reach(actor, subject) ? Scope::kGroup : Scope::kOther;
 }
 
 std::string refusal(Action action) {

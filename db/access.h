@@ -7,6 +7,8 @@
 
 namespace placode::db {
 
+class Store;
+
 enum class Action : uint8_t {
     kPerformAttempt,
     kViewAttempts,
@@ -16,12 +18,26 @@ enum class Action : uint8_t {
     kExportStudy,
     kBackup,
     kViewAudit,
+    kManageCourses,  ///< Publish and import courses.
+    kAssignCourses,  ///< Assign to people and groups, grant further attempts.
+    kManageGroups,
+    kIssueCertificate,  ///< Of a course that is mastered.
+    kReviewAttempts,    ///< Marks, comments, human ratings.
+    kSetStandards,      ///< Benchmarks, norm packs, rescoring under a new rubric.
+    kExportPersonalData,
+    kRequestErasure,
+    kErase,  ///< Carry out a request for erasure.
 };
 
-enum class Scope : uint8_t { kOwn, kOther };
+/// Whose data it is: the own, that of somebody within one's group (or in no group at all), or that
+/// of somebody in groups of others only.
+enum class Scope : uint8_t { kOwn, kOther, kGroup };
 
-/// True when somebody with `roles` may do `action` on own or other people's data.
+/// True when somebody with `roles` may do `action` on data of that scope.
 [[nodiscard]] bool allowed(Roles roles, Action action, Scope scope) noexcept;
+
+/// kGroup when `subject` is in no group, or in one that `actor` teaches. Throws StoreError.
+[[nodiscard]] Scope scope_between(Store& store, int64_t actor, int64_t subject);
 
 /// Reason in plain words for a refusal, naming the role that could.
 [[nodiscard]] std::string refusal(Action action);

@@ -30,6 +30,17 @@ void need_sodium() {
                          "start libsodium: no random numbers on this machine");
 }
 
+std::string random_letters(int count) {
+    need_sodium();
+    constexpr std::string_view kLetters = "abcdefghjkmnpqrstuvwxyz23456789";
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += kLetters[randombytes_uniform(static_cast<uint32_t>(kLetters.size()))];
+    return text;
+}
+
+std::string new_password() { return random_letters(16); }
+
 std::string login_key(const std::string& login) {
     return QString::fromStdString(login)
         .trimmed()

@@ -21,6 +21,11 @@ inline constexpr int kLeastPasswordLength = 10;  ///< Characters.
 /// True when the hash was made with other limits than today's.
 [[nodiscard]] bool password_needs_rehash(const std::string& hash);
 
+/// Random letters and digits without those that look alike, 4.9 bits each. Throws StoreError.
+[[nodiscard]] std::string random_letters(int count);
+/// For a first password: 16 of them.
+[[nodiscard]] std::string new_password();
+
 /// Starts libsodium once. Throws StoreError.
 void need_sodium();
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "assessment/scoring.h"
+#include "curriculum/norm_pack.h"
 #include "curriculum/questionnaire.h"
 #include "sim/recording.h"
 
@@ -30,6 +31,31 @@ struct UserRecord {
     std::string created_utc;
 };
 
+/// Under which exam of a course an attempt was made; `course_id` empty = practice.
+struct ExamContext {
+    std::string course_id;
+    int course_version = 0;
+    std::string stage_id;
+    std::string proctor;             ///< Name of who was present.
+    std::string device_certificate;  ///< Of the haptic device; empty = none.
+
+    friend bool operator==(const ExamContext&, const ExamContext&) = default;
+};
+
+/// An invitation to make an account oneself.
+struct InvitationRecord {
+    int64_t id = 0;
+    Roles roles = 0;
+    int64_t group_id = 0;                                           ///< 0 = none.
+    std::string note, invited_by, made_utc, expires_utc, used_utc;  ///< used: empty while open.
+};
+
+/// Somebody asked to be erased.
+struct ErasureRecord {
+    int64_t user_id = 0;
+    std::string reason, asked_utc, done_utc;  ///< done: empty while it waits.
+};
+
 /// One row of a history.
 struct AttemptRecord {
     int64_t id = 0;
@@ -49,6 +75,39 @@ struct AttemptRecord {
     std::string rubric_id;
     int rubric_version = 0;
     int metric_set_version = 0;
+    int preprocessing_version = 1;  ///< assessment::kPreprocessingVersion of that time.
+    bool generated = false;         ///< Multiplied from a simulated attempt, to measure the store.
+    ExamContext exam;
+};
+
+/// Which attempts a list shows.
+struct AttemptFilter {
+    int64_t user_id = 0, group_id = 0;  ///< 0 = everybody's.
+    std::string task_id;                ///< Empty = every task's.
+    bool newest_first = true;
+    int limit = 100;
+    int64_t offset = 0;
+};
+struct AttemptPage {
+    std::vector<AttemptRecord> rows;
+    int64_t total = 0;  ///< Of all pages.
+};
+
+/// Where a person stands in a task, over all finished attempts.
+struct TaskStanding {
+    int64_t user_id = 0;
+    std::string user_name, task_id;
+    int attempts = 0, failed = 0;
+    double best_points = 0, mean_points = 0, last_points = 0;
+    std::string last_utc;
+};
+
+/// One finished attempt, as small as it gets: for curves of a whole cohort.
+struct AttemptPoint {
+    int64_t user_id = 0, attempt_id = 0;
+    std::string task_id, started_utc;
+    double points = 0;
+    assessment::Verdict verdict = assessment::Verdict::kNotYet;
 };
 
 /// Everything about one attempt but its recording.
@@ -67,6 +126,72 @@ struct AttemptResult {
     assessment::Score score;
     std::vector<sim::Event> events;
     std::string recording_file;  ///< Compressed into the store; empty = none.
+    ExamContext exam;
+};
+
+/// A further score of an attempt; the first one is in its AttemptDetail.
+struct RescoreRecord {
+    int64_t id = 0, attempt_id = 0;
+    assessment::MetricSet metrics;
+    assessment::Score score;
+    int preprocessing_version = 1;
+    std::string scored_utc, scored_by;
+};
+
+/// An attempt with its metrics, without reasons and events.
+struct MeasuredAttempt {
+    AttemptRecord record;
+    assessment::MetricSet metrics;
+};
+
+/// The key with which this centre signs its norms, hexadecimal.
+struct CentreKey {
+    std::string centre, public_key, secret_key;
+};
+
+struct NormPackRecord {
+    int64_t id = 0;
+    curriculum::SignedNorms norms;
+    curriculum::NormPack pack;  ///< What `norms.content` says.
+    bool in_use = false;        ///< The bands against which attempts of the task are shown.
+    std::string added_by, added_utc;
+};
+
+enum class GroupRole : uint8_t { kNone, kMember, kEducator };
+
+/// A group (cohort) of people.
+struct GroupRecord {
+    int64_t id = 0;
+    std::string name;  ///< Unique without case.
+    std::string created_utc;
+    std::vector<int64_t> members, educators;  ///< Account ids.
+};
+
+/// A course that somebody, or everybody in a group, is to do.
+struct AssignmentRecord {
+    int64_t id = 0;
+    std::string course_id;
+    int course_version = 0;
+    int64_t user_id = 0, group_id = 0;                 ///< One of them is 0.
+    std::string starts_utc, due_utc;                   ///< Empty = no such date.
+    std::string assigned_by, assigned_utc, ended_utc;  ///< ended: empty while it holds.
+};
+
+/// Attempts beyond a stage's limit.
+struct GrantRecord {
+    int64_t user_id = 0;
+    std::string course_id, stage_id;
+    int attempts = 0;
+    std::string reason, granted_by, granted_utc;
+};
+
+/// A mastered course. The code is printed on the certificate and found again in the store.
+struct CertificateRecord {
+    int64_t id = 0;
+    int64_t user_id = 0;
+    std::string course_id;
+    int course_version = 0;
+    std::string mastered_utc, issued_utc, issued_by, code;
 };
 
 /// One change of an answer before it was submitted; empty = not answered.
@@ -124,7 +249,7 @@ struct StepRecord {
 
 /// A published version of a questionnaire or study.
 struct DefinitionRecord {
-    std::string kind;  ///< "questionnaire" or "study".
+    std::string kind;  ///< "questionnaire", "study", "course" or "rubric".
     std::string id;
     int version = 1;
     std::string json, checksum, reason, published_by, published_utc;

@@ -187,6 +187,12 @@ void Statement::execute() {
     if (!query_.exec()) connection_.fail(query_.lastError());
 }
 
+Statement& Statement::run_list(const std::vector<QVariant>& values) {
+    for (size_t i = 0; i < values.size(); ++i) query_.bindValue(static_cast<int>(i), values[i]);
+    execute();
+    return *this;
+}
+
 int64_t Statement::returned_id() {
     if (!next()) connection_.fail(Kind::kOther, "the engine gave no id");
     const int64_t id = integer(0);

@@ -51,6 +51,11 @@ class Connection {
     bool in_transaction_ = false;
 };
 
+/// A reference: 0 is bound as NULL.
+struct OrNull {
+    int64_t id = 0;
+};
+
 /// A prepared statement with `?` places.
 class Statement {
  public:
@@ -64,6 +69,8 @@ class Statement {
         execute();
         return *this;
     }
+    /// The same with values in a list.
+    Statement& run_list(const std::vector<QVariant>& values);
     [[nodiscard]] bool next() { return query_.next(); }
     /// The id that `INSERT ... RETURNING id` answers. Ends the statement: an open one would keep
     /// the transaction from committing.
@@ -79,6 +86,10 @@ class Statement {
     static QVariant to_variant(const std::string& text);
     static QVariant to_variant(const char* text) { return to_variant(std::string(text)); }
     static QVariant to_variant(int64_t number) { return QVariant(qlonglong(number)); }
+    static QVariant to_variant(OrNull reference) {
+        return reference.id == 0 ? QVariant(QMetaType(QMetaType::LongLong))
+                                 : to_variant(reference.id);
+    }
     static QVariant to_variant(int number) { return QVariant(number); }
     static QVariant to_variant(bool truth) { return QVariant(truth ? 1 : 0); }
     static QVariant to_variant(double number);  ///< Not finite = NULL.

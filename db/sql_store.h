@@ -3,6 +3,7 @@
 #pragma once
 // The one implementation of Store, for both engines. Only db/sql_store_*.cpp include this.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "db/store.h"
 
 namespace placode::db {
+
+/// SELECT ... FROM attempts t ..., for read_attempt(). sql_store_attempts.cpp
+[[nodiscard]] const std::string& attempt_columns();
+[[nodiscard]] AttemptRecord read_attempt(const Statement& row);
 
 class SqlStore final : public Store {
  public:
@@ -23,6 +28,18 @@ class SqlStore final : public Store {
     SignIn sign_in(const std::string& login, const std::string& password) override;
     void set_password(int64_t user_id, const std::string& password) override;
     void set_active(int64_t user_id, bool active) override;
+    // sql_store_people.cpp
+    void set_pin(int64_t user_id, const std::string& pin) override;
+    bool has_pin(int64_t user_id) override;
+    SignIn unlock(int64_t user_id, const std::string& pin) override;
+    std::string invite(const InvitationRecord& invitation) override;
+    std::vector<InvitationRecord> invitations() override;
+    int64_t accept_invitation(const std::string& code, const NewUser& user) override;
+    void request_erasure(int64_t user_id, const std::string& reason) override;
+    std::vector<ErasureRecord> erasure_requests() override;
+    void erase_person(int64_t user_id, bool with_attempts) override;
+
+    // sql_store_accounts.cpp
     std::vector<UserRecord> users() override;
     std::optional<UserRecord> user(int64_t id) override;
     std::optional<UserRecord> user_by_login(const std::string& login) override;
@@ -33,6 +50,40 @@ class SqlStore final : public Store {
     AttemptDetail attempt(int64_t id) override;
     void extract_recording(int64_t attempt_id, const std::string& path) override;
     std::optional<int64_t> attempt_of_recording(const std::string& recording_file) override;
+
+    // sql_store_lists.cpp
+    AttemptPage attempt_page(const AttemptFilter& filter) override;
+    std::vector<TaskStanding> task_standings(int64_t group_id, const std::string& task_id) override;
+    std::vector<AttemptPoint> attempt_points(int64_t group_id, const std::string& task_id) override;
+
+    // sql_store_scores.cpp
+    int64_t save_rescore(const RescoreRecord& rescore) override;
+    std::vector<RescoreRecord> rescores(int64_t attempt_id) override;
+
+    // sql_store_norms.cpp
+    std::vector<MeasuredAttempt> measured_attempts(int64_t user_id,
+                                                   const std::string& task_id) override;
+    CentreKey centre_key(const std::string& centre) override;
+    void trust_centre(const std::string& public_key, const std::string& centre) override;
+    std::map<std::string, std::string> trusted_centres() override;
+    int64_t save_norms(const curriculum::SignedNorms& norms) override;
+    std::vector<NormPackRecord> norm_packs(const std::string& task_id) override;
+    void use_norms(int64_t id) override;
+
+    // sql_store_courses.cpp
+    int64_t create_group(const std::string& name) override;
+    void set_group_role(int64_t group_id, int64_t user_id, GroupRole role) override;
+    std::vector<GroupRecord> groups() override;
+    bool in_reach(int64_t actor, int64_t subject) override;
+    int64_t assign_course(const AssignmentRecord& assignment) override;
+    void end_assignment(int64_t id) override;
+    std::vector<AssignmentRecord> assignments(int64_t user_id) override;
+    void grant_attempts(const GrantRecord& grant) override;
+    std::vector<GrantRecord> grants(int64_t user_id) override;
+    CertificateRecord save_certificate(int64_t user_id, const std::string& course_id,
+                                       int course_version,
+                                       const std::string& mastered_utc) override;
+    std::vector<CertificateRecord> certificates(int64_t user_id) override;
 
     // sql_store_protocols.cpp
     void publish(const DefinitionRecord& definition) override;
@@ -66,6 +117,13 @@ class SqlStore final : public Store {
                       const std::string& object, const std::string& detail);
     [[nodiscard]] int wait_before_sign_in(const std::string& key);
     [[nodiscard]] UserRecord need_user(int64_t id);
+    void need_another_administrator(const UserRecord& user);
+    /// Inside a transaction, everything checked.
+    int64_t insert_user(const NewUser& user, const std::string& hash);
+    /// Throws kRefused for what a new account may not be; returns the hash of the password.
+    [[nodiscard]] std::string check_new_user(const NewUser& user);
+    void need_group(int64_t id);
+    void delete_attempt(int64_t id);  ///< With all that hangs on it, inside a transaction.
     [[nodiscard]] std::optional<DefinitionRecord> find_definition(const std::string& kind,
                                                                   const std::string& id,
                                                                   int version);

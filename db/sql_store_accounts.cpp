@@ -43,16 +43,26 @@ std::string name_of(int64_t id) { return "user " + std::to_string(id); }
 
 }  // namespace
 
-int64_t SqlStore::create_user(const NewUser& user) {
-    connection_.begin_operation("create the user \"" + user.login + "\" in");
-    const std::string key = login_key(user.login);
-    if (key.empty()) connection_.fail(Kind::kRefused, "the login is empty");
+std::string SqlStore::check_new_user(const NewUser& user) {
+    if (login_key(user.login).empty()) connection_.fail(Kind::kRefused, "the login is empty");
     if (user.display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
     if (user.roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
     if (const auto problem = password_problem(user.login, user.password))
         connection_.fail(Kind::kRefused, *problem);
-    const std::string hash = hash_password(user.password, options_.cheap_passwords);
+    return hash_password(user.password, options_.cheap_passwords);
+}
+
+int64_t SqlStore::create_user(const NewUser& user) {
+    connection_.begin_operation("create the user \"" + user.login + "\" in");
+    const std::string hash = check_new_user(user);
     UnitOfWork work(connection_);
+    const int64_t id = insert_user(user, hash);
+    work.commit();
+    return id;
+}
+
+int64_t SqlStore::insert_user(const NewUser& user, const std::string& hash) {
+    const std::string key = login_key(user.login);
     Statement taken(connection_, "SELECT account_id FROM persons WHERE login_key = ?");
     if (taken.run(key).next())
         connection_.fail(Kind::kConflict, "the login is taken; choose another one");
@@ -67,7 +77,6 @@ int64_t SqlStore::create_user(const NewUser& user) {
         .run(id, user.login, key, user.display_name);
     // No name in the trail: it is kept longer than the person may be.
     append_audit(actor_, "user.create", name_of(id), "roles " + std::to_string(user.roles));
-    work.commit();
     return id;
 }
 
@@ -152,8 +161,22 @@ void SqlStore::set_password(int64_t user_id, const std::string& password) {
     Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?").run(hash, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(login_key(user.login));
+    Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);
     append_audit(actor_, "user.password", name_of(user_id), "");
     work.commit();
+}
+
+void SqlStore::need_another_administrator(const UserRecord& user) {
+    if (!has_role(user.roles, Role::kAdministrator)) return;
+    Statement others(connection_, "SELECT id, roles FROM accounts WHERE active = 1 AND id <> ?");
+    others.run(user.id);
+    bool another = false;
+    while (others.next())
+        another = another || has_role(static_cast<Roles>(others.integer(1)), Role::kAdministrator);
+    if (!another)
+        connection_.fail(Kind::kRefused, "\"" + user.login +
+                                             "\" is the last active administrator; make another "
+                                             "one first");
 }
 
 void SqlStore::set_active(int64_t user_id, bool active) {
@@ -161,19 +184,7 @@ void SqlStore::set_active(int64_t user_id, bool active) {
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
     const UserRecord user = need_user(user_id);
-    if (!active && has_role(user.roles, Role::kAdministrator)) {
-        Statement others(connection_,
-                         "SELECT id, roles FROM accounts WHERE active = 1 AND id <> ?");
-        others.run(user_id);
-        bool another = false;
-        while (others.next())
-            another =
-                another || has_role(static_cast<Roles>(others.integer(1)), Role::kAdministrator);
-        if (!another)
-            connection_.fail(
-                Kind::kRefused,
-                "\"" + user.login + "\" is the last active administrator; make another one first");
-    }
+    if (!active) need_another_administrator(user);
     Statement(connection_, "UPDATE accounts SET active = ? WHERE id = ?").run(active, user_id);
     append_audit(actor_, active ? "user.activate" : "user.deactivate", name_of(user_id), "");
     work.commit();

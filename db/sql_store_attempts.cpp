@@ -6,6 +6,7 @@
 #include <QSaveFile>
 #include <charconv>
 
+#include "assessment/signal.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
@@ -18,14 +19,21 @@ using Kind = StoreError::Kind;
 const std::string kAttemptColumns =
     "SELECT t.id, t.account_id, COALESCE(p.display_name, ''), t.task_id, t.task_version, "
     "t.started_utc, t.duration_s, t.device, t.seed, t.build, t.end_reason, t.demonstration, "
-    "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version FROM attempts t LEFT "
-    "JOIN persons p ON p.account_id = t.account_id ";
+    "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version, "
+    "t.preprocessing_version, t.generated_from, t.exam_course, t.exam_course_version, "
+    "t.exam_stage, "
+    "t.proctor, t.device_certificate FROM attempts t LEFT JOIN persons p ON p.account_id = "
+    "t.account_id ";
 
 uint64_t unsigned_of(const std::string& text) {
     uint64_t value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
 }
+
+}  // namespace
+
+const std::string& attempt_columns() { return kAttemptColumns; }
 
 AttemptRecord read_attempt(const Statement& row) {
     AttemptRecord record;
@@ -46,8 +54,14 @@ AttemptRecord read_attempt(const Statement& row) {
     record.rubric_id = row.text(14);
     record.rubric_version = static_cast<int>(row.integer(15));
     record.metric_set_version = static_cast<int>(row.integer(16));
+    record.preprocessing_version = static_cast<int>(row.integer(17));
+    record.generated = row.integer(18) != 0;
+    record.exam = {row.text(19), static_cast<int>(row.integer(20)), row.text(21), row.text(22),
+                   row.text(23)};
     return record;
 }
+
+namespace {
 
 bool belongs_in_ledger(const sim::Event& event) {
     return event.kind != sim::EventKind::kVaporised && event.kind != sim::EventKind::kStateHash;
@@ -59,8 +73,9 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
         "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
         "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
         "demonstration, points, verdict, rubric_id, rubric_version, "
-        "metric_set_version) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?) RETURNING id");
+        "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
+        "proctor, device_certificate) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?, ?, ?, ?, ?, ?, ?) RETURNING id");
     insert.run(user_id, result.header.task_id, result.header.task_version,
                result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
                result.end.duration_s, result.header.device, std::to_string(result.header.seed),
@@ -68,7 +83,9 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
                std::to_string(result.end.final_hash), result.end.dropped,
                result.header.demonstration, result.score.points,
                static_cast<int>(result.score.verdict), result.score.rubric_id,
-               result.score.rubric_version, result.metrics.version);
+               result.score.rubric_version, result.metrics.version,
+               assessment::kPreprocessingVersion, result.exam.course_id, result.exam.course_version,
+               result.exam.stage_id, result.exam.proctor, result.exam.device_certificate);
     return insert.returned_id();
 }
 

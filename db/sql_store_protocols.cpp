@@ -4,8 +4,10 @@
 
 #include <sodium.h>
 
+#include <algorithm>
 #include <array>
 
+#include "curriculum/course.h"
 #include "curriculum/study.h"
 #include "db/packing.h"
 #include "db/sql_store.h"
@@ -17,6 +19,7 @@ using Kind = StoreError::Kind;
 namespace {
 
 constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
+constexpr std::array<std::string_view, 4> kKinds{"questionnaire", "study", "course", "rubric"};
 constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 
 /// Throws DefinitionError: only what can be read again is published.
@@ -27,6 +30,12 @@ void check_content(const DefinitionRecord& definition) {
     if (definition.kind == "questionnaire") {
         const auto read = curriculum::load_questionnaire_text(definition.json, origin);
         id = read.id, version = read.version;
+    } else if (definition.kind == "course") {
+        const auto read = curriculum::load_course_text(definition.json, origin);
+        id = read.id, version = read.version;
+    } else if (definition.kind == "rubric") {
+        const auto read = curriculum::load_rubric_text(definition.json, origin);
+        id = definition.id.substr(0, definition.id.find('/') + 1) + read.id, version = read.version;
     } else {
         const auto read = curriculum::load_study_text(definition.json, origin);
         id = read.id, version = read.version;
@@ -44,8 +53,9 @@ void SqlStore::publish(const DefinitionRecord& definition) {
     const std::string name =
         definition.kind + " " + definition.id + " version " + std::to_string(definition.version);
     connection_.begin_operation("publish " + name + " in");
-    if (definition.kind != "questionnaire" && definition.kind != "study")
-        connection_.fail(Kind::kRefused, "only questionnaires and studies are published");
+    if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
+        connection_.fail(Kind::kRefused,
+                         "only questionnaires, studies, courses and rubrics are published");
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");
@@ -210,12 +220,7 @@ void SqlStore::erase_participant(const std::string& study_id, const std::string&
         query.run(study_id, code);
         while (query.next()) attempts.push_back(query.integer(0));
     }
-    for (const char* table : {"attempt_metrics", "attempt_reasons", "attempt_events", "recordings"})
-        for (const int64_t id : attempts)
-            Statement(connection_, std::string("DELETE FROM ") + table + " WHERE attempt_id = ?")
-                .run(id);
-    for (const int64_t id : attempts)
-        Statement(connection_, "DELETE FROM attempts WHERE id = ?").run(id);
+    for (const int64_t id : attempts) delete_attempt(id);
     const std::string mine =
         " WHERE answer_id IN (SELECT id FROM answers WHERE study_id = ? AND participant = ?)";
     Statement(connection_, "DELETE FROM answer_changes" + mine).run(study_id, code);

@@ -5,6 +5,7 @@
 // centre, one code over Qt Sql. One Store per thread. Every change is one transaction.
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -67,6 +68,24 @@ class Store {
     virtual void set_password(int64_t user_id, const std::string& password) = 0;
     /// Throws kRefused when it would leave no active administrator.
     virtual void set_active(int64_t user_id, bool active) = 0;
+    /// Four to twelve digits for a quick return at a shared station; empty = none any more. Throws
+    /// kRefused for a PIN that is too easy. A new password takes the PIN away.
+    virtual void set_pin(int64_t user_id, const std::string& pin) = 0;
+    [[nodiscard]] virtual bool has_pin(int64_t user_id) = 0;
+    /// As sign_in(), by PIN. After 3 wrong ones in a row the PIN is gone and the password needed.
+    virtual SignIn unlock(int64_t user_id, const std::string& pin) = 0;
+    /// Returns the code to hand over; the store keeps its hash only.
+    virtual std::string invite(const InvitationRecord& invitation) = 0;
+    [[nodiscard]] virtual std::vector<InvitationRecord> invitations() = 0;
+    /// Makes the account of who was invited; roles and group are the invitation's. A code works
+    /// once. Throws kRefused for a code that is wrong, used or expired, else as create_user().
+    virtual int64_t accept_invitation(const std::string& code, const NewUser& user) = 0;
+    virtual void request_erasure(int64_t user_id, const std::string& reason) = 0;
+    [[nodiscard]] virtual std::vector<ErasureRecord> erasure_requests() = 0;
+    /// Removes who the account is: name, login, password, PIN, groups, assignments; it can never be
+    /// signed in to again. Attempts stay without a name, or go as well. Throws kRefused for the
+    /// last active administrator.
+    virtual void erase_person(int64_t user_id, bool with_attempts) = 0;
     [[nodiscard]] virtual std::vector<UserRecord> users() = 0;
     [[nodiscard]] virtual std::optional<UserRecord> user(int64_t id) = 0;
     [[nodiscard]] virtual std::optional<UserRecord> user_by_login(const std::string& login) = 0;
@@ -86,6 +105,56 @@ class Store {
     /// between saving and removing is not saved twice.
     [[nodiscard]] virtual std::optional<int64_t> attempt_of_recording(
         const std::string& recording_file) = 0;
+
+    /// Keeps a further score beside the first one. Throws kConflict when the attempt has one under
+    /// the same rubric, metric set and pre-processing.
+    virtual int64_t save_rescore(const RescoreRecord& rescore) = 0;
+    [[nodiscard]] virtual std::vector<RescoreRecord> rescores(int64_t attempt_id) = 0;
+
+    /// One page of a list.
+    [[nodiscard]] virtual AttemptPage attempt_page(const AttemptFilter& filter) = 0;
+    /// By name and task; group_id 0 = everybody. task_id empty = all.
+    [[nodiscard]] virtual std::vector<TaskStanding> task_standings(
+        int64_t group_id, const std::string& task_id = {}) = 0;
+    /// By person, task and time.
+    [[nodiscard]] virtual std::vector<AttemptPoint> attempt_points(
+        int64_t group_id, const std::string& task_id = {}) = 0;
+
+    // --- norms
+    /// Attempts of a task with their metrics, oldest first; user_id 0 = everybody's.
+    [[nodiscard]] virtual std::vector<MeasuredAttempt> measured_attempts(
+        int64_t user_id, const std::string& task_id) = 0;
+    /// Made on first use under this name. Throws kRefused when it has to be made without a name.
+    virtual CentreKey centre_key(const std::string& centre) = 0;
+    virtual void trust_centre(const std::string& public_key, const std::string& centre) = 0;
+    /// Name by public key.
+    [[nodiscard]] virtual std::map<std::string, std::string> trusted_centres() = 0;
+    /// Keeps a pack whose signature is right and whose centre is trusted; the same pack once.
+    /// Throws kRefused, DefinitionError.
+    virtual int64_t save_norms(const curriculum::SignedNorms& norms) = 0;
+    /// task_id empty = all.
+    [[nodiscard]] virtual std::vector<NormPackRecord> norm_packs(const std::string& task_id) = 0;
+    virtual void use_norms(int64_t id) = 0;  ///< For its task, in place of the one before.
+
+    // --- groups, courses
+    virtual int64_t create_group(const std::string& name) = 0;  ///< Throws kConflict, kRefused.
+    virtual void set_group_role(int64_t group_id, int64_t user_id, GroupRole role) = 0;
+    [[nodiscard]] virtual std::vector<GroupRecord> groups() = 0;  ///< By name.
+    /// True when `subject` is in no group, or in one where `actor` is educator.
+    [[nodiscard]] virtual bool in_reach(int64_t actor, int64_t subject) = 0;
+    /// Assigns a published version. Throws kRefused (not published, dates), kConflict (already).
+    virtual int64_t assign_course(const AssignmentRecord& assignment) = 0;
+    virtual void end_assignment(int64_t id) = 0;  ///< Throws kNotFound, kConflict.
+    /// What holds for a person, also by group, by due date; user_id 0 = all, also ended ones.
+    [[nodiscard]] virtual std::vector<AssignmentRecord> assignments(int64_t user_id) = 0;
+    virtual void grant_attempts(const GrantRecord& grant) = 0;  ///< Throws kRefused.
+    [[nodiscard]] virtual std::vector<GrantRecord> grants(int64_t user_id) = 0;
+    /// The same certificate again where this version has one. Whether it is deserved is decided by
+    /// issue_certificate() in db/course_conduct.h.
+    virtual CertificateRecord save_certificate(int64_t user_id, const std::string& course_id,
+                                               int course_version,
+                                               const std::string& mastered_utc) = 0;
+    [[nodiscard]] virtual std::vector<CertificateRecord> certificates(int64_t user_id) = 0;
 
     // --- studies: published definitions, participants, what they did and answered
     /// Publishes a version for good. The same text again is no change; another text under a

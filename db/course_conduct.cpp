@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/course_conduct.h"
+
+#include <algorithm>
+#include <set>
+
+namespace placode::db {
+
+using curriculum::Course;
+using curriculum::StageStatus;
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& problem) {
+    throw StoreError(StoreError::Kind::kRefused, problem);
+}
+
+CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord& assignment,
+                           Course course, const std::vector<AttemptRecord>& attempts,
+                           const std::string& now_utc) {
+    CourseStanding standing;
+    standing.assignment = assignment;
+    standing.course = std::move(course);
+    curriculum::ExtraAttempts extra;
+    for (const GrantRecord& grant : store.grants(user_id))
+        if (grant.course_id == standing.course.id) extra[grant.stage_id] += grant.attempts;
+    standing.progress =
+        curriculum::course_progress(standing.course, outcomes_of(attempts), now_utc, extra);
+    standing.next =
+        curriculum::next_step(standing.course, standing.progress, task_titles(standing.course),
+                              {assignment.starts_utc, assignment.due_utc}, now_utc);
+    for (const CertificateRecord& each : store.certificates(user_id))
+        if (each.course_id == standing.course.id && each.course_version == standing.course.version)
+            standing.certificate = each;
+    return standing;
+}
+
+}  // namespace
+
+Course find_course(Store& store, const std::string& course_id, int version) {
+    if (const auto published = store.definition("course", course_id, version))
+        return curriculum::load_course_text(published->json, "course " + course_id);
+    Course shipped = curriculum::load_course(course_id);
+    if (version != 0 && shipped.version != version)
+        throw curriculum::DefinitionError("course " + course_id, "",
+                                          "version " + std::to_string(version) +
+                                              " is neither published nor shipped; found " +
+                                              std::to_string(shipped.version));
+    return shipped;
+}
+
+std::vector<std::string> course_ids(Store& store) {
+    std::set<std::string> ids;
+    for (const auto& each : store.definitions("course")) ids.insert(each.id);
+    for (const auto& each : curriculum::list_definitions("courses")) ids.insert(each);
+    return {ids.begin(), ids.end()};
+}
+
+void publish_course_on_first_use(Store& store, const Course& course) {
+    if (store.definition("course", course.id, course.version)) return;
+    DefinitionRecord definition;
+    definition.kind = "course";
+    definition.id = course.id;
+    definition.version = course.version;
+    definition.json = course.json;
+    definition.reason = "first use of this version";
+    store.publish(definition);
+}
+
+std::map<std::string, curriculum::LocalText> task_titles(const Course& course) {
+    std::map<std::string, curriculum::LocalText> titles;
+    for (const auto& stage : course.stages) {
+        if (titles.contains(stage.task_id)) continue;
+        try {
+            titles[stage.task_id] = curriculum::load_task_title(stage.task_id);
+        } catch (const curriculum::DefinitionError&) {
+            // Its id is title enough; whoever opens the task is told what is wrong with it.
+        }
+    }
+    return titles;
+}
+
+std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRecord>& attempts) {
+    std::vector<curriculum::AttemptOutcome> outcomes;
+    outcomes.reserve(attempts.size());
+    for (const AttemptRecord& attempt : attempts) {
+        curriculum::AttemptOutcome outcome;
+        outcome.task_id = attempt.task_id;
+        outcome.points = attempt.points;
+        outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
+        outcome.interrupted = attempt.end == sim::EndReason::kInterrupted;
+        outcome.at_utc = attempt.started_utc;
+        outcome.seed = attempt.seed;
+        outcome.exam_course = attempt.exam.course_id;
+        outcome.exam_stage = attempt.exam.stage_id;
+        outcome.proctor = attempt.exam.proctor;
+        outcome.certified = !attempt.exam.device_certificate.empty();
+        outcomes.push_back(std::move(outcome));
+    }
+    return outcomes;
+}
+
+CourseStanding course_standing(Store& store, int64_t user_id, const std::string& course_id,
+                               const std::string& now_utc) {
+    AssignmentRecord held;
+    for (const AssignmentRecord& each : store.assignments(user_id)) {
+        if (each.course_id != course_id) continue;
+        held = each;
+        break;
+    }
+    return standing_in(store, user_id, held, find_course(store, course_id, held.course_version),
+                       store.attempts(user_id), now_utc);
+}
+
+std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
+                                             const std::string& now_utc) {
+    std::vector<CourseStanding> standings;
+    const auto attempts = store.attempts(user_id);
+    for (const AssignmentRecord& each : store.assignments(user_id)) {
+        // Assigned by person and by group: the one that is due first counts.
+        const bool there =
+            std::any_of(standings.begin(), standings.end(),
+                        [&](const CourseStanding& one) { return one.course.id == each.course_id; });
+        if (there) continue;
+        standings.push_back(standing_in(store, user_id, each,
+                                        find_course(store, each.course_id, each.course_version),
+                                        attempts, now_utc));
+    }
+    return standings;
+}
+
+ExamOrder prepare_exam(Store& store, int64_t user_id, const std::string& course_id,
+                       const std::string& stage_id, const std::string& proctor,
+                       const std::string& device_certificate, const std::string& now_utc) {
+    const CourseStanding standing = course_standing(store, user_id, course_id, now_utc);
+    const std::string what = "exam " + course_id + "/" + stage_id + ": ";
+    const curriculum::CourseStage* stage = standing.course.stage(stage_id);
+    if (stage == nullptr || stage->mode != curriculum::StageMode::kExam)
+        refuse(what + "the course has no such exam stage");
+    if (standing.assignment.id == 0) refuse(what + "the course is not assigned to this person");
+    if (standing.next.kind == curriculum::NextKind::kWait) refuse(what + standing.next.reason.en);
+    const auto at = static_cast<size_t>(stage - standing.course.stages.data());
+    const curriculum::StageProgress& own = standing.progress.stages[at];
+    if (own.status == StageStatus::kLocked)
+        refuse(what + "locked; to be mastered first: " + own.missing.front());
+    if (own.attempts_left == 0) refuse(what + "all attempts are used");
+    if (stage->exam.proctor && proctor.empty()) refuse(what + "the proctor's name is missing");
+    if (stage->exam.haptic_certificate && device_certificate.empty())
+        refuse(what + "the device has no haptic certificate");
+    return {{course_id, standing.course.version, stage_id, proctor, device_certificate},
+            stage->task_id,
+            own.next_seed};
+}
+
+CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::string& course_id,
+                                    const std::string& now_utc) {
+    const CourseStanding standing = course_standing(store, user_id, course_id, now_utc);
+    if (standing.certificate) return *standing.certificate;
+    if (!standing.progress.mastered)
+        refuse("certificate of " + course_id + ": not mastered yet. " + standing.next.reason.en);
+    publish_course_on_first_use(store, standing.course);
+    return store.save_certificate(user_id, course_id, standing.course.version,
+                                  standing.progress.mastered_utc);
+}
+
+}  // namespace placode::db

@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/rescore.h"
+
+#include <QTemporaryDir>
+#include <algorithm>
+#include <array>
+
+#include "assessment/signal.h"
+#include "db/recording_file.h"
+
+namespace placode::db {
+namespace {
+
+/// The first score or a further one is of exactly this rubric, metric set and pre-processing.
+bool has_score(Store& store, const AttemptRecord& attempt, const assessment::Rubric& rubric) {
+    const auto same = [&](const std::string& id, int version, int metrics, int preprocessing) {
+        return id == rubric.id && version == rubric.version &&
+               metrics == assessment::kMetricSetVersion &&
+               preprocessing == assessment::kPreprocessingVersion;
+    };
+    if (same(attempt.rubric_id, attempt.rubric_version, attempt.metric_set_version,
+             attempt.preprocessing_version))
+        return true;
+    const auto further = store.rescores(attempt.id);
+    return std::any_of(further.begin(), further.end(), [&](const RescoreRecord& one) {
+        return same(one.score.rubric_id, one.score.rubric_version, one.score.metric_set_version,
+                    one.preprocessing_version);
+    });
+}
+
+/// The definition that keeps the rubric's text.
+DefinitionRecord rubric_definition(const curriculum::Task& task) {
+    DefinitionRecord definition;
+    definition.kind = "rubric";
+    definition.id = task.id + "/" + task.rubric.id;
+    definition.version = task.rubric.version;
+    definition.json = curriculum::rubric_text(task);
+    definition.reason = "used for rescoring";
+    return definition;
+}
+
+[[noreturn]] void refuse_text(const DefinitionRecord& wanted) {
+    throw StoreError(StoreError::Kind::kConflict,
+                     "rubric " + wanted.id + " version " + std::to_string(wanted.version) +
+                         " is known with another text; give the rubric the next version");
+}
+
+void check_version(Store& store, const DefinitionRecord& wanted) {
+    const auto there = store.definition(wanted.kind, wanted.id, wanted.version);
+    if (there && there->json != wanted.json) refuse_text(wanted);
+}
+
+/// An attempt that was scored under this version carries the rubric's text in its recording.
+void check_recorded(Store& store, const std::vector<AttemptRecord>& attempts,
+                    const assessment::Rubric& rubric, const DefinitionRecord& wanted) {
+    for (const AttemptRecord& attempt : attempts) {
+        if (attempt.rubric_id != rubric.id || attempt.rubric_version != rubric.version) continue;
+        try {
+            const sim::Recording recording = stored_recording(store, attempt.id);
+            const curriculum::Task task =
+                curriculum::load_task_text(recording.header.task_json, "recorded task");
+            if (curriculum::rubric_text(task) != wanted.json) refuse_text(wanted);
+            return;  // One is enough: all of this version were checked against it.
+        } catch (const curriculum::DefinitionError&) {
+            // Recorded by an older program: the next attempt may tell.
+        } catch (const StoreError& error) {
+            if (error.kind() != StoreError::Kind::kNotFound &&
+                error.kind() != StoreError::Kind::kDamaged)
+                throw;
+        }
+    }
+}
+
+RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const curriculum::Task& task,
+                           const RescoreOptions& options) {
+    RescoreOutcome outcome;
+    outcome.attempt_id = attempt.id;
+    outcome.old_points = attempt.points;
+    outcome.old_verdict = attempt.verdict;
+    const bool there = has_score(store, attempt, task.rubric);
+    if (there && !options.dry_run) {
+        outcome.state = RescoreState::kAlreadyThere;
+        return outcome;
+    }
+    try {
+        const sim::Recording recording = stored_recording(store, attempt.id);
+        RescoreRecord record;
+        record.attempt_id = attempt.id;
+        record.metrics = assessment::compute_metrics(recording);
+        record.score = assessment::score_attempt(task.rubric, record.metrics, recording);
+        record.preprocessing_version = assessment::kPreprocessingVersion;
+        outcome.new_points = record.score.points;
+        outcome.new_verdict = record.score.verdict;
+        if (there) outcome.state = RescoreState::kAlreadyThere;
+        if (!options.dry_run) store.save_rescore(record);
+    } catch (const StoreError& error) {
+        if (error.kind() != StoreError::Kind::kNotFound &&
+            error.kind() != StoreError::Kind::kDamaged)
+            throw;
+        outcome.state = error.kind() == StoreError::Kind::kNotFound ? RescoreState::kNoRecording
+                                                                    : RescoreState::kUnreadable;
+        outcome.problem = error.what();
+    }
+    return outcome;
+}
+
+}  // namespace
+
+const char* rescore_state_name(RescoreState state) {
+    constexpr std::array<const char*, 4> kNames{"rescored", "already there", "no recording",
+                                                "unreadable"};
+    return kNames[static_cast<size_t>(state)];
+}
+
+sim::Recording stored_recording(Store& store, int64_t attempt_id) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("a.placode")).toStdString();
+    store.extract_recording(attempt_id, path);
+    return read_recording_file(path);
+}
+
+std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
+                                    const RescoreOptions& options) {
+    const DefinitionRecord rubric = rubric_definition(task);
+    check_version(store, rubric);
+    const auto attempts = store.attempts(options.user_id, task.id);
+    if (!store.definition("rubric", rubric.id, rubric.version))
+        check_recorded(store, attempts, task.rubric, rubric);
+    if (!options.dry_run && !attempts.empty() &&
+        !store.definition("rubric", rubric.id, rubric.version))
+        store.publish(rubric);
+    std::vector<RescoreOutcome> outcomes;
+    for (const AttemptRecord& attempt : attempts) {
+        if (options.progress && !options.progress(outcomes.size(), attempts.size())) break;
+        outcomes.push_back(rescore_one(store, attempt, task, options));
+    }
+    return outcomes;
+}
+
+}  // namespace placode::db

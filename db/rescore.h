@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Stored attempts under another rubric: computed again from their recordings, both scores kept.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "curriculum/task.h"
+#include "db/store.h"
+
+namespace placode::db {
+
+enum class RescoreState : uint8_t {
+    kRescored,      ///< A further score was saved (or would be).
+    kAlreadyThere,  ///< Under this rubric, metric set and pre-processing it has a score.
+    kNoRecording,
+    kUnreadable
+};
+[[nodiscard]] const char* rescore_state_name(RescoreState state);
+
+struct RescoreOutcome {
+    int64_t attempt_id = 0;
+    RescoreState state = RescoreState::kRescored;
+    double old_points = 0, new_points = 0;  ///< new: only where it was computed.
+    assessment::Verdict old_verdict{}, new_verdict{};
+    std::string problem;  ///< kUnreadable: why.
+};
+
+struct RescoreOptions {
+    int64_t user_id = 0;  ///< 0 = everybody's.
+    bool dry_run = false;
+    /// Told before each attempt; false stops, what is done stays done.
+    std::function<bool(size_t done, size_t total)> progress;
+};
+
+/// The recording of a stored attempt. Throws StoreError.
+[[nodiscard]] sim::Recording stored_recording(Store& store, int64_t attempt_id);
+
+/// All attempts of the task under its rubric. Publishes the rubric's text (not in a dry run), so
+/// that its version means one text for good. Throws kConflict when this version has another text.
+/// Attempts that already have a score under it are left alone, except in a dry run, which computes
+/// them too: the same recording and rubric must give the same score.
+[[nodiscard]] std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
+                                                  const RescoreOptions& options);
+
+}  // namespace placode::db

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/signature.h"
+
+#include <sodium.h>
+
+#include <array>
+
+#include "db/packing.h"
+#include "db/password.h"
+#include "db/store.h"
+
+namespace placode::db {
+namespace {
+
+template <size_t N>
+std::string hex_of(const std::array<unsigned char, N>& bytes) {
+    std::string text(2 * N + 1, '\0');
+    sodium_bin2hex(text.data(), text.size(), bytes.data(), N);
+    text.pop_back();
+    return text;
+}
+
+template <size_t N>
+bool bytes_of(const std::string& hex, std::array<unsigned char, N>& bytes) {
+    size_t read = 0;
+    return hex.size() == 2 * N &&
+           sodium_hex2bin(bytes.data(), N, hex.data(), hex.size(), nullptr, &read, nullptr) == 0 &&
+           read == N;
+}
+
+const unsigned char* bytes_in(const std::string& text) {
+    return reinterpret_cast<const unsigned char*>(text.data());
+}
+
+}  // namespace
+
+KeyPair new_key_pair() {
+    need_sodium();
+    std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
+    std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
+    crypto_sign_keypair(open.data(), secret.data());
+    return {hex_of(open), hex_of(secret)};
+}
+
+std::string sign_text(const std::string& text, const std::string& secret_key) {
+    need_sodium();
+    std::array<unsigned char, crypto_sign_SECRETKEYBYTES> secret{};
+    if (!bytes_of(secret_key, secret))
+        throw StoreError(StoreError::Kind::kDamaged, "sign: the centre's key is damaged");
+    std::array<unsigned char, crypto_sign_BYTES> signature{};
+    crypto_sign_detached(signature.data(), nullptr, bytes_in(text), text.size(), secret.data());
+    return hex_of(signature);
+}
+
+bool signature_is_right(const std::string& text, const std::string& signature,
+                        const std::string& public_key) {
+    need_sodium();
+    std::array<unsigned char, crypto_sign_BYTES> mark{};
+    std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
+    return bytes_of(signature, mark) && bytes_of(public_key, open) &&
+           crypto_sign_verify_detached(mark.data(), bytes_in(text), text.size(), open.data()) == 0;
+}
+
+std::string fingerprint(const std::string& public_key) {
+    const std::string digits = checksum_hex(public_key).substr(0, 16);
+    return digits.substr(0, 4) + " " + digits.substr(4, 4) + " " + digits.substr(8, 4) + " " +
+           digits.substr(12, 4);
+}
+
+}  // namespace placode::db

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Norm packs, the centre's key, and attempts with their metrics for standard setting.
+
+#include <map>
+
+#include "curriculum/norm_pack.h"
+#include "db/signature.h"
+#include "db/sql_store.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+CentreKey SqlStore::centre_key(const std::string& centre) {
+    connection_.begin_operation("read the centre's key from");
+    UnitOfWork work(connection_);
+    connection_.lock_table("centre_key");
+    Statement query(connection_, "SELECT centre, public_key, secret_key FROM centre_key");
+    if (query.run().next()) return {query.text(0), query.text(1), query.text(2)};
+    if (centre.empty())
+        connection_.fail(Kind::kRefused,
+                         "the centre has no name yet; give it with the first norm pack");
+    const KeyPair pair = new_key_pair();
+    Statement(connection_,
+              "INSERT INTO centre_key (id, centre, public_key, secret_key, made_utc) VALUES (1, ?, "
+              "?, ?, ?)")
+        .run(centre, pair.public_key, pair.secret_key, utc_now());
+    Statement(connection_,
+              "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
+              "?, ?)")
+        .run(pair.public_key, centre, actor_, utc_now());
+    append_audit(actor_, "norms.key", centre, fingerprint(pair.public_key));
+    work.commit();
+    return {centre, pair.public_key, pair.secret_key};
+}
+
+void SqlStore::trust_centre(const std::string& public_key, const std::string& centre) {
+    connection_.begin_operation("trust a centre in");
+    UnitOfWork work(connection_);
+    Statement(connection_,
+              "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
+              "?, ?)")
+        .run(public_key, centre, actor_, utc_now());
+    append_audit(actor_, "norms.trust", centre, fingerprint(public_key));
+    work.commit();
+}
+
+std::map<std::string, std::string> SqlStore::trusted_centres() {
+    connection_.begin_operation("list trusted centres of");
+    Statement query(connection_, "SELECT public_key, centre FROM trusted_centres");
+    query.run();
+    std::map<std::string, std::string> found;
+    while (query.next()) found[query.text(0)] = query.text(1);
+    return found;
+}
+
+int64_t SqlStore::save_norms(const curriculum::SignedNorms& norms) {
+    connection_.begin_operation("keep a norm pack in");
+    const curriculum::NormPack pack = curriculum::load_norm_pack(norms.content, "norm pack");
+    if (!signature_is_right(norms.content, norms.signature, norms.public_key))
+        connection_.fail(Kind::kRefused,
+                         "its signature is wrong: the pack was changed after it was signed");
+    if (!trusted_centres().contains(norms.public_key))
+        connection_.fail(Kind::kRefused, "its centre \"" + pack.centre + "\" with the key " +
+                                             fingerprint(norms.public_key) +
+                                             " is not trusted here");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT id FROM norm_packs WHERE signature = ?");
+    if (there.run(norms.signature).next()) return there.integer(0);
+    Statement insert(connection_,
+                     "INSERT INTO norm_packs (task_id, centre, content, signature, public_key, "
+                     "in_use, added_by, added_utc) VALUES (?, ?, ?, ?, ?, 0, ?, ?) RETURNING id");
+    insert.run(pack.task_id, pack.centre, norms.content, norms.signature, norms.public_key, actor_,
+               utc_now());
+    const int64_t id = insert.returned_id();
+    append_audit(actor_, "norms.keep", "norm pack " + std::to_string(id),
+                 pack.task_id + " of " + pack.centre);
+    work.commit();
+    return id;
+}
+
+std::vector<NormPackRecord> SqlStore::norm_packs(const std::string& task_id) {
+    connection_.begin_operation("list norm packs of");
+    Statement query(connection_,
+                    "SELECT id, content, signature, public_key, in_use, added_by, added_utc FROM "
+                    "norm_packs WHERE ? = '' OR task_id = ? ORDER BY id");
+    query.run(task_id, task_id);
+    std::vector<NormPackRecord> found;
+    while (query.next()) {
+        NormPackRecord record;
+        record.id = query.integer(0);
+        record.norms = {query.text(1), query.text(2), query.text(3)};
+        record.pack = curriculum::load_norm_pack(record.norms.content, "norm pack");
+        record.in_use = query.integer(4) != 0;
+        record.added_by = query.text(5);
+        record.added_utc = query.text(6);
+        found.push_back(std::move(record));
+    }
+    return found;
+}
+
+void SqlStore::use_norms(int64_t id) {
+    connection_.begin_operation("use the norm pack " + std::to_string(id) + " in");
+    UnitOfWork work(connection_);
+    Statement query(connection_, "SELECT task_id FROM norm_packs WHERE id = ?");
+    if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such norm pack");
+    const std::string task = query.text(0);
+    Statement(connection_,
+              "UPDATE norm_packs SET in_use = CASE WHEN id = ? THEN 1 ELSE 0 END WHERE "
+              "task_id = ?")
+        .run(id, task);
+    append_audit(actor_, "norms.use", "norm pack " + std::to_string(id), task);
+    work.commit();
+}
+
+std::vector<MeasuredAttempt> SqlStore::measured_attempts(int64_t user_id,
+                                                         const std::string& task_id) {
+    std::vector<MeasuredAttempt> found;
+    for (AttemptRecord& record : attempts(user_id, task_id)) {
+        MeasuredAttempt measured;
+        measured.metrics.version = record.metric_set_version;
+        measured.record = std::move(record);
+        found.push_back(std::move(measured));
+    }
+    std::map<int64_t, size_t> places;
+    for (size_t i = 0; i < found.size(); ++i) places[found[i].record.id] = i;
+    connection_.begin_operation("read metrics from");
+    Statement metric(connection_,
+                     "SELECT m.attempt_id, m.metric_id, m.value FROM attempts t JOIN "
+                     "attempt_metrics m ON m.attempt_id = t.id WHERE (? = 0 OR t.account_id = ?) "
+                     "AND t.task_id = ? ORDER BY m.attempt_id, m.position");
+    metric.run(static_cast<int>(user_id != 0), user_id, task_id);
+    while (metric.next()) {
+        const auto place = places.find(metric.integer(0));
+        if (place != places.end())
+            found[place->second].metrics.values.push_back({metric.text(1), metric.real(2)});
+    }
+    return found;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scores beyond the first one of an attempt: both are kept.
+
+#include "db/sql_store.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+int64_t SqlStore::save_rescore(const RescoreRecord& rescore) {
+    connection_.begin_operation("save a further score in");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT id FROM attempts WHERE id = ?");
+    if (!there.run(rescore.attempt_id).next())
+        connection_.fail(Kind::kNotFound,
+                         "there is no attempt " + std::to_string(rescore.attempt_id));
+    const assessment::Score& score = rescore.score;
+    Statement insert(connection_,
+                     "INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, "
+                     "rubric_version, metric_set_version, preprocessing_version, scored_utc, "
+                     "scored_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
+    insert.run(rescore.attempt_id, score.points, static_cast<int>(score.verdict), score.rubric_id,
+               score.rubric_version, score.metric_set_version, rescore.preprocessing_version,
+               utc_now(), actor_);
+    const int64_t id = insert.returned_id();
+    Statement metric(connection_,
+                     "INSERT INTO attempt_score_metrics (score_id, position, metric_id, value) "
+                     "VALUES (?, ?, ?, ?)");
+    int position = 0;
+    for (const auto& value : rescore.metrics.values)
+        metric.run(id, position++, value.id, value.value);
+    Statement reason(connection_,
+                     "INSERT INTO attempt_score_reasons (score_id, position, item, reason, points, "
+                     "time_s, critical) VALUES (?, ?, ?, ?, ?, ?, ?)");
+    position = 0;
+    for (const auto& one : score.reasons)
+        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical);
+    append_audit(actor_, "attempt.rescore", "attempt " + std::to_string(rescore.attempt_id),
+                 score.rubric_id + " version " + std::to_string(score.rubric_version));
+    work.commit();
+    return id;
+}
+
+std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
+    connection_.begin_operation("list the further scores of");
+    Statement query(connection_,
+                    "SELECT id, points, verdict, rubric_id, rubric_version, metric_set_version, "
+                    "preprocessing_version, scored_utc, scored_by FROM attempt_scores WHERE "
+                    "attempt_id = ? ORDER BY id");
+    query.run(attempt_id);
+    std::vector<RescoreRecord> found;
+    while (query.next()) {
+        RescoreRecord record;
+        record.id = query.integer(0);
+        record.attempt_id = attempt_id;
+        record.score.points = query.real(1);
+        record.score.verdict = static_cast<assessment::Verdict>(query.integer(2));
+        record.score.rubric_id = query.text(3);
+        record.score.rubric_version = static_cast<int>(query.integer(4));
+        record.score.metric_set_version = static_cast<int>(query.integer(5));
+        record.metrics.version = record.score.metric_set_version;
+        record.preprocessing_version = static_cast<int>(query.integer(6));
+        record.scored_utc = query.text(7);
+        record.scored_by = query.text(8);
+        found.push_back(std::move(record));
+    }
+    for (RescoreRecord& record : found) {
+        Statement metric(connection_,
+                         "SELECT metric_id, value FROM attempt_score_metrics WHERE score_id = ? "
+                         "ORDER BY position");
+        metric.run(record.id);
+        while (metric.next()) record.metrics.values.push_back({metric.text(0), metric.real(1)});
+        Statement reason(connection_,
+                         "SELECT item, reason, points, time_s, critical FROM attempt_score_reasons "
+                         "WHERE score_id = ? ORDER BY position");
+        reason.run(record.id);
+        while (reason.next())
+            record.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
+                                            reason.real(3), reason.integer(4) != 0});
+    }
+    return found;
+}
+
+void SqlStore::delete_attempt(int64_t id) {
+    const std::string scores =
+        " WHERE score_id IN (SELECT id FROM attempt_scores WHERE attempt_id "
+        "= ?)";
+    for (const char* table : {"attempt_score_metrics", "attempt_score_reasons"})
+        Statement(connection_, std::string("DELETE FROM ") + table + scores).run(id);
+    for (const char* table :
+         {"attempt_scores", "attempt_metrics", "attempt_reasons", "attempt_events", "recordings"})
+        Statement(connection_, std::string("DELETE FROM ") + table + " WHERE attempt_id = ?")
+            .run(id);
+    Statement(connection_, "DELETE FROM attempts WHERE id = ?").run(id);
+}
+
+}  // namespace placode::db

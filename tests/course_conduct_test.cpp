@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Groups, assignments, standing, exams and certificates in the store, on both engines.
+
+#include "db/course_conduct.h"
+
+#include <gmock/gmock.h>
+
+#include "db/access.h"
+#include "tests/store_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+using db::GroupRole;
+using db::Scope;
+using db::StoreError;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+World* const world = World::install();
+constexpr const char* kNow = "2026-03-01T00:00:00Z";
+
+/// Practise once at 70, then an exam of two seeds.
+std::string course_text(int version, const char* limit = "3") {
+    return R"({"id":"short","version":)" + std::to_string(version) +
+           R"(,"title":{"en":"Short"},"stages":[{"task_id":"diathermy_ring","consecutive":1,)"
+           R"("max_attempts":)" +
+           limit +
+           R"(},{"id":"final","task_id":"diathermy_ring","mode":"exam","consecutive":1,)"
+           R"("requires_stages":["diathermy_ring"],"exam":{"seeds":[7,8]}}]})";
+}
+
+class CourseStore : public testing::TestWithParam<const char*> {
+ protected:
+    void SetUp() override {
+        if (std::string(GetParam()) == "Sqlite") {
+            url = "sqlite:" + folder.file("placode.db");
+        } else {
+            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+            ASSERT_EQ(world->server().problem(), "");
+            database = world->server().new_database();
+            url = world->server().url(database);
+        }
+        db::StoreOptions options;
+        options.cheap_passwords = true;
+        store = db::open_store(url, options);
+        anna = add("anna", db::Role::kTrainee);
+        jan = add("jan", db::Role::kTrainee);
+        ewa = add("ewa", db::Role::kEducator);
+        publish(1);
+    }
+    int64_t add(const std::string& login, db::Role role) const {
+        return store->create_user(
+            {login, login, "long enough 1", static_cast<db::Roles>(role), false});
+    }
+    void publish(int version, const char* limit = "3") const {
+        db::DefinitionRecord definition;
+        definition.kind = "course";
+        definition.id = "short";
+        definition.version = version;
+        definition.json = course_text(version, limit);
+        definition.reason = "because";
+        store->publish(definition);
+    }
+    int64_t assign(int64_t user, int64_t group = 0, const std::string& due = "") const {
+        db::AssignmentRecord assignment;
+        assignment.course_id = "short";
+        assignment.course_version = 1;
+        assignment.user_id = user;
+        assignment.group_id = group;
+        assignment.due_utc = due;
+        return store->assign_course(assignment);
+    }
+    void attempt(int64_t user, double points, const db::ExamContext& exam = {}, uint64_t seed = 1,
+                 const std::string& at = "2026-02-01T00:00:00Z") const {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.started_utc = at;
+        result.header.seed = seed;
+        result.score.points = points;
+        result.score.verdict = assessment::Verdict::kPassed;
+        result.exam = exam;
+        store->save_attempt(user, result);
+    }
+    [[nodiscard]] RawConnection raw() const {
+        if (database.empty()) return {"QSQLITE", folder.file("placode.db")};
+        return world->server().connect(database);
+    }
+
+    TemporaryFolder folder;
+    std::string url, database;
+    std::unique_ptr<db::Store> store;
+    int64_t anna = 0, jan = 0, ewa = 0;
+};
+
+std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Engines, CourseStore, testing::Values("Sqlite", "Postgresql"), name_of);
+
+TEST_P(CourseStore, AGroupHasMembersAndEducatorsAndAUniqueName) {
+    const int64_t group = store->create_group("Cohort A");
+    EXPECT_EQ(failure_of([&] { store->create_group("cohort a"); }).kind(),
+              StoreError::Kind::kConflict);
+    EXPECT_EQ(failure_of([&] { store->create_group(" "); }).kind(), StoreError::Kind::kRefused);
+    store->set_group_role(group, anna, GroupRole::kMember);
+    store->set_group_role(group, ewa, GroupRole::kEducator);
+    ASSERT_EQ(store->groups().size(), 1u);
+    EXPECT_THAT(store->groups()[0].members, ElementsAre(anna));
+    EXPECT_THAT(store->groups()[0].educators, ElementsAre(ewa));
+    store->set_group_role(group, anna, GroupRole::kNone);
+    EXPECT_THAT(store->groups()[0].members, IsEmpty());
+    EXPECT_EQ(failure_of([&] { store->set_group_role(99, anna, GroupRole::kMember); }).kind(),
+              StoreError::Kind::kNotFound);
+}
+
+TEST_P(CourseStore, AnEducatorReachesTheOwnGroupsAndPeopleWithoutAGroup) {
+    const int64_t other = add("olga", db::Role::kEducator);
+    EXPECT_EQ(db::scope_between(*store, ewa, ewa), Scope::kOwn);
+    EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kGroup) << "in no group";
+    const int64_t group = store->create_group("A");
+    store->set_group_role(group, anna, GroupRole::kMember);
+    EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kOther);
+    store->set_group_role(group, ewa, GroupRole::kMember);
+    EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kOther) << "a member teaches nobody";
+    store->set_group_role(group, ewa, GroupRole::kEducator);
+    EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kGroup);
+    EXPECT_EQ(db::scope_between(*store, other, anna), Scope::kOther);
+}
+
+TEST_P(CourseStore, ACourseIsAssignedByPersonOrGroupAndEnds) {
+    const int64_t group = store->create_group("A");
+    store->set_group_role(group, anna, GroupRole::kMember);
+    store->set_group_role(group, ewa, GroupRole::kEducator);
+    const int64_t by_group = assign(0, group, "2026-06-01");
+    EXPECT_EQ(failure_of([&] { assign(0, group); }).kind(), StoreError::Kind::kConflict);
+    const int64_t own = assign(anna, 0, "2026-05-01");
+    const auto mine = store->assignments(anna);
+    ASSERT_EQ(mine.size(), 2u);
+    EXPECT_EQ(mine[0].id, own) << "due first";
+    EXPECT_EQ(mine[1].group_id, group);
+    EXPECT_THAT(store->assignments(jan), IsEmpty());
+    EXPECT_THAT(store->assignments(ewa), IsEmpty()) << "who teaches need not do it";
+    EXPECT_EQ(db::course_standings(*store, anna, kNow).size(), 1u) << "the same course once";
+    store->end_assignment(own);
+    EXPECT_EQ(failure_of([&] { store->end_assignment(own); }).kind(), StoreError::Kind::kConflict);
+    EXPECT_EQ(failure_of([&] { store->end_assignment(99); }).kind(), StoreError::Kind::kNotFound);
+    ASSERT_EQ(store->assignments(anna).size(), 1u);
+    EXPECT_EQ(store->assignments(anna)[0].id, by_group);
+    EXPECT_EQ(store->assignments(0).size(), 2u) << "ended ones are kept";
+}
+
+TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
+    db::AssignmentRecord good;
+    good.course_id = "short";
+    good.course_version = 1;
+    good.user_id = anna;
+    const auto kind_of = [&](auto change) {
+        db::AssignmentRecord bad = good;
+        change(bad);
+        return failure_of([&] { store->assign_course(bad); }).kind();
+    };
+    EXPECT_EQ(kind_of([](auto& a) { a.course_version = 2; }), StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.course_id = "none"; }), StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.user_id = 0; }), StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.group_id = 1; }), StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.due_utc = "soon"; }), StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.starts_utc = "2026-02-02", a.due_utc = "2026-02-02"; }),
+              StoreError::Kind::kRefused);
+    EXPECT_EQ(kind_of([](auto& a) { a.user_id = 99; }), StoreError::Kind::kNotFound);
+    EXPECT_THAT(store->assignments(0), IsEmpty());
+}
+
+TEST_P(CourseStore, AnAssignmentKeepsItsVersionWhenANewOneIsPublished) {
+    assign(anna);
+    publish(2, "1");
+    attempt(anna, 10);
+    const auto standing = db::course_standing(*store, anna, "short", kNow);
+    EXPECT_EQ(standing.course.version, 1);
+    EXPECT_EQ(standing.progress.stages[0].attempts_left, 2);
+    EXPECT_EQ(db::course_standing(*store, jan, "short", kNow).course.version, 2) << "not assigned";
+}
+
+TEST_P(CourseStore, AGrantOpensAStageWhoseAttemptsAreUsed) {
+    assign(anna);
+    for (int i = 0; i < 3; ++i) attempt(anna, 10);
+    EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).next.kind,
+              curriculum::NextKind::kExhausted);
+    EXPECT_EQ(failure_of([&] {
+                  store->grant_attempts({anna, "short", "diathermy_ring", 1, "", {}, {}});
+              }).kind(),
+              StoreError::Kind::kRefused)
+        << "without a reason";
+    store->grant_attempts({anna, "short", "diathermy_ring", 2, "device was faulty", {}, {}});
+    const auto standing = db::course_standing(*store, anna, "short", kNow);
+    EXPECT_EQ(standing.next.kind, curriculum::NextKind::kContinue);
+    EXPECT_EQ(standing.next.attempts_left, 2);
+    EXPECT_EQ(db::course_standing(*store, jan, "short", kNow).progress.stages[0].attempts_left, 3);
+}
+
+TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
+    const auto refused = [&](const std::string& proctor) {
+        return std::string(failure_of([&] {
+                               (void)db::prepare_exam(*store, anna, "short", "final", proctor, "",
+                                                      kNow);
+                           }).what());
+    };
+    EXPECT_THAT(refused("P"), HasSubstr("not assigned"));
+    assign(anna);
+    EXPECT_THAT(refused("P"), HasSubstr("locked"));
+    attempt(anna, 80);
+    EXPECT_THAT(refused(""), HasSubstr("proctor"));
+    EXPECT_THAT(failure_of([&] { db::issue_certificate(*store, anna, "short", kNow); }).what(),
+                HasSubstr("not mastered yet. Exam, attempt 1"));
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "Dr N", "", kNow);
+    EXPECT_EQ(order.seed, 7u);
+    EXPECT_EQ(order.task_id, "diathermy_ring");
+    attempt(anna, 90, order.context, 3);
+    EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).progress.stages[1].attempts, 0)
+        << "another seed";
+    attempt(anna, 90, order.context, order.seed, "2026-02-03T00:00:00Z");
+    ASSERT_EQ(store->attempts(anna).back().exam, order.context);
+    const db::CertificateRecord issued = db::issue_certificate(*store, anna, "short", kNow);
+    EXPECT_EQ(issued.mastered_utc, "2026-02-03T00:00:00Z");
+    EXPECT_EQ(issued.code.size(), 16u);
+    const db::CertificateRecord again = db::issue_certificate(*store, anna, "short", kNow);
+    EXPECT_EQ(again.code, issued.code) << "one for each version";
+    EXPECT_EQ(store->certificates(0).size(), 1u);
+    EXPECT_THAT(store->certificates(jan), IsEmpty());
+    EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->id, issued.id);
+}
+
+TEST_P(CourseStore, APublishedCourseCannotBeChangedAndEverythingLeavesATrace) {
+    db::DefinitionRecord other;
+    other.kind = "course";
+    other.id = "short";
+    other.version = 1;
+    other.json = course_text(1, "9");
+    EXPECT_EQ(failure_of([&] { store->publish(other); }).kind(), StoreError::Kind::kConflict);
+    EXPECT_FALSE(raw().run("UPDATE definitions SET content = 'x'"));
+    const int64_t group = store->create_group("A");
+    store->set_group_role(group, anna, GroupRole::kMember);
+    store->end_assignment(assign(anna));
+    store->grant_attempts({anna, "short", "final", 1, "why", {}, {}});
+    std::vector<std::string> actions;
+    for (const auto& entry : store->audit_trail(10)) actions.push_back(entry.action);
+    EXPECT_THAT(actions,
+                testing::IsSupersetOf({"course.publish", "group.create", "group.member",
+                                       "course.assign", "course.unassign", "course.grant"}));
+}
+
+TEST_P(CourseStore, AShippedCourseIsPublishedOnFirstUse) {
+    const auto course = db::find_course(*store, "full_dissection");
+    db::publish_course_on_first_use(*store, course);
+    db::publish_course_on_first_use(*store, course);
+    EXPECT_EQ(store->definition("course", "full_dissection")->json, course.json);
+    EXPECT_THAT(db::course_ids(*store), ElementsAre("first_steps", "full_dissection", "short"));
+    EXPECT_THROW((void)db::find_course(*store, "none"), curriculum::DefinitionError);
+    EXPECT_THROW((void)db::find_course(*store, "full_dissection", 9), curriculum::DefinitionError);
+}

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Norm packs, the quality panel and further scores in the store, on both engines.
+
+#include "db/norms.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "db/signature.h"
+#include "tests/store_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+using db::StoreError;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+namespace {
+
+World* const world = World::install();
+
+class Norms : public testing::TestWithParam<const char*> {
+ protected:
+    void SetUp() override {
+        if (std::string(GetParam()) == "Sqlite") {
+            url = "sqlite:" + folder.file("placode.db");
+        } else {
+            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+            ASSERT_EQ(world->server().problem(), "");
+            url = world->server().url(world->server().new_database());
+        }
+        db::StoreOptions options;
+        options.cheap_passwords = true;
+        store = db::open_store(url, options);
+    }
+    int64_t person(const std::string& login) const {
+        return store->create_user(
+            {login, login, "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
+    }
+    int64_t attempt(int64_t user, double points, double time_s, int metric_set = 2,
+                    sim::EndReason end = sim::EndReason::kFinished) const {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.task_version = 1;
+        result.header.started_utc = "2026-01-01T00:00:00Z";
+        result.end.reason = end;
+        result.metrics.version = metric_set;
+        result.metrics.values = {{"task_time_s", time_s}, {"placode_contacts", 1}};
+        result.score.points = points;
+        result.score.rubric_id = "ring";
+        return store->save_attempt(user, result);
+    }
+    /// `n` persons, two attempts each, about `points` and `time_s`.
+    std::vector<int64_t> level(const std::string& name, int n, double points, double time_s) const {
+        std::vector<int64_t> people;
+        for (int i = 0; i < n; ++i) {
+            people.push_back(person(name + std::to_string(i)));
+            for (const double jitter : {-0.5, 0.5})
+                attempt(people.back(), points + 2 * i + jitter, time_s + 3 * i + jitter);
+        }
+        return people;
+    }
+
+    TemporaryFolder folder;
+    std::string url;
+    std::unique_ptr<db::Store> store;
+};
+
+std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Engines, Norms, testing::Values("Sqlite", "Postgresql"), name_of);
+
+TEST_P(Norms, BandsAreOfThePersonsMeansAndNameNobody) {
+    const auto experts = level("secret-name", 5, 80, 100);
+    const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", experts}});
+    ASSERT_EQ(levels.size(), 1u);
+    EXPECT_EQ(levels[0].attempts(), 10);
+    const auto pack = db::make_norms(levels, "Centre A", 5);
+    const curriculum::NormGroup* group = pack.group("expert");
+    ASSERT_NE(group, nullptr);
+    EXPECT_EQ(group->persons, 5);
+    // Means 80, 82, 84, 86, 88: mean 84, sample SD sqrt(10).
+    EXPECT_DOUBLE_EQ(group->metric("points")->band.mean, 84);
+    EXPECT_DOUBLE_EQ(group->metric("points")->band.sd, std::sqrt(10.0));
+    EXPECT_TRUE(group->metric("task_time_s")->band.log);
+    EXPECT_DOUBLE_EQ(group->metric("task_time_s")->band.q50, 106);
+    const std::string text = curriculum::norm_pack_text(pack);
+    EXPECT_THAT(text, Not(HasSubstr("secret-name")));
+    EXPECT_EQ(curriculum::norm_pack_text(curriculum::load_norm_pack(text, "x")), text);
+}
+
+TEST_P(Norms, ASmallGroupIsNeverMadeIntoABand) {
+    const auto four = level("e", 4, 80, 100);
+    const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", four}});
+    for (const int least : {0, 5})
+        EXPECT_THAT(failure_of([&] { (void)db::make_norms(levels, "A", least); }).what(),
+                    HasSubstr("has 4 persons"));
+    EXPECT_EQ(failure_of([&] { (void)db::make_norms({}, "A", 5); }).kind(),
+              StoreError::Kind::kRefused);
+    // Also not when somebody writes a file by hand.
+    auto text = curriculum::norm_pack_text(db::make_norms(
+        db::level_attempts(*store, "diathermy_ring", {{"x", level("f", 5, 80, 90)}}), "A", 5));
+    text.replace(text.find("\"persons\": 5"), 12, "\"persons\": 4");
+    EXPECT_THROW((void)curriculum::load_norm_pack(text, "x"), curriculum::DefinitionError);
+}
+
+TEST_P(Norms, OnlyAttemptsThatCanBeComparedAreUsed) {
+    const auto people = level("e", 5, 80, 100);
+    attempt(people[0], 5, 1, 1);                                // An older metric set.
+    attempt(people[1], 5, 1, 2, sim::EndReason::kInterrupted);  // Interrupted.
+    const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", people}});
+    EXPECT_EQ(levels[0].attempts(), 10);
+    EXPECT_EQ(levels[0].left_out, 1);
+    EXPECT_THAT(db::level_attempts(*store, "grasp_and_lift", {{"expert", people}})[0].by_person,
+                IsEmpty());
+}
+
+TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
+    const auto pack = db::make_norms(
+        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "A", 5);
+    const int64_t id = db::keep_own_norms(*store, pack);
+    EXPECT_EQ(db::keep_own_norms(*store, pack), id) << "Ed25519 signs the same text the same way";
+    const auto record = store->norm_packs("diathermy_ring").at(0);
+    EXPECT_TRUE(db::signature_is_right(record.norms.content, record.norms.signature,
+                                       record.norms.public_key));
+    EXPECT_FALSE(db::norms_in_use(*store, "diathermy_ring"));
+    store->use_norms(id);
+    ASSERT_TRUE(db::norms_in_use(*store, "diathermy_ring"));
+    auto later = pack;
+    later.made_utc = "2026-02-01";
+    const int64_t other = db::keep_own_norms(*store, later);
+    store->use_norms(other);
+    EXPECT_EQ(db::norms_in_use(*store, "diathermy_ring")->id, other) << "one at a time";
+    EXPECT_THAT(store->norm_packs("grasp_and_lift"), IsEmpty());
+    EXPECT_EQ(failure_of([&] { store->use_norms(99); }).kind(), StoreError::Kind::kNotFound);
+}
+
+TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
+    const auto pack = db::make_norms(
+        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "B", 5);
+    const db::KeyPair foreign = db::new_key_pair();
+    curriculum::SignedNorms norms;
+    norms.content = curriculum::norm_pack_text(pack);
+    norms.signature = db::sign_text(norms.content, foreign.secret_key);
+    norms.public_key = foreign.public_key;
+    EXPECT_THAT(failure_of([&] { store->save_norms(norms); }).what(), HasSubstr("not trusted"));
+    store->trust_centre(foreign.public_key, "B");
+    auto changed = norms;
+    changed.content.replace(changed.content.find("\"centre\": \"B\""), 13, "\"centre\": \"C\"");
+    EXPECT_THAT(failure_of([&] { store->save_norms(changed); }).what(), HasSubstr("changed after"));
+    auto swapped = norms;
+    swapped.public_key = db::new_key_pair().public_key;
+    EXPECT_THAT(failure_of([&] { store->save_norms(swapped); }).what(), HasSubstr("changed after"));
+    EXPECT_THAT(store->norm_packs(""), IsEmpty());
+    EXPECT_GT(store->save_norms(norms), 0);
+}
+
+TEST_P(Norms, AnAttemptIsScoredAgainstTheBand) {
+    const auto people = level("e", 5, 80, 100);
+    const auto pack =
+        db::make_norms(db::level_attempts(*store, "diathermy_ring", {{"expert", people}}), "A", 5);
+    const auto mine = store->measured_attempts(people[0], "diathermy_ring").at(0);
+    EXPECT_EQ(mine.metrics.values.size(), 2u);
+    const auto compared = db::compare_with_band(mine, pack.groups[0]);
+    ASSERT_EQ(compared.size(), 3u);
+    EXPECT_EQ(compared[0].metric, "points");
+    EXPECT_NEAR(*compared[0].z, (79.5 - 84) / std::sqrt(10.0), 1e-12);
+    EXPECT_NEAR(*compared[0].score, 100 * (*compared[0].z + 4) / 4, 1e-12);
+    EXPECT_GT(*compared[1].z, 0) << "quicker than the experts' mean";
+    EXPECT_FALSE(compared[2].z) << "everybody touched the placode once";
+}
+
+TEST_P(Norms, ThePanelSaysWhichMetricHasEvidence) {
+    const auto levels = db::level_attempts(
+        *store, "diathermy_ring",
+        {{"expert", level("e", 5, 80, 100)}, {"novice", level("n", 5, 30, 300)}});
+    const auto panel = db::metric_panel(levels[1], levels[0], 2);
+    ASSERT_EQ(panel.size(), 3u);
+    EXPECT_EQ(panel[0].metric, "points");
+    EXPECT_TRUE(panel[0].evidence) << panel[0].why;
+    EXPECT_EQ(panel[1].metric, "task_time_s");
+    EXPECT_GT(*panel[1].g, 0) << "less time is better";
+    EXPECT_FALSE(panel[2].evidence) << "always 1";
+}
+
+TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
+    const int64_t id = attempt(person("anna"), 40, 100);
+    db::RescoreRecord record;
+    record.attempt_id = id;
+    record.score.points = 55;
+    record.score.verdict = assessment::Verdict::kFailed;
+    record.score.rubric_id = "ring";
+    record.score.rubric_version = 2;
+    record.score.reasons = {{"late", "Late.", 45, 3, true}};
+    record.metrics.values = {{"task_time_s", 101}};
+    store->save_rescore(record);
+    EXPECT_EQ(failure_of([&] { store->save_rescore(record); }).kind(), StoreError::Kind::kConflict);
+    EXPECT_DOUBLE_EQ(store->attempt(id).score.points, 40) << "the first one stays";
+    const auto further = store->rescores(id);
+    ASSERT_EQ(further.size(), 1u);
+    EXPECT_DOUBLE_EQ(further[0].score.points, 55);
+    EXPECT_EQ(further[0].score.verdict, assessment::Verdict::kFailed);
+    EXPECT_EQ(further[0].score.rubric_version, 2);
+    EXPECT_EQ(further[0].score.reasons.at(0).text, "Late.");
+    EXPECT_DOUBLE_EQ(*further[0].metrics.find("task_time_s"), 101);
+    EXPECT_EQ(further[0].preprocessing_version, 1);
+    record.attempt_id = 99;
+    EXPECT_EQ(failure_of([&] { store->save_rescore(record); }).kind(), StoreError::Kind::kNotFound);
+}

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// PIN, invitations, erasure and quick lists in the store, on both engines.
+
+#include <gmock/gmock.h>
+
+#include "db/store.h"
+#include "tests/store_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+using db::SignInOutcome;
+using db::StoreError;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+World* const world = World::install();
+constexpr const char* kPassword = "long enough 1";
+
+class People : public testing::TestWithParam<const char*> {
+ protected:
+    void SetUp() override {
+        if (std::string(GetParam()) == "Sqlite") {
+            url = "sqlite:" + folder.file("placode.db");
+        } else {
+            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+            ASSERT_EQ(world->server().problem(), "");
+            url = world->server().url(world->server().new_database());
+        }
+        db::StoreOptions options;
+        options.cheap_passwords = true;
+        options.now_ms = [this] { return now_ms; };
+        store = db::open_store(url, options);
+        anna = add("anna", db::Role::kTrainee);
+        adam = add("adam", db::Role::kAdministrator);
+    }
+    int64_t add(const std::string& login, db::Role role) const {
+        return store->create_user(
+            {login, "Name of " + login, kPassword, static_cast<db::Roles>(role), false});
+    }
+    int64_t attempt(int64_t user, double points, const std::string& at,
+                    const std::string& task = "diathermy_ring",
+                    sim::EndReason end = sim::EndReason::kFinished) const {
+        db::AttemptResult result;
+        result.header.task_id = task;
+        result.header.started_utc = at;
+        result.end.reason = end;
+        result.metrics.values = {{"task_time_s", 1}};
+        result.score.points = points;
+        result.score.verdict =
+            points < 20 ? assessment::Verdict::kFailed : assessment::Verdict::kPassed;
+        return store->save_attempt(user, result);
+    }
+
+    TemporaryFolder folder;
+    std::string url;
+    std::unique_ptr<db::Store> store;
+    int64_t anna = 0, adam = 0;
+    int64_t now_ms = 1'767'225'600'000;  // 2026-01-01
+};
+
+std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
+
+}  // namespace
+
+INSTANTIATE_TEST_SUITE_P(Engines, People, testing::Values("Sqlite", "Postgresql"), name_of);
+
+TEST_P(People, APinOpensUntilItWasWrongThreeTimes) {
+    for (const char* pin : {"123", "1234567890123", "12a4", "0000", "1234", "9876"})
+        EXPECT_EQ(failure_of([&] { store->set_pin(anna, pin); }).kind(), StoreError::Kind::kRefused)
+            << pin;
+    EXPECT_FALSE(store->has_pin(anna));
+    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    store->set_pin(anna, "2580");
+    EXPECT_TRUE(store->has_pin(anna));
+    EXPECT_EQ(store->unlock(anna, "2580").user->login, "anna");
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(store->unlock(anna, "2581").outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kOk) << "the count begins again";
+    for (int i = 0; i < 3; ++i) (void)store->unlock(anna, "2581");
+    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    EXPECT_FALSE(store->has_pin(anna));
+    store->set_pin(anna, "2580");
+    store->set_active(anna, false);
+    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kDeactivated);
+    store->set_pin(adam, "2580");
+    store->set_password(adam, "another one 1");
+    EXPECT_FALSE(store->has_pin(adam)) << "a new password takes it away";
+}
+
+TEST_P(People, AnInvitationMakesOneAccountInItsGroupUntilItsLastDay) {
+    const int64_t group = store->create_group("A");
+    db::InvitationRecord invitation;
+    invitation.roles = static_cast<db::Roles>(db::Role::kEducator);
+    invitation.group_id = group;
+    invitation.expires_utc = "2026-01-02";
+    const std::string code = store->invite(invitation);
+    EXPECT_EQ(code.size(), 27u);
+    const db::NewUser olga{"olga", "Olga", kPassword, 8, false};
+    EXPECT_EQ(failure_of([&] { store->accept_invitation("x", olga); }).kind(),
+              StoreError::Kind::kRefused);
+    EXPECT_EQ(failure_of([&] {
+                  store->accept_invitation(code, {"anna", "A", kPassword, 1, false});
+              }).kind(),
+              StoreError::Kind::kConflict)
+        << "a login that is taken";
+    now_ms += int64_t{2} * 86400 * 1000 - 1;
+    const int64_t id = store->accept_invitation(code, olga);
+    EXPECT_EQ(store->user(id)->roles, invitation.roles) << "not those that were asked for";
+    EXPECT_THAT(store->groups().at(0).members, ElementsAre(id));
+    EXPECT_THAT(failure_of([&] {
+                    store->accept_invitation(code, {"p", "P", kPassword, 1, false});
+                }).what(),
+                HasSubstr("was used"));
+    const std::string late = store->invite(invitation);
+    now_ms += 1;
+    EXPECT_THAT(failure_of([&] {
+                    store->accept_invitation(late, {"p", "P", kPassword, 1, false});
+                }).what(),
+                HasSubstr("ended on 2026-01-02"));
+    ASSERT_EQ(store->invitations().size(), 2u);
+    EXPECT_FALSE(store->invitations()[0].used_utc.empty());
+    EXPECT_TRUE(store->invitations()[1].used_utc.empty());
+    invitation.expires_utc = "soon";
+    EXPECT_EQ(failure_of([&] { store->invite(invitation); }).kind(), StoreError::Kind::kRefused);
+}
+
+TEST_P(People, AnErasedPersonIsNobodyAndTheAttemptsStayWithoutAName) {
+    const int64_t id = attempt(anna, 50, "2026-01-01T00:00:00Z");
+    const int64_t group = store->create_group("A");
+    store->set_group_role(group, anna, db::GroupRole::kMember);
+    store->set_pin(anna, "2580");
+    store->request_erasure(anna, "I leave");
+    EXPECT_EQ(failure_of([&] { store->request_erasure(anna, "x"); }).kind(),
+              StoreError::Kind::kConflict);
+    ASSERT_EQ(store->erasure_requests().size(), 1u);
+    EXPECT_TRUE(store->erasure_requests()[0].done_utc.empty());
+    store->erase_person(anna, false);
+    EXPECT_FALSE(store->user(anna));
+    EXPECT_EQ(store->users().size(), 1u);
+    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->attempt(id).record.user_name, "");
+    EXPECT_THAT(store->groups().at(0).members, IsEmpty());
+    EXPECT_FALSE(store->erasure_requests()[0].done_utc.empty());
+    EXPECT_EQ(store->erasure_requests()[0].reason, "") << "may tell who it was";
+    EXPECT_THAT(store->check(), IsEmpty());
+    EXPECT_NE(add("anna", db::Role::kTrainee), anna) << "the login is free, the number is not";
+}
+
+TEST_P(People, ErasureMayTakeTheAttemptsAlong) {
+    attempt(anna, 50, "2026-01-01T00:00:00Z");
+    const int64_t kept = attempt(adam, 60, "2026-01-01T00:00:00Z");
+    db::RescoreRecord rescore;
+    rescore.attempt_id = 1;
+    rescore.metrics.values = {{"task_time_s", 2}};
+    store->save_rescore(rescore);
+    EXPECT_EQ(failure_of([&] { store->erase_person(adam, true); }).kind(),
+              StoreError::Kind::kRefused)
+        << "the last administrator";
+    store->erase_person(anna, true);
+    ASSERT_EQ(store->attempts(0).size(), 1u);
+    EXPECT_EQ(store->attempts(0)[0].id, kept);
+    EXPECT_THAT(store->check(), IsEmpty());
+}
+
+TEST_P(People, AListComesInPages) {
+    for (int i = 0; i < 5; ++i)
+        attempt(i % 2 ? adam : anna, i, "2026-01-0" + std::to_string(i + 1) + "T00:00:00Z");
+    db::AttemptFilter filter;
+    filter.limit = 2;
+    const auto page = store->attempt_page(filter);
+    EXPECT_EQ(page.total, 5);
+    ASSERT_EQ(page.rows.size(), 2u);
+    EXPECT_EQ(page.rows[0].points, 4) << "newest first";
+    EXPECT_EQ(page.rows[0].user_name, "Name of anna");
+    filter.offset = 4;
+    ASSERT_EQ(store->attempt_page(filter).rows.size(), 1u);
+    EXPECT_EQ(store->attempt_page(filter).rows[0].points, 0);
+    filter = {};
+    filter.newest_first = false;
+    filter.user_id = adam;
+    const auto own = store->attempt_page(filter);
+    EXPECT_EQ(own.total, 2);
+    EXPECT_EQ(own.rows[0].points, 1);
+    const int64_t group = store->create_group("A");
+    store->set_group_role(group, anna, db::GroupRole::kMember);
+    filter = {};
+    filter.group_id = group;
+    EXPECT_EQ(store->attempt_page(filter).total, 3);
+    filter.task_id = "grasp_and_lift";
+    EXPECT_EQ(store->attempt_page(filter).total, 0);
+}
+
+TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
+    attempt(anna, 10, "2026-01-03T00:00:00Z");
+    attempt(anna, 90, "2026-01-01T00:00:00Z");
+    attempt(anna, 50, "2026-01-02T00:00:00Z");
+    attempt(anna, 99, "2026-01-04T00:00:00Z", "diathermy_ring", sim::EndReason::kInterrupted);
+    attempt(anna, 30, "2026-01-01T00:00:00Z", "grasp_and_lift");
+    attempt(adam, 40, "2026-01-05T00:00:00Z");
+    attempt(adam, 45, "2026-01-05T00:00:00Z");
+    const auto all = store->task_standings(0);
+    ASSERT_EQ(all.size(), 3u);
+    EXPECT_EQ(all[0].user_id, adam);
+    EXPECT_DOUBLE_EQ(all[0].last_points, 45) << "of the same second: the later number";
+    EXPECT_EQ(all[1].task_id, "diathermy_ring");
+    EXPECT_EQ(all[1].attempts, 3) << "an interrupted one does not count";
+    EXPECT_EQ(all[1].failed, 1);
+    EXPECT_DOUBLE_EQ(all[1].best_points, 90);
+    EXPECT_DOUBLE_EQ(all[1].mean_points, 50);
+    EXPECT_DOUBLE_EQ(all[1].last_points, 10);
+    EXPECT_EQ(all[1].last_utc, "2026-01-03T00:00:00Z");
+    EXPECT_EQ(store->task_standings(0, "grasp_and_lift").size(), 1u);
+    const auto points = store->attempt_points(0, "diathermy_ring");
+    ASSERT_EQ(points.size(), 5u);
+    EXPECT_DOUBLE_EQ(points[0].points, 90) << "by person, then time";
+    EXPECT_THAT(store->task_standings(99), IsEmpty());
+}
