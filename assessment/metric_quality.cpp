@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "assessment/rank_tests.h"
 #include "assessment/reliability.h"
@@ -33,7 +34,9 @@ void compare_levels(MetricQuality& quality, double sign, const std::vector<Repea
     if (novices.size() < 2 || experts.size() < 2) return;
     const MannWhitney test = mann_whitney(experts, novices);
     quality.cliff_delta = test.cliffs_delta;
-    if (!std::isfinite(test.hedges_g)) return;  // Nobody varies.
+    // Without spread within the levels a standardised difference is no number.
+    const bool varies = sample_sd(novices).value_or(0) > 0 || sample_sd(experts).value_or(0) > 0;
+    if (!varies || !std::isfinite(test.hedges_g)) return;
     quality.g = test.hedges_g;
     quality.g_low = test.hedges_g_ci95.low;
     quality.g_high = test.hedges_g_ci95.high;
@@ -50,12 +53,28 @@ void compare_repeats(MetricQuality& quality, const std::vector<Repeats>& people)
     }
     quality.repeated = static_cast<int>(rows.size());
     if (rows.size() < 2) return;
-    const Icc icc = intraclass_correlation(rows);
-    if (!std::isfinite(icc.icc2.icc)) return;  // All values are the same.
-    quality.icc = icc.icc2.icc;
-    quality.icc_low = icc.icc2.ci95.low;
-    quality.icc_high = icc.icc2.ci95.high;
-    quality.repeatable = *quality.icc >= kLeastIcc;
+    // Without any spread within people there is nothing to estimate: 1 where people differ.
+    const auto same = [](const std::vector<double>& row) {
+        return std::all_of(row.begin(), row.end(), [&](double v) { return v == row.front(); });
+    };
+    const bool people_differ = std::any_of(rows.begin(), rows.end(), [&](const auto& row) {
+        return row.front() != rows.front().front();
+    });
+    if (std::all_of(rows.begin(), rows.end(), same)) {
+        if (people_differ) quality.icc = quality.icc_low = quality.icc_high = 1;
+    } else {
+        try {
+            const Icc icc = intraclass_correlation(rows);
+            if (std::isfinite(icc.icc2.icc)) {
+                quality.icc = icc.icc2.icc;
+                quality.icc_low = icc.icc2.ci95.low;
+                quality.icc_high = icc.icc2.ci95.high;
+            }
+        } catch (const std::invalid_argument&) {
+            // People's means or what remains do not vary: no estimate.
+        }
+    }
+    quality.repeatable = quality.icc && *quality.icc >= kLeastIcc;
 }
 
 void find_ceiling(MetricQuality& quality, double sign, const std::vector<Repeats>& people) {

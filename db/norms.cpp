@@ -119,7 +119,7 @@ std::vector<double> level_values(const LevelAttempts& level, const std::string& 
 }
 
 curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const std::string& centre,
-                                int least) {
+                                const std::string& made_utc, int least) {
     least = std::max(least, curriculum::kLeastNormGroup);
     std::vector<const LevelAttempts*> all;
     for (const LevelAttempts& level : levels) {
@@ -134,6 +134,7 @@ curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const 
     const AttemptRecord& first = first_of(levels.front());
     curriculum::NormPack pack;
     pack.centre = centre;
+    pack.made_utc = made_utc;
     pack.task_id = first.task_id;
     pack.task_version = first.task_version;
     pack.rubric_id = first.rubric_id;

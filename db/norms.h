@@ -42,7 +42,8 @@ struct LevelAttempts {
 /// Bands of every level and metric, of persons' means. Throws StoreError(kRefused) naming a level
 /// with fewer than `least` persons (never below curriculum::kLeastNormGroup), or mixed rubrics.
 [[nodiscard]] curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels,
-                                              const std::string& centre, int least);
+                                              const std::string& centre,
+                                              const std::string& made_utc, int least);
 
 /// Signs with the centre's key, which is made when it is missing, and keeps the pack.
 int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack);

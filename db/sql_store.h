@@ -17,6 +17,21 @@ namespace placode::db {
 [[nodiscard]] const std::string& attempt_columns();
 [[nodiscard]] AttemptRecord read_attempt(const Statement& row);
 
+/// WHERE over `attempts t`. Conditions are written only where they are asked for: "(? = 0 OR ...)"
+/// would keep the engine from using an index. sql_store_lists.cpp
+struct AttemptConditions {
+    std::string sql;  ///< " WHERE ...", or empty.
+    std::vector<QVariant> values;
+
+    void add(const std::string& condition, const QVariant& value) {
+        sql += (sql.empty() ? " WHERE " : " AND ") + condition;
+        values.push_back(value);
+    }
+};
+/// 0 and empty = no condition.
+[[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
+                                              const std::string& task_id);
+
 class SqlStore final : public Store {
  public:
     SqlStore(const StoreUrl& url, StoreOptions options);

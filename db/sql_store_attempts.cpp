@@ -162,10 +162,9 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
 
 std::vector<AttemptRecord> SqlStore::attempts(int64_t user_id, const std::string& task_id) {
     connection_.begin_operation("list the attempts of");
-    Statement query(connection_, kAttemptColumns +
-                                     "WHERE (? = 0 OR t.account_id = ?) AND (? = '' OR t.task_id = "
-                                     "?) ORDER BY t.started_utc, t.id");
-    query.run(static_cast<int>(user_id != 0), user_id, task_id, task_id);
+    const AttemptConditions where = conditions_of(user_id, 0, task_id);
+    Statement query(connection_, kAttemptColumns + where.sql + " ORDER BY t.started_utc, t.id");
+    query.run_list(where.values);
     std::vector<AttemptRecord> found;
     while (query.next()) found.push_back(read_attempt(query));
     return found;

@@ -5,22 +5,9 @@
 #include "db/sql_store.h"
 
 namespace placode::db {
-namespace {
 
-/// Conditions are written only where they are asked for: "(? = 0 OR ...)" would keep the engine
-/// from using an index.
-struct Conditions {
-    std::string sql;
-    std::vector<QVariant> values;
-
-    void add(const std::string& condition, const QVariant& value) {
-        sql += (sql.empty() ? " WHERE " : " AND ") + condition;
-        values.push_back(value);
-    }
-};
-
-Conditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id) {
-    Conditions made;
+AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id) {
+    AttemptConditions made;
     if (user_id != 0) made.add("t.account_id = ?", QVariant(qlonglong(user_id)));
     if (group_id != 0)
         made.add(
@@ -31,11 +18,13 @@ Conditions conditions_of(int64_t user_id, int64_t group_id, const std::string& t
     return made;
 }
 
+namespace {
+
 /// Interrupted attempts count nowhere.
 const std::string kFinished =
     "t.end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted));
 
-std::string finished(const Conditions& conditions) {
+std::string finished(const AttemptConditions& conditions) {
     return conditions.sql + (conditions.sql.empty() ? " WHERE " : " AND ") + kFinished;
 }
 
@@ -43,7 +32,7 @@ std::string finished(const Conditions& conditions) {
 
 AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {
     connection_.begin_operation("list attempts of");
-    const Conditions where = conditions_of(filter.user_id, filter.group_id, filter.task_id);
+    const AttemptConditions where = conditions_of(filter.user_id, filter.group_id, filter.task_id);
     AttemptPage page;
     Statement count(connection_, "SELECT COUNT(*) FROM attempts t" + where.sql);
     count.run_list(where.values);
@@ -66,7 +55,7 @@ AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {
 
 std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("sum up attempts of");
-    const Conditions where = conditions_of(0, group_id, task_id);
+    const AttemptConditions where = conditions_of(0, group_id, task_id);
     // Sums first, over an index that holds all they need; then the row of the last attempt.
     Statement query(
         connection_,
@@ -103,7 +92,7 @@ std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::
 
 std::vector<AttemptPoint> SqlStore::attempt_points(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("read scores from");
-    const Conditions where = conditions_of(0, group_id, task_id);
+    const AttemptConditions where = conditions_of(0, group_id, task_id);
     Statement query(connection_,
                     "SELECT t.account_id, t.id, t.task_id, t.started_utc, t.points, t.verdict FROM "
                     "attempts t" +

@@ -126,11 +126,12 @@ std::vector<MeasuredAttempt> SqlStore::measured_attempts(int64_t user_id,
     std::map<int64_t, size_t> places;
     for (size_t i = 0; i < found.size(); ++i) places[found[i].record.id] = i;
     connection_.begin_operation("read metrics from");
+    const AttemptConditions where = conditions_of(user_id, 0, task_id);
     Statement metric(connection_,
                      "SELECT m.attempt_id, m.metric_id, m.value FROM attempts t JOIN "
-                     "attempt_metrics m ON m.attempt_id = t.id WHERE (? = 0 OR t.account_id = ?) "
-                     "AND t.task_id = ? ORDER BY m.attempt_id, m.position");
-    metric.run(static_cast<int>(user_id != 0), user_id, task_id);
+                     "attempt_metrics m ON m.attempt_id = t.id" +
+                         where.sql + " ORDER BY m.attempt_id, m.position");
+    metric.run_list(where.values);
     while (metric.next()) {
         const auto place = places.find(metric.integer(0));
         if (place != places.end())

@@ -65,6 +65,10 @@ TEST(MetricQuality, EveryWeaknessIsSaid) {
     EXPECT_FALSE(same.g);
     EXPECT_FALSE(same.icc);
 
+    const auto perfect = metric_quality("x", Direction::kLowerIsBetter,
+                                        {{0, {3, 3}}, {0, {4, 4}}, {1, {1, 1}}, {1, {2, 2}}}, 2);
+    EXPECT_EQ(perfect.icc, 1) << "everybody repeats exactly";
+
     const auto few = metric_quality("x", Direction::kLowerIsBetter, {{0, {1}}, {1, {2}}}, 2);
     EXPECT_THAT(few.why, HasSubstr("fewer than 2 novices or experts"));
     EXPECT_THAT(few.why, HasSubstr("enough repeats"));

@@ -21,6 +21,7 @@ using testing::Not;
 namespace {
 
 World* const world = World::install();
+constexpr const char* kDay = "2026-01-31T00:00:00Z";
 
 class Norms : public testing::TestWithParam<const char*> {
  protected:
@@ -59,7 +60,8 @@ class Norms : public testing::TestWithParam<const char*> {
         for (int i = 0; i < n; ++i) {
             people.push_back(person(name + std::to_string(i)));
             for (const double jitter : {-0.5, 0.5})
-                attempt(people.back(), points + 2 * i + jitter, time_s + 3 * i + jitter);
+                attempt(people.back(), points + 2 * i + (i % 2 ? jitter : -jitter),
+                        time_s + 3 * i + (i % 2 ? jitter : -jitter));
         }
         return people;
     }
@@ -80,7 +82,7 @@ TEST_P(Norms, BandsAreOfThePersonsMeansAndNameNobody) {
     const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", experts}});
     ASSERT_EQ(levels.size(), 1u);
     EXPECT_EQ(levels[0].attempts(), 10);
-    const auto pack = db::make_norms(levels, "Centre A", 5);
+    const auto pack = db::make_norms(levels, "Centre A", kDay, 5);
     const curriculum::NormGroup* group = pack.group("expert");
     ASSERT_NE(group, nullptr);
     EXPECT_EQ(group->persons, 5);
@@ -98,13 +100,14 @@ TEST_P(Norms, ASmallGroupIsNeverMadeIntoABand) {
     const auto four = level("e", 4, 80, 100);
     const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", four}});
     for (const int least : {0, 5})
-        EXPECT_THAT(failure_of([&] { (void)db::make_norms(levels, "A", least); }).what(),
+        EXPECT_THAT(failure_of([&] { (void)db::make_norms(levels, "A", kDay, least); }).what(),
                     HasSubstr("has 4 persons"));
-    EXPECT_EQ(failure_of([&] { (void)db::make_norms({}, "A", 5); }).kind(),
+    EXPECT_EQ(failure_of([&] { (void)db::make_norms({}, "A", kDay, 5); }).kind(),
               StoreError::Kind::kRefused);
     // Also not when somebody writes a file by hand.
-    auto text = curriculum::norm_pack_text(db::make_norms(
-        db::level_attempts(*store, "diathermy_ring", {{"x", level("f", 5, 80, 90)}}), "A", 5));
+    auto text = curriculum::norm_pack_text(
+        db::make_norms(db::level_attempts(*store, "diathermy_ring", {{"x", level("f", 5, 80, 90)}}),
+                       "A", kDay, 5));
     text.replace(text.find("\"persons\": 5"), 12, "\"persons\": 4");
     EXPECT_THROW((void)curriculum::load_norm_pack(text, "x"), curriculum::DefinitionError);
 }
@@ -122,7 +125,8 @@ TEST_P(Norms, OnlyAttemptsThatCanBeComparedAreUsed) {
 
 TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
     const auto pack = db::make_norms(
-        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "A", 5);
+        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "A",
+        kDay, 5);
     const int64_t id = db::keep_own_norms(*store, pack);
     EXPECT_EQ(db::keep_own_norms(*store, pack), id) << "Ed25519 signs the same text the same way";
     const auto record = store->norm_packs("diathermy_ring").at(0);
@@ -142,7 +146,8 @@ TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
 
 TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
     const auto pack = db::make_norms(
-        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "B", 5);
+        db::level_attempts(*store, "diathermy_ring", {{"expert", level("e", 5, 80, 100)}}), "B",
+        kDay, 5);
     const db::KeyPair foreign = db::new_key_pair();
     curriculum::SignedNorms norms;
     norms.content = curriculum::norm_pack_text(pack);
@@ -162,14 +167,14 @@ TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
 
 TEST_P(Norms, AnAttemptIsScoredAgainstTheBand) {
     const auto people = level("e", 5, 80, 100);
-    const auto pack =
-        db::make_norms(db::level_attempts(*store, "diathermy_ring", {{"expert", people}}), "A", 5);
+    const auto pack = db::make_norms(
+        db::level_attempts(*store, "diathermy_ring", {{"expert", people}}), "A", kDay, 5);
     const auto mine = store->measured_attempts(people[0], "diathermy_ring").at(0);
     EXPECT_EQ(mine.metrics.values.size(), 2u);
     const auto compared = db::compare_with_band(mine, pack.groups[0]);
     ASSERT_EQ(compared.size(), 3u);
     EXPECT_EQ(compared[0].metric, "points");
-    EXPECT_NEAR(*compared[0].z, (79.5 - 84) / std::sqrt(10.0), 1e-12);
+    EXPECT_NEAR(*compared[0].z, (80.5 - 84) / std::sqrt(10.0), 1e-12);
     EXPECT_NEAR(*compared[0].score, 100 * (*compared[0].z + 4) / 4, 1e-12);
     EXPECT_GT(*compared[1].z, 0) << "quicker than the experts' mean";
     EXPECT_FALSE(compared[2].z) << "everybody touched the placode once";

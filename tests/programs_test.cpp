@@ -6,11 +6,9 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 #include <sqlite3.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -19,10 +17,10 @@
 
 #include "db/recording_file.h"
 #include "db/store.h"
-#include "tests/store_fixture.h"
+#include "tests/programs_fixture.h"
 
 using namespace placode;
-using placode::test::read_text;
+using namespace placode::test;
 namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
@@ -31,54 +29,6 @@ using testing::Not;
 namespace {
 
 test::World* const world = test::World::install();
-
-struct Outcome {
-    int status = -1;
-    std::string out, err;
-};
-
-void write_text(const std::string& path, const std::string& text) {
-    std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
-}
-
-class Programs : public testing::Test {
- protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "placode-programs-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        folder = name;
-        store = folder + "/placode.db";
-    }
-    void TearDown() override { fs::remove_all(folder); }
-
-    [[nodiscard]] std::string file(const std::string& name) const { return folder + "/" + name; }
-
-    /// Runs a program as the shell would. `environment` is like "A=b C=d". No terminal.
-    [[nodiscard]] Outcome run(const std::string& program, const std::string& arguments,
-                              const std::string& environment = "") const {
-        const std::string command =
-            "cd '" + folder + "' && env HOME='" + folder + "' XDG_DATA_HOME='" + folder +
-            "/data' " + environment + " timeout 120 '" PLACODE_BIN_DIR "/" + program + "' " +
-            arguments + " < /dev/null > '" + file("out") + "' 2> '" + file("err") + "'";
-        const int status = std::system(command.c_str());
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(file("out")),
-                read_text(file("err"))};
-    }
-    [[nodiscard]] Outcome ctl(const std::string& arguments,
-                              const std::string& environment = "") const {
-        return run("placodectl", "--store sqlite:" + store + "?timeout_ms=200 " + arguments,
-                   environment);
-    }
-    void add_user(const std::string& login, const std::string& role) const {
-        const Outcome added =
-            ctl("user add " + login + " --role " + role, "PLACODE_NEW_PASSWORD='long enough 1'");
-        ASSERT_EQ(added.status, 0) << added.err;
-    }
-
-    std::string folder, store;
-};
-
-constexpr const char* kRight = "PLACODE_PASSWORD='long enough 1'";
 
 void write_recording(const std::string& path) {
     const auto sink = db::create_recording_file(path);
@@ -107,16 +57,6 @@ void damage_chunk(const std::string& path, int chunk) {
     const std::string sql = "UPDATE chunks SET checksum = 'x' WHERE id = " + std::to_string(chunk);
     ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(database);
-}
-
-/// Number after `"key": ` in a JSON text.
-double number_in(const std::string& json, const std::string& key) {
-    const size_t at = json.find("\"" + key + "\": ");
-    if (at == std::string::npos) return std::nan("");
-    double value = 0;
-    const size_t begin = at + key.size() + 4;
-    std::from_chars(json.data() + begin, json.data() + json.size(), value);
-    return value;
 }
 
 }  // namespace

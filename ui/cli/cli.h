@@ -43,10 +43,16 @@ void add_stats_commands(CLI::App& app, Context& context);
 void add_report_commands(CLI::App& app, Context& context);
 void add_export_command(CLI::App& app, Context& context);
 void add_study_commands(CLI::App& app, Context& context);
+void add_course_commands(CLI::App& app, Context& context);
+void add_group_commands(CLI::App& app, Context& context);
+void add_rescore_commands(CLI::App& app, Context& context);
+void add_norms_commands(CLI::App& app, Context& context);
+void add_people_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);
 void add_contact_bench_command(CLI::App& bench, Context& context);
 void add_scaling_command(CLI::App& bench, Context& context);
 void add_stability_command(CLI::App& bench, Context& context);
+void add_store_bench_command(CLI::App& bench, Context& context);
 void add_demo_commands(CLI::App& app, Context& context);
 
 /// Processor, system, compiler, kernels and load, for benchmarks.

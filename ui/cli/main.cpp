@@ -81,6 +81,11 @@ int main(int argc, char** argv) {
     cli::add_solve_command(app, context);
     cli::add_export_command(app, context);
     cli::add_study_commands(app, context);
+    cli::add_people_commands(app, context);
+    cli::add_course_commands(app, context);
+    cli::add_group_commands(app, context);
+    cli::add_rescore_commands(app, context);
+    cli::add_norms_commands(app, context);
     cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);
     try {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl report attempt | study
+// placodectl report attempt | trainee | cohort | certificate | study
 
 #include <unistd.h>
 
@@ -8,10 +8,11 @@
 #include <iostream>
 #include <memory>
 
+#include "reports/cohort_report.h"
 #include "reports/export.h"
 #include "reports/report.h"
 #include "reports/study_report.h"
-#include "ui/cli/session.h"
+#include "ui/cli/people.h"
 
 namespace placode::cli {
 namespace {
@@ -20,7 +21,7 @@ using db::Action;
 using db::Scope;
 
 struct Options {
-    std::string out, id, figures, language = "en";
+    std::string out, id, figures, user, language = "en";
 };
 
 int report_attempt(const Context& context, const Options& options) {
@@ -79,6 +80,74 @@ int report_study(const Context& context, const Options& options) {
     return 0;
 }
 
+int report_cohort(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kViewAttempts, Scope::kOther);
+    const int64_t group = options.id == "all" ? 0 : find_group(session, options.id).id;
+    const auto report = reports::read_cohort_report(session.store(), group, now_utc());
+    reports::write_cohort_pdf(report, options.out);
+    session.store().audit(session.actor(), "report.cohort", "group " + std::to_string(group),
+                          options.out);
+    Json json{{"group", report.group},
+              {"path", options.out},
+              {"demonstration", report.demonstration},
+              {"people", Json::array()}};
+    for (const auto& one : report.people)
+        json["people"].push_back({{"user_id", one.standing.user_id},
+                                  {"task", one.standing.task_id},
+                                  {"attempts", one.standing.attempts},
+                                  {"best_points", one.standing.best_points},
+                                  {"recent_points", one.trend.recent},
+                                  {"trend", assessment::trend_name(one.trend.kind)}});
+    print(context, json,
+          "wrote " + options.out + ": " + std::to_string(report.people.size()) +
+              " rows (person and task)");
+    return 0;
+}
+
+int report_trainee(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const db::UserRecord user = session.find_user(options.id);
+    session.need_for(Action::kViewAttempts, user.id);
+    const auto report = reports::read_trainee_report(session.store(), user, now_utc());
+    reports::write_trainee_pdf(report, options.out);
+    session.store().audit(session.actor(), "report.trainee", "user " + std::to_string(user.id),
+                          options.out);
+    print(context,
+          {{"user_id", user.id},
+           {"path", options.out},
+           {"courses", report.courses.size()},
+           {"attempts", report.attempts.size()}},
+          "wrote " + options.out);
+    return 0;
+}
+
+int report_certificate(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const int64_t id = named_or_self(session, options.user);
+    session.need_for(Action::kIssueCertificate, id);
+    const auto certificate = [&] {
+        try {
+            return db::issue_certificate(session.store(), id, options.id, now_utc());
+        } catch (const db::StoreError& error) {
+            if (error.kind() == db::StoreError::Kind::kRefused) throw InputError(error.what());
+            throw;
+        }
+    }();
+    reports::write_certificate_pdf(
+        certificate, *session.store().user(id),
+        db::find_course(session.store(), options.id, certificate.course_version), options.out);
+    print(context,
+          {{"user_id", id},
+           {"course", options.id},
+           {"version", certificate.course_version},
+           {"code", certificate.code},
+           {"mastered_utc", certificate.mastered_utc},
+           {"path", options.out}},
+          "wrote " + options.out + ", code " + certificate.code);
+    return 0;
+}
+
 }  // namespace
 
 void add_report_commands(CLI::App& app, Context& context) {
@@ -91,6 +160,21 @@ void add_report_commands(CLI::App& app, Context& context) {
     attempt->callback([&context, options] {
         context.run = [&context, options] { return report_attempt(context, *options); };
     });
+    const auto command = [&](const char* name, const char* help, const char* id, auto work) {
+        CLI::App* added = report->add_subcommand(name, help);
+        added->add_option("ID", options->id, id)->required();
+        added->add_option("--out", options->out, "FILE.pdf")->required();
+        added->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return added;
+    };
+    command("cohort", "A group: who is stuck, who regressed, curves, everybody",
+            "Name or number of a group, or \"all\"", report_cohort);
+    command("trainee", "One person: courses, curves, history", "Login or number", report_trainee);
+    command("certificate", "The certificate of a mastered course", "Id of the course",
+            report_certificate)
+        ->add_option("--user", options->user, "Login or number (default: whoever acts)");
     CLI::App* study = report->add_subcommand(
         "study", "Methods, flow, tables and figures of a study, ready to attach to a paper");
     study->add_option("ID", options->id, "Study id")->required();

@@ -15,6 +15,8 @@ struct SavedAttempt {
 
 /// Computes metrics and score by the task that the recording carries, and saves both with the
 /// recording in one transaction. Throws StoreError or DefinitionError; the file stays as it is.
-SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file);
+/// @param exam under which exam it was made; default: practice.
+SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file,
+                            const db::ExamContext& exam = {});
 
 }  // namespace placode::cli

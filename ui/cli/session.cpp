@@ -97,6 +97,10 @@ void Session::need(db::Action action, db::Scope scope) const {
     if (!may(action, scope)) throw AccessError(user_->login + ": " + db::refusal(action));
 }
 
+void Session::need_for(db::Action action, int64_t subject) const {
+    if (user_) need(action, db::scope_between(*store_, user_->id, subject));
+}
+
 db::UserRecord Session::find_user(const std::string& login_or_id) {
     if (auto found = store_->user_by_login(login_or_id)) return *found;
     int64_t id = 0;

@@ -30,6 +30,8 @@ class Session {
     /// Throws AccessError naming the role that could.
     void need(db::Action action, db::Scope scope) const;
     [[nodiscard]] bool may(db::Action action, db::Scope scope) const;
+    /// The same about a person: own, in reach, or not.
+    void need_for(db::Action action, int64_t subject) const;
     /// By login or number. Throws InputError.
     [[nodiscard]] db::UserRecord find_user(const std::string& login_or_id);
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl user add|list|deactivate|activate|password
 
-#include <map>
 #include <memory>
 
+#include "ui/cli/people.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -12,33 +12,6 @@ namespace {
 
 using db::Action;
 using db::Scope;
-
-const std::vector<std::pair<std::string, db::Role>> kRoles{
-    {"trainee", db::Role::kTrainee},
-    {"educator", db::Role::kEducator},
-    {"coordinator", db::Role::kCoordinator},
-    {"administrator", db::Role::kAdministrator}};
-
-std::vector<std::string> role_names(db::Roles roles) {
-    std::vector<std::string> names;
-    for (const auto& [name, role] : kRoles)
-        if (db::has_role(roles, role)) names.push_back(name);
-    return names;
-}
-
-db::Roles roles_of(const std::vector<std::string>& names) {
-    db::Roles roles = 0;
-    for (const std::string& name : names) {
-        db::Roles found = 0;
-        for (const auto& [known, role] : kRoles)
-            if (known == name) found = static_cast<db::Roles>(role);
-        if (found == 0)
-            throw InputError("--role: found \"" + name +
-                             "\"; expected trainee, educator, coordinator or administrator");
-        roles |= found;
-    }
-    return roles;
-}
 
 Json to_json(const db::UserRecord& user) {
     return {{"id", user.id},

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include "db/course_conduct.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -94,7 +95,7 @@ class CoursePage : public Page {
         for (const std::string& id : ids) {
             QString name = qstr(id);
             (void)context_.problemOf(
-                [&] { name = context_.in(curriculum::load_course(id).title); });
+                [&] { name = context_.in(db::find_course(context_.store(), id).title); });
             chooser->addItem(name, qstr(id));
         }
         connect(chooser, &QComboBox::activated, this, [this, chooser] {

@@ -41,12 +41,16 @@ class TodayPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         const TrainingStage* stage = next();
-        layout->addWidget(make_label(stage ? tr("Next task") : tr("Course completed"), "muted"));
+        const bool finished = training_.next.kind == curriculum::NextKind::kFinished;
+        layout->addWidget(make_label(finished ? tr("Course completed") : tr("Next task"), "muted"));
         QPushButton* open = nullptr;
         if (stage == nullptr) {
-            layout->addWidget(make_label(tr("Every stage is mastered."), "title"));
-            layout->addWidget(
-                make_label(tr("Repeat any task from the course to keep the skill."), "muted"));
+            layout->addWidget(make_label(
+                finished ? tr("Every stage is mastered.") : QStringLiteral("–"), "title"));
+            layout->addWidget(make_label(context_.in(training_.next.reason), "muted"));
+            if (finished)
+                layout->addWidget(
+                    make_label(tr("Repeat any task from the course to keep the skill."), "muted"));
             open = make_button(context_, tr("Open the course"), "primary", "course");
             connect(open, &QPushButton::clicked, this, [this] {
                 Q_EMIT go({PageId::kCourse, 0, {}, {}});
@@ -54,7 +58,7 @@ class TodayPage : public Page {
         } else {
             const QString id = qstr(stage->task_id);
             layout->addWidget(make_label(training_.taskTitle(context_, stage->task_id), "title"));
-            layout->addWidget(make_label(why(*stage), "muted"));
+            layout->addWidget(make_label(context_.in(training_.next.reason), "muted"));
             open = make_button(context_, tr("Open the task"), "primary", "play");
             connect(open, &QPushButton::clicked, this, [this, id] {
                 Q_EMIT go({PageId::kTask, 0, id, {}});
@@ -68,17 +72,6 @@ class TodayPage : public Page {
         QFrame* card = make_card(layout);
         card->setProperty("tone", "accent");
         return card;
-    }
-
-    [[nodiscard]] QString why(const TrainingStage& stage) const {
-        if (stage.progress.attempts == 0)
-            return tr("It is the first stage of the course that you have not tried.");
-        const int missing = stage.rule.consecutive - stage.progress.streak;
-        return tr("Benchmark: %1 points, %2 times in a row without a critical error. "
-                  "Still missing: %3.")
-            .arg(format_points(stage.rule.benchmark_points))
-            .arg(stage.rule.consecutive)
-            .arg(missing);
     }
 
     QWidget* lastScoreCard() {

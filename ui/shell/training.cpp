@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/shell/training.h"
 
+#include <QDateTime>
 #include <algorithm>
+
+#include "db/course_conduct.h"
 
 namespace placode::ui {
 
@@ -14,7 +17,12 @@ QString Training::taskTitle(const AppContext& context, const std::string& task_i
 }
 
 std::vector<std::string> course_ids(AppContext& context) {
-    std::vector<std::string> ids = curriculum::list_definitions("courses");
+    std::vector<std::string> ids;
+    const auto add = [&](const std::string& id) {
+        if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
+    };
+    for (const auto& each : context.store().assignments(context.user().id)) add(each.course_id);
+    for (const std::string& id : db::course_ids(context.store())) add(id);
     if (ids.empty()) {
         throw curriculum::DefinitionError((curriculum::data_folder() / "courses").string(), "",
                                           "no course found; expected at least one .json file");
@@ -27,17 +35,14 @@ std::vector<std::string> course_ids(AppContext& context) {
 
 Training load_training(AppContext& context) {
     Training training;
-    training.course = curriculum::load_course(course_ids(context).front());
+    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    db::CourseStanding standing =
+        db::course_standing(context.store(), context.user().id, course_ids(context).front(), now);
     training.attempts = context.store().attempts(context.user().id);
-    std::vector<curriculum::AttemptOutcome> outcomes;
-    for (const db::AttemptRecord& attempt : training.attempts) {
-        outcomes.push_back({attempt.task_id, attempt.points,
-                            attempt.verdict == assessment::Verdict::kFailed,
-                            attempt.end == sim::EndReason::kInterrupted});
-    }
-    const curriculum::CourseProgress progress =
-        curriculum::course_progress(training.course, outcomes);
-    training.next_stage = progress.next_stage;
+    training.course = std::move(standing.course);
+    training.next = std::move(standing.next);
+    training.next_stage = training.next.stage;
+    const curriculum::CourseProgress& progress = standing.progress;
     for (size_t i = 0; i < training.course.stages.size(); ++i) {
         TrainingStage stage;
         stage.rule = training.course.stages[i];

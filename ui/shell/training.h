@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "curriculum/course.h"
+#include "curriculum/next_step.h"
 #include "ui/shell/app_context.h"
 
 namespace placode::ui {
@@ -24,13 +24,14 @@ struct TrainingStage {
 struct Training {
     curriculum::Course course;
     std::vector<TrainingStage> stages;
-    int next_stage = -1;                      ///< -1 = all mastered.
+    int next_stage = -1;        ///< -1 = nothing to do now; `next` says why.
+    curriculum::NextStep next;  ///< What is next and why.
     std::vector<db::AttemptRecord> attempts;  ///< Own, oldest first.
     /// Title of a task in the user's language; its id when the task cannot be loaded.
     [[nodiscard]] QString taskTitle(const AppContext& context, const std::string& task_id) const;
 };
 
-/// Courses by id, the one chosen last first. Throws DefinitionError when there is none.
+/// Courses by id, the one chosen last first, then assigned ones by due date, then all others. Throws DefinitionError when there is none.
 [[nodiscard]] std::vector<std::string> course_ids(AppContext& context);
 
 /// Throws DefinitionError (course) and StoreError.

@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl norms ...: bands of groups, pass marks, quality of metrics, exchange between centres.
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "db/norms.h"
+#include "db/signature.h"
+#include "ui/cli/people.h"
+
+namespace placode::cli {
+namespace {
+
+using db::Action;
+using db::Scope;
+
+struct Options {
+    std::string task, file, centre, metric = "points", novices, experts, level = "expert";
+    std::vector<std::string> levels;
+    int64_t id = 0;
+    int least = curriculum::kLeastNormGroup, repeats = 2;
+    bool trust = false, per_attempt = false;
+};
+
+/// A refusal about what was asked for is bad input, not a failure of the store.
+template <class Work>
+auto as_input(Work&& work) {
+    try {
+        return work();
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kRefused ||
+            error.kind() == db::StoreError::Kind::kNotFound)
+            throw InputError(error.what());
+        throw;
+    }
+}
+
+Session educator(const Context& context) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kSetStandards, Scope::kOther);
+    return session;
+}
+
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+std::string optional_text(const std::optional<double>& value, int decimals) {
+    return value ? fixed(*value, decimals) : "-";
+}
+
+/// "expert=Consultants" to people by level.
+std::map<std::string, std::vector<int64_t>> people_of(Session& session,
+                                                      const std::vector<std::string>& levels) {
+    std::map<std::string, std::vector<int64_t>> people;
+    for (const std::string& each : levels) {
+        const size_t sign = each.find('=');
+        if (sign == std::string::npos || sign == 0)
+            throw InputError("--level " + each +
+                             ": expected LEVEL=GROUP, such as expert=Consultants");
+        people[each.substr(0, sign)] = find_group(session, each.substr(sign + 1)).members;
+    }
+    return people;
+}
+
+std::string band_table(const curriculum::NormGroup& group) {
+    std::vector<std::vector<std::string>> rows{
+        {"metric", "n", "mean", "SD", "of", "quartile 1", "median", "quartile 3"}};
+    for (const auto& metric : group.metrics) {
+        const auto& b = metric.band;
+        rows.push_back({metric.id, std::to_string(b.n), fixed(b.mean, 3), fixed(b.sd, 3),
+                        b.log ? "ln" : "value", fixed(b.q25, 2), fixed(b.q50, 2), fixed(b.q75, 2)});
+    }
+    return group.level + ": " + std::to_string(group.persons) + " persons, " +
+           std::to_string(group.attempts) + " attempts\n" + table(rows);
+}
+
+std::string pack_text(const db::NormPackRecord& record) {
+    const auto& pack = record.pack;
+    std::string text = "norm pack " + std::to_string(record.id) + ": " + pack.task_id +
+                       " version " + std::to_string(pack.task_version) + ", rubric " +
+                       pack.rubric_id + " " + std::to_string(pack.rubric_version) +
+                       ", metric set " + std::to_string(pack.metric_set_version) + ", " +
+                       pack.centre + ", key " + db::fingerprint(record.norms.public_key) +
+                       (record.in_use ? ", IN USE" : "") +
+                       (pack.demonstration ? ", DEMONSTRATION data" : "") + "\n";
+    for (const auto& group : pack.groups) text += band_table(group);
+    return text;
+}
+
+Json pack_json(const db::NormPackRecord& record) {
+    Json json{{"id", record.id},
+              {"in_use", record.in_use},
+              {"fingerprint", db::fingerprint(record.norms.public_key)},
+              {"added_by", record.added_by},
+              {"added_utc", record.added_utc}};
+    json["norms"] = Json::parse(record.norms.content);
+    return json;
+}
+
+db::NormPackRecord find_pack(Session& session, int64_t id) {
+    for (auto& record : session.store().norm_packs({}))
+        if (record.id == id) return std::move(record);
+    throw InputError("there is no norm pack " + std::to_string(id) +
+                     "; `placodectl norms list` shows them");
+}
+
+int make(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto levels =
+        db::level_attempts(session.store(), options.task, people_of(session, options.levels));
+    const int64_t id = as_input([&] {
+        return db::keep_own_norms(session.store(),
+                                  db::make_norms(levels, options.centre, now_utc(), options.least));
+    });
+    const auto record = find_pack(session, id);
+    print(context, pack_json(record), pack_text(record));
+    return 0;
+}
+
+int list(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{
+        {"id", "task", "centre", "groups", "made (UTC)", "in use", "key"}};
+    for (const auto& record : session.store().norm_packs(options.task)) {
+        std::string groups;
+        for (const auto& group : record.pack.groups)
+            groups +=
+                (groups.empty() ? "" : ", ") + group.level + " " + std::to_string(group.persons);
+        json.push_back(pack_json(record));
+        rows.push_back({std::to_string(record.id), record.pack.task_id, record.pack.centre, groups,
+                        record.pack.made_utc, record.in_use ? "yes" : "",
+                        db::fingerprint(record.norms.public_key)});
+    }
+    print(context, json, rows.size() == 1 ? "no norm packs" : table(rows));
+    return 0;
+}
+
+int show(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const auto record = find_pack(session, options.id);
+    print(context, pack_json(record), pack_text(record));
+    return 0;
+}
+
+int export_pack(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto record = find_pack(session, options.id);
+    std::ofstream out(options.file, std::ios::binary | std::ios::trunc);
+    out << curriculum::signed_norms_text(record.norms);
+    out.flush();
+    if (!out) throw InputError("--out " + options.file + ": cannot be written");
+    session.store().audit(session.actor(), "norms.export",
+                          "norm pack " + std::to_string(options.id), options.file);
+    print(context, {{"id", options.id}, {"path", options.file}},
+          "wrote " + options.file + ", signed by " + record.pack.centre + " (" +
+              db::fingerprint(record.norms.public_key) + ")");
+    return 0;
+}
+
+int import_pack(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto norms =
+        curriculum::load_signed_norms(curriculum::read_norm_file(options.file), options.file);
+    const auto pack = curriculum::load_norm_pack(norms.content, options.file + " (its content)");
+    if (!db::signature_is_right(norms.content, norms.signature, norms.public_key))
+        throw InputError(options.file +
+                         ": /signature: wrong: the pack was changed after it was signed; ask the "
+                         "centre for it again");
+    const std::string mark = db::fingerprint(norms.public_key);
+    if (!session.store().trusted_centres().contains(norms.public_key)) {
+        if (!options.trust)
+            throw InputError(options.file + ": \"" + pack.centre + "\" with the key " + mark +
+                             " is not trusted here; compare the key with the centre by telephone, "
+                             "then give --trust");
+        session.store().trust_centre(norms.public_key, pack.centre);
+    }
+    const int64_t id = as_input([&] { return session.store().save_norms(norms); });
+    print(context, {{"id", id}, {"centre", pack.centre}, {"fingerprint", mark}},
+          "norm pack " + std::to_string(id) + " of " + pack.centre + " (" + mark + ")");
+    return 0;
+}
+
+int apply(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto record = find_pack(session, options.id);
+    session.store().use_norms(options.id);
+    print(context, {{"id", options.id}, {"task", record.pack.task_id}, {"in_use", true}},
+          "attempts of " + record.pack.task_id + " are now shown against norm pack " +
+              std::to_string(options.id) + " of " + record.pack.centre);
+    return 0;
+}
+
+int compare(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const db::AttemptDetail attempt = session.store().attempt(options.id);
+    session.need_for(Action::kViewAttempts, attempt.record.user_id);
+    const auto norms = db::norms_in_use(session.store(), attempt.record.task_id);
+    if (!norms)
+        throw InputError("no norm pack is in use for " + attempt.record.task_id +
+                         "; `placodectl norms apply ID` chooses one");
+    const curriculum::NormGroup* group = norms->pack.group(options.level);
+    if (group == nullptr)
+        throw InputError("--level " + options.level + ": norm pack " + std::to_string(norms->id) +
+                         " has no such level");
+    Json json{{"attempt", options.id},
+              {"norm_pack", norms->id},
+              {"level", options.level},
+              {"same_versions",
+               attempt.record.metric_set_version == norms->pack.metric_set_version &&
+                   attempt.record.preprocessing_version == norms->pack.preprocessing_version},
+              {"metrics", Json::array()}};
+    std::vector<std::vector<std::string>> rows{{"metric", "value", "band median", "z", "0-100"}};
+    for (const auto& one : db::compare_with_band({attempt.record, attempt.metrics}, *group)) {
+        json["metrics"].push_back({{"id", one.metric},
+                                   {"value", one.value},
+                                   {"band_q25", one.band.q25},
+                                   {"band_q50", one.band.q50},
+                                   {"band_q75", one.band.q75},
+                                   {"z", optional_number(one.z)},
+                                   {"score", optional_number(one.score)}});
+        rows.push_back({one.metric, fixed(one.value, 2), fixed(one.band.q50, 2),
+                        optional_text(one.z, 2), optional_text(one.score, 0)});
+    }
+    print(context, json,
+          (json["same_versions"] == true ? "" : "attention: other versions of metrics\n") +
+              table(rows));
+    return 0;
+}
+
+struct TwoLevels {
+    db::LevelAttempts novices, experts;
+};
+TwoLevels two_levels(Session& session, const Options& options) {
+    auto levels = db::level_attempts(session.store(), options.task,
+                                     {{"expert", find_group(session, options.experts).members},
+                                      {"novice", find_group(session, options.novices).members}});
+    return {std::move(levels[1]), std::move(levels[0])};
+}
+
+int standard(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto [novices, experts] = two_levels(session, options);
+    auto low = db::level_values(novices, options.metric, !options.per_attempt);
+    auto high = db::level_values(experts, options.metric, !options.per_attempt);
+    // The method wants high values to be good.
+    const double sign =
+        db::direction_of(options.metric) == assessment::Direction::kLowerIsBetter ? -1 : 1;
+    for (auto* values : {&low, &high})
+        for (double& value : *values) value *= sign;
+    assessment::ContrastingGroups groups;
+    try {
+        groups = assessment::contrasting_groups(low, high);
+        for (double* each : {&groups.cut_score, &groups.mean_novice, &groups.mean_expert})
+            *each *= sign;
+    } catch (const std::invalid_argument& error) {
+        throw InputError("norms standard: " + std::string(error.what()) + " (" +
+                         std::to_string(low.size()) + " novice and " + std::to_string(high.size()) +
+                         " expert values of " + options.metric + ")");
+    }
+    print(context,
+          {{"task", options.task},
+           {"metric", options.metric},
+           {"unit", options.per_attempt ? "attempt" : "person"},
+           {"n_novice", groups.n_novice},
+           {"n_expert", groups.n_expert},
+           {"mean_novice", groups.mean_novice},
+           {"sd_novice", groups.sd_novice},
+           {"mean_expert", groups.mean_expert},
+           {"sd_expert", groups.sd_expert},
+           {"cut_score", groups.cut_score},
+           {"theoretical_false_positive", groups.theoretical_false_positive},
+           {"theoretical_false_negative", groups.theoretical_false_negative},
+           {"observed_false_positive", groups.observed_false_positive},
+           {"observed_false_negative", groups.observed_false_negative},
+           {"auc", groups.auc}},
+          "pass mark " + fixed(groups.cut_score, 2) + " " + options.metric + " (novices " +
+              fixed(groups.mean_novice, 1) + " SD " + fixed(groups.sd_novice, 1) + ", experts " +
+              fixed(groups.mean_expert, 1) + " SD " + fixed(groups.sd_expert, 1) +
+              ")\nfalse passes: theoretical " + fixed(100 * groups.theoretical_false_positive, 1) +
+              " %, observed " + fixed(100 * groups.observed_false_positive, 1) +
+              " %; false fails: theoretical " + fixed(100 * groups.theoretical_false_negative, 1) +
+              " %, observed " + fixed(100 * groups.observed_false_negative, 1) + " %");
+    return 0;
+}
+
+int quality(const Context& context, const Options& options) {
+    Session session = educator(context);
+    const auto [novices, experts] = two_levels(session, options);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{
+        {"metric", "people", "Hedges g", "95 %", "delta", "ICC(2,1)", "ceiling %", "evidence"}};
+    for (const auto& one : db::metric_panel(novices, experts, options.repeats)) {
+        json.push_back({{"metric", one.metric},
+                        {"novices", one.novices},
+                        {"experts", one.experts},
+                        {"hedges_g", optional_number(one.g)},
+                        {"hedges_g_low", optional_number(one.g_low)},
+                        {"hedges_g_high", optional_number(one.g_high)},
+                        {"cliff_delta", optional_number(one.cliff_delta)},
+                        {"repeats", one.repeats},
+                        {"repeated", one.repeated},
+                        {"icc_2_1", optional_number(one.icc)},
+                        {"icc_2_1_low", optional_number(one.icc_low)},
+                        {"icc_2_1_high", optional_number(one.icc_high)},
+                        {"ceiling_percent", optional_number(one.ceiling_percent)},
+                        {"evidence", one.evidence},
+                        {"why", one.why}});
+        rows.push_back(
+            {one.metric, std::to_string(one.novices) + " / " + std::to_string(one.experts),
+             optional_text(one.g, 2),
+             one.g ? fixed(*one.g_low, 2) + " to " + fixed(*one.g_high, 2) : "-",
+             optional_text(one.cliff_delta, 2), optional_text(one.icc, 2),
+             optional_text(one.ceiling_percent, 0), one.evidence ? "yes" : "NO: " + one.why});
+    }
+    print(context, json, table(rows));
+    return 0;
+}
+
+}  // namespace
+
+void add_norms_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* norms =
+        app.add_subcommand("norms", "Bands of groups, pass marks, quality of metrics");
+    norms->require_subcommand(1);
+    const auto command = [&](const char* name, const char* help, auto work) {
+        CLI::App* added = norms->add_subcommand(name, help);
+        added->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return added;
+    };
+    CLI::App* made = command("make", "Makes and signs the bands of groups in a task", make);
+    made->add_option("TASK", options->task, "Task id")->required();
+    made->add_option("--level", options->levels, "LEVEL=GROUP; may be given again")->required();
+    made->add_option("--centre", options->centre, "Name of this centre, for the first pack");
+    made->add_option("--least", options->least, "Least persons a group")
+        ->check(CLI::Range(curriculum::kLeastNormGroup, 1000))
+        ->capture_default_str();
+    command("list", "Lists norm packs", list)->add_option("--task", options->task, "Task id");
+    command("show", "One norm pack", show)->add_option("ID", options->id)->required();
+    CLI::App* out = command("export", "Writes a signed norm pack", export_pack);
+    out->add_option("ID", options->id)->required();
+    out->add_option("--out", options->file, "FILE.json")->required();
+    CLI::App* in = command("import", "Takes a norm pack of another centre", import_pack);
+    in->add_option("FILE", options->file)->required();
+    in->add_flag("--trust", options->trust, "Trust this centre's key from now on");
+    command("apply", "Shows a task's attempts against this pack", apply)
+        ->add_option("ID", options->id)
+        ->required();
+    CLI::App* compared = command("compare", "An attempt against the bands in use", compare);
+    compared->add_option("ATTEMPT", options->id, "Number")->required();
+    compared->add_option("--level", options->level)->capture_default_str();
+    for (const bool panel : {false, true}) {
+        CLI::App* two = panel ? command("quality", "How much each metric is worth", quality)
+                              : command("standard", "Pass mark from contrasting groups", standard);
+        two->add_option("TASK", options->task, "Task id")->required();
+        two->add_option("--novices", options->novices, "Group")->required();
+        two->add_option("--experts", options->experts, "Group")->required();
+        if (panel) {
+            two->add_option("--repeats", options->repeats, "Attempts a person that enter the ICC")
+                ->check(CLI::Range(2, 100))
+                ->capture_default_str();
+        } else {
+            two->add_option("--metric", options->metric, "\"points\" or a metric's id")
+                ->capture_default_str();
+            two->add_flag("--per-attempt", options->per_attempt,
+                          "Every attempt counts, not each person's mean");
+        }
+    }
+}
+
+}  // namespace placode::cli

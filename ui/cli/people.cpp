@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/people.h"
+
+#include <algorithm>
+#include <ctime>
+
+#include "curriculum/utc_time.h"
+
+namespace placode::cli {
+
+namespace {
+
+const std::vector<std::pair<std::string, db::Role>> kRoles{
+    {"trainee", db::Role::kTrainee},
+    {"educator", db::Role::kEducator},
+    {"coordinator", db::Role::kCoordinator},
+    {"administrator", db::Role::kAdministrator}};
+
+}  // namespace
+
+std::vector<std::string> role_names(db::Roles roles) {
+    std::vector<std::string> names;
+    for (const auto& [name, role] : kRoles)
+        if (db::has_role(roles, role)) names.push_back(name);
+    return names;
+}
+
+db::Roles roles_of(const std::vector<std::string>& names) {
+    db::Roles roles = 0;
+    for (const std::string& name : names) {
+        db::Roles found = 0;
+        for (const auto& [known, role] : kRoles)
+            if (known == name) found = static_cast<db::Roles>(role);
+        if (found == 0)
+            throw InputError("--role: found \"" + name +
+                             "\"; expected trainee, educator, coordinator or administrator");
+        roles |= found;
+    }
+    return roles;
+}
+
+db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
+    for (const db::GroupRecord& group : session.store().groups())
+        if (group.name == name_or_id || std::to_string(group.id) == name_or_id) return group;
+    throw InputError("there is no group \"" + name_or_id + "\" in " + session.store().url() +
+                     "; `placodectl group list` shows them");
+}
+
+void need_for_group(const Session& session, db::Action action, const db::GroupRecord& group) {
+    const bool teaches = session.user() && std::find(group.educators.begin(), group.educators.end(),
+                                                     session.user()->id) != group.educators.end();
+    session.need(action,
+                 teaches || group.educators.empty() ? db::Scope::kGroup : db::Scope::kOther);
+}
+
+int64_t named_or_self(Session& session, const std::string& login_or_id) {
+    if (!login_or_id.empty()) return session.find_user(login_or_id).id;
+    if (!session.user())
+        throw InputError("--user: expected a login; the local administrator is not a person");
+    return session.user()->id;
+}
+
+int64_t user_or_all(Session& session, const std::string& login_or_id) {
+    if (login_or_id.empty())
+        return session.may(db::Action::kViewAttempts, db::Scope::kOther) ? 0 : session.user()->id;
+    const int64_t id = session.find_user(login_or_id).id;
+    session.need_for(db::Action::kViewAttempts, id);
+    return id;
+}
+
+std::string now_utc() { return curriculum::utc_text(static_cast<int64_t>(std::time(nullptr))); }
+
+}  // namespace placode::cli

@@ -1,0 +1,412 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl user
+// import|invite|invitations|accept|pin|data|ask-erasure|erasures|erase
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "db/password.h"
+#include "reports/csv_table.h"
+#include "ui/cli/people.h"
+
+namespace placode::cli {
+namespace {
+
+using db::Action;
+using db::Scope;
+
+struct Options {
+    std::string file, out, login, name, code, group, until, note, reason, confirm;
+    std::vector<std::string> roles{"trainee"};
+    bool dry_run = false, with_attempts = false, remove = false, recordings = false;
+};
+
+/// A refusal about what was typed is bad input, not a failure of the store.
+template <class Work>
+auto as_input(Work&& work) {
+    try {
+        return work();
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kRefused ||
+            error.kind() == db::StoreError::Kind::kConflict)
+            throw InputError(error.what());
+        throw;
+    }
+}
+
+// --- import
+// ------------------------------------------------------------------------------------
+
+struct Line {
+    db::NewUser user;
+    int64_t group = 0;
+};
+
+std::vector<std::string> split(const std::string& text) {
+    std::vector<std::string> words;
+    std::istringstream in(text);
+    for (std::string word; std::getline(in, word, ';');) words.push_back(word);
+    return words;
+}
+
+size_t column(const std::vector<std::string>& head, const std::string& name) {
+    return static_cast<size_t>(std::find(head.begin(), head.end(), name) - head.begin());
+}
+
+/// Everything is checked before the first account is made.
+std::vector<Line> read_people(Session& session, const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
+    std::ostringstream text;
+    text << in.rdbuf();
+    const auto rows = reports::parse_csv(text.str());
+    if (rows.empty() || column(rows[0], "login") == rows[0].size() ||
+        column(rows[0], "name") == rows[0].size())
+        throw InputError(path + ":1: expected the columns login,name[,roles][,group][,password]");
+    for (const std::string& name : rows[0])
+        if (name != "login" && name != "name" && name != "roles" && name != "group" &&
+            name != "password")
+            throw InputError(path + ":1: found the column \"" + name +
+                             "\"; expected login, name, roles, group or password");
+    std::set<std::string> logins;
+    std::vector<Line> people;
+    for (size_t i = 1; i < rows.size(); ++i) {
+        const std::string place = path + ":" + std::to_string(i + 1) + ": ";
+        if (rows[i].size() != rows[0].size())
+            throw InputError(place + "found " + std::to_string(rows[i].size()) +
+                             " columns; expected " + std::to_string(rows[0].size()));
+        const auto cell = [&](const char* name) {
+            const size_t at = column(rows[0], name);
+            return at == rows[0].size() ? std::string() : rows[i][at];
+        };
+        Line line;
+        line.user.login = cell("login");
+        line.user.display_name = cell("name");
+        line.user.password = cell("password");
+        try {
+            line.user.roles = cell("roles").empty() ? static_cast<db::Roles>(db::Role::kTrainee)
+                                                    : roles_of(split(cell("roles")));
+            if (!cell("group").empty()) line.group = find_group(session, cell("group")).id;
+        } catch (const InputError& error) {
+            throw InputError(place + error.what());
+        }
+        if (line.user.login.empty() || line.user.display_name.empty())
+            throw InputError(place + "login and name must not be empty");
+        if (!logins.insert(line.user.login).second ||
+            session.store().user_by_login(line.user.login))
+            throw InputError(place + "the login \"" + line.user.login + "\" is taken");
+        people.push_back(std::move(line));
+    }
+    return people;
+}
+
+int import_people(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kManageUsers, Scope::kOther);
+    auto people = read_people(session, options.file);
+    const bool need_file = std::any_of(people.begin(), people.end(),
+                                       [](const Line& line) { return line.user.password.empty(); });
+    if (need_file && options.out.empty() && !options.dry_run)
+        throw InputError(options.file +
+                         ": some people have no password; give "
+                         "--out FILE.csv for those that are "
+                         "made for them");
+    Json json{{"people", people.size()}, {"dry_run", options.dry_run}};
+    if (options.dry_run) {
+        print(context, json, std::to_string(people.size()) + " people would be added");
+        return 0;
+    }
+    std::string passwords = reports::csv_line({"login", "password"});
+    // Written before the first account is made: a password that nobody knows
+    // helps nobody.
+    for (Line& line : people) {
+        if (!line.user.password.empty()) continue;
+        line.user.password = db::new_password();
+        passwords += reports::csv_line({reports::harmless(line.user.login), line.user.password});
+    }
+    if (need_file) {
+        std::ofstream out(options.out, std::ios::binary | std::ios::trunc);
+        ::chmod(options.out.c_str(), S_IRUSR | S_IWUSR);
+        out << passwords;
+        out.flush();
+        if (!out) throw InputError("--out " + options.out + ": cannot be written");
+    }
+    size_t added = 0;
+    for (const Line& line : people) {
+        try {
+            const int64_t id = session.store().create_user(line.user);
+            if (line.group != 0)
+                session.store().set_group_role(line.group, id, db::GroupRole::kMember);
+            ++added;
+        } catch (const db::StoreError& error) {
+            throw InputError(options.file + ":" + std::to_string(added + 2) + ": " + error.what() +
+                             " (" + std::to_string(added) + " people before it were added)");
+        }
+    }
+    json["added"] = added;
+    print(context, json,
+          "added " + std::to_string(added) + " people" +
+              (need_file ? "; passwords of those without one in " + options.out : ""));
+    return 0;
+}
+
+// --- invitations
+// -------------------------------------------------------------------------------
+
+int invite(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kManageUsers, Scope::kOther);
+    db::InvitationRecord invitation;
+    invitation.roles = roles_of(options.roles);
+    invitation.expires_utc = options.until;
+    invitation.note = options.note;
+    if (!options.group.empty()) invitation.group_id = find_group(session, options.group).id;
+    const std::string code = as_input([&] { return session.store().invite(invitation); });
+    print(context, {{"code", code}, {"expires_utc", options.until}},
+          code + "\nuse: placodectl user accept " + code + " LOGIN, until " + options.until);
+    return 0;
+}
+
+int invitations(const Context& context) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kManageUsers, Scope::kOther);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{{"id", "roles", "until", "by", "used", "note"}};
+    for (const auto& each : session.store().invitations()) {
+        json.push_back({{"id", each.id},
+                        {"roles", role_names(each.roles)},
+                        {"expires_utc", each.expires_utc},
+                        {"invited_by", each.invited_by},
+                        {"used_utc", each.used_utc},
+                        {"note", each.note}});
+        std::string roles;
+        for (const auto& name : role_names(each.roles)) roles += (roles.empty() ? "" : ", ") + name;
+        rows.push_back({std::to_string(each.id), roles, each.expires_utc, each.invited_by,
+                        each.used_utc, each.note});
+    }
+    print(context, json, rows.size() == 1 ? "no invitations" : table(rows));
+    return 0;
+}
+
+/// Needs no account: the code is the right to make one.
+int accept(const Context& context, const Options& options) {
+    const std::string url = store_url_of(context);
+    const std::string password =
+        read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
+    const auto store = db::open_store(url);
+    db::NewUser user;
+    user.login = options.login;
+    user.display_name = options.name.empty() ? options.login : options.name;
+    user.password = password;
+    const int64_t id = as_input([&] { return store->accept_invitation(options.code, user); });
+    print(context, {{"id", id}, {"login", options.login}}, "made the account " + options.login);
+    return 0;
+}
+
+// --- PIN
+// ---------------------------------------------------------------------------------------
+
+int pin(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const int64_t id = named_or_self(session, options.login);
+    const bool own = session.user() && session.user()->id == id;
+    // Nobody chooses another person's PIN; an administrator may take it away.
+    if (!own && !options.remove)
+        throw AccessError("a PIN is chosen by the person alone; --remove takes it away");
+    if (!own) session.need(Action::kManageUsers, Scope::kOther);
+    const std::string chosen =
+        options.remove ? std::string() : read_password("PLACODE_NEW_PIN", "New PIN", true);
+    as_input([&] { session.store().set_pin(id, chosen); });
+    print(context, {{"user_id", id}, {"pin", !options.remove}},
+          options.remove ? "the PIN is gone" : "the PIN is set");
+    return 0;
+}
+
+// --- own data, erasure
+// -------------------------------------------------------------------------
+
+Json attempt_json(db::Store& store, const db::AttemptRecord& record) {
+    const db::AttemptDetail detail = store.attempt(record.id);
+    Json json{{"id", record.id},
+              {"task", record.task_id},
+              {"started_utc", record.started_utc},
+              {"duration_s", record.duration_s},
+              {"device", record.device},
+              {"points", record.points},
+              {"rubric", record.rubric_id},
+              {"rubric_version", record.rubric_version},
+              {"metrics", Json::object()},
+              {"reasons", Json::array()},
+              {"further_scores", Json::array()}};
+    for (const auto& metric : detail.metrics.values) json["metrics"][metric.id] = metric.value;
+    for (const auto& reason : detail.score.reasons)
+        json["reasons"].push_back({{"text", reason.text}, {"points", reason.points}});
+    for (const auto& further : store.rescores(record.id))
+        json["further_scores"].push_back({{"points", further.score.points},
+                                          {"rubric", further.score.rubric_id},
+                                          {"rubric_version", further.score.rubric_version},
+                                          {"scored_utc", further.scored_utc}});
+    return json;
+}
+
+int data(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const int64_t id = named_or_self(session, options.login);
+    session.need_for(Action::kExportPersonalData, id);
+    db::Store& store = session.store();
+    const db::UserRecord user = *store.user(id);
+    Json json{{"id", user.id},
+              {"login", user.login},
+              {"name", user.display_name},
+              {"roles", role_names(user.roles)},
+              {"created_utc", user.created_utc},
+              {"has_pin", store.has_pin(id)},
+              {"groups", Json::array()},
+              {"assignments", Json::array()},
+              {"certificates", Json::array()},
+              {"attempts", Json::array()}};
+    for (const auto& group : store.groups())
+        for (const auto* list : {&group.members, &group.educators})
+            if (std::find(list->begin(), list->end(), id) != list->end())
+                json["groups"].push_back(group.name);
+    for (const auto& each : store.assignments(id))
+        json["assignments"].push_back({{"course", each.course_id}, {"due_utc", each.due_utc}});
+    for (const auto& each : store.certificates(id))
+        json["certificates"].push_back({{"course", each.course_id},
+                                        {"version", each.course_version},
+                                        {"mastered_utc", each.mastered_utc},
+                                        {"code", each.code}});
+    const auto attempts = store.attempts(id);
+    for (const auto& record : attempts) json["attempts"].push_back(attempt_json(store, record));
+    std::error_code error;
+    std::filesystem::create_directories(options.out, error);
+    std::ofstream out(options.out + "/my_data.json", std::ios::binary | std::ios::trunc);
+    out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    out.flush();
+    if (!out) throw InputError("--out " + options.out + ": cannot be written");
+    int recordings = 0;
+    for (const auto& record : attempts) {
+        if (!options.recordings) break;
+        try {
+            store.extract_recording(
+                record.id, options.out + "/attempt_" + std::to_string(record.id) + ".placode");
+            ++recordings;
+        } catch (const db::StoreError& problem) {
+            if (problem.kind() != db::StoreError::Kind::kNotFound) throw;
+        }
+    }
+    store.audit(session.actor(), "user.data", "user " + std::to_string(id), options.out);
+    print(context,
+          {{"path", options.out}, {"attempts", attempts.size()}, {"recordings", recordings}},
+          "wrote " + options.out + "/my_data.json with " + std::to_string(attempts.size()) +
+              " attempts and " + std::to_string(recordings) + " recordings");
+    return 0;
+}
+
+int ask_erasure(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const int64_t id = named_or_self(session, options.login);
+    session.need_for(Action::kRequestErasure, id);
+    as_input([&] { session.store().request_erasure(id, options.reason); });
+    print(context, {{"user_id", id}, {"asked", true}}, "asked; an administrator carries it out");
+    return 0;
+}
+
+int erasures(const Context& context) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kErase, Scope::kOther);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{{"person", "asked (UTC)", "done (UTC)", "reason"}};
+    for (const auto& each : session.store().erasure_requests()) {
+        json.push_back({{"user_id", each.user_id},
+                        {"asked_utc", each.asked_utc},
+                        {"done_utc", each.done_utc},
+                        {"reason", each.reason}});
+        rows.push_back({std::to_string(each.user_id), each.asked_utc, each.done_utc, each.reason});
+    }
+    print(context, json, rows.size() == 1 ? "nobody has asked" : table(rows));
+    return 0;
+}
+
+int erase(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const db::UserRecord user = session.find_user(options.login);
+    session.need_for(Action::kErase, user.id);
+    if (options.confirm != user.login)
+        throw InputError("user erase: this cannot be undone; repeat the login with --confirm " +
+                         user.login);
+    as_input([&] { session.store().erase_person(user.id, options.with_attempts); });
+    print(context, {{"user_id", user.id}, {"with_attempts", options.with_attempts}},
+          "erased; attempts " +
+              std::string(options.with_attempts ? "went as well" : "stay without a name"));
+    return 0;
+}
+
+void add_erasure_commands(CLI::App& user, const std::shared_ptr<Options>& options,
+                          Context& context) {
+    const auto command = [&](const char* name, const char* help, auto work) {
+        CLI::App* added = user.add_subcommand(name, help);
+        added->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return added;
+    };
+    CLI::App* own = command("data", "Everything that is kept about a person, as files", data);
+    own->add_option("--user", options->login, "Login or number (default: whoever acts)");
+    own->add_option("--out", options->out, "Folder")->required();
+    own->add_flag("--recordings", options->recordings, "With the recording of every attempt");
+    CLI::App* asked =
+        command("ask-erasure", "Asks an administrator to erase a person", ask_erasure);
+    asked->add_option("--user", options->login, "Login or number (default: whoever acts)");
+    asked->add_option("--reason", options->reason, "If you like");
+    command("erasures", "Who asked to be erased",
+            [](const Context& c, const Options&) { return erasures(c); });
+    CLI::App* erased = command("erase", "Erases a person for good", erase);
+    erased->add_option("login", options->login)->required();
+    erased->add_option("--confirm", options->confirm, "The login once more");
+    erased->add_flag("--with-attempts", options->with_attempts, "The attempts go as well");
+}
+
+}  // namespace
+
+void add_people_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* user = app.get_subcommand("user");
+    const auto command = [&](const char* name, const char* help, auto work) {
+        CLI::App* added = user->add_subcommand(name, help);
+        added->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return added;
+    };
+    CLI::App* in = command("import", "Adds people from a CSV file, all or none of a wrong file",
+                           import_people);
+    in->add_option("FILE", options->file, "login,name[,roles][,group][,password]; roles with ';'")
+        ->required();
+    in->add_option("--out", options->out, "FILE.csv for passwords that are made");
+    in->add_flag("--dry-run", options->dry_run, "Checks the file only");
+    CLI::App* invited = command("invite", "A code with which somebody makes an account", invite);
+    invited->add_option("--role", options->roles, "As of `user add`");
+    invited->add_option("--group", options->group, "Name or number");
+    invited->add_option("--until", options->until, "Last day, 2026-11-21")->required();
+    invited->add_option("--note", options->note, "For whom");
+    command("invitations", "Lists invitations, without their codes",
+            [](const Context& c, const Options&) { return invitations(c); });
+    CLI::App* accepted = command("accept", "Makes an account by an invitation's code", accept);
+    accepted->add_option("CODE", options->code)->required();
+    accepted->add_option("login", options->login, "Login, unique without case")->required();
+    accepted->add_option("--name", options->name, "Name as shown (default: the login)");
+    CLI::App* pinned = command("pin", "Sets the own PIN, from $PLACODE_NEW_PIN or asked for", pin);
+    pinned->add_option("--user", options->login, "With --remove: whose");
+    pinned->add_flag("--remove", options->remove, "Takes the PIN away");
+    add_erasure_commands(*user, options, context);
+}
+
+}  // namespace placode::cli

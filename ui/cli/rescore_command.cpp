@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl rescore | scores: old attempts under a new rubric, both scores kept.
+
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+#include <memory>
+
+#include "assessment/signal.h"
+#include "db/rescore.h"
+#include "ui/cli/session.h"
+
+namespace placode::cli {
+namespace {
+
+struct Options {
+    std::string task, user;
+    bool dry_run = false;
+    int64_t attempt = 0;
+};
+
+std::atomic<bool> stop{false};
+
+const char* verdict_name(assessment::Verdict verdict) {
+    constexpr std::array<const char*, 3> kNames{"passed", "not yet", "failed"};
+    return kNames[static_cast<size_t>(verdict) % kNames.size()];
+}
+
+bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
+    return one.state == db::RescoreState::kRescored ||
+           (dry_run && one.state == db::RescoreState::kAlreadyThere);
+}
+
+int rescore(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(db::Action::kSetStandards, db::Scope::kOther);
+    const curriculum::Task task = curriculum::load_task(options.task);
+    db::RescoreOptions how;
+    how.dry_run = options.dry_run;
+    if (!options.user.empty()) how.user_id = session.find_user(options.user).id;
+    const bool show = isatty(STDERR_FILENO) != 0;
+    how.progress = [show](size_t done, size_t total) {
+        if (show) std::cerr << "\rrescoring " << done << " of " << total << "   " << std::flush;
+        return !stop.load();
+    };
+    auto* before = std::signal(SIGINT, [](int) { stop = true; });
+    std::vector<db::RescoreOutcome> outcomes;
+    try {
+        outcomes = db::rescore(session.store(), task, how);
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kConflict) throw InputError(error.what());
+        throw;
+    }
+    std::signal(SIGINT, before);
+    if (show) std::cerr << '\r' << std::string(40, ' ') << '\r';
+    Json json{{"task", task.id},
+              {"rubric", task.rubric.id},
+              {"rubric_version", task.rubric.version},
+              {"metric_set_version", assessment::kMetricSetVersion},
+              {"preprocessing_version", assessment::kPreprocessingVersion},
+              {"dry_run", options.dry_run},
+              {"cancelled", stop.load()},
+              {"attempts", Json::array()}};
+    std::vector<std::vector<std::string>> rows{
+        {"attempt", "first score", "under this rubric", "difference", "verdict", "state"}};
+    int scored = 0, verdicts = 0;
+    double largest = 0;
+    for (const auto& one : outcomes) {
+        Json entry{{"attempt", one.attempt_id},
+                   {"state", db::rescore_state_name(one.state)},
+                   {"first_points", one.old_points},
+                   {"first_verdict", verdict_name(one.old_verdict)}};
+        std::vector<std::string> row{
+            std::to_string(one.attempt_id), fixed(one.old_points, 2),         "-", "-",
+            verdict_name(one.old_verdict),  db::rescore_state_name(one.state)};
+        if (has_new_score(one, options.dry_run)) {
+            ++scored;
+            largest = std::max(largest, std::abs(one.new_points - one.old_points));
+            verdicts += one.new_verdict != one.old_verdict ? 1 : 0;
+            entry["points"] = one.new_points;
+            entry["verdict"] = verdict_name(one.new_verdict);
+            row[2] = fixed(one.new_points, 2);
+            row[3] = fixed(one.new_points - one.old_points, 2);
+            if (one.new_verdict != one.old_verdict)
+                row[4] += std::string(" -> ") + verdict_name(one.new_verdict);
+        }
+        if (!one.problem.empty()) entry["problem"] = one.problem;
+        json["attempts"].push_back(std::move(entry));
+        rows.push_back(std::move(row));
+    }
+    json["scored"] = scored;
+    json["verdicts_changed"] = verdicts;
+    json["largest_difference"] = largest;
+    print(context, json,
+          (rows.size() == 1 ? std::string("no attempts of ") + task.id + "\n" : table(rows)) +
+              std::to_string(scored) + (options.dry_run ? " would get" : " got") +
+              " a score under " + task.rubric.id + " version " +
+              std::to_string(task.rubric.version) + ", " + std::to_string(verdicts) +
+              " verdicts differ, largest difference " + fixed(largest, 2) +
+              (stop ? "; cancelled, what is done is kept" : ""));
+    return stop ? 1 : 0;
+}
+
+int scores(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const db::AttemptDetail attempt = session.store().attempt(options.attempt);
+    session.need_for(db::Action::kViewAttempts, attempt.record.user_id);
+    Json json = Json::array();
+    std::vector<std::vector<std::string>> rows{
+        {"points", "verdict", "rubric", "metric set", "pre-processing", "scored (UTC)", "by"}};
+    const auto add = [&](const assessment::Score& score, int preprocessing, const std::string& at,
+                         const std::string& by) {
+        json.push_back({{"points", score.points},
+                        {"verdict", verdict_name(score.verdict)},
+                        {"rubric", score.rubric_id},
+                        {"rubric_version", score.rubric_version},
+                        {"metric_set_version", score.metric_set_version},
+                        {"preprocessing_version", preprocessing},
+                        {"scored_utc", at},
+                        {"scored_by", by}});
+        rows.push_back({fixed(score.points, 2), verdict_name(score.verdict),
+                        score.rubric_id + " " + std::to_string(score.rubric_version),
+                        std::to_string(score.metric_set_version), std::to_string(preprocessing), at,
+                        by});
+    };
+    add(attempt.score, attempt.record.preprocessing_version, attempt.record.started_utc,
+        "when it was made");
+    for (const auto& each : session.store().rescores(options.attempt))
+        add(each.score, each.preprocessing_version, each.scored_utc, each.scored_by);
+    print(context, json, table(rows));
+    return 0;
+}
+
+}  // namespace
+
+void add_rescore_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* rescored = app.add_subcommand(
+        "rescore", "Scores stored attempts again from their recordings; the first score stays");
+    rescored->add_option("--task", options->task, "Task id, or FILE.json with the new rubric")
+        ->required();
+    rescored->add_option("--user", options->user, "Only this person's attempts");
+    rescored->add_flag("--dry-run", options->dry_run, "Computes and compares, saves nothing");
+    rescored->callback([&context, options] {
+        context.run = [&context, options] { return rescore(context, *options); };
+    });
+    CLI::App* listed = app.add_subcommand("scores", "All scores of one attempt");
+    listed->add_option("ATTEMPT", options->attempt, "Number")->required();
+    listed->callback([&context, options] {
+        context.run = [&context, options] { return scores(context, *options); };
+    });
+}
+
+}  // namespace placode::cli
