@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Where a person stands with a task, from the outcomes of all attempts: who is stuck, who
+// regressed.
+
+#include <cstdint>
+#include <span>
+
+namespace placode::assessment {
+
+/// One attempt that was not interrupted.
+struct TrialOutcome {
+    double points = 0;
+    bool passed = false;
+};
+
+enum class Standing : uint8_t {
+    kNotTried,
+    kLearning,
+    kPassing,    ///< The last attempt passed.
+    kRegressed,  ///< Passed once, but neither of the last two did.
+    kStuck       ///< See kStuckTrials.
+};
+
+/// Stuck: none of the last five attempts passed, and their best is not 3 points above the best of
+/// those before (or, without earlier ones, above the first of them).
+inline constexpr int kStuckTrials = 5;
+inline constexpr double kProgressPoints = 3;
+
+struct CohortCell {
+    Standing standing = Standing::kNotTried;
+    int attempts = 0;
+    int streak = 0;  ///< Passed in a row, up to now.
+    double last = 0, best = 0;
+};
+/// `outcomes` oldest first.
+[[nodiscard]] CohortCell judge_standing(std::span<const TrialOutcome> outcomes);
+
+}  // namespace placode::assessment

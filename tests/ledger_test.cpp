@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace placode::assessment {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+using sim::Tissue;
+using sim::Vec3;
+
+std::vector<Vec3> circle(double radius_m) {
+    std::vector<Vec3> line;
+    for (int i = 0; i < 72; ++i) {
+        const double a = 2 * std::numbers::pi * i / 72;
+        line.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
+    }
+    return line;
+}
+
+/// Placode to 4 mm, skin from 8 mm on.
+sim::FieldGeometry field() {
+    sim::FieldGeometry geometry;
+    geometry.placode_edge = circle(0.004);
+    geometry.planned_contour = circle(0.0055);
+    geometry.skin_edge = circle(0.008);
+    return geometry;
+}
+
+Event event(EventKind kind, double time_s, float value, float x, float y,
+            Tissue tissue = Tissue::kZone) {
+    Event one;
+    one.kind = kind;
+    one.time_s = time_s;
+    one.value = value;
+    one.tissue = tissue;
+    one.rest_position_m = {x, y, 0};
+    return one;
+}
+
+TEST(Ledger, APlacodeContactStandsWhereAndWhenItLasted) {
+    const std::vector<Event> events{event(EventKind::kPlacodeContact, 10, 3, 0.003F, 0)};
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].lane, HarmLane::kPlacode);
+    EXPECT_DOUBLE_EQ(entries[0].from_s, 7);  // raised at its end
+    EXPECT_DOUBLE_EQ(entries[0].to_s, 10);
+    EXPECT_EQ(entries[0].hour, 12);  // cranial
+    EXPECT_EQ(entries[0].region, Region::kPlacode);
+    EXPECT_FALSE(entries[0].critical);
+}
+
+TEST(Ledger, CuttingTheZoneIsTheTaskAndNoDamage) {
+    std::vector<Event> events{event(EventKind::kVaporised, 1, 1e-10F, 0, 0.0055F),
+                              event(EventKind::kTorn, 1.1, 1e-10F, 0, 0.0055F),
+                              event(EventKind::kSnipped, 1.2, 1e-6F, 0, 0.0055F)};
+    EXPECT_TRUE(damage_ledger(events, field()).empty());
+    // Half a millimetre into the skin is within the band, two are not.
+    events = {event(EventKind::kVaporised, 1, 1e-10F, 0, -0.0085F, Tissue::kSkin)};
+    EXPECT_TRUE(damage_ledger(events, field()).empty());
+    events = {event(EventKind::kVaporised, 1, 1e-10F, 0, -0.0100F, Tissue::kSkin)};
+    ASSERT_EQ(damage_ledger(events, field()).size(), 1U);
+    EXPECT_EQ(damage_ledger(events, field())[0].hour, 3);  // the patient's right
+    EXPECT_EQ(damage_ledger(events, field())[0].region, Region::kSkin);
+}
+
+TEST(Ledger, ElementsOfOneHarmAreOneEntryWithTheSumOfTheirVolumes) {
+    std::vector<Event> events;
+    for (int i = 0; i < 5; ++i)
+        events.push_back(
+            event(EventKind::kVaporised, 2 + 0.1 * i, 2e-10F, 0.001F, 0.001F, Tissue::kPlacode));
+    events.push_back(event(EventKind::kVaporised, 9, 2e-10F, 0.001F, 0.001F, Tissue::kPlacode));
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_EQ(entries[0].count, 5);
+    EXPECT_NEAR(entries[0].value, 1e-9, 1e-15);
+    EXPECT_TRUE(entries[0].critical);
+    EXPECT_EQ(entries[0].lane, HarmLane::kPlacode);
+    EXPECT_NEAR(entries[0].to_s, 2.4, 1e-9);
+    EXPECT_DOUBLE_EQ(entries[1].from_s, 9);
+}
+
+TEST(Ledger, EnergyInTheAirHasNoPlace) {
+    const std::vector<Event> events{event(EventKind::kEnergyInAir, 5, 2, 0.002F, 0.002F)};
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_FALSE(entries[0].has_place);
+    EXPECT_EQ(entries[0].hour, 0);
+}
+
+TEST(Ledger, EntriesAreInOrderOfTimeWhenTheyBegan) {
+    const std::vector<Event> events{event(EventKind::kDwell, 8, 1, 0.005F, 0),
+                                    event(EventKind::kOverForce, 9, 7, 0.005F, 0)};
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_EQ(entries[0].kind, EventKind::kOverForce);  // from 2 s on
+}
+
+TEST(Ledger, PhasesBeginWithInspectAndChangeOnce) {
+    std::vector<Event> events{event(EventKind::kPhase, 3, 1, 0, 0),
+                              event(EventKind::kPhase, 4, 1, 0, 0),
+                              event(EventKind::kPhase, 9, 4, 0, 0)};
+    const auto phases = phase_starts(events);
+    ASSERT_EQ(phases.size(), 3U);
+    EXPECT_EQ(phases[0].phase, sim::Phase::kInspect);
+    EXPECT_EQ(phases[1].phase, sim::Phase::kIncise);
+    EXPECT_DOUBLE_EQ(phases[1].from_s, 3);
+    EXPECT_EQ(phases[2].phase, sim::Phase::kCheck);
+}
+
+}  // namespace
+}  // namespace placode::assessment
