@@ -194,6 +194,25 @@ struct CertificateRecord {
     std::string mastered_utc, issued_utc, issued_by, code;
 };
 
+/// A remark on an attempt, visible to who made the attempt.
+struct CommentRecord {
+    int64_t id = 0, attempt_id = 0, author_id = 0;
+    std::string author_name;
+    double time_s = -1;  ///< Within the recording; negative = on the whole attempt.
+    std::string text;    ///< Empty = a bare mark.
+    std::string at_utc;
+};
+
+/// What a person judged of an attempt, with a questionnaire for raters.
+struct RatingRecord {
+    int64_t id = 0, attempt_id = 0, rater_id = 0;
+    std::string questionnaire_id;
+    int questionnaire_version = 1;
+    bool blinded = true;  ///< The rater saw neither name nor score.
+    std::string rated_utc;
+    curriculum::Answers answers;
+};
+
 /// One change of an answer before it was submitted; empty = not answered.
 struct AnswerChange {
     std::string item, old_answer, new_answer, at_utc;

@@ -100,6 +100,13 @@ class SqlStore final : public Store {
                                        const std::string& mastered_utc) override;
     std::vector<CertificateRecord> certificates(int64_t user_id) override;
 
+    // sql_store_review.cpp
+    int64_t add_comment(const CommentRecord& comment) override;
+    void set_comment_removed(int64_t id, bool removed) override;
+    std::vector<CommentRecord> comments(int64_t attempt_id) override;
+    int64_t save_rating(const RatingRecord& rating) override;
+    std::vector<RatingRecord> ratings(const std::string& questionnaire_id) override;
+
     // sql_store_protocols.cpp
     void publish(const DefinitionRecord& definition) override;
     std::vector<DefinitionRecord> definitions(const std::string& kind) override;

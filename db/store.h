@@ -156,6 +156,19 @@ class Store {
                                                const std::string& mastered_utc) = 0;
     [[nodiscard]] virtual std::vector<CertificateRecord> certificates(int64_t user_id) = 0;
 
+    // --- review: remarks and ratings by people
+    /// Throws kNotFound, kRefused (time outside the attempt, neither text nor time).
+    virtual int64_t add_comment(const CommentRecord& comment) = 0;
+    /// Takes a remark away, or puts it back. Throws kNotFound.
+    virtual void set_comment_removed(int64_t id, bool removed) = 0;
+    [[nodiscard]] virtual std::vector<CommentRecord> comments(
+        int64_t attempt_id) = 0;  ///< By time.
+    /// Throws kConflict (rated already), kRefused (own attempt), kNotFound.
+    virtual int64_t save_rating(const RatingRecord& rating) = 0;
+    /// Of all attempts, oldest first.
+    [[nodiscard]] virtual std::vector<RatingRecord> ratings(
+        const std::string& questionnaire_id) = 0;
+
     // --- studies: published definitions, participants, what they did and answered
     /// Publishes a version for good. The same text again is no change; another text under a
     /// version that is there throws kConflict, a version above 1 without a reason kRefused.

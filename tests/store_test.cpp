@@ -118,6 +118,68 @@ class StoreTest : public testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), name_of);
 
+// --- review --------------------------------------------------------------------------------------
+
+TEST_P(StoreTest, RemarksStandAtTheirTimesUntilTheyAreRemoved) {
+    const auto store = open();
+    const int64_t anna = store->create_user(trainee("anna"));
+    const int64_t attempt = store->save_attempt(anna, make_result());
+    db::CommentRecord comment;
+    comment.attempt_id = attempt;
+    comment.author_id = anna;
+    comment.time_s = 0.5;
+    comment.text = "Powoli, bez zatrzymania";
+    const int64_t later = store->add_comment(comment);
+    comment.time_s = 0.25;
+    comment.text = "";
+    store->add_comment(comment);
+    auto found = store->comments(attempt);
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].time_s, 0.25);
+    EXPECT_EQ(found[1].text, "Powoli, bez zatrzymania");
+    EXPECT_EQ(found[1].author_name, "Name of anna");
+    store->set_comment_removed(later, true);
+    EXPECT_EQ(store->comments(attempt).size(), 1u);
+    store->set_comment_removed(later, false);
+    EXPECT_EQ(store->comments(attempt).size(), 2u);
+    EXPECT_THAT(store->comments(attempt + 1), IsEmpty());
+}
+
+TEST_P(StoreTest, ARemarkNeedsATimeWithinTheAttemptOrAText) {
+    const auto store = open();
+    const int64_t anna = store->create_user(trainee("anna"));
+    db::CommentRecord comment;
+    comment.attempt_id = store->save_attempt(anna, make_result());
+    comment.author_id = anna;
+    EXPECT_EQ(failure_of([&] { store->add_comment(comment); }).kind(), StoreError::Kind::kRefused);
+    comment.time_s = 1e6;
+    EXPECT_EQ(failure_of([&] { store->add_comment(comment); }).kind(), StoreError::Kind::kRefused);
+    comment.attempt_id += 1;
+    EXPECT_EQ(failure_of([&] { store->add_comment(comment); }).kind(), StoreError::Kind::kNotFound);
+    EXPECT_EQ(failure_of([&] { store->set_comment_removed(77, true); }).kind(),
+              StoreError::Kind::kNotFound);
+}
+
+TEST_P(StoreTest, ARaterRatesAnAttemptOnceAndNeverTheOwn) {
+    const auto store = open();
+    const int64_t anna = store->create_user(trainee("anna"));
+    const int64_t eva = store->create_user(trainee("eva"));
+    db::RatingRecord rating;
+    rating.attempt_id = store->save_attempt(anna, make_result());
+    rating.rater_id = eva;
+    rating.questionnaire_id = "osats";
+    rating.answers = {{"flow", "4"}, {"respect_for_tissue", "2"}};
+    store->save_rating(rating);
+    EXPECT_EQ(failure_of([&] { store->save_rating(rating); }).kind(), StoreError::Kind::kConflict);
+    rating.rater_id = anna;
+    EXPECT_EQ(failure_of([&] { store->save_rating(rating); }).kind(), StoreError::Kind::kRefused);
+    const auto found = store->ratings("osats");
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].answers, rating.answers);
+    EXPECT_TRUE(found[0].blinded);
+    EXPECT_THAT(store->ratings("other"), IsEmpty());
+}
+
 // --- accounts ----------------------------------------------------------------------------------
 
 TEST_P(StoreTest, APersonWithTheRightPasswordSignsIn) {

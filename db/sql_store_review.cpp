@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Review: remarks on attempts, and ratings by people.
+
+#include <cmath>
+#include <map>
+
+#include "db/sql_store.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+int64_t SqlStore::add_comment(const CommentRecord& comment) {
+    connection_.begin_operation("remark on attempt " + std::to_string(comment.attempt_id) + " in");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT duration_s FROM attempts WHERE id = ?");
+    if (!there.run(comment.attempt_id).next())
+        connection_.fail(Kind::kNotFound,
+                         "there is no attempt " + std::to_string(comment.attempt_id));
+    const double duration_s = there.real(0);
+    if (!std::isfinite(comment.time_s) || comment.time_s > duration_s + 1)
+        connection_.fail(Kind::kRefused, "the time is not within the attempt of " +
+                                             std::to_string(std::lround(duration_s)) + " s");
+    if (comment.time_s < 0 && comment.text.empty())
+        connection_.fail(Kind::kRefused, "a remark needs a text or a time");
+    (void)need_user(comment.author_id);
+    Statement insert(connection_,
+                     "INSERT INTO attempt_comments (attempt_id, author_id, time_s, comment, "
+                     "at_utc, removed_utc) VALUES (?, ?, ?, ?, ?, '') RETURNING id");
+    insert.run(comment.attempt_id, comment.author_id, comment.time_s < 0 ? -1.0 : comment.time_s,
+               comment.text, utc_now());
+    const int64_t id = insert.returned_id();
+    append_audit(actor_, "comment.add", "attempt " + std::to_string(comment.attempt_id),
+                 "comment " + std::to_string(id));
+    work.commit();
+    return id;
+}
+
+void SqlStore::set_comment_removed(int64_t id, bool removed) {
+    connection_.begin_operation("remove a remark from");
+    UnitOfWork work(connection_);
+    Statement update(connection_, "UPDATE attempt_comments SET removed_utc = ? WHERE id = ?");
+    update.run(removed ? utc_now() : std::string(), id);
+    if (update.affected() == 0)
+        connection_.fail(Kind::kNotFound, "there is no remark " + std::to_string(id));
+    append_audit(actor_, removed ? "comment.remove" : "comment.restore",
+                 "comment " + std::to_string(id), "");
+    work.commit();
+}
+
+std::vector<CommentRecord> SqlStore::comments(int64_t attempt_id) {
+    connection_.begin_operation("read the remarks of");
+    Statement query(connection_,
+                    "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, ''), "
+                    "c.time_s, c.comment, c.at_utc FROM attempt_comments c LEFT JOIN persons p ON "
+                    "p.account_id = c.author_id WHERE c.attempt_id = ? AND c.removed_utc = '' "
+                    "ORDER BY c.time_s, c.id");
+    query.run(attempt_id);
+    std::vector<CommentRecord> found;
+    while (query.next()) {
+        CommentRecord comment;
+        comment.id = query.integer(0);
+        comment.attempt_id = query.integer(1);
+        comment.author_id = query.integer(2);
+        comment.author_name = query.text(3);
+        comment.time_s = query.real(4);
+        comment.text = query.text(5);
+        comment.at_utc = query.text(6);
+        found.push_back(std::move(comment));
+    }
+    return found;
+}
+
+int64_t SqlStore::save_rating(const RatingRecord& rating) {
+    connection_.begin_operation("save a rating of attempt " + std::to_string(rating.attempt_id) +
+                                " in");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT account_id FROM attempts WHERE id = ?");
+    if (!there.run(rating.attempt_id).next())
+        connection_.fail(Kind::kNotFound,
+                         "there is no attempt " + std::to_string(rating.attempt_id));
+    if (there.integer(0) == rating.rater_id)
+        connection_.fail(Kind::kRefused, "nobody rates an attempt of their own");
+    (void)need_user(rating.rater_id);
+    Statement before(connection_,
+                     "SELECT id FROM attempt_ratings WHERE attempt_id = ? AND rater_id = ? AND "
+                     "questionnaire_id = ?");
+    if (before.run(rating.attempt_id, rating.rater_id, rating.questionnaire_id).next())
+        connection_.fail(Kind::kConflict, "this rater has rated the attempt already");
+    Statement insert(connection_,
+                     "INSERT INTO attempt_ratings (attempt_id, rater_id, questionnaire_id, "
+                     "questionnaire_version, blinded, rated_utc) VALUES (?, ?, ?, ?, ?, ?) "
+                     "RETURNING id");
+    insert.run(rating.attempt_id, rating.rater_id, rating.questionnaire_id,
+               rating.questionnaire_version, rating.blinded, utc_now());
+    const int64_t id = insert.returned_id();
+    Statement item(connection_,
+                   "INSERT INTO attempt_rating_items (rating_id, item, answer) VALUES (?, ?, ?)");
+    for (const auto& [name, answer] : rating.answers) item.run(id, name, answer);
+    append_audit(actor_, "rating.save", "attempt " + std::to_string(rating.attempt_id),
+                 rating.questionnaire_id + " version " +
+                     std::to_string(rating.questionnaire_version) +
+                     (rating.blinded ? ", blinded" : ""));
+    work.commit();
+    return id;
+}
+
+std::vector<RatingRecord> SqlStore::ratings(const std::string& questionnaire_id) {
+    connection_.begin_operation("read the ratings of");
+    std::vector<RatingRecord> found;
+    std::map<int64_t, size_t> place;
+    Statement query(connection_,
+                    "SELECT id, attempt_id, rater_id, questionnaire_version, blinded, rated_utc "
+                    "FROM attempt_ratings WHERE questionnaire_id = ? ORDER BY id");
+    query.run(questionnaire_id);
+    while (query.next()) {
+        RatingRecord rating;
+        rating.id = query.integer(0);
+        rating.attempt_id = query.integer(1);
+        rating.rater_id = query.integer(2);
+        rating.questionnaire_id = questionnaire_id;
+        rating.questionnaire_version = static_cast<int>(query.integer(3));
+        rating.blinded = query.integer(4) != 0;
+        rating.rated_utc = query.text(5);
+        place[rating.id] = found.size();
+        found.push_back(std::move(rating));
+    }
+    Statement items(connection_,
+                    "SELECT i.rating_id, i.item, i.answer FROM attempt_rating_items i JOIN "
+                    "attempt_ratings r ON r.id = i.rating_id WHERE r.questionnaire_id = ?");
+    items.run(questionnaire_id);
+    while (items.next()) {
+        const auto at = place.find(items.integer(0));
+        if (at != place.end()) found[at->second].answers[items.text(1)] = items.text(2);
+    }
+    return found;
+}
+
+}  // namespace placode::db
