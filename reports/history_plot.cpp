@@ -8,6 +8,7 @@
 
 #include "reports/report.h"
 #include "reports/text.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 namespace {
@@ -51,7 +52,7 @@ void add_pass_line(QCustomPlot& plot, double pass_points, double last, const Cha
     auto* text = new QCPItemText(&plot);
     text->position->setCoords(last + 0.5, pass_points);
     text->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
-    text->setText(QStringLiteral("pass at %1").arg(number(pass_points, 0)));
+    text->setText(figure_word("pass at %1").arg(number(pass_points, 0)));
     text->setColor(colour(style.good));
     QFont font;
     font.setPixelSize(static_cast<int>(style.font_px));
@@ -66,8 +67,8 @@ void draw_history(QPainter& painter, const QRectF& where,
     if (where.width() < 40 || where.height() < 40) return;
     QCustomPlot plot;
     plot.setBackground(QBrush(colour(style.surface)));
-    style_axis(plot.xAxis, QStringLiteral("attempt"), style);
-    style_axis(plot.yAxis, QStringLiteral("score [points of 100]"), style);
+    style_axis(plot.xAxis, figure_word("attempt"), style);
+    style_axis(plot.yAxis, figure_word("score [points of 100]"), style);
     const double last = std::max<double>(1, static_cast<double>(attempts.size()));
     plot.xAxis->setRange(0.5, last + 0.5);
     plot.yAxis->setRange(0, 104);

@@ -11,6 +11,7 @@
 
 #include "reports/report.h"
 #include "reports/text.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 namespace {
@@ -121,16 +122,16 @@ void draw_legend(QPainter& painter, const QRectF& where, const Map& map, const C
     painter.setFont(font);
     painter.setPen(colour(style.muted));
     painter.drawText(where.adjusted(4, 2, -4, -2), Qt::AlignHCenter | Qt::AlignTop,
-                     QStringLiteral("cranial (12 o'clock)"));
+                     figure_word("cranial (12 o'clock)"));
     const double bar = 0.005 * map.scale;
     const QPointF left(where.left() + 8, where.bottom() - 8);
     painter.setPen(QPen(colour(style.text), 1.5));
     painter.drawLine(left, left + QPointF(bar, 0));
     painter.drawText(QPointF(left.x(), left.y() - 4), QStringLiteral("5 mm"));
     const std::array<std::pair<QString, unsigned>, 3> words{
-        {{QStringLiteral("- - planned"), style.text},
-         {QStringLiteral("\u25cf cut"), style.accent},
-         {QStringLiteral("\u2715 harm"), style.critical}}};
+        {{QStringLiteral("- - ") + figure_word("planned"), style.text},
+         {QStringLiteral("\u25cf ") + figure_word("cut"), style.accent},
+         {QStringLiteral("\u2715 ") + figure_word("harm"), style.critical}}};
     double y = where.bottom() - 6 - 2 * style.font_px * 1.3;
     for (const auto& [word, ink] : words) {
         painter.setPen(colour(ink));

@@ -10,8 +10,10 @@
 #include <cmath>
 #include <span>
 
+#include "reports/attempt_figures.h"
 #include "reports/report.h"
 #include "reports/text.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 namespace {
@@ -75,7 +77,7 @@ QString reasons_html(const assessment::Score& score) {
                     "style='color:#5f666e'>%4</td></tr>")
                     .arg(number(reason.points, 1),
                          reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
-                         escaped(reason.text), when);
+                         reason_words(reason.text).toHtmlEscaped(), when);
     }
     return html + QStringLiteral("</table>");
 }
@@ -134,6 +136,33 @@ void draw_footer(QPainter& painter, int page, int pages, const db::AttemptRecord
                  QString::number(page), QString::number(pages)));
 }
 
+/// What was harmed when and where, and the ways of the instruments.
+void draw_pictures(QPainter& painter, const sim::Recording& recording, const ChartStyle& style) {
+    const auto picture =
+        ledger_picture(recording.events, recording.header.geometry, recording.end.duration_s);
+    double y = kMargin;
+    const auto heading = [&](const char* text) {
+        y += draw_html(painter, {kMargin, y}, kInner,
+                       QStringLiteral("<h3>%1</h3>").arg(figure_word(text))) +
+             4;
+    };
+    heading("Damage over time");
+    draw_ledger(painter, QRectF(kMargin, y, kInner, ledger_height(style)), picture, style);
+    y += ledger_height(style) + 6;
+    heading("Damage and energy on the anatomy");
+    const double half = (kInner - 16) / 2, map = 330;
+    draw_field_map(painter, QRectF(kMargin, y, half, map), recording, picture.entries,
+                   FieldLayer::kDamage, style);
+    draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording, picture.entries,
+                   FieldLayer::kEnergy, style);
+    y += map + 6;
+    heading("Ways of the instruments");
+    const double third = (kInner - 24) / 3;
+    for (int i = 0; i < 3; ++i)
+        draw_trajectory(painter, QRectF(kMargin + i * (third + 12), y, third, 250), recording,
+                        static_cast<Side>(i), style);
+}
+
 }  // namespace
 
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
@@ -166,8 +195,11 @@ void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& r
         const auto known = known_metrics(attempt.metrics);
         const size_t tables =
             std::max<size_t>(1, (known.size() + kMetricsAPage - 1) / kMetricsAPage);
-        const int pages = 1 + static_cast<int>(tables);
+        const int pages = 2 + static_cast<int>(tables);
         draw_footer(painter, 1, pages, attempt.record);
+        writer.newPage();
+        draw_pictures(painter, recording, style);
+        draw_footer(painter, 2, pages, attempt.record);
         for (size_t i = 0; i < tables; ++i) {
             writer.newPage();
             const size_t from = i * kMetricsAPage;
@@ -179,7 +211,7 @@ void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& r
             if (i + 1 == tables)
                 draw_html(painter, {kMargin, y}, kInner,
                           provenance_html(attempt.record, recording));
-            draw_footer(painter, static_cast<int>(i) + 2, pages, attempt.record);
+            draw_footer(painter, static_cast<int>(i) + 3, pages, attempt.record);
         }
     }
     if (!file.commit()) {

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Words for people in the language of the program: reasons, damage, phases, instruments. English
+// where no translator is installed. The shell's translation file lists them (borrowed_strings.cpp).
+
+#include <QString>
+
+#include "assessment/ledger.h"
+#include "assessment/scoring.h"
+#include "assessment/themes.h"
+
+namespace placode::reports {
+
+/// A word of the figures, translated.
+[[nodiscard]] QString figure_word(const char* english);
+
+/// The reason as a score keeps it (English), said again in the program's language: the sentence is
+/// recognised by its pattern, and its numbers are kept. A sentence that no pattern knows stays as
+/// it is.
+[[nodiscard]] QString reason_words(const std::string& english);
+/// Patterns of the shipped rubrics; a test compares them with data/tasks.
+[[nodiscard]] std::vector<std::string> reason_patterns();
+
+/// "Placode touched, 0.4 s, at most 12 mN"
+[[nodiscard]] QString ledger_words(const assessment::LedgerEntry& entry);
+/// "4 o'clock, junctional zone"; empty without a place.
+[[nodiscard]] QString place_words(const assessment::LedgerEntry& entry);
+[[nodiscard]] QString phase_words(sim::Phase phase);
+[[nodiscard]] QString theme_words(assessment::Theme theme);
+[[nodiscard]] QString lane_words(assessment::HarmLane lane);
+[[nodiscard]] QString tool_words(sim::ToolKind kind);
+[[nodiscard]] QString region_words(assessment::Region region);
+
+/// "1:05" in minutes and seconds, for axes and lists.
+[[nodiscard]] QString minute_second(double seconds);
+
+}  // namespace placode::reports
