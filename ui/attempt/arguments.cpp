@@ -47,6 +47,8 @@ void check(Arguments& arguments) {
     if (arguments.json && !arguments.list_devices)
         throw UsageError("--json goes with --list-devices; an attempt reports with --status");
     if (arguments.list_devices || arguments.limits_file || arguments.station_file) return;
+    if (arguments.control && arguments.device.rfind("play:", 0) != 0)
+        throw UsageError("--control: steers a replay only; use it with --device play:FILE");
     if (arguments.device.rfind("play:", 0) == 0) {
         arguments.play = arguments.device.substr(5);
         if (arguments.play.empty()) throw UsageError("--device play:FILE: the file is missing");
@@ -75,7 +77,7 @@ void check(Arguments& arguments) {
 
 Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     Arguments arguments;
-    std::string size, screenshots;
+    std::string size, screenshots, camera;
     exit_now = false;
     CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
     app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
@@ -104,6 +106,15 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_flag("--demonstration", arguments.demonstration,
                  "Mark picture and recording as demonstration");
     app.add_flag("--fullscreen", arguments.fullscreen, "Window over the whole screen");
+    app.add_option("--camera", camera, "Replay: scope, above, left, feet or near")
+        ->check(CLI::IsMember({"scope", "above", "left", "feet", "near"}));
+    app.add_option("--speed", arguments.wish.speed, "Replay: 0.1 to 8")
+        ->check(CLI::Range(kSlowest, kFastest));
+    app.add_option("--from", arguments.wish.seek_s, "Replay: start at this second")
+        ->check(CLI::Range(0.0, 86400.0));
+    app.add_flag("--control", arguments.control,
+                 "Replay: read \"camera NAME\", \"speed X\", \"seek S\", \"pause\", \"play\", "
+                 "\"quit\" from standard input");
     app.add_flag("--list-devices", arguments.list_devices, "What can be used here, and why not");
     app.add_flag("--json", arguments.json, "With --list-devices: one JSON document");
     app.add_flag("--limits-file", arguments.limits_file,
@@ -119,6 +130,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; see placode-sim --help");
     }
+    if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
     if (!size.empty()) read_size(size, arguments);
     if (!screenshots.empty()) read_screenshots(screenshots, arguments);
     check(arguments);

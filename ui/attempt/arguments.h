@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "ui/attempt/replay_control.h"
+
 namespace placode::ui {
 
 /// Bad input or usage: exit status 2. The message is complete and for the user.
@@ -28,6 +30,8 @@ struct Arguments {
     bool headless = false, fast = false, status = false, demonstration = false;
     bool fullscreen = false, list_devices = false, json = false;
     bool limits_file = false, station_file = false;
+    bool control = false;  ///< Replay: obey lines on standard input, stay at the end.
+    ReplayWish wish;       ///< Replay: camera, speed and the moment to start with.
 };
 
 /// Throws UsageError. Prints help or version itself and then sets `exit_now`.

@@ -28,7 +28,12 @@ Help controls(const std::string& device) {
         help = {{"left stick", "Move the instrument"},   {"triggers", "Deeper, shallower"},
                 {"right stick", "Turn about the shaft"}, {"A", "Cut (yellow pedal)"},
                 {"B", "Coagulate (blue pedal)"},         {"left bumper", "Precise"}};
-    } else if (device.rfind("script:", 0) == 0 || device.rfind("play:", 0) == 0) {
+    } else if (device.rfind("play:", 0) == 0) {
+        return {{"Space", "Pause, go on"},      {"← →", "5 s back, 5 s on"},
+                {"↑ ↓", "Faster, slower"},      {"V", "Next camera"},
+                {"F5", "Planned line on, off"}, {"F3", "Performance"},
+                {"F1", "Help on, off"},         {"Esc", "Close"}};
+    } else if (device.rfind("script:", 0) == 0) {
         help = {{"", "The simulated operator works by itself; watch."}};
     } else {
         help = {{"arm", "Move the instrument"},

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A recording again: every state hash in it must come out the same.
+// A recording again: every state hash in it must come out the same. Going on to a moment means to
+// simulate up to it without pictures, going back means to begin again; nothing is skipped.
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <thread>
@@ -16,22 +18,81 @@ namespace placode::ui {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using Seconds = std::chrono::duration<double>;
 
 struct StoppedByUser {};
+/// A moment before the present one was asked for.
+struct BeginAgain {};
 
-// Draws while the recording is simulated: in real time in a window, or only the pictures asked for.
+/// What stands at the foot of the picture, in the user's language.
+std::string foot_text(const ReplayWish& wish, double target_s, bool at_end, bool polish) {
+    static constexpr const char* kEnglish[]{"as operated", "from above", "from the left",
+                                            "from the feet", "near the tip"};
+    static constexpr const char* kPolish[]{"jak podczas próby", "z góry", "z lewej",
+                                           "od strony stóp", "blisko końcówki"};
+    const auto camera = static_cast<size_t>(wish.camera);
+    char speed[32];
+    std::snprintf(speed, sizeof speed, "%gx", wish.speed);
+    std::string text = speed;
+    text += "   ";
+    text += polish ? kPolish[camera] : kEnglish[camera];
+    if (target_s >= 0)
+        text += (polish ? "   symulacja do " : "   simulating to ") + sim::clock_text(target_s);
+    else if (at_end)
+        text += polish ? "   koniec zapisu" : "   end of the recording";
+    else if (wish.paused)
+        text += polish ? "   pauza" : "   paused";
+    return text;
+}
+
+// Draws while the recording is simulated: at the speed asked for, or only the pictures asked for.
 class Watcher {
  public:
     Watcher(const Arguments& arguments, const sim::Recording& recording, StatusLine& status)
-        : arguments_(arguments), status_(status), shots_(arguments) {
+        : arguments_(arguments),
+          recording_(recording),
+          status_(status),
+          shots_(arguments),
+          wish_(arguments.wish),
+          paced_((!arguments.headless || arguments.control) && !arguments.fast) {
         const curriculum::Task task =
             curriculum::load_task_text(recording.header.task_json, arguments.play);
         overlay_ = attempt_overlay(task, arguments);
         overlay_.time_limit_s = recording.end.duration_s;
     }
 
+    void begin() {
+        last_.time_s = 0;
+        next_picture_s_ = next_look_s_ = 0;
+        started_ = false;
+    }
+
     void frame(const sim::Scene& scene, const sim::State& state) {
-        if (stop_requested()) throw StoppedByUser{};
+        note(state);
+        // Commands and keys are looked at a hundred times a second, not a thousand times.
+        if (Clock::now() - last_look_ > std::chrono::milliseconds(10)) {
+            last_look_ = Clock::now();
+            obey(scene, state);
+            if (wish_.paused && target_s_ < 0) hold(scene, state, false);
+        }
+        tell();
+        const bool due = shots_.due(state.time_s);
+        // Smoke lives on what happens between pictures: look ten times a second.
+        const bool look = state.time_s >= next_look_s_ && shots_.wanted();
+        const bool window = !arguments_.headless;
+        const bool picture = target_s_ >= 0 ? progress_due() : paced_ && picture_time(state.time_s);
+        if (!due && !look && !(window && picture)) return;
+        next_look_s_ = state.time_s + 0.1;
+        show(scene, state, due || window);
+        if (due) shots_.save(*view_, state.time_s);
+    }
+
+    /// The last picture stays until somebody wants something else.
+    void stay(const sim::Scene& scene, const sim::State& state) { hold(scene, state, true); }
+    [[nodiscard]] const curriculum::AttemptStatus& last() const { return last_; }
+
+ private:
+    void note(const sim::State& state) {
         last_.time_s = state.time_s;
         last_.phase = state.phase;
         last_.substeps = state.substeps;
@@ -39,29 +100,83 @@ class Watcher {
         last_.cut_fraction =
             points > 0 ? static_cast<double>(state.progress.cut_count) / static_cast<double>(points)
                        : 0;
-        status_.print(last_);
-        const bool due = shots_.due(state.time_s);
-        const bool window = !arguments_.headless;
-        // Smoke lives on what happens between pictures: look ten times a second.
-        const bool look = state.time_s >= next_look_s_ && shots_.wanted();
-        if (!due && !look && !(window && picture_time(state.time_s))) return;
-        next_look_s_ = state.time_s + 0.1;
+        if (target_s_ >= 0 && state.time_s >= target_s_) {
+            target_s_ = -1;
+            started_ = false;
+            next_picture_s_ = 0;
+        }
+    }
+
+    void tell(bool now = false) {
+        if (arguments_.control) {
+            const double wall = Seconds(Clock::now() - pace_from_).count();
+            if (wall > 0.5) {
+                pace_ = std::max(0.0, (last_.time_s - pace_from_s_) / wall);
+                pace_from_ = Clock::now();
+                pace_from_s_ = last_.time_s;
+            }
+            status_.set_replay({wish_.paused, wish_.speed, pace_, target_s_,
+                                camera_name(wish_.camera), wish_.problem});
+        }
+        status_.print(last_, now);
+    }
+
+    void obey(const sim::Scene& scene, const sim::State& state) {
+        if (stop_requested()) throw StoppedByUser{};
+        const ReplayWish before = wish_;
+        if (arguments_.control) control_.poll(wish_);
+        if (!arguments_.headless && view_) handle_window(state.time_s);
+        if (wish_.quit) throw StoppedByUser{};
+        if (before.speed != wish_.speed || before.paused != wish_.paused) started_ = false;
+        if (wish_.seek_s >= 0) {
+            target_s_ = std::min(wish_.seek_s, std::max(0.0, recording_.end.duration_s - 0.05));
+            wish_.seek_s = -1;
+            if (std::abs(target_s_ - state.time_s) < 0.1)
+                target_s_ = -1;  // there already, e.g. at the end
+            else if (target_s_ < state.time_s)
+                throw BeginAgain{};
+        }
+        if (before.camera != wish_.camera && !arguments_.headless && view_)
+            show(scene, state, true);
+    }
+
+    void hold(const sim::Scene& scene, const sim::State& state, bool at_end) {
+        at_end_ = at_end;
+        tell(true);
+        while ((wish_.paused || at_end) && target_s_ < 0) {
+            if (!arguments_.headless) show(scene, state, true);
+            std::this_thread::sleep_for(std::chrono::milliseconds(arguments_.headless ? 20 : 66));
+            obey(scene, state);
+            tell();
+        }
+        at_end_ = false;
+        started_ = false;
+    }
+
+    void show(const sim::Scene& scene, const sim::State& state, bool draw) {
         sim::fill_snapshot(scene, state, snapshot_);
+        place_camera(wish_.camera, scene.tools, snapshot_);
         if (!view_)
             view_.emplace(sim::view_field(scene, arguments_.seed),
                           view_settings(arguments_, overlay_.title));
-        if (!due && !window) {
+        if (!draw) {
             view_->observe(snapshot_);
             return;
         }
+        overlay_.notice =
+            foot_text(wish_, target_s_, at_end_, arguments_.language == std::string("pl"));
         view_->draw(snapshot_, overlay_);
-        if (due) shots_.save(*view_, state.time_s);
-        if (window) handle_window();
     }
-    [[nodiscard]] const curriculum::AttemptStatus& last() const { return last_; }
 
- private:
-    // Waits where the simulation is ahead of real time; skips pictures where it is behind.
+    // While a moment is being reached: three pictures a second say that something happens.
+    bool progress_due() {
+        if (Clock::now() - last_progress_ < std::chrono::milliseconds(330)) return false;
+        last_progress_ = Clock::now();
+        return true;
+    }
+
+    // Waits where the simulation is ahead of the speed asked for; skips pictures where it is
+    // behind.
     bool picture_time(double time_s) {
         if (!started_) {
             started_ = true;
@@ -69,14 +184,15 @@ class Watcher {
             start_s_ = time_s;
         }
         const auto due = start_ + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(time_s - start_s_));
+                                      Seconds((time_s - start_s_) / wish_.speed));
         if (due > Clock::now()) std::this_thread::sleep_until(due);
         if (time_s < next_picture_s_) return false;
-        next_picture_s_ =
-            time_s + (Clock::now() - due > std::chrono::milliseconds(200) ? 0.2 : 0.033);
+        const bool behind = Clock::now() - due > std::chrono::milliseconds(200);
+        next_picture_s_ = time_s + (behind ? 0.2 : 0.033) * wish_.speed;
         return true;
     }
-    void handle_window() {
+
+    void handle_window(double now_s) {
         sim::WindowInput input;
         view_->poll(input);
         const auto pressed = [&](sim::Key key) {
@@ -85,21 +201,45 @@ class Watcher {
         overlay_.show_performance = pressed(sim::Key::kF3);
         overlay_.show_guide = pressed(sim::Key::kF5);
         overlay_.show_help = pressed(sim::Key::kF1);
-        if (view_->close_requested() || input.presses[static_cast<size_t>(sim::Key::kEscape)] > 0)
-            throw StoppedByUser{};
+        keys_.apply(input, now_s, wish_);
+        if (view_->close_requested()) throw StoppedByUser{};
     }
 
     const Arguments& arguments_;
+    const sim::Recording& recording_;
     StatusLine& status_;
     Screenshots shots_;
+    ReplayWish wish_;
+    ControlInput control_;
+    ReplayKeys keys_;
     sim::OverlayState overlay_;
     std::optional<sim::FetoscopeView> view_;
     sim::Snapshot snapshot_;
     curriculum::AttemptStatus last_;
-    bool started_ = false;
-    Clock::time_point start_{};
-    double start_s_ = 0, next_picture_s_ = 0, next_look_s_ = 0;
+    bool paced_, started_ = false, at_end_ = false;
+    Clock::time_point start_{}, last_look_{}, last_progress_{}, pace_from_ = Clock::now();
+    double start_s_ = 0, next_picture_s_ = 0, next_look_s_ = 0, target_s_ = -1;
+    double pace_ = 0, pace_from_s_ = 0;
 };
+
+/// From the beginning to the end, or until an earlier moment is wanted (nothing then).
+std::optional<curriculum::ReplayResult> play_once(const Arguments& arguments,
+                                                  const sim::Recording& recording,
+                                                  Watcher& watcher) {
+    const size_t last = recording.inputs.size();
+    size_t frames = 0;
+    try {
+        watcher.begin();
+        return curriculum::replay(recording, arguments.threads,
+                                  [&](const sim::Scene& scene, const sim::State& state) {
+                                      watcher.frame(scene, state);
+                                      if (++frames == last && arguments.control)
+                                          watcher.stay(scene, state);
+                                  });
+    } catch (const BeginAgain&) {
+        return std::nullopt;
+    }
+}
 
 }  // namespace
 
@@ -108,16 +248,18 @@ int run_replay(const Arguments& arguments, StatusLine& status) {
     Watcher watcher(arguments, recording, status);
     status.print(watcher.last(), true);
     try {
-        const curriculum::ReplayResult result = curriculum::replay(
-            recording, arguments.threads,
-            [&](const sim::Scene& scene, const sim::State& state) { watcher.frame(scene, state); });
-        status.end(watcher.last(), result.identical ? "identical" : "different", arguments.play,
-                   result.message);
+        std::optional<curriculum::ReplayResult> result;
+        while (!(result = play_once(arguments, recording, watcher))) {
+        }
+        status.end(watcher.last(), result->identical ? "identical" : "different", arguments.play,
+                   result->message);
         // With --status standard output is for JSON only.
-        std::fprintf(arguments.status ? stderr : stdout, "%s\n", result.message.c_str());
-        return result.identical ? 0 : 1;
+        std::fprintf(arguments.status ? stderr : stdout, "%s\n", result->message.c_str());
+        return result->identical ? 0 : 1;
     } catch (const StoppedByUser&) {
         status.end(watcher.last(), "closed", arguments.play);
+        // With --control closing is the way to end.
+        if (arguments.control) return 0;
         std::fprintf(
             stderr,
             "placode-sim: replay stopped before its end; nothing was compared to the last frame\n");

@@ -60,7 +60,16 @@ void StatusLine::print(const curriculum::AttemptStatus& status, bool now) {
     const double t = monotonic_s();
     if (!now && last_s_ >= 0 && t - last_s_ < 0.1) return;
     last_s_ = t;
-    print_line(fields(status));
+    nlohmann::ordered_json object = fields(status);
+    if (replay_) {
+        object["paused"] = replay_->paused;
+        object["speed"] = replay_->speed;
+        object["pace"] = replay_->pace;
+        object["target_s"] = replay_->target_s;
+        object["camera"] = replay_->camera;
+        if (!replay_->problem.empty()) object["problem"] = replay_->problem;
+    }
+    print_line(object);
 }
 
 void StatusLine::end(const curriculum::AttemptStatus& status, const std::string& reason,

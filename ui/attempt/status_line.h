@@ -3,17 +3,29 @@
 #pragma once
 // Status for whoever started this program: one JSON object a line on standard output.
 
+#include <optional>
 #include <string>
 
 #include "curriculum/attempt_runner.h"
 
 namespace placode::ui {
 
+/// What a replay adds to its lines.
+struct ReplayStatus {
+    bool paused = false;
+    double speed = 1;      ///< Asked for.
+    double pace = 0;       ///< Reached: simulated seconds a second, 0 = not known.
+    double target_s = -1;  ///< Where it is simulating to without a picture; -1 = it plays.
+    const char* camera = "scope";
+    std::string problem;  ///< A command that was not understood.
+};
+
 /// Prints and flushes when `enabled`; otherwise silent.
 class StatusLine {
  public:
     explicit StatusLine(bool enabled) : enabled_(enabled) {}
-    /// At most twice a second unless `now`.
+    void set_replay(const ReplayStatus& replay) { replay_ = replay; }
+    /// At most ten times a second unless `now`.
     void print(const curriculum::AttemptStatus& status, bool now = false);
     /// Last line. `recording` empty = none.
     void end(const curriculum::AttemptStatus& status, const std::string& reason,
@@ -22,6 +34,7 @@ class StatusLine {
 
  private:
     bool enabled_;
+    std::optional<ReplayStatus> replay_;
     double last_s_ = -1;  // monotonic
 };
 
