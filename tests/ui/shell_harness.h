@@ -11,6 +11,8 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -39,6 +41,7 @@ class ShellHarness {
         options.settings_file = path("settings.ini");
         options.launch.program = PLACODE_BIN_DIR "/placode-sim";
         options.launch.more_arguments = QStringList{"--headless", "--fast"};
+        options.launch.replay_arguments = QStringList{"--headless"};
         options.ask_save_file = [this](QWidget*, const QString&, const QString&, const QString&) {
             return save_as;
         };
@@ -59,7 +62,14 @@ class ShellHarness {
         if (window_->page() != nullptr) {
             if (T* found = window_->page()->template findChild<T*>(name)) return found;
         }
-        return window_->template findChild<T*>(name);
+        // Of the frame: a page that was left lives on for a moment and must not be found.
+        for (T* found : window_->template findChildren<T*>(name)) {
+            const QWidget* above = found;
+            while (above != nullptr && dynamic_cast<const Page*>(above) == nullptr)
+                above = above->parentWidget();
+            if (above == nullptr) return found;
+        }
+        return nullptr;
     }
 
     [[nodiscard]] bool click(const QString& name) {
@@ -129,6 +139,50 @@ class ShellHarness {
                 QString("%1/%2_%3.png")
                     .arg(folder, name, theme == ThemeKind::kDark ? "dark" : "light"));
         }
+    }
+
+    [[nodiscard]] QString shotFile(const QString& name) const {
+        const QString folder =
+            qEnvironmentVariable("PLACODE_SCREENSHOTS", PLACODE_BIN_DIR "/../screenshots");
+        QDir().mkpath(folder);
+        return QString("%1/%2.png").arg(folder, name);
+    }
+
+    /// The whole page, also what has to be scrolled to, in both themes.
+    void whole(const QString& name) {
+        for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+            context_->setTheme(theme);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            (void)QTest::qWaitFor(
+                [] { return QThreadPool::globalInstance()->activeThreadCount() == 0; }, 20000);
+            QTest::qWait(120);  // Lets layouts settle and pictures load; nothing depends on it.
+            auto* area = window_->page()->findChild<QScrollArea*>();
+            QWidget* inside = area != nullptr ? area->widget() : window_->page();
+            inside->grab().save(shotFile(name + (theme == ThemeKind::kDark ? "_dark" : "_light")));
+        }
+    }
+
+    /// True when nothing on the page is cut off at the side.
+    [[nodiscard]] bool fits() const {
+        for (const QScrollArea* area : window_->page()->findChildren<QScrollArea*>())
+            if (area->horizontalScrollBar()->maximum() > 0) return false;
+        return true;
+    }
+
+    void scrollTo(const QString& name) {
+        auto* area = window_->page()->findChild<QScrollArea*>();
+        auto* widget = find<QWidget>(name);
+        if (area != nullptr && widget != nullptr) area->ensureWidgetVisible(widget, 0, 200);
+    }
+
+    /// First start: the administrator "ada" and the demonstration accounts.
+    [[nodiscard]] bool setUpWithDemonstration() {
+        if (!arrives(PageId::kSetup) || !type("display_name", "Ada Admin") ||
+            !type("login", "ada") || !type("password", "correct horse") ||
+            !type("password_again", "correct horse"))
+            return false;
+        find<QAbstractButton>("add_demonstration")->setChecked(true);
+        return click("create_administrator") && arrives(PageId::kLogin);
     }
 
     QString save_as;  ///< Answer to the next file dialog.

@@ -17,6 +17,23 @@ constexpr int kKeptErrorBytes = 4000;
 
 }  // namespace
 
+QString simulator_path(const LaunchOptions& options) {
+    QString path = options.program;
+    if (path.isEmpty()) path = qEnvironmentVariable("PLACODE_SIM");
+    if (path.isEmpty()) path = QCoreApplication::applicationDirPath() + "/placode-sim";
+    const QFileInfo info(path);
+    return info.isFile() && info.isExecutable() ? path : QString();
+}
+
+std::string simulator_missing(const LaunchOptions& options) {
+    const QString looked =
+        options.program.isEmpty() ? qEnvironmentVariable("PLACODE_SIM") : options.program;
+    return "placode-sim: not found at " +
+           (looked.isEmpty() ? QCoreApplication::applicationDirPath() + "/placode-sim" : looked)
+               .toStdString() +
+           "; build or install it beside placode, or set PLACODE_SIM to its path";
+}
+
 AttemptLauncher::AttemptLauncher(LaunchOptions options, QObject* parent)
     : QObject(parent), options_(std::move(options)) {
     connect(&process_, &QProcess::readyReadStandardOutput, this, &AttemptLauncher::readStatus);
@@ -37,14 +54,6 @@ AttemptLauncher::~AttemptLauncher() {
     process_.waitForFinished(1000);
 }
 
-QString AttemptLauncher::program() const {
-    QString path = options_.program;
-    if (path.isEmpty()) path = qEnvironmentVariable("PLACODE_SIM");
-    if (path.isEmpty()) path = QCoreApplication::applicationDirPath() + "/placode-sim";
-    const QFileInfo info(path);
-    return info.isFile() && info.isExecutable() ? path : QString();
-}
-
 bool AttemptLauncher::running() const { return process_.state() != QProcess::NotRunning; }
 
 qint64 AttemptLauncher::processId() const { return process_.processId(); }
@@ -52,15 +61,7 @@ qint64 AttemptLauncher::processId() const { return process_.processId(); }
 void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     if (running()) throw LaunchError("another attempt is still running; stop it first");
     const QString path = program();
-    if (path.isEmpty()) {
-        const QString looked =
-            options_.program.isEmpty() ? qEnvironmentVariable("PLACODE_SIM") : options_.program;
-        throw LaunchError(
-            "placode-sim: not found at " +
-            (looked.isEmpty() ? QCoreApplication::applicationDirPath() + "/placode-sim" : looked)
-                .toStdString() +
-            "; build or install it beside placode, or set PLACODE_SIM to its path");
-    }
+    if (path.isEmpty()) throw LaunchError(simulator_missing(options_));
     write_order(order, folder);
     order_ = order;
     status_ = {};
@@ -69,6 +70,7 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     QStringList arguments{"--task",   order.task,           "--device", order.device,
                           "--record", order.recording_file, "--status"};
     if (order.demonstration) arguments << "--demonstration";
+    if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);
     arguments << "--language" << options_.language << options_.more_arguments;
     process_.start(path, arguments);
     if (!process_.waitForStarted(kPatienceMs)) {

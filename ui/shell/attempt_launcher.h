@@ -25,7 +25,13 @@ struct LaunchOptions {
     QString program;             ///< Empty: $PLACODE_SIM, else beside this program.
     QStringList more_arguments;  ///< E.g. --headless --fast.
     QString language = "en";
+    QStringList replay_arguments;  ///< For a replay, e.g. --headless.
 };
+
+/// Path of the simulator, or empty when it is not there.
+[[nodiscard]] QString simulator_path(const LaunchOptions& options);
+/// What to say then: where it was looked for, and the way out.
+[[nodiscard]] std::string simulator_missing(const LaunchOptions& options);
 
 /// The newest status line of the running attempt.
 struct LiveStatus {
@@ -62,7 +68,8 @@ class AttemptLauncher : public QObject {
     [[nodiscard]] const AttemptOrder& order() const { return order_; }
     [[nodiscard]] const LiveStatus& status() const { return status_; }
     /// Path of the simulator, or empty when it is not there.
-    [[nodiscard]] QString program() const;
+    [[nodiscard]] QString program() const { return simulator_path(options_); }
+    [[nodiscard]] const LaunchOptions& options() const { return options_; }
 
  Q_SIGNALS:
     void started();

@@ -34,6 +34,26 @@ std::vector<sim::Event> ledger(const sim::Recording& recording) {
     return kept;
 }
 
+/// An attempt of a study is a step of its participant. One that was interrupted is noted, but the
+/// step is still to be done. Does nothing for a step that names the attempt already.
+void record_study_step(db::Store& store, const AttemptOrder& order, int64_t attempt_id,
+                       sim::EndReason end) {
+    if (order.study.isEmpty()) return;
+    const std::string study = order.study.toStdString();
+    for (const db::StepRecord& each : store.steps(study))
+        if (each.attempt_id == attempt_id) return;
+    db::StepRecord step;
+    step.study_id = study;
+    step.participant = order.participant.toStdString();
+    step.visit = order.visit;
+    step.step = order.step.toStdString();
+    step.attempt_id = attempt_id;
+    const bool interrupted = end == sim::EndReason::kInterrupted || end == sim::EndReason::kRunning;
+    step.state = interrupted ? db::StepState::kStarted : db::StepState::kDone;
+    if (interrupted) step.detail = "interrupted";
+    store.record_step(step);
+}
+
 }  // namespace
 
 QString recordings_folder(const std::string& store_url) {
@@ -60,7 +80,12 @@ void write_order(AttemptOrder& order, const QString& folder) {
                            {"title", order.title},
                            {"device", order.device},
                            {"started_utc", order.started_utc},
-                           {"demonstration", order.demonstration}};
+                           {"demonstration", order.demonstration},
+                           {"study", order.study},
+                           {"participant", order.participant},
+                           {"step", order.step},
+                           {"visit", order.visit},
+                           {"duration_s", order.duration_s}};
     QSaveFile file(order_file(order.recording_file));
     const QByteArray text = QJsonDocument(json).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
@@ -83,6 +108,11 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.device = json["device"].toString();
     order.started_utc = json["started_utc"].toString();
     order.demonstration = json["demonstration"].toBool();
+    order.study = json["study"].toString();
+    order.participant = json["participant"].toString();
+    order.step = json["step"].toString();
+    order.visit = json["visit"].toInt(1);
+    order.duration_s = json["duration_s"].toDouble();
     order.recording_file = recording_file;
     return order;
 }
@@ -127,6 +157,7 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing.
     if (const std::optional<int64_t> known = store.attempt_of_recording(file)) {
+        record_study_step(store, order, *known, store.attempt(*known).record.end);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};
     }
@@ -145,8 +176,13 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     result.events = ledger(recording);
     result.recording_file = file;
     const int64_t id = store.save_attempt(order.user_id, result);
+    record_study_step(store, order, id, result.end.reason);
     remove_recording(order.recording_file);
     return {Saving::kSaved, id};
+}
+
+sim::Recording recording_of_file(const QString& file) {
+    return db::recover_recording_file(file.toStdString()).recording;
 }
 
 sim::Recording stored_recording(db::Store& store, int64_t attempt_id) {

@@ -22,7 +22,10 @@ struct AttemptOrder {
     QString device;  ///< As on the command line.
     QString started_utc;
     QString recording_file;
-    bool demonstration = false;  ///< Of a demonstration account.
+    bool demonstration = false;        ///< Of a demonstration account.
+    QString study, participant, step;  ///< Of a study; empty = of a course.
+    int visit = 1;
+    double duration_s = 0;  ///< 0 = the task's limit.
 };
 
 /// A recording that was not saved: crash, power cut, or a store that could not be reached.
@@ -67,6 +70,9 @@ struct SavedAttempt {
 /// then removes the files. A file that the store already holds is not saved twice. Throws what the
 /// parts throw; the files then stay. Any thread, with a store of that thread.
 [[nodiscard]] SavedAttempt save_recording(db::Store& store, const AttemptOrder& order);
+
+/// A recording file, read back up to a damage.
+[[nodiscard]] sim::Recording recording_of_file(const QString& file);
 
 /// The recording of a stored attempt, read back up to a damage. Any thread, with a store of that
 /// thread.

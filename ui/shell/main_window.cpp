@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QProgressBar>
 #include <QScreen>
+#include <QShortcut>
 #include <QToolButton>
 
 #include "ui/shell/parts.h"
@@ -27,6 +28,8 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
         busy_->setVisible(!what.isEmpty());
     });
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
+    auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
+    connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
     connect(&context.launcher(), &AttemptLauncher::started, this, &MainWindow::updateFrame);
 }
 
@@ -65,7 +68,7 @@ void MainWindow::rebuild() {
 void MainWindow::onUserChanged() {
     trail_.clear();
     buildFrame();
-    showPlace(context_.signedIn() ? home() : Place{PageId::kLogin, 0, {}, {}});
+    showPlace(context_.signedIn() ? lastPlace() : Place{PageId::kLogin, 0, {}, {}});
     if (context_.signedIn()) offerLeftovers();
 }
 
@@ -120,6 +123,7 @@ void MainWindow::showPlace(const Place& place) {
         QMetaObject::invokeMethod(
             this, [this, text] { banner_->showNotice(text); }, Qt::QueuedConnection);
     });
+    rememberPlace();
     updateFrame();
 }
 
@@ -148,7 +152,9 @@ void MainWindow::showRetry(const QString& text, const std::function<void()>& aga
 void MainWindow::updateFrame() {
     const bool alone = page_ && page_->alone();
     rail_->setVisible(context_.signedIn() && !alone);
-    if (auto* menu = bar_->findChild<QToolButton*>("user_menu")) menu->setVisible(!alone);
+    for (const char* name : {"user_menu", "search"})
+        if (auto* button = bar_->findChild<QToolButton*>(name))
+            button->setVisible(context_.signedIn() && !alone);
     running_->setVisible(context_.launcher().running() && place_.page != PageId::kRunning);
     title_->setText(page_ ? page_->title() : QString());
     for (const auto& [button, page] : rail_buttons_) {

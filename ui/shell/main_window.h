@@ -47,6 +47,12 @@ class MainWindow : public QMainWindow {
     void onAttemptEnded(const AttemptEnding& ending);
     void saveAttempt(const AttemptEnding& ending);
     void offerLeftovers();
+    void openSearch();
+    void rememberPlace();
+    /// The page that this user left last, if it may still be opened.
+    [[nodiscard]] Place lastPlace() const;
+    /// Where an attempt that came to nothing was asked for.
+    [[nodiscard]] static Place placeOf(const AttemptOrder& order);
     [[nodiscard]] Place home() const;
     void updateFrame();
 
@@ -62,6 +68,7 @@ class MainWindow : public QMainWindow {
     QWidget* busy_ = nullptr;
     QToolButton* running_ = nullptr;
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
+    QPointer<QWidget> search_;
 };
 
 }  // namespace placode::ui

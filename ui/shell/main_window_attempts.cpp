@@ -9,6 +9,11 @@
 
 namespace placode::ui {
 
+Place MainWindow::placeOf(const AttemptOrder& order) {
+    if (order.study.isEmpty()) return {PageId::kTask, 0, order.task, {}};
+    return {PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
+}
+
 void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     updateFrame();
     const bool waiting = place_.page == PageId::kRunning;
@@ -19,7 +24,7 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         remove_recording(ending.order.recording_file);
         context_.report({tr("The attempt could not be started."),
                          tr("Choose another device or try again."), ending.message});
-        if (waiting) showPlace({PageId::kTask, 0, ending.order.task, {}});
+        if (waiting) showPlace(placeOf(ending.order));
         return;
     }
     if ((ending.crashed || ending.exit_code != 0) && !ending.asked) {
@@ -48,14 +53,21 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
             if (saved->outcome == Saving::kEmpty) {
                 context_.report({tr("The attempt ended before anything was recorded."),
                                  tr("Try again."), ending.message});
-                if (waiting) showPlace({PageId::kTask, 0, ending.order.task, {}});
+                if (waiting) showPlace(placeOf(ending.order));
                 return;
             }
-            const Place result{PageId::kResult, saved->attempt_id, {}, {}};
+            const AttemptOrder& order = ending.order;
+            // A participant is led on; scores are not shown during a study.
+            const Place result =
+                order.study.isEmpty()
+                    ? Place{PageId::kResult, saved->attempt_id, {}, {}}
+                    : Place{PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
             if (!context_.signedIn() || context_.user().id != ending.order.user_id) return;
             if (waiting) return showPlace(result);
-            banner_->showNotice(tr("Your attempt was saved."),
-                                {tr("Open the result"), [this, result] { open(result); }});
+            banner_->showNotice(
+                tr("Your attempt was saved."),
+                {order.study.isEmpty() ? tr("Open the result") : tr("Go on with the study"),
+                 [this, result] { open(result); }});
         });
 }
 

@@ -98,6 +98,10 @@ QWidget* MainWindow::buildRail() {
     add(PageId::kHistory, tr("History"), "history", trains);
     add(PageId::kAttempts, tr("Attempts"), "attempts",
         context_.may(Action::kViewAttempts, Scope::kOther));
+    const bool teaches = context_.may(Action::kViewAttempts, Scope::kOther);
+    add(PageId::kCohort, tr("Cohort"), "cohort", teaches);
+    add(PageId::kRatings, tr("Ratings"), "ratings", teaches);
+    add(PageId::kStandards, tr("Standards"), "standards", teaches);
     add(PageId::kStudies, tr("Studies"), "studies", context_.may(Action::kRunQuestionnaire));
     add(PageId::kPeople, tr("People"), "people", context_.may(Action::kManageUsers, Scope::kOther));
     add(PageId::kHealth, tr("Health"), "health", context_.may(Action::kBackup, Scope::kOther));
@@ -127,6 +131,15 @@ QWidget* MainWindow::buildTopBar() {
     connect(running_, &QToolButton::clicked, this, [this] { open({PageId::kRunning, 0, {}, {}}); });
     row->addWidget(running_);
     const bool dark = context_.theme() == ThemeKind::kDark;
+    auto* search = new QToolButton;
+    search->setObjectName("search");
+    search->setText(tr("Search"));
+    search->setIcon(line_icon("search", context_.colors().text));
+    search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    search->setToolTip(tr("Search pages, tasks, people and attempts (Ctrl+K)"));
+    connect(search, &QToolButton::clicked, this, &MainWindow::openSearch);
+    search->setVisible(context_.signedIn());
+    row->addWidget(search);
     auto* language = new QToolButton;
     language->setObjectName("language");
     language->setText(context_.language() == "pl" ? "EN" : "PL");
@@ -143,7 +156,7 @@ QWidget* MainWindow::buildTopBar() {
     theme->setAccessibleName(theme->toolTip());
     connect(theme, &QToolButton::clicked, this,
             [this, dark] { context_.setTheme(dark ? ThemeKind::kLight : ThemeKind::kDark); });
-    for (QToolButton* button : {running_, language, theme}) {
+    for (QToolButton* button : {running_, search, language, theme}) {
         button->setIconSize(QSize(20, 20));
         button->setFocusPolicy(Qt::StrongFocus);
     }

@@ -40,6 +40,16 @@ Page* make_page(AppContext& context, const Place& place) {
             return make_account_page(context, place);
         case PageId::kRecovery:
             return make_recovery_page(context, place);
+        case PageId::kWatch:
+            return make_watch_page(context, place);
+        case PageId::kStudyRun:
+            return make_study_run_page(context, place);
+        case PageId::kCohort:
+            return make_cohort_page(context, place);
+        case PageId::kStandards:
+            return make_standards_page(context, place);
+        case PageId::kRatings:
+            return make_ratings_page(context, place);
     }
     return make_login_page(context, place);
 }

@@ -28,6 +28,11 @@ enum class PageId : uint8_t {
     kAudit,
     kAccount,
     kRecovery,
+    kWatch,
+    kStudyRun,
+    kCohort,
+    kStandards,
+    kRatings,
 };
 
 /// Where to go: a page and what it shows.
@@ -76,6 +81,11 @@ class Page : public QWidget {
 [[nodiscard]] Page* make_audit_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_account_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_recovery_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_watch_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_study_run_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_cohort_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_standards_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_ratings_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_page(AppContext& context, const Place& place);
 
 }  // namespace placode::ui

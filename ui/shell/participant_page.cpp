@@ -38,8 +38,14 @@ class ParticipantPage : public Page {
               place.state.value("questionnaire").toString().toStdString())),
           study_(place.state.value("study", place.state.value("questionnaire"))
                      .toString()
-                     .toStdString()) {
-        context.require(db::Action::kRunQuestionnaire);
+                     .toStdString()),
+          visit_(place.state.value("visit", 1).toInt()),
+          run_(place.state.value("run").toBool()),
+          rating_of_(place.state.value("rating_of").toLongLong()) {
+        if (rating_of_ != 0)
+            context.require(db::Action::kViewAttempts, db::Scope::kOther);
+        else
+            context.require(db::Action::kRunQuestionnaire);
         const QVariantMap kept = place.state.value("answers").toMap();
         for (auto it = kept.begin(); it != kept.end(); ++it)
             answers_[it.key().toStdString()] = it.value().toString().toStdString();
@@ -55,8 +61,10 @@ class ParticipantPage : public Page {
         steps_->addWidget(answerStep());
     }
 
-    [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
-    [[nodiscard]] bool alone() const override { return true; }
+    [[nodiscard]] QString title() const override {
+        return rating_of_ != 0 ? tr("Rate an attempt") : tr("Participant %1").arg(code_);
+    }
+    [[nodiscard]] bool alone() const override { return rating_of_ == 0; }
     [[nodiscard]] QVariantMap state() const override {
         QVariantMap kept;
         for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
@@ -67,7 +75,10 @@ class ParticipantPage : public Page {
         return {{"answers", kept},
                 {"changes", changes},
                 {"questionnaire", qstr(questionnaire_.id)},
-                {"study", qstr(study_)}};
+                {"study", qstr(study_)},
+                {"visit", visit_},
+                {"run", run_},
+                {"rating_of", QVariant::fromValue<qint64>(rating_of_)}};
     }
     [[nodiscard]] bool mayLeave() override {
         if (submitted_ || answers_.empty()) return true;
@@ -98,9 +109,7 @@ class ParticipantPage : public Page {
         auto* row = new QHBoxLayout;
         QPushButton* cancel = make_button(context_, tr("Cancel"), "quiet", "close");
         cancel->setObjectName("cancel_participant");
-        connect(cancel, &QPushButton::clicked, this, [this] {
-            Q_EMIT go({PageId::kStudies, 0, qstr(questionnaire_.id), {}});
-        });
+        connect(cancel, &QPushButton::clicked, this, [this] { leave(); });
         QPushButton* review = make_button(context_, tr("Review the answers"), "primary", "next");
         review->setObjectName("review");
         connect(review, &QPushButton::clicked, this, [this] { this->review(); });
@@ -470,6 +479,7 @@ class ParticipantPage : public Page {
 
     void submit() {
         if (submitted_) return;
+        if (rating_of_ != 0) return saveRating();
         context_.guard(tr("Saving the answers"), [this] {
             db::AnswerRecord record;
             record.study_id = study_;
@@ -480,12 +490,39 @@ class ParticipantPage : public Page {
                 QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
             record.answers = answers_;
             record.changes = changes_;
+            record.visit = visit_;
             record.language = context_.language().toStdString();
             record.demonstration = context_.user().demonstration;
             db::submit_answers(context_.store(), questionnaire_, record);
             submitted_ = true;
-            showThanks();
+            run_ ? leave() : showThanks();
         });
+    }
+
+    void saveRating() {
+        context_.guard(tr("Saving the rating"), [this] {
+            db::publish_on_first_use(context_.store(), questionnaire_);
+            db::RatingRecord rating;
+            rating.attempt_id = rating_of_;
+            rating.rater_id = context_.user().id;
+            rating.questionnaire_id = questionnaire_.id;
+            rating.questionnaire_version = questionnaire_.version;
+            rating.answers = answers_;
+            (void)context_.store().save_rating(rating);
+            submitted_ = true;
+            Q_EMIT notice(tr("The rating is saved."));
+            leave();
+        });
+    }
+
+    /// Back to where the participant came from.
+    void leave() {
+        if (rating_of_ != 0)
+            Q_EMIT go({PageId::kRatings, 0, {}, {}});
+        else if (run_)
+            Q_EMIT go({PageId::kStudyRun, 0, code_, {{"study", qstr(study_)}}});
+        else
+            Q_EMIT go({PageId::kStudies, 0, qstr(questionnaire_.id), {}});
     }
 
     void showThanks() {
@@ -503,9 +540,7 @@ class ParticipantPage : public Page {
         }
         QPushButton* done = make_button(context_, tr("Back to the study"), "primary", "next");
         done->setObjectName("participant_done");
-        connect(done, &QPushButton::clicked, this, [this] {
-            Q_EMIT go({PageId::kStudies, 0, qstr(questionnaire_.id), {}});
-        });
+        connect(done, &QPushButton::clicked, this, [this] { leave(); });
         layout->addWidget(done, 0, Qt::AlignHCenter);
         layout->addStretch();
         steps_->addWidget(step);
@@ -516,6 +551,9 @@ class ParticipantPage : public Page {
     QString code_;
     curriculum::Questionnaire questionnaire_;
     std::string study_;
+    int visit_ = 1;
+    bool run_ = false;       ///< Within a study run: goes back to it.
+    int64_t rating_of_ = 0;  ///< A rater judges this attempt.
     curriculum::Answers answers_, aside_;
     std::vector<db::AnswerChange> changes_;
     std::map<std::string, QFrame*> cards_;

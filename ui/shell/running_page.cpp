@@ -44,6 +44,10 @@ class RunningPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Attempt is running"); }
+    /// During a study a participant is at the screen.
+    [[nodiscard]] bool alone() const override {
+        return !context_.launcher().order().study.isEmpty();
+    }
 
  private:
     QLabel* number(QGridLayout* grid, int column, const QString& name, const char* object) {

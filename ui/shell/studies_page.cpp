@@ -11,6 +11,7 @@
 #include "reports/export.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/protocol_card.h"
 
 namespace placode::ui {
 namespace {
@@ -30,8 +31,11 @@ class StudiesPage : public Page {
         questionnaire_ = curriculum::load_questionnaire(chosen_.toStdString());
         answers_ = context.store().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
+        column->addWidget(
+            make_protocol_card(context, *this, place.state.value("study").toString()));
+        column->addWidget(make_label(tr("Questionnaires without a protocol"), "title"));
         auto* head = new QHBoxLayout;
-        head->addWidget(make_label(context.in(questionnaire_.title), "display"), 1);
+        head->addWidget(make_label(context.in(questionnaire_.title), "heading"), 1);
         addChooser(head, ids);
         column->addLayout(head);
         column->addWidget(make_label(context.in(questionnaire_.introduction), "muted"));

@@ -131,6 +131,10 @@ QCheckBox::indicator:focus, QRadioButton::indicator:focus { border-color: @accen
 QCheckBox::indicator:checked { border-color: @accent@; background: @accent@; image: url(@check@); }
 QRadioButton::indicator:checked { border-color: @accent@; background: qradialgradient(cx:0.5, cy:0.5, radius:0.5, fx:0.5, fy:0.5, stop:0 @accent@, stop:0.55 @accent@, stop:0.65 @raised@, stop:1 @raised@); }
 QTableWidget { background: @raised@; alternate-background-color: @raised@; border: 1px solid @line@; border-radius: 8px; gridline-color: transparent; selection-background-color: @accent_soft@; selection-color: @text@; }
+QListWidget { background: @raised@; border: 1px solid @line@; border-radius: 8px; }
+QListWidget:focus { border: 2px solid @accent@; }
+QListWidget::item { padding: 0 12px; border-radius: 6px; }
+QListWidget::item:selected { background: @accent_soft@; color: @text@; }
 QTableWidget:focus { border: 2px solid @accent@; }
 QTableWidget::item { border-bottom: 1px solid @line@; padding: 0 9px; }
 QTableWidget::item:hover { background: @hover@; }

@@ -178,6 +178,208 @@
     </message>
 </context>
 <context>
+    <name>CohortPage</name>
+    <message>
+        <source>Cohort</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Only who needs help</source>
+        <translation>Tylko potrzebujący pomocy</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Nobody has made an attempt yet. Once a trainee has, it shows up here.</source>
+        <translation>Nikt nie wykonał jeszcze próby. Gdy to nastąpi, pojawi się tutaj.</translation>
+    </message>
+    <message>
+        <source>not tried</source>
+        <translation>bez prób</translation>
+    </message>
+    <message>
+        <source>learning</source>
+        <translation>uczy się</translation>
+    </message>
+    <message>
+        <source>passing</source>
+        <translation>zalicza</translation>
+    </message>
+    <message>
+        <source>regressed</source>
+        <translation>regres</translation>
+    </message>
+    <message>
+        <source>stuck</source>
+        <translation>zastój</translation>
+    </message>
+    <message>
+        <source>Who needs help</source>
+        <translation>Kto potrzebuje pomocy</translation>
+    </message>
+    <message>
+        <source>Nobody is stuck or regressed.</source>
+        <translation>Nikt nie utknął ani się nie cofnął.</translation>
+    </message>
+    <message>
+        <source>Stuck: none of the last 5 attempts passed and no gain of 3 points. Regressed: passed before, but neither of the last two attempts.</source>
+        <translation>Zastój: żadna z ostatnich 5 prób nie zaliczona i brak poprawy o 3 punkty. Regres: wcześniej zaliczone, ale żadna z ostatnich dwóch prób.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · last %3, best %4, attempts %5</source>
+        <translation>%1 · %2 · ostatnio %3, najlepiej %4, prób %5</translation>
+    </message>
+    <message>
+        <source>Open the attempts</source>
+        <translation>Otwórz próby</translation>
+    </message>
+    <message>
+        <source>Open the attempts of %1</source>
+        <translation>Otwórz próby: %1</translation>
+    </message>
+    <message>
+        <source>People by tasks</source>
+        <translation>Osoby i zadania</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Last seen</source>
+        <translation>Ostatnio</translation>
+    </message>
+    <message>
+        <source>Last score, verdict and number of attempts. Enter or double click opens them.</source>
+        <translation>Ostatni wynik, ocena i liczba prób. Enter lub dwukrotne kliknięcie je otwiera.</translation>
+    </message>
+    <message>
+        <source>best %1, passed in a row: %2</source>
+        <translation>najlepiej %1, zaliczone z rzędu: %2</translation>
+    </message>
+    <message>
+        <source>Scores of a task</source>
+        <translation>Wyniki zadania</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Every point is a person; box: quartiles, line: median, diamond: mean.</source>
+        <translation>Każdy punkt to osoba; prostokąt: kwartyle, linia: mediana, romb: średnia.</translation>
+    </message>
+    <message>
+        <source>first attempt</source>
+        <translation>pierwsza próba</translation>
+    </message>
+    <message>
+        <source>last attempt</source>
+        <translation>ostatnia próba</translation>
+    </message>
+    <message>
+        <source>best attempt</source>
+        <translation>najlepsza próba</translation>
+    </message>
+    <message>
+        <source>score [points of 100]</source>
+        <translation>wynik [punkty na 100]</translation>
+    </message>
+    <message>
+        <source>First, last and best score of %1 people.</source>
+        <translation>Pierwszy, ostatni i najlepszy wynik; osób: %1.</translation>
+    </message>
+    <message>
+        <source>Export the cohort</source>
+        <translation>Eksport grupy</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exporting the cohort</source>
+        <translation>Eksportowanie grupy</translation>
+    </message>
+    <message>
+        <source>Cohort written: %1</source>
+        <translation>Zapisano grupę: %1</translation>
+    </message>
+</context>
+<context>
+    <name>CommentsCard</name>
+    <message>
+        <source>Remarks</source>
+        <translation>Uwagi</translation>
+    </message>
+    <message>
+        <source>Put the remark back</source>
+        <translation>Przywróć uwagę</translation>
+    </message>
+    <message>
+        <source>New remark</source>
+        <translation>Nowa uwaga</translation>
+    </message>
+    <message>
+        <source>A remark on what is shown now</source>
+        <translation>Uwaga do tego, co teraz widać</translation>
+    </message>
+    <message>
+        <source>A remark on the whole attempt</source>
+        <translation>Uwaga do całej próby</translation>
+    </message>
+    <message>
+        <source>Remark here</source>
+        <translation>Uwaga w tym miejscu</translation>
+    </message>
+    <message>
+        <source>Add a remark</source>
+        <translation>Dodaj uwagę</translation>
+    </message>
+    <message>
+        <source>Saving the remark</source>
+        <translation>Zapisywanie uwagi</translation>
+    </message>
+    <message>
+        <source>Removing the remark</source>
+        <translation>Usuwanie uwagi</translation>
+    </message>
+    <message>
+        <source>Putting the remark back</source>
+        <translation>Przywracanie uwagi</translation>
+    </message>
+    <message>
+        <source>No remarks yet.</source>
+        <translation>Nie ma jeszcze uwag.</translation>
+    </message>
+    <message>
+        <source>No remarks. Educators can write them here.</source>
+        <translation>Brak uwag. Mogą je tu wpisać instruktorzy.</translation>
+    </message>
+    <message>
+        <source>Look here.</source>
+        <translation>Zwróć uwagę na ten moment.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>Pokaż chwilę %1</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Remove remark %1</source>
+        <translation>Usuń uwagę %1</translation>
+    </message>
+</context>
+<context>
     <name>Controls</name>
     <message>
         <source>Move the tip in the picture</source>
@@ -423,6 +625,193 @@
     </message>
 </context>
 <context>
+    <name>Figure</name>
+    <message>
+        <source>placode</source>
+        <translation>płytka nerwowa</translation>
+    </message>
+    <message>
+        <source>junctional zone</source>
+        <translation>strefa łącząca</translation>
+    </message>
+    <message>
+        <source>skin</source>
+        <translation>skóra</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Oględziny</translation>
+    </message>
+    <message>
+        <source>Incise</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Uwolnienie</translation>
+    </message>
+    <message>
+        <source>Resect</source>
+        <translation>Resekcja</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Kontrola</translation>
+    </message>
+    <message>
+        <source>Placode</source>
+        <translation>Płytka</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Siła</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Tkanka</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energia</translation>
+    </message>
+    <message>
+        <source>needle</source>
+        <translation>igła</translation>
+    </message>
+    <message>
+        <source>scissors</source>
+        <translation>nożyczki</translation>
+    </message>
+    <message>
+        <source>grasper</source>
+        <translation>chwytak</translation>
+    </message>
+    <message>
+        <source>scope</source>
+        <translation>fetoskop</translation>
+    </message>
+    <message>
+        <source>instrument</source>
+        <translation>narzędzie</translation>
+    </message>
+    <message>
+        <source>min:s</source>
+        <translation>min:s</translation>
+    </message>
+    <message>
+        <source>No damage was recorded.</source>
+        <translation>Nie zapisano żadnego uszkodzenia.</translation>
+    </message>
+    <message>
+        <source>12 = cranial</source>
+        <translation>12 = strona głowowa</translation>
+    </message>
+    <message>
+        <source>energy into tissue</source>
+        <translation>energia w tkance</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>krytyczne</translation>
+    </message>
+    <message>
+        <source>other harm</source>
+        <translation>inne uszkodzenie</translation>
+    </message>
+    <message>
+        <source>number of entries</source>
+        <translation>liczba wpisów</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>From the left side</source>
+        <translation>Z lewej strony</translation>
+    </message>
+    <message>
+        <source>From the feet</source>
+        <translation>Od strony stóp</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>lewa</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>prawa</translation>
+    </message>
+    <message>
+        <source>cranial</source>
+        <translation>głowowo</translation>
+    </message>
+    <message>
+        <source>caudal</source>
+        <translation>ogonowo</translation>
+    </message>
+    <message>
+        <source>outward</source>
+        <translation>na zewnątrz</translation>
+    </message>
+    <message>
+        <source>inward</source>
+        <translation>w głąb</translation>
+    </message>
+    <message>
+        <source>Damage over time</source>
+        <translation>Uszkodzenia w czasie</translation>
+    </message>
+    <message>
+        <source>Damage and energy on the anatomy</source>
+        <translation>Uszkodzenia i energia na anatomii</translation>
+    </message>
+    <message>
+        <source>Ways of the instruments</source>
+        <translation>Drogi narzędzi</translation>
+    </message>
+    <message>
+        <source>cranial (12 o&apos;clock)</source>
+        <translation>głowowo (godzina 12)</translation>
+    </message>
+    <message>
+        <source>planned</source>
+        <translation>plan</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>nacięte</translation>
+    </message>
+    <message>
+        <source>harm</source>
+        <translation>uszkodzenie</translation>
+    </message>
+    <message>
+        <source>attempt</source>
+        <translation>próba</translation>
+    </message>
+    <message>
+        <source>score [points of 100]</source>
+        <translation>wynik [punkty na 100]</translation>
+    </message>
+    <message>
+        <source>pass at %1</source>
+        <translation>zaliczenie od %1</translation>
+    </message>
+    <message>
+        <source>novices</source>
+        <translation>nowicjusze</translation>
+    </message>
+    <message>
+        <source>experts</source>
+        <translation>eksperci</translation>
+    </message>
+    <message>
+        <source>cut at %1</source>
+        <translation>próg %1</translation>
+    </message>
+</context>
+<context>
     <name>HealthPage</name>
     <message>
         <source>Backup and health</source>
@@ -537,6 +926,108 @@
     </message>
 </context>
 <context>
+    <name>Ledger</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>at most %1 mN</source>
+        <translation>najwyżej %1 mN</translation>
+    </message>
+    <message>
+        <source>%1 °C</source>
+        <translation>%1 °C</translation>
+    </message>
+    <message>
+        <source>%1 o&apos;clock</source>
+        <translation>godzina %1</translation>
+    </message>
+    <message>
+        <source>Placode touched</source>
+        <translation>Dotknięcie płytki</translation>
+    </message>
+    <message>
+        <source>Placode touched with energy on</source>
+        <translation>Dotknięcie płytki z włączoną energią</translation>
+    </message>
+    <message>
+        <source>Placode overheated</source>
+        <translation>Przegrzanie płytki</translation>
+    </message>
+    <message>
+        <source>Placode burned</source>
+        <translation>Oparzenie płytki</translation>
+    </message>
+    <message>
+        <source>Placode cut by scissors</source>
+        <translation>Nacięcie płytki nożyczkami</translation>
+    </message>
+    <message>
+        <source>Too much force</source>
+        <translation>Zbyt duża siła</translation>
+    </message>
+    <message>
+        <source>Pulled too hard</source>
+        <translation>Zbyt mocne pociągnięcie</translation>
+    </message>
+    <message>
+        <source>Crushed between the jaws</source>
+        <translation>Zmiażdżenie w szczękach</translation>
+    </message>
+    <message>
+        <source>Slid out of the jaws</source>
+        <translation>Wysunięcie ze szczęk</translation>
+    </message>
+    <message>
+        <source>Placode torn</source>
+        <translation>Rozdarcie płytki</translation>
+    </message>
+    <message>
+        <source>Skin torn</source>
+        <translation>Rozdarcie skóry</translation>
+    </message>
+    <message>
+        <source>Placode cut by heat</source>
+        <translation>Nacięcie płytki ciepłem</translation>
+    </message>
+    <message>
+        <source>Cut into healthy skin</source>
+        <translation>Cięcie w zdrowej skórze</translation>
+    </message>
+    <message>
+        <source>Skin cut by scissors</source>
+        <translation>Nacięcie skóry nożyczkami</translation>
+    </message>
+    <message>
+        <source>Energy in the air</source>
+        <translation>Energia w powietrzu</translation>
+    </message>
+    <message>
+        <source>Resting on one spot with energy on</source>
+        <translation>Postój w miejscu z włączoną energią</translation>
+    </message>
+</context>
+<context>
+    <name>LedgerView</name>
+    <message>
+        <source>Damage over time</source>
+        <translation>Uszkodzenia w czasie</translation>
+    </message>
+    <message>
+        <source>%1 entries. Arrow keys go from one to the next.</source>
+        <translation>Wpisy: %1. Strzałki przechodzą od jednego do następnego.</translation>
+    </message>
+    <message>
+        <source>Click an entry, or use the arrow keys</source>
+        <translation>Kliknij wpis albo użyj strzałek</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>krytyczne</translation>
+    </message>
+</context>
+<context>
     <name>LoginPage</name>
     <message>
         <source>Sign in</source>
@@ -581,58 +1072,6 @@
 </context>
 <context>
     <name>Metric</name>
-    <message>
-        <source>Placode released</source>
-        <translation>Uwolnienie płytki</translation>
-    </message>
-    <message>
-        <source>Placode cut by scissors</source>
-        <translation>Płytka przecięta nożyczkami</translation>
-    </message>
-    <message>
-        <source>Skin cut by scissors</source>
-        <translation>Skóra przecięta nożyczkami</translation>
-    </message>
-    <message>
-        <source>Snips</source>
-        <translation>Cięcia nożyczkami</translation>
-    </message>
-    <message>
-        <source>Pieces taken out</source>
-        <translation>Wyjęte fragmenty</translation>
-    </message>
-    <message>
-        <source>Resected tissue</source>
-        <translation>Usunięta tkanka</translation>
-    </message>
-    <message>
-        <source>Marked tissue resected</source>
-        <translation>Usunięta tkanka oznaczona</translation>
-    </message>
-    <message>
-        <source>Grasps</source>
-        <translation>Uchwycenia</translation>
-    </message>
-    <message>
-        <source>Held lifted</source>
-        <translation>Czas uniesienia</translation>
-    </message>
-    <message>
-        <source>Slips of the grasper</source>
-        <translation>Wyślizgnięcia z chwytaka</translation>
-    </message>
-    <message>
-        <source>Crushed</source>
-        <translation>Zmiażdżenia</translation>
-    </message>
-    <message>
-        <source>Pulled too hard</source>
-        <translation>Zbyt silne pociągnięcia</translation>
-    </message>
-    <message>
-        <source>Peak traction</source>
-        <translation>Największa siła pociągania</translation>
-    </message>
     <message>
         <source>Time</source>
         <translation>Czas</translation>
@@ -893,6 +1332,58 @@
         <source>Out of view</source>
         <translation>Poza obrazem</translation>
     </message>
+    <message>
+        <source>Placode released</source>
+        <translation>Uwolnienie płytki</translation>
+    </message>
+    <message>
+        <source>Placode cut by scissors</source>
+        <translation>Płytka przecięta nożyczkami</translation>
+    </message>
+    <message>
+        <source>Skin cut by scissors</source>
+        <translation>Skóra przecięta nożyczkami</translation>
+    </message>
+    <message>
+        <source>Snips</source>
+        <translation>Cięcia nożyczkami</translation>
+    </message>
+    <message>
+        <source>Pieces taken out</source>
+        <translation>Wyjęte fragmenty</translation>
+    </message>
+    <message>
+        <source>Resected tissue</source>
+        <translation>Usunięta tkanka</translation>
+    </message>
+    <message>
+        <source>Marked tissue resected</source>
+        <translation>Usunięta tkanka oznaczona</translation>
+    </message>
+    <message>
+        <source>Grasps</source>
+        <translation>Uchwycenia</translation>
+    </message>
+    <message>
+        <source>Held lifted</source>
+        <translation>Czas uniesienia</translation>
+    </message>
+    <message>
+        <source>Slips of the grasper</source>
+        <translation>Wyślizgnięcia z chwytaka</translation>
+    </message>
+    <message>
+        <source>Crushed</source>
+        <translation>Zmiażdżenia</translation>
+    </message>
+    <message>
+        <source>Pulled too hard</source>
+        <translation>Zbyt silne pociągnięcia</translation>
+    </message>
+    <message>
+        <source>Peak traction</source>
+        <translation>Największa siła pociągania</translation>
+    </message>
 </context>
 <context>
     <name>ParticipantPage</name>
@@ -987,6 +1478,18 @@
     <message>
         <source>Back to the study</source>
         <translation>Powrót do badania</translation>
+    </message>
+    <message>
+        <source>Rate an attempt</source>
+        <translation>Oceń próbę</translation>
+    </message>
+    <message>
+        <source>Saving the rating</source>
+        <translation>Zapisywanie oceny</translation>
+    </message>
+    <message>
+        <source>The rating is saved.</source>
+        <translation>Ocena zapisana.</translation>
     </message>
 </context>
 <context>
@@ -1188,6 +1691,387 @@
     </message>
 </context>
 <context>
+    <name>ProtocolCard</name>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+    <message>
+        <source>Not published yet. Publishing keeps this version for good; a change is a new version with a reason. Check the consent text first.</source>
+        <translation>Jeszcze nieopublikowane. Publikacja utrwala tę wersję na stałe; zmiana to nowa wersja z uzasadnieniem. Najpierw sprawdź tekst zgody.</translation>
+    </message>
+    <message>
+        <source>Publish version %1</source>
+        <translation>Opublikuj wersję %1</translation>
+    </message>
+    <message>
+        <source>Publishing the study</source>
+        <translation>Publikowanie badania</translation>
+    </message>
+    <message>
+        <source>Version %1 · participants: %2</source>
+        <translation>Wersja %1 · uczestnicy: %2</translation>
+    </message>
+    <message>
+        <source>Enrol a participant</source>
+        <translation>Włącz uczestnika</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kod</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Kroki</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Następny</translation>
+    </message>
+    <message>
+        <source>Last</source>
+        <translation>Ostatnio</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Where everyone stands</source>
+        <translation>Na jakim etapie są wszyscy</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>POKAZ</translation>
+    </message>
+    <message>
+        <source>withdrew</source>
+        <translation>wycofany</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <translation>zakończone</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Kontynuuj</translation>
+    </message>
+    <message>
+        <source>What becomes of the data</source>
+        <translation>Co stanie się z danymi</translation>
+    </message>
+    <message>
+        <source>use the data to date</source>
+        <translation>używać dotychczasowych danych</translation>
+    </message>
+    <message>
+        <source>use the data no more</source>
+        <translation>nie używać już danych</translation>
+    </message>
+    <message>
+        <source>erase the data</source>
+        <translation>usunąć dane</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>Reason; &quot;not given&quot; is one</source>
+        <translation>Powód; „nie podano” też wystarczy</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>Wycofaj</translation>
+    </message>
+    <message>
+        <source>Export format</source>
+        <translation>Format eksportu</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Raport</translation>
+    </message>
+    <message>
+        <source>Making a participant code</source>
+        <translation>Tworzenie kodu uczestnika</translation>
+    </message>
+    <message>
+        <source>Erase the data of %1?</source>
+        <translation>Usunąć dane uczestnika %1?</translation>
+    </message>
+    <message>
+        <source>Answers and attempts of the study are deleted. The code stays.</source>
+        <translation>Odpowiedzi i próby z badania zostaną usunięte. Kod pozostanie.</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Usuń dane</translation>
+    </message>
+    <message>
+        <source>Withdrawing %1</source>
+        <translation>Wycofywanie %1</translation>
+    </message>
+    <message>
+        <source>Export into this folder</source>
+        <translation>Eksport do tego folderu</translation>
+    </message>
+    <message>
+        <source>Exporting the study</source>
+        <translation>Eksportowanie badania</translation>
+    </message>
+    <message>
+        <source>%1 files, read back and compared with the store: %2</source>
+        <translation>Plików: %1, odczytane i porównane z bazą: %2</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Making the report</source>
+        <translation>Tworzenie raportu</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Zapisano raport: %1</translation>
+    </message>
+    <message>
+        <source>withdrew: %1</source>
+        <translation>wycofani: %1</translation>
+    </message>
+</context>
+<context>
+    <name>RatingsPage</name>
+    <message>
+        <source>Ratings</source>
+        <translation>Oceny</translation>
+    </message>
+    <message>
+        <source>Watch an attempt and judge it with the OSATS form. Name and score are hidden until the rating is saved; every rater gets another order.</source>
+        <translation>Obejrzyj próbę i oceń ją formularzem OSATS. Nazwisko i wynik są ukryte do zapisania oceny; każdy oceniający ma inną kolejność.</translation>
+    </message>
+    <message>
+        <source>To be rated: %1</source>
+        <translation>Do oceny: %1</translation>
+    </message>
+    <message>
+        <source>Nothing waits for your rating.</source>
+        <translation>Nic nie czeka na Twoją ocenę.</translation>
+    </message>
+    <message>
+        <source>Next: %1, %2</source>
+        <translation>Następna: %1, %2</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Obejrzyj</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Oceń</translation>
+    </message>
+    <message>
+        <source>Agreement of raters</source>
+        <translation>Zgodność oceniających</translation>
+    </message>
+    <message>
+        <source>Two raters have to rate the same two attempts before agreement can be told.</source>
+        <translation>Dwie osoby muszą ocenić te same dwie próby, zanim można podać zgodność.</translation>
+    </message>
+    <message>
+        <source>ICC(2,1) %1, 95 % interval %2 to %3; mean of the raters ICC(2,k) %4 (attempts %5, raters %6)</source>
+        <translation>ICC(2,1) %1, przedział 95 % od %2 do %3; średnia oceniających ICC(2,k) %4 (próby %5, oceniający %6)</translation>
+    </message>
+    <message>
+        <source>These ratings carry no ICC: they do not vary.</source>
+        <translation>Z tych ocen nie da się obliczyć ICC: nie różnią się.</translation>
+    </message>
+    <message>
+        <source>Fewer than 10 attempts: the interval says how little this tells.</source>
+        <translation>Mniej niż 10 prób: przedział pokazuje, jak niewiele to mówi.</translation>
+    </message>
+    <message>
+        <source>Two-way random effects, absolute agreement (Shrout and Fleiss 1979).</source>
+        <translation>Dwuczynnikowy model losowy, zgodność bezwzględna (Shrout i Fleiss 1979).</translation>
+    </message>
+    <message>
+        <source>Ratings beside the score</source>
+        <translation>Oceny obok wyniku</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>Global rating (1 to 5)</source>
+        <translation>Ocena ogólna (1 do 5)</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>Oceniający</translation>
+    </message>
+    <message>
+        <source>With five rated attempts the correlation with the score is told.</source>
+        <translation>Korelacja z wynikiem zostanie podana przy pięciu ocenionych próbach.</translation>
+    </message>
+    <message>
+        <source>Spearman&apos;s rho between score and rating: %1, 95 % interval %2 to %3 (n = %4)</source>
+        <translation>Rho Spearmana między wynikiem a oceną: %1, przedział 95 % od %2 do %3 (n = %4)</translation>
+    </message>
+</context>
+<context>
+    <name>Reason</name>
+    <message>
+        <source>Energy was on for {value} s while touching the placode{where}.</source>
+        <translation>Energia była włączona przez {value} s podczas dotykania płytki{where}.</translation>
+    </message>
+    <message>
+        <source>More than 2 % of the placode was burned.</source>
+        <translation>Oparzono ponad 2 % płytki.</translation>
+    </message>
+    <message>
+        <source>No piece of tissue was taken out.</source>
+        <translation>Nie wyjęto żadnego fragmentu tkanki.</translation>
+    </message>
+    <message>
+        <source>Only {value} % of the marked tissue is out.</source>
+        <translation>Wyjęto tylko {value} % oznaczonej tkanki.</translation>
+    </message>
+    <message>
+        <source>The force on the tissue was too high {times}, worst{where}.</source>
+        <translation>Siła na tkankę była zbyt duża ({times}), najgorzej{where}.</translation>
+    </message>
+    <message>
+        <source>The instrument stayed {value} s on the placode{where}.</source>
+        <translation>Narzędzie pozostało {value} s na płytce{where}.</translation>
+    </message>
+    <message>
+        <source>The needle rested {value} s with energy on one spot{where}.</source>
+        <translation>Igła stała {value} s z włączoną energią w jednym miejscu{where}.</translation>
+    </message>
+    <message>
+        <source>The pedal was pressed in the air for over 1 s, {times}.</source>
+        <translation>Pedał naciśnięto w powietrzu dłużej niż 1 s ({times}).</translation>
+    </message>
+    <message>
+        <source>The placode is free over {value} degrees only.</source>
+        <translation>Płytka jest wolna tylko na {value} stopniach obwodu.</translation>
+    </message>
+    <message>
+        <source>The placode was burned{where}: {value} % of its volume is beyond the injury dose.</source>
+        <translation>Płytkę oparzono{where}: {value} % jej objętości przekroczyło dawkę uszkadzającą.</translation>
+    </message>
+    <message>
+        <source>The placode was overheated{where}.</source>
+        <translation>Płytkę przegrzano{where}.</translation>
+    </message>
+    <message>
+        <source>The placode was pressed with {value} mN{where}; 20 mN is the limit.</source>
+        <translation>Płytkę naciśnięto z siłą {value} mN{where}; granicą jest 20 mN.</translation>
+    </message>
+    <message>
+        <source>The placode was touched {times}, first{where}.</source>
+        <translation>Płytki dotknięto ({times}), najpierw{where}.</translation>
+    </message>
+    <message>
+        <source>The ring is {value} % complete; the largest gap is{where}.</source>
+        <translation>Obwód jest nacięty w {value} %; największa przerwa jest{where}.</translation>
+    </message>
+    <message>
+        <source>The ring was left open: only {value} % is cut through.</source>
+        <translation>Obwód pozostał otwarty: przecięto tylko {value} %.</translation>
+    </message>
+    <message>
+        <source>The scissors cut {value} mm2 of skin{where}.</source>
+        <translation>Nożyczki przecięły {value} mm2 skóry{where}.</translation>
+    </message>
+    <message>
+        <source>The scissors cut {value} mm2 of the placode{where}.</source>
+        <translation>Nożyczki przecięły {value} mm2 płytki{where}.</translation>
+    </message>
+    <message>
+        <source>The tissue was pulled too hard {times}{where}.</source>
+        <translation>Tkankę ciągnięto zbyt mocno ({times}){where}.</translation>
+    </message>
+    <message>
+        <source>Tissue slid out of the jaws {times}{where}.</source>
+        <translation>Tkanka wysunęła się ze szczęk ({times}){where}.</translation>
+    </message>
+    <message>
+        <source>Tissue was crushed between the jaws {times}{where}.</source>
+        <translation>Tkankę zmiażdżono w szczękach ({times}){where}.</translation>
+    </message>
+    <message>
+        <source>Tissue was grasped {value} times; three places were the goal.</source>
+        <translation>Liczba chwytów tkanki: {value}; celem były trzy miejsca.</translation>
+    </message>
+    <message>
+        <source>Tissue was held lifted for {value} s; three times 3 s was the goal.</source>
+        <translation>Tkankę uniesiono przez {value} s; celem było trzy razy po 3 s.</translation>
+    </message>
+    <message>
+        <source>{value} mm of the incision came within 0.5 mm of the placode{where}.</source>
+        <translation>{value} mm nacięcia zbliżyło się do płytki na mniej niż 0,5 mm{where}.</translation>
+    </message>
+    <message>
+        <source>{value} mm of the incision left the planned line by more than 0.5 mm{where}.</source>
+        <translation>{value} mm nacięcia odeszło od planowanej linii o ponad 0,5 mm{where}.</translation>
+    </message>
+    <message>
+        <source>{value} mm of the incision went more than 1 mm into healthy skin{where}.</source>
+        <translation>{value} mm nacięcia weszło ponad 1 mm w zdrową skórę{where}.</translation>
+    </message>
+    <message>
+        <source>{value} mm3 of skin tore{where}.</source>
+        <translation>Rozdarto {value} mm3 skóry{where}.</translation>
+    </message>
+    <message>
+        <source>{value} mm3 of the placode was cut{where}.</source>
+        <translation>Nacięto {value} mm3 płytki{where}.</translation>
+    </message>
+    <message>
+        <source>{value} s is more than the target time.</source>
+        <translation>{value} s to więcej niż czas docelowy.</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>raz</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>dwa razy</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 razy</translation>
+    </message>
+    <message>
+        <source> at %1 o&apos;clock</source>
+        <translation> na godzinie %1</translation>
+    </message>
+</context>
+<context>
     <name>RecoveryPage</name>
     <message>
         <source>Attempts that were not finished</source>
@@ -1313,10 +2197,6 @@
         <translation>Żadne kryterium nie odjęło punktów.</translation>
     </message>
     <message>
-        <source>Smaller reasons: %1, together −%2 points.</source>
-        <translation>Mniejsze powody: %1, razem −%2 pkt.</translation>
-    </message>
-    <message>
         <source>critical error</source>
         <translation>błąd krytyczny</translation>
     </message>
@@ -1377,10 +2257,6 @@
         <translation>Nie można pokazać nagrania.</translation>
     </message>
     <message>
-        <source>The field from above: planned contour, what was cut, the needle&apos;s path. The measures beside it say the same in numbers.</source>
-        <translation>Pole z góry: planowany kontur, wykonane cięcie, droga igły. Pomiary obok mówią to samo w liczbach.</translation>
-    </message>
-    <message>
         <source>Write the report</source>
         <translation>Zapisz raport</translation>
     </message>
@@ -1403,6 +2279,130 @@
     <message>
         <source>Only what counts</source>
         <translation>Tylko to, co się liczy</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Show the moment %1</source>
+        <translation>Pokaż chwilę %1</translation>
+    </message>
+    <message>
+        <source>no points lost</source>
+        <translation>bez straty punktów</translation>
+    </message>
+    <message>
+        <source>−%1 points</source>
+        <translation>−%1 pkt</translation>
+    </message>
+    <message>
+        <source>before: −%1</source>
+        <translation>przedtem: −%1</translation>
+    </message>
+    <message>
+        <source>Other reasons: %1, together −%2 points</source>
+        <translation>Pozostałe powody: %1, razem −%2 pkt</translation>
+    </message>
+    <message>
+        <source>Strengths and weaknesses</source>
+        <translation>Mocne i słabe strony</translation>
+    </message>
+    <message>
+        <source>The task is not installed here, so its rubric is unknown.</source>
+        <translation>Tego zadania tu nie zainstalowano, więc jego kryteria nie są znane.</translation>
+    </message>
+    <message>
+        <source>before: mean of the last %1 attempts</source>
+        <translation>przedtem: średnia z ostatnich prób, liczba prób: %1</translation>
+    </message>
+    <message>
+        <source>Damage over time</source>
+        <translation>Uszkodzenia w czasie</translation>
+    </message>
+    <message>
+        <source>Nothing was harmed in this attempt.</source>
+        <translation>W tej próbie niczego nie uszkodzono.</translation>
+    </message>
+    <message>
+        <source>Choose an entry to read what happened.</source>
+        <translation>Wybierz wpis, aby przeczytać, co się stało.</translation>
+    </message>
+    <message>
+        <source>Own band of %1</source>
+        <translation>Własny zakres: %1</translation>
+    </message>
+    <message>
+        <source>earlier: mean %1, SD %2, from %3 to %4, n = %5</source>
+        <translation>wcześniej: średnia %1, SD %2, od %3 do %4, n = %5</translation>
+    </message>
+    <message>
+        <source>Own band</source>
+        <translation>Własny zakres</translation>
+    </message>
+    <message>
+        <source>Own band: mean and standard deviation of your last %1 attempts before this one; the dot is this attempt.</source>
+        <translation>Własny zakres: średnia i odchylenie standardowe z prób przed tą (liczba prób: %1); kropka to ta próba.</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Obejrzyj</translation>
+    </message>
+    <message>
+        <source>See this attempt again in the simulator&apos;s window</source>
+        <translation>Obejrzyj tę próbę ponownie w oknie symulatora</translation>
+    </message>
+    <message>
+        <source>%1 o&apos;clock, %2: %3</source>
+        <translation>godzina %1, %2: %3</translation>
+    </message>
+    <message>
+        <source>No damage was recorded.</source>
+        <translation>Nie zapisano żadnego uszkodzenia.</translation>
+    </message>
+    <message>
+        <source>Where it happened</source>
+        <translation>Gdzie to się stało</translation>
+    </message>
+    <message>
+        <source>Damage</source>
+        <translation>Uszkodzenia</translation>
+    </message>
+    <message>
+        <source>Energy in tissue</source>
+        <translation>Energia w tkance</translation>
+    </message>
+    <message>
+        <source>Where the needle delivered energy, in joules per square millimetre.</source>
+        <translation>Gdzie igła oddała energię, w dżulach na milimetr kwadratowy.</translation>
+    </message>
+    <message>
+        <source>The field from above: planned contour, what was cut, the needle&apos;s path. The measures say the same in numbers.</source>
+        <translation>Pole z góry: planowany kontur, co nacięto, droga igły. Pomiary mówią to samo w liczbach.</translation>
+    </message>
+    <message>
+        <source>Ways of the instruments</source>
+        <translation>Drogi narzędzi</translation>
+    </message>
+    <message>
+        <source>Ways from above</source>
+        <translation>Drogi z góry</translation>
+    </message>
+    <message>
+        <source>Ways from the left side</source>
+        <translation>Drogi z lewej strony</translation>
+    </message>
+    <message>
+        <source>Ways from the feet</source>
+        <translation>Drogi od strony stóp</translation>
+    </message>
+    <message>
+        <source>Path length and time stand among the measures.</source>
+        <translation>Długość drogi i czas są wśród pomiarów.</translation>
+    </message>
+    <message>
+        <source>Thick where energy flowed into tissue. Dashed line: the plan.</source>
+        <translation>Grubo tam, gdzie energia płynęła do tkanki. Linia przerywana: plan.</translation>
     </message>
 </context>
 <context>
@@ -1572,6 +2572,117 @@
     </message>
 </context>
 <context>
+    <name>StandardsPage</name>
+    <message>
+        <source>Standards</source>
+        <translation>Progi</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>A pass mark from two groups: choose who is a novice and who is an expert at this task. Each person counts once, with the mean of the last %1 attempts.</source>
+        <translation>Próg zaliczenia z dwóch grup: wskaż, kto w tym zadaniu jest nowicjuszem, a kto ekspertem. Każda osoba liczy się raz, średnią z ostatnich prób (liczba prób: %1).</translation>
+    </message>
+    <message>
+        <source>There are no attempts yet.</source>
+        <translation>Nie ma jeszcze prób.</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>Mean of the last</source>
+        <translation>Średnia ostatnich</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>POKAZ</translation>
+    </message>
+    <message>
+        <source>Group of %1</source>
+        <translation>Grupa: %1</translation>
+    </message>
+    <message>
+        <source>neither</source>
+        <translation>żadna</translation>
+    </message>
+    <message>
+        <source>novice</source>
+        <translation>nowicjusz</translation>
+    </message>
+    <message>
+        <source>expert</source>
+        <translation>ekspert</translation>
+    </message>
+    <message>
+        <source>Contrasting groups</source>
+        <translation>Grupy kontrastowe</translation>
+    </message>
+    <message>
+        <source>Choose at least two novices and two experts.</source>
+        <translation>Wskaż co najmniej dwóch nowicjuszy i dwóch ekspertów.</translation>
+    </message>
+    <message>
+        <source>These groups give no pass mark: their scores do not vary, or do not differ in the right direction.</source>
+        <translation>Z tych grup nie wynika próg: wyniki nie różnią się wewnątrz grup albo między nimi w dobrym kierunku.</translation>
+    </message>
+    <message>
+        <source>Pass mark: %1 points</source>
+        <translation>Próg zaliczenia: %1 pkt</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>From the curves</source>
+        <translation>Z krzywych</translation>
+    </message>
+    <message>
+        <source>Observed</source>
+        <translation>Zaobserwowane</translation>
+    </message>
+    <message>
+        <source>What the pass mark costs</source>
+        <translation>Ile kosztuje próg</translation>
+    </message>
+    <message>
+        <source>Novices who would pass</source>
+        <translation>Nowicjusze, którzy by zaliczyli</translation>
+    </message>
+    <message>
+        <source>Experts who would fail</source>
+        <translation>Eksperci, którzy by nie zaliczyli</translation>
+    </message>
+    <message>
+        <source>AUC %1, Cohen&apos;s d %2, Mann-Whitney p %3. Method: Jorgensen, Konge and Subhi 2018.</source>
+        <translation>AUC %1, d Cohena %2, p Manna-Whitneya %3. Metoda: Jorgensen, Konge i Subhi 2018.</translation>
+    </message>
+    <message>
+        <source>Fewer than %1 people in a group: a first orientation, not a standard.</source>
+        <translation>Mniej osób w grupie niż %1: wstępna orientacja, nie próg.</translation>
+    </message>
+</context>
+<context>
     <name>StudiesPage</name>
     <message>
         <source>Studies</source>
@@ -1685,6 +2796,85 @@
         <source>Exporting the answers</source>
         <translation>Eksport odpowiedzi</translation>
     </message>
+    <message>
+        <source>Questionnaires without a protocol</source>
+        <translation>Kwestionariusze bez protokołu</translation>
+    </message>
+</context>
+<context>
+    <name>StudyRunPage</name>
+    <message>
+        <source>Participant %1 · step %2 of %3</source>
+        <translation>Uczestnik %1 · krok %2 z %3</translation>
+    </message>
+    <message>
+        <source>Interrupt, back to the study</source>
+        <translation>Przerwij, wróć do badania</translation>
+    </message>
+    <message>
+        <source>Participant %1</source>
+        <translation>Uczestnik %1</translation>
+    </message>
+    <message>
+        <source>Read, go on</source>
+        <translation>Przeczytane, dalej</translation>
+    </message>
+    <message>
+        <source>Answer the questions</source>
+        <translation>Odpowiedz na pytania</translation>
+    </message>
+    <message>
+        <source>I consent</source>
+        <translation>Wyrażam zgodę</translation>
+    </message>
+    <message>
+        <source>Recording the consent</source>
+        <translation>Zapisywanie zgody</translation>
+    </message>
+    <message>
+        <source>A window with the fetoscope&apos;s view opens.</source>
+        <translation>Otworzy się okno z obrazem fetoskopu.</translation>
+    </message>
+    <message>
+        <source>It closes by itself after %1.</source>
+        <translation>Zamknie się samo po %1.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Rozpocznij</translation>
+    </message>
+    <message>
+        <source>Not needed, go on</source>
+        <translation>Niepotrzebne, dalej</translation>
+    </message>
+    <message>
+        <source>Starting the attempt</source>
+        <translation>Rozpoczynanie próby</translation>
+    </message>
+    <message>
+        <source>Thank you.</source>
+        <translation>Dziękujemy.</translation>
+    </message>
+    <message>
+        <source>%1 has withdrawn; nothing more is recorded.</source>
+        <translation>Uczestnik %1 wycofał się; nic więcej nie jest zapisywane.</translation>
+    </message>
+    <message>
+        <source>Everything is done. Please hand the screen back to the coordinator.</source>
+        <translation>Wszystko zrobione. Proszę oddać ekran koordynatorowi.</translation>
+    </message>
+    <message>
+        <source>Back to the study</source>
+        <translation>Wróć do badania</translation>
+    </message>
+    <message>
+        <source>Recording the step</source>
+        <translation>Zapisywanie kroku</translation>
+    </message>
 </context>
 <context>
     <name>TaskPage</name>
@@ -1751,6 +2941,33 @@
     <message>
         <source>F1 in the window shows them again, Escape pauses.</source>
         <translation>F1 w oknie pokazuje je ponownie, Escape wstrzymuje.</translation>
+    </message>
+</context>
+<context>
+    <name>Theme</name>
+    <message>
+        <source>Sparing the placode</source>
+        <translation>Oszczędzanie płytki</translation>
+    </message>
+    <message>
+        <source>The incision</source>
+        <translation>Nacięcie</translation>
+    </message>
+    <message>
+        <source>Freeing and taking out</source>
+        <translation>Uwolnienie i wyjęcie</translation>
+    </message>
+    <message>
+        <source>Gentle with tissue</source>
+        <translation>Delikatność wobec tkanek</translation>
+    </message>
+    <message>
+        <source>Use of energy</source>
+        <translation>Użycie energii</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
     </message>
 </context>
 <context>
@@ -1838,6 +3055,149 @@
     <message>
         <source>The same numbers stand in the history table.</source>
         <translation>Te same liczby są w tabeli historii.</translation>
+    </message>
+</context>
+<context>
+    <name>WatchPage</name>
+    <message>
+        <source>Reading the recording …</source>
+        <translation>Czytanie zapisu …</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Obejrzyj</translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation>Wróć do wyniku</translation>
+    </message>
+    <message>
+        <source>Moment of the recording</source>
+        <translation>Chwila zapisu</translation>
+    </message>
+    <message>
+        <source>Simulating to the moment</source>
+        <translation>Symulacja do wybranej chwili</translation>
+    </message>
+    <message>
+        <source>5 s back</source>
+        <translation>5 s wstecz</translation>
+    </message>
+    <message>
+        <source>5 s on</source>
+        <translation>5 s dalej</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>As operated</source>
+        <translation>Jak podczas próby</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Z lewej</translation>
+    </message>
+    <message>
+        <source>From the feet</source>
+        <translation>Od strony stóp</translation>
+    </message>
+    <message>
+        <source>Near the tip</source>
+        <translation>Blisko końcówki</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Prędkość</translation>
+    </message>
+    <message>
+        <source>Speed %1×</source>
+        <translation>Prędkość %1×</translation>
+    </message>
+    <message>
+        <source>Close the window</source>
+        <translation>Zamknij okno</translation>
+    </message>
+    <message>
+        <source>Reading the recording</source>
+        <translation>Czytanie zapisu</translation>
+    </message>
+    <message>
+        <source>The recording cannot be shown.</source>
+        <translation>Nie można pokazać zapisu.</translation>
+    </message>
+    <message>
+        <source>Click the time line to go there</source>
+        <translation>Kliknij oś czasu, aby tam przejść</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Czas</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Co</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Gdzie</translation>
+    </message>
+    <message>
+        <source>Entries of the damage ledger</source>
+        <translation>Wpisy rejestru uszkodzeń</translation>
+    </message>
+    <message>
+        <source>critical</source>
+        <translation>krytyczne</translation>
+    </message>
+    <message>
+        <source>Starting the replay</source>
+        <translation>Rozpoczynanie odtwarzania</translation>
+    </message>
+    <message>
+        <source>The replay ended with a problem.</source>
+        <translation>Odtwarzanie zakończyło się problemem.</translation>
+    </message>
+    <message>
+        <source>The recording and its score are untouched.</source>
+        <translation>Zapis i wynik pozostały bez zmian.</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauza</translation>
+    </message>
+    <message>
+        <source>The attempt is simulated again exactly, in the simulator&apos;s window.</source>
+        <translation>Próba jest dokładnie symulowana ponownie w oknie symulatora.</translation>
+    </message>
+    <message>
+        <source>Simulating to %1; going back means beginning again.</source>
+        <translation>Symulacja do %1; cofnięcie oznacza symulację od początku.</translation>
+    </message>
+    <message>
+        <source>Paused</source>
+        <translation>Pauza</translation>
+    </message>
+    <message>
+        <source>Playing</source>
+        <translation>Odtwarzanie</translation>
+    </message>
+    <message>
+        <source>Playing at %1×: this computer cannot do %2×.</source>
+        <translation>Odtwarzanie %1×: ten komputer nie zdoła %2×.</translation>
+    </message>
+    <message>
+        <source>Back to the ratings</source>
+        <translation>Wróć do ocen</translation>
     </message>
 </context>
 <context>
@@ -2083,6 +3443,77 @@
     <message>
         <source>What was recorded is kept and can be saved as interrupted.</source>
         <translation>To, co nagrano, jest zachowane i można to zapisać jako przerwane.</translation>
+    </message>
+    <message>
+        <source>Go on with the study</source>
+        <translation>Dalej w badaniu</translation>
+    </message>
+    <message>
+        <source>Cohort</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Ratings</source>
+        <translation>Oceny</translation>
+    </message>
+    <message>
+        <source>Standards</source>
+        <translation>Progi</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Search pages, tasks, people and attempts (Ctrl+K)</source>
+        <translation>Szukaj stron, zadań, osób i prób (Ctrl+K)</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::SearchBox</name>
+    <message>
+        <source>Search</source>
+        <translation>Szukaj</translation>
+    </message>
+    <message>
+        <source>Page, task, person, attempt</source>
+        <translation>Strona, zadanie, osoba, próba</translation>
+    </message>
+    <message>
+        <source>Found</source>
+        <translation>Znalezione</translation>
+    </message>
+    <message>
+        <source>task</source>
+        <translation>zadanie</translation>
+    </message>
+    <message>
+        <source>Reading the people</source>
+        <translation>Czytanie osób</translation>
+    </message>
+    <message>
+        <source>Reading the attempts</source>
+        <translation>Czytanie prób</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 pkt</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>próba %1</translation>
+    </message>
+    <message>
+        <source>Reading the attempts …</source>
+        <translation>Czytanie prób …</translation>
+    </message>
+    <message>
+        <source>Nothing found. Try fewer letters, a name or a date.</source>
+        <translation>Nic nie znaleziono. Spróbuj mniej liter, nazwiska lub daty.</translation>
+    </message>
+    <message>
+        <source>Arrow keys choose, Enter opens, Escape closes.</source>
+        <translation>Strzałki wybierają, Enter otwiera, Escape zamyka.</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an educator does with many attempts, through the real windows: the cohort, standards from
+// two groups, blinded ratings, and search. The attempts are put into the store with chosen scores.
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QListWidget>
+#include <QRadioButton>
+
+#include "assessment/standard_setting.h"
+#include "curriculum/questionnaire.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+constexpr const char* kTask = "diathermy_ring_small";
+const QStringList kNames{"Anna Stuck", "Bert Back", "Cleo Clever", "Dan Quick"};
+}  // namespace
+
+class ShellEducatorTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void cohortShowsWhoIsStuckAndWhoRegressed();
+    void cohortLeadsToTheAttemptsAndIsExported();
+    void standardComesFromTwoGroups();
+    void raterSeesNeitherNameNorScore();
+    void agreementOfRatersIsTold();
+    void searchOpensByKeyboardAlone();
+    void searchKeepsToTheRights();
+    void lastPageIsRemembered();
+
+ private:
+    void add(const QString& name, const std::string& login, const std::vector<double>& points);
+    [[nodiscard]] QWidget* dialog() const { return QApplication::activeModalWidget(); }
+    /// Opens the search, types, and waits until attempts were read.
+    [[nodiscard]] bool search(const QString& words);
+
+    std::unique_ptr<ShellHarness> shell_;
+    std::vector<int64_t> ids_;
+};
+
+void ShellEducatorTest::add(const QString& name, const std::string& login,
+                            const std::vector<double>& points) {
+    db::Store& store = shell_->context().store();
+    db::NewUser user;
+    user.login = login;
+    user.display_name = name.toStdString();
+    user.password = "first password";
+    const int64_t id = store.create_user(user);
+    for (size_t i = 0; i < points.size(); ++i) {
+        db::AttemptResult result;
+        result.header.task_id = kTask;
+        result.header.device = "mouse";
+        result.header.started_utc = QString("2026-03-%1T10:00:00Z")
+                                        .arg(static_cast<int>(i) + 1, 2, 10, QChar('0'))
+                                        .toStdString();
+        result.end.reason = sim::EndReason::kFinished;
+        result.end.duration_s = 200;
+        result.score.points = points[i];
+        result.score.verdict =
+            points[i] >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
+        result.score.rubric_id = "ring_incision";
+        ids_.push_back(store.save_attempt(id, result));
+    }
+}
+
+void ShellEducatorTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+    add(kNames[0], "anna", {40, 41, 40, 39, 42, 41});
+    add(kNames[1], "bert", {50, 75, 80, 60, 55});
+    add(kNames[2], "cleo", {60, 78, 84, 90});
+    add(kNames[3], "dan", {82, 88, 91});
+    QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+}
+
+void ShellEducatorTest::cohortShowsWhoIsStuckAndWhoRegressed() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_cohort"));
+    QVERIFY(shell.arrives(PageId::kCohort));
+    auto* table = shell.find<QTableWidget>("cohort_table");
+    QCOMPARE(table->rowCount(), 4);
+    QVERIFY(table->item(0, 2)->toolTip().startsWith("stuck"));
+    QVERIFY(table->item(1, 2)->toolTip().startsWith("regressed"));
+    QVERIFY(table->item(2, 2)->toolTip().startsWith("passing"));
+    QVERIFY(shell.find<QPushButton>("help_1") != nullptr);
+    QVERIFY(shell.find<QPushButton>("help_2") == nullptr);
+    for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
+        shell.window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell.fits());
+        shell.whole(QString("80_cohort_%1").arg(size.width()));
+    }
+    shell.context().setLanguage("pl");
+    QVERIFY(shell.arrives(PageId::kCohort));
+    shell.whole("81_cohort_polish");
+    shell.context().setLanguage("en");
+    QVERIFY(shell.arrives(PageId::kCohort));
+    shell.find<QCheckBox>("only_help")->click();
+    table = shell.find<QTableWidget>("cohort_table");
+    QVERIFY(!table->isRowHidden(0) && !table->isRowHidden(1));
+    QVERIFY(table->isRowHidden(2) && table->isRowHidden(3));
+}
+
+void ShellEducatorTest::cohortLeadsToTheAttemptsAndIsExported() {
+    ShellHarness& shell = *shell_;
+    shell.save_as = shell.path("cohort.csv");
+    QVERIFY(shell.click("cohort_export"));
+    QVERIFY(shell.bannerSays("cohort.csv"));
+    QFile file(shell.save_as);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
+    QCOMPARE(lines.size(), 5);
+    QVERIFY(lines[1].contains("Anna Stuck") && lines[1].contains("stuck,6,41.0,42.0,0"));
+    QVERIFY(shell.click("help_0"));
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    QCOMPARE(shell.find<QComboBox>("filter_person")->currentText(), kNames[0]);
+}
+
+void ShellEducatorTest::standardComesFromTwoGroups() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_standards"));
+    QVERIFY(shell.arrives(PageId::kStandards));
+    QVERIFY(shell.find<QLabel>("cut_score") == nullptr);
+    const int groups[]{1, 1, 2, 2};
+    for (int row = 0; row < 4; ++row)
+        shell.find<QComboBox>(QString("group_%1").arg(row))->setCurrentIndex(groups[row]);
+    // Each person's mean of the last three attempts.
+    const std::vector<double> novices{(39 + 42 + 41) / 3.0, (80 + 60 + 55) / 3.0},
+        experts{(78 + 84 + 90) / 3.0, (82 + 88 + 91) / 3.0};
+    const auto expected = assessment::contrasting_groups(novices, experts);
+    QCOMPARE(shell.text("cut_score"),
+             QString("Pass mark: %1 points").arg(QLocale().toString(expected.cut_score, 'f', 1)));
+    QVERIFY(expected.cut_score > 65 && expected.cut_score < 84);
+    for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
+        shell.window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell.fits());
+        shell.whole(QString("82_standards_%1").arg(size.width()));
+    }
+    // Groups are kept when the theme was changed for the pictures; the wrong way round says why
+    // not.
+    QVERIFY(shell.find<QLabel>("cut_score") != nullptr);
+    for (int row = 0; row < 4; ++row)
+        shell.find<QComboBox>(QString("group_%1").arg(row))->setCurrentIndex(3 - groups[row]);
+    QVERIFY(shell.find<QLabel>("standard_problem") != nullptr ||
+            shell.find<QLabel>("cut_score") != nullptr);
+}
+
+void ShellEducatorTest::raterSeesNeitherNameNorScore() {
+    ShellHarness& shell = *shell_;
+    const size_t waiting = ids_.size();
+    for (int rated = 0; rated < 3; ++rated) {
+        QVERIFY(shell.click("rail_ratings"));
+        QVERIFY(shell.arrives(PageId::kRatings));
+        if (rated == 0) {
+            shell.shot("83_ratings");
+            for (const QLabel* label : shell.window().page()->findChildren<QLabel*>())
+                for (const QString& name : kNames) QVERIFY(!label->text().contains(name));
+        }
+        QVERIFY(shell.click("rating_rate"));
+        QVERIFY(shell.arrives(PageId::kParticipant));
+        for (const QLabel* label : shell.window().page()->findChildren<QLabel*>())
+            for (const QString& name : kNames) QVERIFY(!label->text().contains(name));
+        if (rated == 0) shell.shot("84_rating_form");
+        for (const auto& item : curriculum::load_questionnaire("osats").items) {
+            auto* radio = shell.find<QRadioButton>(
+                QString("answer_%1_%2").arg(item.id.c_str()).arg(2 + rated));
+            QVERIFY(radio != nullptr);
+            radio->click();
+        }
+        QVERIFY(shell.click("review"));
+        QVERIFY(shell.click("submit_answers"));
+        QVERIFY(shell.arrives(PageId::kRatings));
+    }
+    const auto ratings = shell.context().store().ratings("osats");
+    QCOMPARE(ratings.size(), size_t{3});
+    for (const auto& rating : ratings) {
+        QVERIFY(rating.blinded);
+        QVERIFY(rating.answers.size() >= 5);
+    }
+    QCOMPARE(shell.find<QTableWidget>("rated")->rowCount(), 3);
+    bool left = false;
+    for (const QLabel* label : shell.window().page()->findChildren<QLabel*>())
+        left = left || label->text() == QString("To be rated: %1").arg(waiting - 3);
+    QVERIFY(left);
+}
+
+void ShellEducatorTest::agreementOfRatersIsTold() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.text("icc").contains("Two raters"));
+    db::Store& store = shell.context().store();
+    const int64_t ada = store.user_by_login("ada")->id;
+    // Ada agrees but for one step at one attempt.
+    int shift = 0;
+    for (auto rating : store.ratings("osats")) {
+        rating.rater_id = ada;
+        if (shift++ == 0)
+            for (auto& [item, answer] : rating.answers) answer = "3";
+        (void)store.save_rating(rating);
+    }
+    QVERIFY(shell.click("rail_ratings"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.text("icc").contains("ICC(2,1)"); }, 5000));
+    QVERIFY(shell.text("icc").contains("attempts 3, raters 2"));
+    for (const QSize size : {QSize(1920, 1080), QSize(1280, 800)}) {
+        shell.window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell.fits());
+    }
+    shell.whole("85_ratings_icc");
+}
+
+bool ShellEducatorTest::search(const QString& words) {
+    ShellHarness& shell = *shell_;
+    // A shortcut needs an active window; without a window manager nobody activates it.
+    QApplication::setActiveWindow(&shell.window());
+    QTest::keyClick(&shell.window(), Qt::Key_K, Qt::ControlModifier);
+    if (!QTest::qWaitFor([&] { return dialog() != nullptr; }, 3000)) return false;
+    auto* field = dialog()->findChild<QLineEdit*>("search_text");
+    QTest::keyClicks(field, words);
+    return QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; },
+                           10000);
+}
+
+void ShellEducatorTest::searchOpensByKeyboardAlone() {
+    ShellHarness& shell = *shell_;
+    shell.window().resize(1366, 768);
+    QVERIFY(search("ANNA"));
+    auto* list = dialog()->findChild<QListWidget*>("search_list");
+    QVERIFY(list->count() > 1);  // the person and the attempts
+    QVERIFY(list->item(0)->text().contains("Anna Stuck"));
+    dialog()->grab().save(shell.shotFile("86_search_light"));
+    QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    QCOMPARE(shell.find<QComboBox>("filter_person")->currentText(), kNames[0]);
+    QVERIFY(search("standards"));
+    QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
+    QVERIFY(shell.arrives(PageId::kStandards));
+    // Arrow down chooses the next one.
+    QVERIFY(search("cleo"));
+    auto* field = dialog()->findChild<QLineEdit*>("search_text");
+    QTest::keyClick(field, Qt::Key_Down);
+    QCOMPARE(dialog()->findChild<QListWidget*>("search_list")->currentRow(), 1);
+    QTest::keyClick(field, Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return dialog() == nullptr; }, 3000));
+    QVERIFY(shell.window().current() == PageId::kStandards);
+}
+
+void ShellEducatorTest::searchKeepsToTheRights() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
+    QVERIFY(search("anna"));
+    QCOMPARE(dialog()->findChild<QListWidget*>("search_list")->count(), 0);
+    QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Escape);
+    QVERIFY(QTest::qWaitFor([&] { return dialog() == nullptr; }, 3000));
+    QVERIFY(search("ring"));
+    QVERIFY(dialog()->findChild<QListWidget*>("search_list")->count() >= 2);
+    QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
+    QVERIFY(shell.arrives(PageId::kTask));
+}
+
+void ShellEducatorTest::lastPageIsRemembered() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_history"));
+    QVERIFY(shell.arrives(PageId::kHistory));
+    shell.start();
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
+    QVERIFY(shell.arrives(PageId::kHistory));
+    // Of each user's own.
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    QVERIFY(shell.arrives(PageId::kStandards));
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellEducatorTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_educator_test.moc"

@@ -1,0 +1,264 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The paper's protocol through the real windows: a coordinator publishes the study, a participant
+// is led from consent to the last question, with an interruption in the middle.
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QRadioButton>
+#include <QSlider>
+
+#include "curriculum/questionnaire.h"
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+/// The full field takes a busy machine long to build and settle.
+constexpr int kPatienceMs = 240000;
+constexpr const char* kStudy = "face_content_validity";
+}  // namespace
+
+class ShellStudyTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void studyIsPublishedOnce();
+    void consentNeedsEveryStatement();
+    void questionsBriefingAndPractice();
+    void interruptionCostsNothing();
+    void proceduresAreStepsOfTheParticipant();
+    void lastQuestionnaireEndsTheRun();
+    void coordinatorSeesWhereEveryoneStands();
+    void reportAndExportComeOut();
+
+ private:
+    /// Answers whatever the questionnaire on the screen asks for, and submits.
+    void answerAll(const std::string& questionnaire);
+    /// Starts the attempt of the step that is shown and ends it after a moment.
+    void perform(const QString& device);
+    [[nodiscard]] db::Progress progress() {
+        const auto all = db::study_progress(shell_->context().store(), kStudy);
+        return all.empty() ? db::Progress{} : all.front();
+    }
+
+    std::unique_ptr<ShellHarness> shell_;
+    QString code_;
+};
+
+void ShellStudyTest::initTestCase() {
+    QVERIFY2(QFileInfo(PLACODE_BIN_DIR "/placode-sim").isExecutable(),
+             "build placode-sim first: this test starts the real simulator");
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    QVERIFY(shell_->arrives(PageId::kStudies));
+}
+
+void ShellStudyTest::studyIsPublishedOnce() {
+    ShellHarness& shell = *shell_;
+    shell.shot("60_study_unpublished");
+    QVERIFY(shell.find<QPushButton>("enrol") == nullptr);
+    QVERIFY(shell.click("publish_study"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("enrol") != nullptr; }, 10000));
+    QVERIFY(db::published_study(shell.context().store(), kStudy).has_value());
+    QVERIFY(shell.find<QPushButton>("publish_study") == nullptr);
+}
+
+void ShellStudyTest::consentNeedsEveryStatement() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("enrol"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    code_ = QString::fromStdString(progress().participant.code);
+    QVERIFY(!code_.isEmpty());
+    // A participant is at the screen: no rail.
+    QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());
+    auto* agree = shell.find<QPushButton>("consent_given");
+    QVERIFY(agree != nullptr && !agree->isEnabled());
+    shell.shot("61_consent");
+    shell.context().setLanguage("pl");
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    shell.whole("62_consent_polish");
+    shell.context().setLanguage("en");
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    const auto protocol = curriculum::load_study(kStudy);
+    for (const auto& statement : protocol.consent.statements) {
+        QVERIFY(!shell.find<QPushButton>("consent_given")->isEnabled());
+        auto* box = shell.find<QCheckBox>("consent_" + QString::fromStdString(statement.id));
+        QVERIFY(box != nullptr);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Space);  // by keyboard alone
+    }
+    auto* given = shell.find<QPushButton>("consent_given");
+    QVERIFY(given->isEnabled());
+    given->setFocus();
+    QTest::keyClick(given, Qt::Key_Return);
+    QVERIFY(QTest::qWaitFor([&] { return progress().next == "demographics"; }, 10000));
+}
+
+void ShellStudyTest::answerAll(const std::string& questionnaire) {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    const auto asked = curriculum::load_questionnaire(questionnaire);
+    for (const auto& item : asked.items) {
+        const QString name = "answer_" + QString::fromStdString(item.id);
+        using curriculum::ItemKind;
+        if (item.kind == ItemKind::kLikert) {
+            auto* radio = shell.find<QRadioButton>(name + QString("_%1").arg(item.scale_max - 1));
+            if (radio != nullptr && radio->isVisible()) radio->click();
+        } else if (item.kind == ItemKind::kChoice) {
+            auto* box = shell.find<QComboBox>(name);
+            if (box != nullptr && box->isVisible()) box->setCurrentIndex(1);
+        } else if (item.kind == ItemKind::kMultiple) {
+            auto* box = shell.find<QCheckBox>(name + "_0");
+            if (box != nullptr && box->isVisible()) box->click();
+        } else if (item.kind == ItemKind::kNumber) {
+            auto* line = shell.find<QLineEdit>(name);
+            if (line != nullptr && line->isVisible())
+                QVERIFY(shell.type(name, QString::number(item.number_min + 30)));
+        }
+    }
+    QVERIFY(shell.click("review"));
+    QVERIFY2(shell.find<QPushButton>("submit_answers") != nullptr,
+             qPrintable(shell.text("participant_message")));
+    QVERIFY(shell.click("submit_answers"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+}
+
+void ShellStudyTest::questionsBriefingAndPractice() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("step_questionnaire"));
+    answerAll("demographics");
+    if (QTest::currentTestFailed()) return;
+    QCOMPARE(progress().next, std::string("briefing"));
+    shell.shot("63_briefing");
+    QVERIFY(shell.click("step_done"));
+    QVERIFY(QTest::qWaitFor([&] { return progress().next == "familiarisation"; }, 5000));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QComboBox>("device") != nullptr; }, 5000));
+    shell.shot("64_familiarisation");
+    perform("script:novice");
+    if (QTest::currentTestFailed()) return;
+    QCOMPARE(progress().next, std::string("procedure_1"));
+}
+
+void ShellStudyTest::perform(const QString& device) {
+    ShellHarness& shell = *shell_;
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QComboBox>("device") != nullptr; }, 5000));
+    auto* devices = shell.find<QComboBox>("device");
+    QVERIFY(devices->findData(device) >= 0);
+    devices->setCurrentIndex(devices->findData(device));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.arrives(PageId::kRunning));
+    QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 0.5; },
+                            kPatienceMs));
+    QVERIFY(shell.click("stop_and_score"));
+    // Led on, without a score.
+    QVERIFY(shell.arrives(PageId::kStudyRun, 60));
+}
+
+void ShellStudyTest::interruptionCostsNothing() {
+    ShellHarness& shell = *shell_;
+    shell.start();  // The station is switched off in the middle of the run.
+    QVERIFY(shell.signIn("demo.coordinator", "placode-demo"));
+    shell.window().open({PageId::kStudies, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kStudies));
+    QCOMPARE(shell.find<QTableWidget>("progress_table")->rowCount(), 1);
+    QVERIFY(shell.click("continue_participant"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    QCOMPARE(progress().next, std::string("procedure_1"));
+    shell.shot("65_resumed");
+}
+
+void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
+    for (const char* device : {"script:novice", "script:intermediate", "script:expert"}) {
+        perform(device);
+        if (QTest::currentTestFailed()) return;
+    }
+    QCOMPARE(progress().next, std::string("face_validity"));
+    int procedures = 0;
+    db::Store& store = shell_->context().store();
+    for (const auto& step : store.steps(kStudy)) {
+        if (step.attempt_id == 0) continue;
+        ++procedures;
+        QCOMPARE(step.state, db::StepState::kDone);
+        QCOMPARE(QString::fromStdString(step.participant), code_);
+        QCOMPARE(store.attempt(step.attempt_id).record.task_id, std::string("diathermy_ring"));
+    }
+    QCOMPARE(procedures, 4);  // familiarisation and three procedures
+}
+
+void ShellStudyTest::lastQuestionnaireEndsTheRun() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("step_questionnaire"));
+    QVERIFY(shell.arrives(PageId::kParticipant));
+    shell.shot("66_face_validity");
+    answerAll("face_validity");
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(progress().next.empty());
+    QCOMPARE(progress().done, progress().total);
+    QVERIFY(shell.find<QPushButton>("run_finished") != nullptr);
+    shell.shot("67_run_finished");
+    QVERIFY(shell.click("run_finished"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+}
+
+void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("enrol"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    QVERIFY(shell.click("interrupt_run"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+    auto* table = shell.find<QTableWidget>("progress_table");
+    QCOMPARE(table->rowCount(), 2);
+    QCOMPARE(table->item(0, 2)->text(), QString("finished"));
+    QCOMPARE(table->item(1, 1)->text(), QString("0 of 8"));
+    QVERIFY(shell.text("flow").contains("Information and consent: 1"));
+    for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+        shell.window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell.fits());
+    }
+    shell.window().resize(1366, 768);
+    shell.whole("68_study_overview");
+    // The second one withdraws; the code stays.
+    table = shell.find<QTableWidget>("progress_table");
+    table->selectRow(1);
+    QVERIFY(shell.type("withdraw_reason", "not given"));
+    QVERIFY(shell.click("withdraw"));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            auto* now = shell.find<QTableWidget>("progress_table");
+            return now != nullptr && now->item(1, 4)->text().contains("withdrew");
+        },
+        10000));
+}
+
+void ShellStudyTest::reportAndExportComeOut() {
+    ShellHarness& shell = *shell_;
+    shell.save_as = shell.path("exported");
+    QVERIFY(shell.click("study_export"));
+    QVERIFY(shell.bannerSays("read back and compared", 60));
+    QVERIFY(!QDir(shell.save_as).entryList({"*.csv"}, QDir::Files).isEmpty());
+    shell.save_as = shell.path("study.pdf");
+    QVERIFY(shell.click("study_report"));
+    QVERIFY(shell.bannerSays("study.pdf", 60));
+    QVERIFY(QFileInfo(shell.save_as).size() > 5000);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellStudyTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_study_test.moc"

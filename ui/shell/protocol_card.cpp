@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The card of a study with a protocol: publish, enrol, where everyone stands, withdraw, export.
+
+#include "ui/shell/protocol_card.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QStandardPaths>
+#include <algorithm>
+#include <memory>
+
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+#include "reports/export.h"
+#include "reports/study_report.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+/// Those that are published, and those that are shipped and could be.
+std::vector<std::string> known_studies(AppContext& context) {
+    std::vector<std::string> ids = curriculum::list_definitions("studies");
+    for (const auto& each : context.store().definitions("study"))
+        if (std::find(ids.begin(), ids.end(), each.id) == ids.end()) ids.push_back(each.id);
+    return ids;
+}
+
+class ProtocolCard : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(ProtocolCard)
+ public:
+    ProtocolCard(AppContext& context, Page& page, const QString& chosen)
+        : context_(context), page_(page) {
+        auto* outer = new QVBoxLayout(this);
+        outer->setContentsMargins(0, 0, 0, 0);
+        const auto ids = known_studies(context);
+        if (ids.empty()) return;
+        study_ = std::find(ids.begin(), ids.end(), chosen.toStdString()) != ids.end()
+                     ? chosen.toStdString()
+                     : ids.front();
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        const auto published = db::published_study(context.store(), study_);
+        const auto protocol = published ? *published : curriculum::load_study(study_);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(context.in(protocol.title), "heading"), 1);
+        if (ids.size() > 1) head->addWidget(chooser(ids));
+        layout->addLayout(head);
+        layout->addWidget(make_label(context.in(protocol.description), "muted"));
+        if (published)
+            addConduct(layout, *published);
+        else
+            addPublish(layout, protocol);
+        outer->addWidget(make_card(layout));
+    }
+
+ private:
+    QComboBox* chooser(const std::vector<std::string>& ids) {
+        auto* box = new QComboBox;
+        box->setObjectName("study");
+        box->setAccessibleName(tr("Study"));
+        for (const std::string& id : ids) box->addItem(qstr(id), qstr(id));
+        box->setCurrentIndex(box->findData(qstr(study_)));
+        connect(box, &QComboBox::activated, this, [this, box] {
+            study_ = box->currentData().toString().toStdString();
+            again();
+        });
+        return box;
+    }
+
+    QPushButton* button(QHBoxLayout* row, const QString& text, const char* role, const char* icon,
+                        const char* name, const std::function<void()>& work) {
+        QPushButton* made = make_button(context_, text, role, icon);
+        made->setObjectName(name);
+        connect(made, &QPushButton::clicked, this, work);
+        row->addWidget(made);
+        return made;
+    }
+
+    void addPublish(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
+        layout->addWidget(make_label(
+            tr("Not published yet. Publishing keeps this version for good; a change is a new "
+               "version with a reason. Check the consent text first."),
+            "muted"));
+        auto* row = new QHBoxLayout;
+        row->addStretch();
+        button(row, tr("Publish version %1").arg(protocol.version), "primary", "check",
+               "publish_study", [this, protocol] {
+                   context_.guard(tr("Publishing the study"), [&] {
+                       context_.require(db::Action::kRunQuestionnaire);
+                       for (const auto& step : protocol.steps)
+                           if (!step.questionnaire.empty())
+                               db::publish_on_first_use(
+                                   context_.store(),
+                                   curriculum::load_questionnaire(step.questionnaire));
+                       db::DefinitionRecord definition;
+                       definition.kind = "study";
+                       definition.id = protocol.id;
+                       definition.version = protocol.version;
+                       definition.json = protocol.json;
+                       context_.store().publish(definition);
+                       again();
+                   });
+               });
+        layout->addLayout(row);
+    }
+
+    void addConduct(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
+        list_ = db::study_progress(context_.store(), study_);
+        auto* row = new QHBoxLayout;
+        row->addWidget(
+            make_label(tr("Version %1 · participants: %2").arg(protocol.version).arg(list_.size()),
+                       "muted"),
+            1);
+        button(row, tr("Enrol a participant"), "primary", "plus", "enrol", [this] { enrol(); });
+        layout->addLayout(row);
+        if (list_.empty()) return;
+        layout->addWidget(makeTable(protocol));
+        layout->addWidget(flow(protocol));
+        layout->addLayout(actions());
+        layout->addLayout(exports());
+    }
+
+    QTableWidget* makeTable(const curriculum::StudyProtocol& protocol) {
+        table_ = make_table({tr("Code"), tr("Steps"), tr("Next"), tr("Last"), tr("Remark")},
+                            tr("Where everyone stands"));
+        table_->setObjectName("progress_table");
+        table_->setSortingEnabled(false);
+        table_->setRowCount(static_cast<int>(list_.size()));
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            const db::Progress& each = list_[static_cast<size_t>(row)];
+            const auto* next = protocol.step(each.next);
+            QString remark = each.participant.demonstration ? tr("DEMONSTRATION") : QString();
+            if (each.participant.withdrawal) remark = tr("withdrew") + " " + remark;
+            table_->setItem(row, 0, make_cell(qstr(each.participant.code)));
+            table_->setItem(
+                row, 1, make_number_cell(tr("%1 of %2").arg(each.done).arg(each.total), each.done));
+            table_->setItem(row, 2,
+                            make_cell(each.participant.withdrawal ? QString()
+                                      : next == nullptr           ? tr("finished")
+                                                                  : context_.in(next->title)));
+            table_->setItem(
+                row, 3, make_cell(each.last_utc.empty() ? QString() : format_when(each.last_utc)));
+            table_->setItem(row, 4, make_cell(remark));
+        }
+        fit_columns(table_, 2);
+        table_->selectRow(0);
+        table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 10);
+        return table_;
+    }
+
+    /// How many have done which step, and who left.
+    QLabel* flow(const curriculum::StudyProtocol& protocol) {
+        QStringList words;
+        for (const auto& step : protocol.steps) {
+            const auto done = std::count_if(list_.begin(), list_.end(), [&](const auto& each) {
+                return std::find(each.finished.begin(), each.finished.end(), "1/" + step.id) !=
+                       each.finished.end();
+            });
+            words << QString("%1: %2").arg(context_.in(step.title)).arg(done);
+        }
+        const auto left = std::count_if(list_.begin(), list_.end(), [](const auto& each) {
+            return each.participant.withdrawal.has_value();
+        });
+        words << tr("withdrew: %1").arg(left);
+        QLabel* label = make_label(words.join(" · "), "small");
+        label->setObjectName("flow");
+        return label;
+    }
+
+    [[nodiscard]] const db::Progress* selected() const {
+        const int row = table_->currentRow();
+        return row < 0 ? nullptr : &list_[static_cast<size_t>(row)];
+    }
+
+    QHBoxLayout* actions() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        button(row, tr("Continue"), "secondary", "play", "continue_participant", [this] {
+            if (selected() != nullptr) run(qstr(selected()->participant.code));
+        });
+        row->addStretch();
+        mode_ = new QComboBox;
+        mode_->setObjectName("withdraw_mode");
+        mode_->setAccessibleName(tr("What becomes of the data"));
+        mode_->addItem(tr("use the data to date"), static_cast<int>(db::WithdrawalMode::kKeep));
+        mode_->addItem(tr("use the data no more"), static_cast<int>(db::WithdrawalMode::kStop));
+        mode_->addItem(tr("erase the data"), static_cast<int>(db::WithdrawalMode::kErase));
+        row->addWidget(mode_);
+        reason_ = new QLineEdit;
+        reason_->setObjectName("withdraw_reason");
+        reason_->setAccessibleName(tr("Reason"));
+        reason_->setPlaceholderText(tr("Reason; \"not given\" is one"));
+        row->addWidget(reason_);
+        button(row, tr("Withdraw"), "danger", "close", "withdraw", [this] { withdraw(); });
+        return row;
+    }
+
+    QHBoxLayout* exports() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        row->addStretch();
+        auto* format = new QComboBox;
+        format->setObjectName("study_export_format");
+        format->setAccessibleName(tr("Export format"));
+        for (const auto& each : reports::export_formats())
+            format->addItem(QString::fromUtf8(each.title), QString(each.name));
+        row->addWidget(format);
+        const bool may = context_.may(db::Action::kExportStudy);
+        button(row, tr("Export"), "secondary", "download", "study_export", [this, format] {
+            exportAs(format->currentData().toString());
+        })->setEnabled(may);
+        button(row, tr("Report"), "secondary", "report", "study_report", [this] {
+            report();
+        })->setEnabled(may);
+        return row;
+    }
+
+    void enrol() {
+        context_.guard(tr("Making a participant code"), [this] {
+            context_.require(db::Action::kRunQuestionnaire);
+            run(qstr(context_.store().new_participant(study_, context_.user().demonstration)));
+        });
+    }
+
+    void withdraw() {
+        if (selected() == nullptr) return;
+        const std::string code = selected()->participant.code;
+        const auto mode = static_cast<db::WithdrawalMode>(mode_->currentData().toInt());
+        if (mode == db::WithdrawalMode::kErase &&
+            !confirm(this, tr("Erase the data of %1?").arg(qstr(code)),
+                     tr("Answers and attempts of the study are deleted. The code stays."),
+                     tr("Erase")))
+            return;
+        context_.guard(tr("Withdrawing %1").arg(qstr(code)), [&] {
+            context_.require(db::Action::kRunQuestionnaire);
+            context_.store().withdraw(study_, code, mode, reason_->text().trimmed().toStdString());
+            again();
+        });
+    }
+
+    void exportAs(const QString& format) {
+        const QString folder =
+            context_.askFolder(this, tr("Export into this folder"),
+                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        if (folder.isEmpty()) return;
+        if (!context_.guard(tr("Exporting the study"),
+                            [&] { context_.require(db::Action::kExportStudy); }))
+            return;
+        auto count = std::make_shared<size_t>(0);
+        context_.background(
+            this, tr("Exporting the study"),
+            [study = study_, language = context_.language().toStdString(), format, folder,
+             count](db::Store& store) {
+                const reports::ExportSource source{
+                    reports::study_dataset(store, study, {false, language}),
+                    reports::recordings_of(store)};
+                *count = reports::export_dataset(source, format.toStdString(), folder.toStdString())
+                             .size();
+            },
+            [this, format, folder, count](bool done) {
+                if (!done) return;
+                context_.audit(("export." + format).toUtf8().constData(), "study " + qstr(study_),
+                               folder);
+                Q_EMIT page_.notice(tr("%1 files, read back and compared with the store: %2")
+                                        .arg(*count)
+                                        .arg(folder));
+            });
+    }
+
+    void report() {
+        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+        const QString path = context_.askSaveFile(
+            this, tr("Save the report"), folder + "/" + qstr(study_) + ".pdf", tr("PDF (*.pdf)"));
+        if (path.isEmpty()) return;
+        if (!context_.guard(tr("Making the report"),
+                            [&] { context_.require(db::Action::kExportStudy); }))
+            return;
+        context_.background(
+            this, tr("Making the report"),
+            [study = study_, language = context_.language().toStdString(), path](db::Store& store) {
+                reports::write_study_pdf(reports::read_study_report(store, study, language),
+                                         path.toStdString());
+            },
+            [this, path](bool done) {
+                if (!done) return;
+                context_.audit("report.study", "study " + qstr(study_), path);
+                Q_EMIT page_.notice(tr("Report written: %1").arg(path));
+            });
+    }
+
+    void run(const QString& code) {
+        Q_EMIT page_.go({PageId::kStudyRun, 0, code, {{"study", qstr(study_)}}});
+    }
+    void again() { Q_EMIT page_.go({PageId::kStudies, 0, {}, {{"study", qstr(study_)}}}); }
+
+    AppContext& context_;
+    Page& page_;
+    std::string study_;
+    std::vector<db::Progress> list_;
+    QTableWidget* table_ = nullptr;
+    QComboBox* mode_ = nullptr;
+    QLineEdit* reason_ = nullptr;
+};
+
+}  // namespace
+
+QWidget* make_protocol_card(AppContext& context, Page& page, const QString& study) {
+    return new ProtocolCard(context, page, study);
+}
+
+}  // namespace placode::ui

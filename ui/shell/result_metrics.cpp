@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Result: the measures with the own last value and the band of the own earlier attempts.
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <set>
+
+#include "reports/attempt_figures.h"
+#include "ui/shell/result_cards.h"
+
+namespace placode::ui {
+namespace {
+
+struct Metrics {
+    Q_DECLARE_TR_FUNCTIONS(ResultPage)
+};
+
+constexpr int kStripWidth = 150;
+
+/// What the rubric looks at, and what everybody asks for first.
+std::set<std::string> metrics_that_count(AppContext& context, const std::string& task_id) {
+    std::set<std::string> ids{"task_time_s", "ring_completeness_percent", "contour_deviation_mm",
+                              "path_length_mm"};
+    (void)context.problemOf([&] {
+        const curriculum::Task task = curriculum::load_task(task_id);
+        for (const assessment::RubricItem& item : task.rubric.items) ids.insert(item.metric);
+    });
+    return ids;
+}
+
+QTableWidgetItem* change_cell(const AppContext& context, assessment::Direction direction,
+                              double value, std::optional<double> before) {
+    if (!before || direction == assessment::Direction::kNeutral) return make_cell("–");
+    // Less than what the table shows is no change.
+    if (format_value(value) == format_value(*before)) return make_cell(Metrics::tr("= same"));
+    const bool better =
+        (direction == assessment::Direction::kLowerIsBetter) == (value - *before < 0);
+    QTableWidgetItem* cell = make_cell(better ? Metrics::tr("▲ better") : Metrics::tr("▼ worse"));
+    cell->setForeground(better ? context.colors().good : context.colors().warn);
+    return cell;
+}
+
+/// The band as a picture, and in words for who cannot see it.
+QWidget* strip(const AppContext& context, const reports::Band& band, double value,
+               const QString& name) {
+    const reports::ChartStyle style = chart_style(context.theme());
+    QWidget* picture = make_picture(
+        [band, value, style](QPainter& painter, const QRectF& where) {
+            reports::draw_band(painter, where, band, value, style);
+        },
+        QSize(kStripWidth, kTouchTarget - 8), Metrics::tr("Own band of %1").arg(name), {});
+    const QString words = Metrics::tr("earlier: mean %1, SD %2, from %3 to %4, n = %5")
+                              .arg(format_value(band.mean), format_value(band.sd),
+                                   format_value(band.low), format_value(band.high))
+                              .arg(band.n);
+    picture->setAccessibleDescription(words);
+    picture->setToolTip(words);
+    return picture;
+}
+
+class MetricsTable {
+ public:
+    MetricsTable(AppContext& context, const ResultData& data) : context_(context), data_(data) {
+        table_ =
+            make_table({Metrics::tr("Measure"), Metrics::tr("Value"), Metrics::tr("Unit"),
+                        Metrics::tr("Own last"), Metrics::tr("Change"), Metrics::tr("Own band")},
+                       Metrics::tr("Measures"));
+        table_->setObjectName("metrics");
+        table_->setSortingEnabled(false);
+        for (const assessment::MetricDefinition& each : assessment::metric_definitions())
+            if (const auto value = data.detail.metrics.find(each.id)) add(each, *value);
+        fit_columns(table_, 0);
+        table_->setColumnWidth(5, kStripWidth + 16);
+        table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    }
+    [[nodiscard]] QTableWidget* widget() const { return table_; }
+
+ private:
+    void add(const assessment::MetricDefinition& definition, double value) {
+        const std::optional<double> before =
+            data_.earlier.empty() ? std::nullopt : data_.earlier.back().metrics.find(definition.id);
+        const int row = table_->rowCount();
+        table_->insertRow(row);
+        QTableWidgetItem* name = make_cell(metric_name(definition.name));
+        name->setToolTip(qstr(std::string(definition.definition)) + "\n" +
+                         qstr(std::string(definition.source)));
+        name->setData(Qt::UserRole, qstr(std::string(definition.id)));
+        table_->setItem(row, 0, name);
+        table_->setItem(row, 1, make_number_cell(format_value(value), value));
+        table_->setItem(row, 2, make_cell(unit_sign(definition.unit)));
+        table_->setItem(row, 3,
+                        make_number_cell(before ? format_value(*before) : "–", before.value_or(0)));
+        table_->setItem(row, 4, change_cell(context_, definition.direction, value, before));
+        std::vector<double> values;
+        for (const db::AttemptDetail& each : data_.earlier)
+            if (const auto found = each.metrics.find(definition.id)) values.push_back(*found);
+        const auto band = reports::band_of(values);
+        table_->setItem(row, 5, make_cell(band ? QString() : "–"));
+        if (band) table_->setCellWidget(row, 5, strip(context_, *band, value, name->text()));
+    }
+
+    AppContext& context_;
+    const ResultData& data_;
+    QTableWidget* table_ = nullptr;
+};
+
+}  // namespace
+
+QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace12);
+    auto* head = new QHBoxLayout;
+    head->addWidget(make_label(Metrics::tr("Measures"), "heading"), 1);
+    QPushButton* all = make_button(context, Metrics::tr("All measures"), "quiet");
+    all->setObjectName("all_measures");
+    head->addWidget(all);
+    layout->addLayout(head);
+    if (!data.earlier.empty())
+        layout->addWidget(
+            make_label(Metrics::tr("Own band: mean and standard deviation of your last %1 attempts "
+                                   "before this one; the dot is this attempt.")
+                           .arg(data.earlier.size()),
+                       "small"));
+    QTableWidget* table = MetricsTable(context, data).widget();
+    layout->addWidget(table);
+    const auto show = [table, all,
+                       wanted = metrics_that_count(context, data.detail.record.task_id)](
+                          bool everything) {
+        int shown = 0;
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const std::string id = table->item(row, 0)->data(Qt::UserRole).toString().toStdString();
+            const bool fits = everything || wanted.count(id) > 0;
+            table->setRowHidden(row, !fits);
+            shown += fits ? 1 : 0;
+        }
+        table->setFixedHeight(shown * kTouchTarget + 46);
+        all->setText(everything ? Metrics::tr("Only what counts") : Metrics::tr("All measures"));
+    };
+    QObject::connect(all, &QPushButton::clicked, table,
+                     [show, everything = false]() mutable { show(everything = !everything); });
+    show(false);
+    return make_card(layout);
+}
+
+}  // namespace placode::ui

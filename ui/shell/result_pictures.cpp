@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Result: the field with damage or energy, the incision, and the ways of the instruments.
+
+#include <QButtonGroup>
+#include <QHBoxLayout>
+#include <QStackedLayout>
+
+#include "reports/words.h"
+#include "ui/shell/result_cards.h"
+
+namespace placode::ui {
+namespace {
+
+struct Pictures {
+    Q_DECLARE_TR_FUNCTIONS(ResultPage)
+};
+
+/// "12 o'clock, placode: 2" and so on: the map for who cannot see it.
+QString map_words(const std::vector<assessment::LedgerEntry>& entries) {
+    QStringList lines;
+    const auto counts = reports::damage_by_sector(entries);
+    for (size_t hour = 0; hour < 12; ++hour)
+        for (size_t region = 0; region < assessment::kRegions; ++region)
+            if (counts[hour][region] > 0)
+                lines << Pictures::tr("%1 o'clock, %2: %3")
+                             .arg(hour == 0 ? 12 : hour)
+                             .arg(reports::region_words(static_cast<assessment::Region>(region)))
+                             .arg(counts[hour][region]);
+    return lines.isEmpty() ? Pictures::tr("No damage was recorded.") : lines.join("; ");
+}
+
+}  // namespace
+
+QWidget* make_map_card(AppContext& context,
+                       const std::shared_ptr<const sim::Recording>& recording) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace12);
+    layout->addWidget(make_label(Pictures::tr("Where it happened"), "heading"));
+    const reports::ChartStyle style = chart_style(context.theme());
+    auto entries = std::make_shared<std::vector<assessment::LedgerEntry>>(
+        assessment::damage_ledger(recording->events, recording->header.geometry));
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace16);
+    const auto add = [&](const QString& name, const QString& words, const char* object,
+                         const std::function<void(QPainter&, const QRectF&)>& draw) {
+        auto* column = new QVBoxLayout;
+        column->setSpacing(kSpace4);
+        QWidget* picture = make_picture(draw, QSize(280, 320), name, words);
+        picture->setObjectName(object);
+        picture->setMaximumHeight(380);
+        QLabel* title = make_label(name, "muted");
+        title->setAlignment(Qt::AlignHCenter);
+        column->addWidget(title);
+        column->addWidget(picture, 1);
+        row->addLayout(column, 1);
+    };
+    add(Pictures::tr("Damage"), map_words(*entries), "damage_map",
+        [recording, entries, style](QPainter& painter, const QRectF& where) {
+            reports::draw_field_map(painter, where, *recording, *entries,
+                                    reports::FieldLayer::kDamage, style);
+        });
+    add(Pictures::tr("Energy in tissue"),
+        Pictures::tr("Where the needle delivered energy, in joules per square millimetre."),
+        "energy_map", [recording, entries, style](QPainter& painter, const QRectF& where) {
+            reports::draw_field_map(painter, where, *recording, *entries,
+                                    reports::FieldLayer::kEnergy, style);
+        });
+    add(Pictures::tr("The incision"),
+        Pictures::tr("The field from above: planned contour, what was cut, the needle's path. "
+                     "The measures say the same in numbers."),
+        "incision", [recording, style](QPainter& painter, const QRectF& where) {
+            reports::draw_incision(painter, where, *recording, style);
+        });
+    layout->addLayout(row);
+    return make_card(layout);
+}
+
+QWidget* make_ways_card(AppContext& context,
+                        const std::shared_ptr<const sim::Recording>& recording) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace12);
+    layout->addWidget(make_label(Pictures::tr("Ways of the instruments"), "heading"));
+    const reports::ChartStyle style = chart_style(context.theme());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace16);
+    const QString names[]{Pictures::tr("Ways from above"), Pictures::tr("Ways from the left side"),
+                          Pictures::tr("Ways from the feet")};
+    for (int i = 0; i < 3; ++i) {
+        QWidget* picture = make_picture(
+            [recording, style, i](QPainter& painter, const QRectF& where) {
+                reports::draw_trajectory(painter, where, *recording, static_cast<reports::Side>(i),
+                                         style);
+            },
+            QSize(260, 270), names[i],
+            Pictures::tr("Path length and time stand among the measures."));
+        picture->setObjectName(QString("way_%1").arg(i));
+        picture->setMaximumHeight(330);
+        row->addWidget(picture, 1);
+    }
+    layout->addLayout(row);
+    layout->addWidget(make_label(
+        Pictures::tr("Thick where energy flowed into tissue. Dashed line: the plan."), "small"));
+    return make_card(layout);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Study run: leads one participant through the protocol, step by step. What is done is in the
+// store, so that an interruption costs nothing: the page goes on where the participant stopped.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDateTime>
+#include <QHBoxLayout>
+#include <algorithm>
+
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+#include "haptics/device.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::StepKind;
+using curriculum::StudyStep;
+
+class StudyRunPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(StudyRunPage)
+ public:
+    StudyRunPage(AppContext& context, const Place& place)
+        : Page(context),
+          code_(place.text),
+          study_(place.state.value("study").toString().toStdString()) {
+        context.require(db::Action::kRunQuestionnaire);
+        for (const db::Progress& each : db::study_progress(context.store(), study_))
+            if (each.participant.code == code_.toStdString()) progress_ = each;
+        const auto protocol =
+            db::published_study(context.store(), study_, progress_.participant.protocol_version);
+        if (!protocol || progress_.participant.code.empty())
+            throw db::StoreError(db::StoreError::Kind::kNotFound,
+                                 "study " + study_ + ": has no participant " + code_.toStdString() +
+                                     " with a published protocol");
+        protocol_ = *protocol;
+        QVBoxLayout* column = make_column(this, 900);
+        column->addWidget(make_label(context.in(protocol_.title), "display"));
+        column->addWidget(make_label(tr("Participant %1 · step %2 of %3")
+                                         .arg(code_)
+                                         .arg(std::min(progress_.done + 1, progress_.total))
+                                         .arg(progress_.total),
+                                     "muted"));
+        column->addWidget(stepsCard());
+        if (const StudyStep* step = protocol_.step(progress_.next))
+            column->addWidget(stepCard(*step));
+        else
+            column->addWidget(finishedCard());
+        auto* row = new QHBoxLayout;
+        QPushButton* leave =
+            make_button(context, tr("Interrupt, back to the study"), "quiet", "back");
+        leave->setObjectName("interrupt_run");
+        connect(leave, &QPushButton::clicked, this, [this] { backToStudy(); });
+        row->addWidget(leave);
+        row->addStretch();
+        column->addLayout(row);
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
+    [[nodiscard]] bool alone() const override { return true; }
+    [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
+
+ private:
+    [[nodiscard]] QString nameOf(const StudyStep& step) const {
+        const QString name = context_.in(step.title);
+        return name.isEmpty() ? qstr(step.id) : name;
+    }
+
+    QWidget* stepsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace4);
+        for (const StudyStep& step : protocol_.steps) {
+            const std::string key = std::to_string(progress_.visit) + "/" + step.id;
+            const auto& done = progress_.finished;
+            const bool finished = std::find(done.begin(), done.end(), key) != done.end();
+            const bool now = step.id == progress_.next;
+            layout->addWidget(make_label((finished ? "✓  "
+                                          : now    ? "▸  "
+                                                   : "    ") +
+                                             nameOf(step),
+                                         now        ? "heading"
+                                         : finished ? "good"
+                                                    : "muted"));
+        }
+        return make_card(layout);
+    }
+
+    QWidget* stepCard(const StudyStep& step) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(nameOf(step), "title"));
+        switch (step.kind) {
+            case StepKind::kConsent:
+                addConsent(layout);
+                break;
+            case StepKind::kBriefing:
+                for (const auto& text : step.text) layout->addWidget(make_label(context_.in(text)));
+                addButton(layout, tr("Read, go on"), "step_done", [this] { finishStep(); });
+                break;
+            case StepKind::kQuestionnaire:
+                addButton(layout, tr("Answer the questions"), "step_questionnaire", [this, step] {
+                    Q_EMIT go({PageId::kParticipant,
+                               0,
+                               code_,
+                               {{"questionnaire", qstr(step.questionnaire)},
+                                {"study", qstr(study_)},
+                                {"visit", progress_.visit},
+                                {"run", true}}});
+                });
+                break;
+            case StepKind::kFamiliarisation:
+            case StepKind::kProcedure:
+                addAttempt(layout, step);
+                break;
+        }
+        QFrame* card = make_card(layout);
+        card->setProperty("tone", "accent");
+        return card;
+    }
+
+    void addButton(QVBoxLayout* layout, const QString& text, const char* name,
+                   const std::function<void()>& work) {
+        QPushButton* button = make_button(context_, text, "primary", "next");
+        button->setObjectName(name);
+        connect(button, &QPushButton::clicked, this, work);
+        layout->addWidget(button, 0, Qt::AlignRight);
+    }
+
+    /// The text, a box for every statement, and a signature by the hand that ticks them.
+    void addConsent(QVBoxLayout* layout) {
+        for (const auto& text : protocol_.consent.information)
+            layout->addWidget(make_label(context_.in(text)));
+        std::vector<std::pair<QCheckBox*, const curriculum::ConsentStatement*>> boxes;
+        for (const auto& statement : protocol_.consent.statements) {
+            auto* box = new QCheckBox(context_.in(statement.text));
+            box->setObjectName("consent_" + qstr(statement.id));
+            box->setMinimumHeight(kTouchTarget);
+            layout->addWidget(box);
+            boxes.emplace_back(box, &statement);
+        }
+        QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
+        agree->setObjectName("consent_given");
+        agree->setEnabled(false);
+        for (const auto& [box, unused] : boxes) {
+            connect(box, &QCheckBox::toggled, this, [boxes, agree] {
+                agree->setEnabled(std::all_of(boxes.begin(), boxes.end(), [](const auto& each) {
+                    return each.first->isChecked() || !each.second->required;
+                }));
+            });
+        }
+        connect(agree, &QPushButton::clicked, this, [this, boxes] {
+            context_.guard(tr("Recording the consent"), [&] {
+                std::vector<std::string> agreed;
+                for (const auto& [box, statement] : boxes)
+                    if (box->isChecked()) agreed.push_back(statement->id);
+                db::record_consent(context_.store(), study_, code_.toStdString(),
+                                   context_.language().toStdString(), agreed);
+                again();
+            });
+        });
+        layout->addWidget(agree, 0, Qt::AlignRight);
+    }
+
+    void addAttempt(QVBoxLayout* layout, const StudyStep& step) {
+        QString text = tr("A window with the fetoscope's view opens.");
+        if (step.max_s > 0)
+            text += " " + tr("It closes by itself after %1.").arg(format_duration(step.max_s));
+        layout->addWidget(make_label(text, "muted"));
+        auto* devices = new QComboBox;
+        devices->setObjectName("device");
+        for (const haptics::DeviceListing& listing : haptics::list_devices()) {
+            const QString name = qstr(listing.name);
+            if (listing.available && !name.startsWith("script") && !name.startsWith("play"))
+                devices->addItem(device_name(listing.name), name);
+        }
+        if (context_.user().demonstration)
+            for (const char* script : {"script:expert", "script:intermediate", "script:novice"})
+                devices->addItem(device_name(script), script);
+        layout->addLayout(make_field(tr("Device"), devices));
+        addButton(layout, tr("Start"), "start_attempt",
+                  [this, devices, step] { start(step, devices->currentData().toString()); });
+        if (step.kind != StepKind::kFamiliarisation) return;
+        QPushButton* skip = make_button(context_, tr("Not needed, go on"), "quiet");
+        skip->setObjectName("step_skip");
+        connect(skip, &QPushButton::clicked, this, [this] { finishStep(db::StepState::kSkipped); });
+        layout->addWidget(skip, 0, Qt::AlignRight);
+    }
+
+    void start(const StudyStep& step, const QString& device) {
+        context_.guard(tr("Starting the attempt"), [&] {
+            context_.require(db::Action::kPerformAttempt);
+            const curriculum::Task task = curriculum::load_task(step.task);
+            AttemptOrder order;
+            order.user_id = context_.user().id;
+            order.user_name = qstr(context_.user().display_name);
+            order.task = qstr(task.id);
+            order.title = nameOf(step);
+            order.device = device;
+            order.started_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
+            order.demonstration =
+                context_.user().demonstration || progress_.participant.demonstration;
+            order.study = qstr(study_);
+            order.participant = code_;
+            order.step = qstr(step.id);
+            order.visit = progress_.visit;
+            order.duration_s = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
+            context_.launcher().start(order, context_.recordingsFolder());
+            Q_EMIT go({PageId::kRunning, 0, {}, {}});
+        });
+    }
+
+    QWidget* finishedCard() {
+        auto* layout = new QVBoxLayout;
+        layout->addWidget(make_label(tr("Thank you."), "title"));
+        layout->addWidget(make_label(
+            progress_.participant.withdrawal
+                ? tr("%1 has withdrawn; nothing more is recorded.").arg(code_)
+                : tr("Everything is done. Please hand the screen back to the coordinator."),
+            "muted"));
+        addButton(layout, tr("Back to the study"), "run_finished", [this] { backToStudy(); });
+        return make_card(layout);
+    }
+
+    void finishStep(db::StepState state = db::StepState::kDone) {
+        context_.guard(tr("Recording the step"), [&] {
+            db::StepRecord record;
+            record.study_id = study_;
+            record.participant = code_.toStdString();
+            record.visit = progress_.visit;
+            record.step = progress_.next;
+            record.state = state;
+            context_.store().record_step(record);
+            again();
+        });
+    }
+
+    void again() { Q_EMIT go({PageId::kStudyRun, 0, code_, {{"study", qstr(study_)}}}); }
+    void backToStudy() { Q_EMIT go({PageId::kStudies, 0, {}, {{"study", qstr(study_)}}}); }
+
+    QString code_;
+    std::string study_;
+    curriculum::StudyProtocol protocol_;
+    db::Progress progress_;
+};
+
+}  // namespace
+
+Page* make_study_run_page(AppContext& context, const Place& place) {
+    return new StudyRunPage(context, place);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Watch: an attempt again in the simulator's window, steered from here: camera, speed, pause, jumps
+// along the time line. Remarks are made on what is being shown.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QProgressBar>
+#include <QTemporaryDir>
+#include <cmath>
+
+#include "reports/words.h"
+#include "ui/shell/ledger_view.h"
+#include "ui/shell/replay_launcher.h"
+#include "ui/shell/result_cards.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr double kSpeeds[]{0.1, 0.25, 0.5, 1, 2, 4, 8};
+constexpr double kLeadS = 3;  ///< A little before the moment, so that one sees it coming.
+
+class WatchPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(WatchPage)
+ public:
+    WatchPage(AppContext& context, const Place& place)
+        : Page(context),
+          record_(context.store().attempt(place.number).record),
+          from_s_(place.state.value("from_s").toDouble()),
+          blinded_(place.state.value("blinded").toBool()) {
+        const bool own = record_.user_id == context.user().id;
+        context.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+        LaunchOptions options = context.launcher().options();
+        options.language = context.language();
+        replay_ = new ReplayLauncher(options, this);
+        column_ = make_column(this);
+        column_->addWidget(steerCard(place));
+        wait_ = make_label(tr("Reading the recording …"), "muted");
+        column_->addWidget(wait_);
+        pictures_ = new QVBoxLayout;
+        pictures_->setSpacing(kSpace16);
+        column_->addLayout(pictures_);
+        column_->addStretch();
+        connect(replay_, &ReplayLauncher::stateChanged, this, [this] { refresh(); });
+        connect(replay_, &ReplayLauncher::ended, this,
+                [this](const QString& message) { onEnded(message); });
+        refresh();
+        readRecording();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Watch"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"from_s", replay_->running() ? replay_->state().time_s : from_s_},
+                {"blinded", blinded_},
+                {"camera", camera_->currentData()},
+                {"speed", speed_->currentData()}};
+    }
+
+ private:
+    QWidget* steerCard(const Place& place) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        auto* head = new QHBoxLayout;
+        head->setSpacing(kSpace12);
+        QStringList facts{task_title(context_, record_.task_id), format_when(record_.started_utc)};
+        if (record_.user_id != context_.user().id) facts.prepend(qstr(record_.user_name));
+        // A blinded rater sees neither name nor day.
+        if (blinded_) facts = QStringList{task_title(context_, record_.task_id)};
+        head->addWidget(make_label(facts.join(" · "), "heading"), 1);
+        QPushButton* back =
+            make_button(context_, blinded_ ? tr("Back to the ratings") : tr("Back to the result"),
+                        "quiet", "back");
+        back->setObjectName("back_to_result");
+        connect(back, &QPushButton::clicked, this, [this] {
+            Q_EMIT go(
+                {blinded_ ? PageId::kRatings : PageId::kResult, blinded_ ? 0 : record_.id, {}, {}});
+        });
+        head->addWidget(back);
+        layout->addLayout(head);
+        layout->addLayout(buttons(place));
+        auto* foot = new QHBoxLayout;
+        clock_ = make_label("0:00", "display");
+        clock_->setObjectName("replay_clock");
+        clock_->setAccessibleName(tr("Moment of the recording"));
+        clock_->setWordWrap(false);
+        foot->addWidget(clock_);
+        said_ = make_label({}, "muted");
+        said_->setObjectName("replay_said");
+        foot->addWidget(said_, 1);
+        layout->addLayout(foot);
+        bar_ = new QProgressBar;
+        bar_->setTextVisible(false);
+        bar_->setAccessibleName(tr("Simulating to the moment"));
+        bar_->hide();
+        layout->addWidget(bar_);
+        return make_card(layout);
+    }
+
+    QHBoxLayout* buttons(const Place& place) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        play_ = make_button(context_, tr("Watch"), "primary", "play");
+        play_->setObjectName("replay_play");
+        play_->setMinimumWidth(130);
+        connect(play_, &QPushButton::clicked, this, [this] { playOrPause(); });
+        row->addWidget(play_);
+        back_ = jumpButton(tr("5 s back"), "replay_back", -5);
+        on_ = jumpButton(tr("5 s on"), "replay_on", 5);
+        row->addWidget(back_);
+        row->addWidget(on_);
+        camera_ = new QComboBox;
+        camera_->setObjectName("replay_camera");
+        camera_->setAccessibleName(tr("Camera"));
+        camera_->addItem(tr("As operated"), "scope");
+        camera_->addItem(tr("From above"), "above");
+        camera_->addItem(tr("From the left"), "left");
+        camera_->addItem(tr("From the feet"), "feet");
+        camera_->addItem(tr("Near the tip"), "near");
+        camera_->setCurrentIndex(
+            std::max(0, camera_->findData(place.state.value(
+                            "camera", context_.settings().value("replay_camera", "scope")))));
+        connect(camera_, &QComboBox::activated, this, [this] {
+            context_.settings().setValue("replay_camera", camera_->currentData());
+            replay_->setCamera(camera_->currentData().toString());
+        });
+        row->addWidget(camera_);
+        speed_ = new QComboBox;
+        speed_->setObjectName("replay_speed");
+        speed_->setAccessibleName(tr("Speed"));
+        for (const double speed : kSpeeds)
+            speed_->addItem(tr("Speed %1×").arg(QLocale().toString(speed)), speed);
+        speed_->setCurrentIndex(
+            std::max(0, speed_->findData(place.state.value("speed", 1.0).toDouble())));
+        connect(speed_, &QComboBox::activated, this,
+                [this] { replay_->setSpeed(speed_->currentData().toDouble()); });
+        row->addWidget(speed_);
+        row->addStretch();
+        close_ = make_button(context_, tr("Close the window"), "secondary", "stop");
+        close_->setObjectName("replay_close");
+        connect(close_, &QPushButton::clicked, this, [this] { replay_->stop(); });
+        row->addWidget(close_);
+        return row;
+    }
+
+    QPushButton* jumpButton(const QString& text, const char* name, double seconds) {
+        QPushButton* button = make_button(context_, text, "secondary");
+        button->setObjectName(name);
+        connect(button, &QPushButton::clicked, this, [this, seconds] {
+            replay_->seek(std::max(0.0, replay_->state().time_s + seconds));
+        });
+        return button;
+    }
+
+    void readRecording() {
+        auto recording = std::make_shared<sim::Recording>();
+        auto folder = std::make_shared<QTemporaryDir>();
+        const QString file = folder->filePath("attempt.placode");
+        const int64_t id = record_.id;
+        context_.background(
+            this, tr("Reading the recording"),
+            [recording, id, file](db::Store& store) {
+                store.extract_recording(id, file.toStdString());
+                *recording = recording_of_file(file);
+            },
+            [this, recording, folder, file](bool done) {
+                if (!done) return wait_->setText(tr("The recording cannot be shown."));
+                wait_->hide();
+                folder_ = folder;
+                file_ = file;
+                showLedger(*recording);
+                refresh();
+                if (from_s_ > 0) start(from_s_);
+            });
+    }
+
+    void showLedger(const sim::Recording& recording) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Click the time line to go there"), "heading"));
+        reports::LedgerPicture picture = reports::ledger_picture(
+            recording.events, recording.header.geometry, recording.end.duration_s);
+        ledger_ = new LedgerView(context_, std::move(picture));
+        ledger_->setObjectName("ledger");
+        layout->addWidget(ledger_);
+        ledger_->chosen = [this](double time_s, int entry) {
+            jump(entry < 0 ? time_s : std::max(0.0, time_s - kLeadS));
+        };
+        layout->addWidget(eventTable());
+        pictures_->addWidget(make_card(layout));
+        if (blinded_) return;  // remarks name people
+        pictures_->addWidget(make_comments_card(
+            context_, record_.id, record_.user_id,
+            [this] { return replay_->running() ? replay_->state().time_s : from_s_; },
+            [this](double time_s) { jump(time_s); },
+            [this](const std::vector<db::CommentRecord>& comments) {
+                ledger_->setMarks(marks_of(comments));
+            }));
+    }
+
+    /// The same entries as a list, for keyboards and screen readers.
+    QTableWidget* eventTable() {
+        QTableWidget* table =
+            make_table({tr("Time"), tr("What"), tr("Where")}, tr("Entries of the damage ledger"));
+        table->setObjectName("ledger_table");
+        table->setSortingEnabled(false);
+        const auto& entries = ledger_->picture().entries;
+        table->setRowCount(static_cast<int>(entries.size()));
+        for (size_t i = 0; i < entries.size(); ++i) {
+            const int row = static_cast<int>(i);
+            table->setItem(
+                row, 0,
+                make_number_cell(reports::minute_second(entries[i].from_s), entries[i].from_s));
+            QString words = reports::ledger_words(entries[i]);
+            if (entries[i].critical) words += " · " + tr("critical");
+            table->setItem(row, 1, make_cell(words));
+            table->setItem(row, 2, make_cell(reports::place_words(entries[i])));
+        }
+        fit_columns(table, 1);
+        table->setFixedHeight(std::min(5, std::max(1, table->rowCount())) * kTouchTarget + 48);
+        table->setVisible(!entries.empty());
+        connect(table, &QTableWidget::cellActivated, this, [this](int row, int) {
+            jump(std::max(0.0,
+                          ledger_->picture().entries[static_cast<size_t>(row)].from_s - kLeadS));
+        });
+        connect(table, &QTableWidget::currentCellChanged, this,
+                [this](int row) { ledger_->select(row); });
+        ledger_->selected = [table](int entry) {
+            const QSignalBlocker quiet(table);
+            table->selectRow(entry);
+        };
+        return table;
+    }
+
+    void playOrPause() {
+        if (replay_->running())
+            replay_->setPaused(!replay_->state().paused);
+        else
+            start(from_s_);
+    }
+
+    void start(double from_s) {
+        context_.guard(tr("Starting the replay"), [&] {
+            replay_->start(file_, camera_->currentData().toString(),
+                           speed_->currentData().toDouble(), from_s);
+        });
+        refresh();
+    }
+
+    void jump(double time_s) {
+        if (file_.isEmpty()) return;
+        if (replay_->running())
+            replay_->seek(time_s);
+        else
+            start(time_s);
+    }
+
+    void onEnded(const QString& message) {
+        from_s_ = 0;
+        if (!message.isEmpty())
+            context_.report({tr("The replay ended with a problem."),
+                             tr("The recording and its score are untouched."), message});
+        refresh();
+    }
+
+    void refresh() {
+        const bool running = replay_->running();
+        const ReplayState& now = replay_->state();
+        play_->setEnabled(!file_.isEmpty());
+        play_->setText(!running ? tr("Watch") : now.paused ? tr("Go on") : tr("Pause"));
+        for (QPushButton* button : {back_, on_, close_}) button->setEnabled(running);
+        clock_->setText(reports::minute_second(running ? now.time_s : from_s_) + " / " +
+                        reports::minute_second(record_.duration_s));
+        const bool seeking = running && now.target_s >= 0;
+        bar_->setVisible(seeking);
+        if (seeking) {
+            bar_->setRange(0, static_cast<int>(10 * now.target_s) + 1);
+            bar_->setValue(static_cast<int>(10 * now.time_s));
+        }
+        if (ledger_) ledger_->setCursor_s(running ? now.time_s : -1);
+        if (!running) {
+            said_->setText(
+                tr("The attempt is simulated again exactly, in the simulator's window."));
+            return;
+        }
+        camera_->setCurrentIndex(std::max(0, camera_->findData(now.camera)));
+        const int speed = speed_->findData(now.speed);
+        if (speed >= 0) speed_->setCurrentIndex(speed);
+        QString said = seeking ? tr("Simulating to %1; going back means beginning again.")
+                                     .arg(reports::minute_second(now.target_s))
+                       : now.paused ? tr("Paused")
+                                    : tr("Playing");
+        if (!seeking && !now.paused && now.pace > 0 && now.pace < 0.8 * now.speed)
+            said = tr("Playing at %1×: this computer cannot do %2×.")
+                       .arg(format_number(now.pace, 1), QLocale().toString(now.speed));
+        said_->setText(said);
+    }
+
+    db::AttemptRecord record_;
+    double from_s_ = 0;
+    bool blinded_ = false;
+    ReplayLauncher* replay_ = nullptr;
+    std::shared_ptr<QTemporaryDir> folder_;
+    QString file_;
+    QVBoxLayout *column_ = nullptr, *pictures_ = nullptr;
+    QLabel *wait_ = nullptr, *clock_ = nullptr, *said_ = nullptr;
+    QProgressBar* bar_ = nullptr;
+    QPushButton *play_ = nullptr, *back_ = nullptr, *on_ = nullptr, *close_ = nullptr;
+    QComboBox *camera_ = nullptr, *speed_ = nullptr;
+    LedgerView* ledger_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_watch_page(AppContext& context, const Place& place) {
+    return new WatchPage(context, place);
+}
+
+}  // namespace placode::ui
