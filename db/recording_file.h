@@ -20,6 +20,14 @@ namespace placode::db {
 /// saying how much before it is whole, or kTooNew. Any thread.
 [[nodiscard]] sim::Recording read_recording_file(const std::string& path);
 
+/// Adds what the haptic loop did (JSON of haptics/certificate.h) to a recording that has ended,
+/// once. Throws StoreError.
+void add_haptic_certificate(const std::string& path, const std::string& json);
+
+/// The certificate in a recording file; empty: an older file, or one that ended in a crash. Throws
+/// StoreError.
+[[nodiscard]] std::string haptic_certificate(const std::string& path);
+
 struct RecoveredRecording {
     sim::Recording recording;  ///< Everything before the damage; end as of a crash if it was lost.
     std::string damage;        ///< What is damaged and how much is whole; empty = nothing is.

@@ -207,8 +207,8 @@ void Servo::tick(int64_t t_ns, std::span<sim::ToolInput> inputs,
     const size_t n = std::min({impl.hands.size(), inputs.size(), feedback.size()});
     for (size_t i = 0; i < n; ++i) impl.tick_hand(i, t_ns, inputs[i], feedback[i]);
     impl.devices->write(impl.commands);
+    if (impl.counters.ticks == 0) impl.counters.first_ns = t_ns;
     count(impl.counters.ticks);
-    if (impl.counters.first_ns == 0) impl.counters.first_ns = t_ns;
     impl.counters.last_ns = t_ns;
 }
 

@@ -84,6 +84,7 @@ TEST(AttemptRunner, CertifiesItsHapticLoop) {
     runner.wait();
     const auto certificate = haptics::certificate_from_json(runner.haptic_certificate());
     EXPECT_EQ(certificate.ticks, 300u);
+    EXPECT_NEAR(certificate.duration_s, 0.299, 1e-9) << "from the first tick to the last";
     EXPECT_TRUE(certificate.lock_step);
     EXPECT_EQ(certificate.faults, 0u);
     EXPECT_EQ(judge(certificate).grade, haptics::CertificateGrade::kNotApplicable);

@@ -190,6 +190,22 @@ TEST(RecordingFile, GivesBackEveryBit) {
     EXPECT_EQ(read.end.dropped, 2);
 }
 
+TEST(RecordingFile, KeepsTheHapticCertificateOfItsAttempt) {
+    const Folder folder;
+    const std::string path = folder.file("a.placode");
+    write_recording(path, 1);
+    EXPECT_EQ(db::haptic_certificate(path), "") << "an older file, or a crash";
+    const std::string json = R"({"format":1,"ticks":1000})";
+    db::add_haptic_certificate(path, json);
+    EXPECT_EQ(db::haptic_certificate(path), json);
+    EXPECT_THROW(db::add_haptic_certificate(path, "{}"), db::StoreError) << "once only";
+    EXPECT_EQ(db::haptic_certificate(path), json);
+    EXPECT_EQ(db::read_recording_file(path).inputs.size(), 500u) << "the rest is untouched";
+    execute(path, "UPDATE meta SET value = '{}' WHERE key = 'haptics'");
+    EXPECT_THROW((void)db::haptic_certificate(path), db::StoreError) << "the checksum tells";
+    EXPECT_THROW((void)db::haptic_certificate(folder.file("none.placode")), db::StoreError);
+}
+
 TEST(RecordingFile, KeepsNotANumberAndInfinityBitForBit) {
     std::vector<sim::Sample> samples(2);
     samples[0].placode_peak_c = std::numeric_limits<float>::quiet_NaN();

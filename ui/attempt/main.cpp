@@ -95,7 +95,10 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     runner.wait();
     const sim::RecordingEnd end = runner.end();
     const curriculum::AttemptStatus last = runner.status();
-    status.end(last, reason_text(end.reason), arguments.record, {}, runner.haptic_certificate());
+    const std::string certificate = runner.haptic_certificate();
+    if (!arguments.record.empty() && last.warning.empty())
+        db::add_haptic_certificate(arguments.record, certificate);
+    status.end(last, reason_text(end.reason), arguments.record, {}, certificate);
     if (!arguments.status) {
         std::printf("%s after %.1f s, ring %.0f %% cut%s%s\n", reason_text(end.reason).c_str(),
                     end.duration_s, 100 * last.cut_fraction,

@@ -332,7 +332,7 @@ void Bench::write(const std::string& folder) const {
     reports::write_chart_png(k_max, folder + "/bench_haptics_kmax.png");
 
     reports::CurveChart traces_chart;
-    traces_chart.title = "A light grip pushes 3 mm: shipped law and control case";
+    traces_chart.title = "A light grip pushes into wall and tissue: shipped law and control case";
     traces_chart.x_label = "time [s]";
     traces_chart.y_label = "position of the device [mm]";
     traces_chart.log_x = traces_chart.log_y = false;

@@ -13,6 +13,7 @@
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/store.h"
+#include "haptics/certificate.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/signal_metrics.h"
 
@@ -207,6 +208,17 @@ int score(const Context& context, const Options& options) {
                         reason.critical ? "critical" : ""});
     }
     json["metrics"] = to_json(metrics);
+    json["haptics"] = nullptr;
+    if (const std::string found = db::haptic_certificate(options.file); !found.empty()) {
+        const auto verdict = haptics::judge(haptics::certificate_from_json(found));
+        json["haptics"] = Json::parse(found, nullptr, false);
+        // Judged again with the limits of today.
+        json["haptics"]["grade"] = haptics::grade_name(verdict.grade);
+        json["haptics"]["reasons"] = verdict.reasons;
+        if (verdict.grade != haptics::CertificateGrade::kNotApplicable)
+            text += "haptic certificate: " + std::string(haptics::grade_name(verdict.grade)) + "\n";
+        for (const std::string& reason : verdict.reasons) text += "  " + reason + "\n";
+    }
     print(context, json, text + table(rows) + "\n" + metric_table(metrics));
     return 0;
 }

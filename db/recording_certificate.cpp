@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The haptic certificate in a recording file: one more line of its `meta`, with its checksum. The
+// store keeps the file byte for byte, and so keeps the certificate with every attempt.
+
+#include "db/packing.h"
+#include "db/raw_sqlite.h"
+#include "db/recording_file.h"
+
+namespace placode::db {
+namespace {
+
+constexpr const char* kKey = "haptics";
+const std::string kWrite = "write the haptic certificate of the recording";
+const std::string kRead = "read the haptic certificate of the recording";
+
+SqlitePointer open(const std::string& path, const std::string& operation) {
+    sqlite3* database = nullptr;
+    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
+    SqlitePointer owner(database);
+    if (code != SQLITE_OK) fail_sqlite(code, operation, path, "check that it is there");
+    sqlite3_busy_timeout(database, 5000);
+    return owner;
+}
+
+}  // namespace
+
+void add_haptic_certificate(const std::string& path, const std::string& json) {
+    const SqlitePointer database = open(path, kWrite);
+    sqlite3_exec(database.get(), "PRAGMA synchronous = EXTRA", nullptr, nullptr, nullptr);
+    RawStatement insert(database.get(), "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
+    int code = insert.prepared();
+    if (code == SQLITE_OK)
+        code = insert.bind(kKey).bind(json).bind(checksum_hex(std::string(kKey) + json)).step();
+    if (code != SQLITE_DONE)
+        fail_sqlite(code, kWrite, path, "a recording takes one certificate, at its end");
+}
+
+std::string haptic_certificate(const std::string& path) {
+    const SqlitePointer database = open(path, kRead);
+    RawStatement query(database.get(), "SELECT value, checksum FROM meta WHERE key = ?");
+    int code = query.prepared();
+    if (code == SQLITE_OK) code = query.bind(kKey).step();
+    if (code == SQLITE_DONE) return {};
+    if (code != SQLITE_ROW) fail_sqlite(code, kRead, path, "the file may be damaged");
+    const std::string json = query.text(0);
+    if (checksum_hex(std::string(kKey) + json) != query.text(1))
+        throw StoreError(StoreError::Kind::kDamaged, kRead + " " + path + ": checksum");
+    return json;
+}
+
+}  // namespace placode::db
