@@ -4,6 +4,7 @@
 // The damage ledger as a control: pointer, finger or arrow keys choose an entry, Enter or a second
 // click shows it. What is chosen stands in words below.
 
+#include <QCoreApplication>
 #include <QLabel>
 #include <QWidget>
 #include <functional>
