@@ -73,7 +73,7 @@ TEST(OpenDevice, NamesAnUnknownDeviceAndTheKnownOnes) {
     }
 }
 
-// None of them is at hand where tests run; with the device the message is not seen.
+// With the device at hand the message is not seen.
 TEST(OpenDevice, SaysWhatIsMissingAndHowToInstallIt) {
     const std::vector<std::pair<std::string, std::string>> advice{
         {"spacemouse", "apt install spacenavd"},
@@ -83,6 +83,7 @@ TEST(OpenDevice, SaysWhatIsMissingAndHowToInstallIt) {
         {"forcedimension", "Force Dimension SDK"}};
     for (const auto& [name, way_out] : advice) {
         const std::string error = error_of(name);
+        if (error == "no error") continue;  // it is there
         EXPECT_THAT(error, HasSubstr(name));
         EXPECT_THAT(error, HasSubstr(way_out));
     }
