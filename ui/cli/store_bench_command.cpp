@@ -35,6 +35,7 @@ struct Options {
     int users = 1000, runs = 5;
     int64_t attempts = 100000;
     std::string out;
+    double simulate_s = 20;  ///< Of each source attempt.
     bool quick = false;
 };
 
@@ -119,7 +120,7 @@ db::LoadResult fill(const std::string& url, const Options& options, const Folder
             {"simulated", "Simulated operator", "not-for-signing-in-1", 1, true});
         for (const char* name : {"novice", "intermediate", "expert"}) {
             std::cerr << "simulating: " << name << '\n';
-            simulate(*store, user, name, options.quick ? 1 : 20,
+            simulate(*store, user, name, options.simulate_s,
                      folder.file(std::string(name) + ".placode"));
         }
     }
@@ -237,6 +238,7 @@ int run(const Context& context, Options options) {
         options.users = std::min(options.users, 50);
         options.attempts = std::min<int64_t>(options.attempts, 2000);
         options.runs = 3;
+        options.simulate_s = std::min(options.simulate_s, 1.0);
     }
     const Folder folder;
     const std::string url =
@@ -264,6 +266,7 @@ int run(const Context& context, Options options) {
               {"multiplied_from", load.sources},
               {"rows", load.rows},
               {"fill_s", fill_s},
+              {"simulated_s", options.simulate_s},
               {"runs", options.runs},
               {"memory_before_mb", before_mb},
               {"peak_memory_pages_mb", pages_mb},
@@ -314,6 +317,9 @@ void add_store_bench_command(CLI::App& bench, Context& context) {
         ->check(CLI::Range(int64_t{10}, int64_t{10000000}))
         ->capture_default_str();
     command->add_option("--out", options->out, "Folder for bench_store.csv and bench_store.json");
+    command->add_option("--simulate", options->simulate_s, "Length of each simulated attempt [s]")
+        ->check(CLI::Range(0.2, 600.0))
+        ->capture_default_str();
     command->add_flag("--quick", options->quick, "50 people and 2,000 attempts at most");
     command->callback([&context, options] {
         context.run = [&context, options] { return run(context, *options); };
