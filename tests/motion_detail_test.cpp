@@ -55,12 +55,13 @@ std::vector<Vec3> minimum_jerk(double d, double t, double rate_hz = 100) {
 }
 
 TEST(MotionDetail, NormalisedJerkOfAMinimumJerkMovementDependsOnNothing) {
-    // Integral of jerk^2 = 720 d^2 / t^5, so the root of half of it: 18.9737. 2 %: the jerk jumps
-    // at both ends, where differences are one-sided.
+    // Integral of jerk^2 = 720 d^2 / t^5, so the root of half of it: 18.9737. The jerk is greatest
+    // at both ends, where differences are one-sided: 4 % too little with 100 samples, falling with
+    // their number.
     for (const auto& [d, t] : {std::pair{100.0, 1.0}, {5.0, 1.0}, {100.0, 4.0}})
-        EXPECT_NEAR(*normalised_jerk(minimum_jerk(d, t), 100), std::sqrt(360.0), 0.4)
+        EXPECT_NEAR(*normalised_jerk(minimum_jerk(d, t), 100), std::sqrt(360.0), 0.8)
             << d << ' ' << t;
-    EXPECT_NEAR(*normalised_jerk(minimum_jerk(100, 1, 1000), 1000), std::sqrt(360.0), 0.04)
+    EXPECT_NEAR(*normalised_jerk(minimum_jerk(100, 1, 1000), 1000), std::sqrt(360.0), 0.08)
         << "ten times the rate, a tenth of the error";
     EXPECT_FALSE(normalised_jerk(std::vector<Vec3>(100, Vec3::Zero()), 100));
     EXPECT_FALSE(normalised_jerk(minimum_jerk(1, 0.03), 100)) << "too short";

@@ -149,7 +149,11 @@ int main(int argc, char** argv) {
     } catch (const placode::curriculum::DefinitionError& error) {
         return complain(error, 2);
     } catch (const placode::haptics::DeviceError& error) {
-        return complain(error, 2);
+        std::fprintf(stderr,
+                     "placode-sim: %s\nplacode-sim: without it: --device mouse, keyboard or "
+                     "script:expert; --list-devices says what is there\n",
+                     error.what());
+        return 2;
     } catch (const placode::sim::MeshError& error) {
         return complain(error, 2);
     } catch (const placode::db::StoreError& error) {
