@@ -224,8 +224,14 @@ bool ShellEducatorTest::search(const QString& words) {
     if (!QTest::qWaitFor([&] { return dialog() != nullptr; }, 3000)) return false;
     auto* field = dialog()->findChild<QLineEdit*>("search_text");
     QTest::keyClicks(field, words);
-    return QTest::qWaitFor([] { return QThreadPool::globalInstance()->activeThreadCount() == 0; },
-                           10000);
+    // Attempts come from a worker: until then the line below the list says so.
+    return QTest::qWaitFor(
+        [&] {
+            const auto* said = dialog()->findChild<QLabel*>("search_said");
+            return QThreadPool::globalInstance()->activeThreadCount() == 0 &&
+                   !said->text().startsWith("Reading");
+        },
+        10000);
 }
 
 void ShellEducatorTest::searchOpensByKeyboardAlone() {
@@ -233,7 +239,8 @@ void ShellEducatorTest::searchOpensByKeyboardAlone() {
     shell.window().resize(1366, 768);
     QVERIFY(search("ANNA"));
     auto* list = dialog()->findChild<QListWidget*>("search_list");
-    QVERIFY(list->count() > 1);  // the person and the attempts
+    // The person and the attempts.
+    QVERIFY(QTest::qWaitFor([&] { return list->count() > 1; }, 10000));
     QVERIFY(list->item(0)->text().contains("Anna Stuck"));
     dialog()->grab().save(shell.shotFile("86_search_light"));
     QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
@@ -245,6 +252,8 @@ void ShellEducatorTest::searchOpensByKeyboardAlone() {
     // Arrow down chooses the next one.
     QVERIFY(search("cleo"));
     auto* field = dialog()->findChild<QLineEdit*>("search_text");
+    QVERIFY(QTest::qWaitFor(
+        [&] { return dialog()->findChild<QListWidget*>("search_list")->count() > 1; }, 10000));
     QTest::keyClick(field, Qt::Key_Down);
     QCOMPARE(dialog()->findChild<QListWidget*>("search_list")->currentRow(), 1);
     QTest::keyClick(field, Qt::Key_Escape);
@@ -260,7 +269,8 @@ void ShellEducatorTest::searchKeepsToTheRights() {
     QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Escape);
     QVERIFY(QTest::qWaitFor([&] { return dialog() == nullptr; }, 3000));
     QVERIFY(search("ring"));
-    QVERIFY(dialog()->findChild<QListWidget*>("search_list")->count() >= 2);
+    QVERIFY(QTest::qWaitFor(
+        [&] { return dialog()->findChild<QListWidget*>("search_list")->count() >= 2; }, 10000));
     QTest::keyClick(dialog()->findChild<QLineEdit*>("search_text"), Qt::Key_Return);
     QVERIFY(shell.arrives(PageId::kTask));
 }

@@ -11,7 +11,8 @@ namespace placode::ui {
 
 void MainWindow::openSearch() {
     // While a participant is at the screen nothing else can be opened.
-    if (!context_.signedIn() || (page_ && page_->alone()) || search_) return;
+    if (!context_.signedIn() || (page_ && page_->alone())) return;
+    if (search_ && search_->isVisible()) return;
     std::vector<Findable> pages;
     for (const auto& [button, page] : rail_buttons_)
         pages.push_back(
