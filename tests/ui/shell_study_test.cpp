@@ -43,6 +43,16 @@ class ShellStudyTest : public QObject {
     void answerAll(const std::string& questionnaire);
     /// Starts the attempt of the step that is shown and ends it after a moment.
     void perform(const QString& device);
+    /// Clicks as soon as the button is there: a step that was recorded leads on a moment later.
+    [[nodiscard]] bool press(const QString& name) {
+        return QTest::qWaitFor(
+                   [&] {
+                       auto* button = shell_->find<QAbstractButton>(name);
+                       return button != nullptr && button->isEnabled();
+                   },
+                   10000) &&
+               shell_->click(name);
+    }
     [[nodiscard]] db::Progress progress() {
         const auto all = db::study_progress(shell_->context().store(), kStudy);
         return all.empty() ? db::Progress{} : all.front();
@@ -73,7 +83,7 @@ void ShellStudyTest::studyIsPublishedOnce() {
 
 void ShellStudyTest::consentNeedsEveryStatement() {
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.click("enrol"));
+    QVERIFY(press("enrol"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
     code_ = QString::fromStdString(progress().participant.code);
     QVERIFY(!code_.isEmpty());
@@ -105,22 +115,24 @@ void ShellStudyTest::consentNeedsEveryStatement() {
 void ShellStudyTest::answerAll(const std::string& questionnaire) {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.arrives(PageId::kParticipant));
+    // A page that has just been made is not on the screen yet.
+    const QWidget* page = shell.window().page();
     const auto asked = curriculum::load_questionnaire(questionnaire);
     for (const auto& item : asked.items) {
         const QString name = "answer_" + QString::fromStdString(item.id);
         using curriculum::ItemKind;
         if (item.kind == ItemKind::kLikert) {
             auto* radio = shell.find<QRadioButton>(name + QString("_%1").arg(item.scale_max - 1));
-            if (radio != nullptr && radio->isVisible()) radio->click();
+            if (radio != nullptr && radio->isVisibleTo(page)) radio->click();
         } else if (item.kind == ItemKind::kChoice) {
             auto* box = shell.find<QComboBox>(name);
-            if (box != nullptr && box->isVisible()) box->setCurrentIndex(1);
+            if (box != nullptr && box->isVisibleTo(page)) box->setCurrentIndex(1);
         } else if (item.kind == ItemKind::kMultiple) {
             auto* box = shell.find<QCheckBox>(name + "_0");
-            if (box != nullptr && box->isVisible()) box->click();
+            if (box != nullptr && box->isVisibleTo(page)) box->click();
         } else if (item.kind == ItemKind::kNumber) {
             auto* line = shell.find<QLineEdit>(name);
-            if (line != nullptr && line->isVisible())
+            if (line != nullptr && line->isVisibleTo(page))
                 QVERIFY(shell.type(name, QString::number(item.number_min + 30)));
         }
     }
@@ -133,12 +145,12 @@ void ShellStudyTest::answerAll(const std::string& questionnaire) {
 
 void ShellStudyTest::questionsBriefingAndPractice() {
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.click("step_questionnaire"));
+    QVERIFY(press("step_questionnaire"));
     answerAll("demographics");
     if (QTest::currentTestFailed()) return;
     QCOMPARE(progress().next, std::string("briefing"));
     shell.shot("63_briefing");
-    QVERIFY(shell.click("step_done"));
+    QVERIFY(press("step_done"));
     QVERIFY(QTest::qWaitFor([&] { return progress().next == "familiarisation"; }, 5000));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QComboBox>("device") != nullptr; }, 5000));
     shell.shot("64_familiarisation");
@@ -153,7 +165,7 @@ void ShellStudyTest::perform(const QString& device) {
     auto* devices = shell.find<QComboBox>("device");
     QVERIFY(devices->findData(device) >= 0);
     devices->setCurrentIndex(devices->findData(device));
-    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(press("start_attempt"));
     QVERIFY(shell.arrives(PageId::kRunning));
     QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());
     QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 0.5; },
@@ -170,7 +182,7 @@ void ShellStudyTest::interruptionCostsNothing() {
     shell.window().open({PageId::kStudies, 0, {}, {}});
     QVERIFY(shell.arrives(PageId::kStudies));
     QCOMPARE(shell.find<QTableWidget>("progress_table")->rowCount(), 1);
-    QVERIFY(shell.click("continue_participant"));
+    QVERIFY(press("continue_participant"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
     QCOMPARE(progress().next, std::string("procedure_1"));
     shell.shot("65_resumed");
@@ -196,7 +208,7 @@ void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
 
 void ShellStudyTest::lastQuestionnaireEndsTheRun() {
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.click("step_questionnaire"));
+    QVERIFY(press("step_questionnaire"));
     QVERIFY(shell.arrives(PageId::kParticipant));
     shell.shot("66_face_validity");
     answerAll("face_validity");
@@ -205,15 +217,15 @@ void ShellStudyTest::lastQuestionnaireEndsTheRun() {
     QCOMPARE(progress().done, progress().total);
     QVERIFY(shell.find<QPushButton>("run_finished") != nullptr);
     shell.shot("67_run_finished");
-    QVERIFY(shell.click("run_finished"));
+    QVERIFY(press("run_finished"));
     QVERIFY(shell.arrives(PageId::kStudies));
 }
 
 void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     ShellHarness& shell = *shell_;
-    QVERIFY(shell.click("enrol"));
+    QVERIFY(press("enrol"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
-    QVERIFY(shell.click("interrupt_run"));
+    QVERIFY(press("interrupt_run"));
     QVERIFY(shell.arrives(PageId::kStudies));
     auto* table = shell.find<QTableWidget>("progress_table");
     QCOMPARE(table->rowCount(), 2);
@@ -231,7 +243,7 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     table = shell.find<QTableWidget>("progress_table");
     table->selectRow(1);
     QVERIFY(shell.type("withdraw_reason", "not given"));
-    QVERIFY(shell.click("withdraw"));
+    QVERIFY(press("withdraw"));
     QVERIFY(QTest::qWaitFor(
         [&] {
             auto* now = shell.find<QTableWidget>("progress_table");
@@ -243,11 +255,11 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
 void ShellStudyTest::reportAndExportComeOut() {
     ShellHarness& shell = *shell_;
     shell.save_as = shell.path("exported");
-    QVERIFY(shell.click("study_export"));
+    QVERIFY(press("study_export"));
     QVERIFY(shell.bannerSays("read back and compared", 60));
     QVERIFY(!QDir(shell.save_as).entryList({"*.csv"}, QDir::Files).isEmpty());
     shell.save_as = shell.path("study.pdf");
-    QVERIFY(shell.click("study_report"));
+    QVERIFY(press("study_report"));
     QVERIFY(shell.bannerSays("study.pdf", 60));
     QVERIFY(QFileInfo(shell.save_as).size() > 5000);
 }
