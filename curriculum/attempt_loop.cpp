@@ -28,7 +28,8 @@ constexpr auto kLatest = std::chrono::milliseconds(5);
 constexpr int kFewestSubsteps = 2;
 constexpr int kSlowFrames = 200, kQuickFrames = 2000;  // before the substeps change
 constexpr size_t kCosts = 1024;
-constexpr int kQuietHands = 50;  // frames without a word from the servo
+constexpr int64_t kFramesAhead = 400;  // of what is committed, in a fast run
+constexpr int kQuietHands = 50;        // frames without a word from the servo
 
 Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
 
@@ -107,6 +108,13 @@ void AttemptLoop::record(const T& value) noexcept {
             ++dropped_;
             return;
         }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+/// Tissue that sleeps is simulated in no time: a fast run, too, keeps all but its last half second.
+void AttemptLoop::wait_for_recorder() noexcept {
+    while (fast_ && state_.frame - recorder_.kept() > kFramesAhead) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }
@@ -202,6 +210,7 @@ void AttemptLoop::one_frame() noexcept {
     input.tool_count = static_cast<int32_t>(tools);
     for (size_t i = 0; i < tools; ++i) input.tools[i] = inputs_[i];
     record(input);
+    wait_for_recorder();
     const sim::StepReport report =
         sim::step(*scene_, state_, {inputs_.data(), tools}, {feedback_.data(), tools});
     if (!lock_step_) servo_->exchange().feedback.publish(feedback_);

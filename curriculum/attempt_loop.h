@@ -68,6 +68,7 @@ class AttemptLoop {
     void keep_pace() noexcept;
     template <class T>
     void record(const T& value) noexcept;
+    void wait_for_recorder() noexcept;
     void leave_room() noexcept;
     void record_event(sim::EventKind kind, float value, uint64_t hash) noexcept;
 

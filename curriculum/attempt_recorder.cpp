@@ -75,6 +75,7 @@ void AttemptRecorder::drain(bool everything) {
     const bool anything = !input_block_.empty() || !sample_block_.empty() || !event_block_.empty();
     if (!anything || !(everything || input_block_.size() >= kCommitFrames)) return;
     sink_->append(input_block_, sample_block_, event_block_);
+    kept_.fetch_add(static_cast<int64_t>(input_block_.size()), std::memory_order_relaxed);
     input_block_.clear();
     sample_block_.clear();
     event_block_.clear();

@@ -5,6 +5,7 @@
 // several times a second. A sink that fails ends the recording, never the attempt.
 
 #include <atomic>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -32,6 +33,11 @@ class AttemptRecorder {
     [[nodiscard]] bool put(const sim::Input& input) noexcept;
     [[nodiscard]] bool put(const sim::Sample& sample) noexcept;
     [[nodiscard]] bool put(const sim::Event& event) noexcept;
+    /// Frames that the sink has committed; without a sink as many as one likes. Any thread.
+    [[nodiscard]] int64_t kept() const noexcept {
+        return discard_.load(std::memory_order_relaxed) ? std::numeric_limits<int64_t>::max()
+                                                        : kept_.load(std::memory_order_relaxed);
+    }
 
  private:
     void run();
@@ -44,6 +50,7 @@ class AttemptRecorder {
     std::thread thread_;
     std::atomic<bool> discard_;  // recorder writes, physics reads
     std::atomic<bool> stop_{false};
+    std::atomic<int64_t> kept_{0};
     mutable std::mutex problem_mutex_;  // never taken by the physics thread
     std::string problem_;
     // physics thread to recorder thread
