@@ -68,8 +68,11 @@ class StaticSolver {
         gradient_ = -share_ * problem_.force_n;
         body_.add_gradient(x_, gradient_);
         if (problem_.contacts == nullptr) return;
+        Coordinates touch = Coordinates::Zero(x_.size());
         (void)add_contact(*problem_.contacts, x_, share_ * problem_.contact_time_s,
-                          problem_.contact_n_m, gradient_, stiffness);
+                          problem_.contact_n_m, touch, stiffness);
+        gradient_ += touch;
+        touch_n_ = touch.lpNorm<Eigen::Infinity>();
     }
 
     [[nodiscard]] double residual() const {
@@ -146,7 +149,7 @@ class StaticSolver {
 
     /// Largest force that the residual is compared with: what acts on single coordinates.
     [[nodiscard]] double force_scale() const {
-        double largest = share_ * problem_.force_n.lpNorm<Eigen::Infinity>();
+        double largest = std::max(share_ * problem_.force_n.lpNorm<Eigen::Infinity>(), touch_n_);
         for (size_t i = 0; i < free_.size(); ++i) {
             if (free_[i] < 0)
                 largest = std::max(largest, std::abs(gradient_[static_cast<Eigen::Index>(i)]));
@@ -226,6 +229,7 @@ class StaticSolver {
     std::vector<int> free_;
     int free_count_ = 0;
     double share_ = 1, rounding_ = 0;
+    double touch_n_ = 0;  // largest force of contact on a coordinate
     bool analysed_ = false;
     Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> direct_;
 };

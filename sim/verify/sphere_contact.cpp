@@ -18,6 +18,30 @@ SphereContacts::PositionOf position_in(const Coordinates& x) {
     return [&x](int32_t v) { return Vec3(x.segment<3>(3 * v)); };
 }
 
+/// In-plane gradients of the barycentric coordinates that are at work in a touch: of the triangle,
+/// of the edge, none at a corner [1/m].
+std::array<Vec3, 3> gradients(const SphereTouch& t, const Coordinates& x) {
+    std::array<Vec3, 3> g{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    std::array<Vec3, 3> p;
+    int count = 0, first = -1, last = -1;
+    for (int i = 0; i < 3; ++i) {
+        p[at(i)] = x.segment<3>(3 * t.vertex[at(i)]);
+        if (!(t.b[i] > 1e-12)) continue;
+        if (count++ == 0) first = i;
+        last = i;
+    }
+    if (count == 3) {
+        const Vec3 face = (p[1] - p[0]).cross(p[2] - p[0]);
+        for (size_t i = 0; i < 3; ++i)
+            g[i] = face.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / face.squaredNorm();
+    } else if (count == 2) {
+        const Vec3 way = p[at(last)] - p[at(first)];
+        g[at(last)] = way / way.squaredNorm();
+        g[at(first)] = -g[at(last)];
+    }
+    return g;
+}
+
 }  // namespace
 
 SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres)
@@ -79,11 +103,16 @@ std::vector<Vec3> add_contact(const SphereContacts& contacts, const Coordinates&
     contacts.find(position_in(x), time_s, 0, touches);
     for (const SphereTouch& t : touches) {
         force[at(t.sphere)] += k * t.gap_m * t.n;
+        // The nearest point slides when the triangle tilts: the distance has a second derivative of
+        // -distance g_i . g_j n n^T, as stiff as the tissue where triangles are small.
+        const double slide = -k * t.gap_m * (t.gap_m + contacts.spheres()[at(t.sphere)].radius_m);
+        const auto g = gradients(t, x);
         for (int i = 0; i < 3; ++i) {
             gradient.segment<3>(3 * t.vertex[at(i)]) += k * t.gap_m * t.b[i] * t.n;
             if (stiffness == nullptr) continue;
             for (int j = 0; j < 3; ++j) {
-                const Mat3 block = k * t.b[i] * t.b[j] * t.n * t.n.transpose();
+                const double along = k * t.b[i] * t.b[j] + slide * g[at(i)].dot(g[at(j)]);
+                const Mat3 block = along * t.n * t.n.transpose();
                 for (int r = 0; r < 9; ++r) {
                     stiffness->emplace_back(3 * t.vertex[at(i)] + r / 3,
                                             3 * t.vertex[at(j)] + r % 3, block(r / 3, r % 3));

@@ -57,8 +57,8 @@ class SphereContacts {
 /// Energy k/2 gap^2 of the overlapping touches at x [J].
 [[nodiscard]] double contact_energy(const SphereContacts& contacts, const Coordinates& x,
                                     double time_s, double k);
-/// Adds its gradient and (where `stiffness` is given) k b_i b_j n n^T. Returns the force on each
-/// sphere [N].
+/// Adds its gradient and (where `stiffness` is given) the positive part of its Hessian. Returns the
+/// force on each sphere [N].
 std::vector<Vec3> add_contact(const SphereContacts& contacts, const Coordinates& x, double time_s,
                               double k, Coordinates& gradient, Triplets* stiffness);
 
