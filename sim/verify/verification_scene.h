@@ -70,8 +70,8 @@ struct VerificationSolver {
     int substeps = 8;
     int iterations = 1;
     int threads = 2;
-    double over_relaxation = 1.2;  ///< vbd only.
-    bool allow_invalid = false;    ///< Run a method where it is not valid, with a warning.
+    double over_relaxation = 0;  ///< vbd only; 0 = 1.2, or 1 above a Poisson's ratio of 0.46.
+    bool allow_invalid = false;  ///< Run a method where it is not valid, with a warning.
 };
 
 struct Probe {

@@ -125,8 +125,11 @@ void Overlay::read_outs() {
         paint_->text(x + 0.6 * unit_, top + 1.05 * unit_, text, TextSize::kSmall, kWarn);
     }
     if (!state_->notice.empty()) {
-        paint_->text(0.5 * width_, height_ - 1.6 * margin_, say(state_->notice), TextSize::kSmall,
-                     kText, Align::kCentre);
+        // Above the banner where that one stands in the middle.
+        const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
+        const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
+        paint_->text(0.5 * width_, foot, say(state_->notice), TextSize::kSmall, kText,
+                     Align::kCentre);
     }
 }
 

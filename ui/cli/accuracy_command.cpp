@@ -79,7 +79,9 @@ std::vector<reports::Curve> curves(const std::vector<AccuracyRow>& rows, const s
     std::map<std::string, reports::Curve> found;
     std::vector<std::string> order;
     for (const AccuracyRow& row : rows) {
-        if (row.study != study || !(row.h_s > 0) || row.quantity.find("reaction") == 0) continue;
+        if (row.study != study || !(row.h_s > 0) ||
+            (study == "operative field" && row.quantity.find("reaction") == 0))
+            continue;
         std::string name = row.method;
         if (study == "operative field" || study == "fast drives") name += ", " + row.setting;
         if (study.rfind("cantilever", 0) == 0)
