@@ -18,7 +18,8 @@ namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-constexpr size_t kClass = 64;  // vertices of a colour, see add_group
+constexpr int32_t kFarthest = 16384;  // numbers of the vertices of a batch: offsets have 16 bits
+constexpr size_t kClass = 64;         // vertices of a colour, see add_group
 
 /// Builds the VBD part.
 class VertexPacker {
@@ -150,9 +151,10 @@ class VertexPacker {
         const int64_t chunks = std::max<int64_t>(2, 1 + body_.vertex_count() / 8192);
         auto from = members.begin();
         int64_t sum = 0;
-        for (int64_t c = 1; c <= chunks; ++c) {
+        for (int64_t c = 1; from != members.end(); ++c) {
             auto to = from;
-            while (to != members.end() && (c == chunks || sum * chunks < total * c)) {
+            while (to != members.end() && *to - *from < kFarthest &&
+                   (c >= chunks || sum * chunks < total * c)) {
                 sum += steps(*to++);
             }
             std::vector<int32_t> chunk(from, to);
