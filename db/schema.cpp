@@ -96,15 +96,22 @@ size_t check_applied(Connection& connection, const std::map<std::string, Applied
 }
 
 void apply(Connection& connection, const EmbeddedSql& migration) {
-    UnitOfWork work(connection);
-    if (!connection.is_sqlite()) connection.execute("SELECT pg_advisory_xact_lock(1347371844)");
-    // Another program may have been quicker.
-    if (applied_migrations(connection).contains(migration.name)) return;
     for (const std::string& statement : statements_of(migration, connection.url().engine))
         connection.execute(statement);
     Statement(connection,
               "INSERT INTO schema_migrations (name, checksum, applied_utc) VALUES (?, ?, ?)")
         .run(migration.name, checksum_hex(migration.text), utc_now());
+}
+
+// All in one transaction: a program that opens the store meanwhile sees it before or after, never
+// half made (it would take that for an old store and copy it), and a failure leaves it as it was.
+void apply_missing(Connection& connection, const std::vector<EmbeddedSql>& migrations) {
+    UnitOfWork work(connection);
+    if (!connection.is_sqlite()) connection.execute("SELECT pg_advisory_xact_lock(1347371844)");
+    // Asked again, now that nobody else writes: another program may have been quicker.
+    const auto applied = applied_migrations(connection);
+    for (const EmbeddedSql& migration : migrations)
+        if (!applied.contains(migration.name)) apply(connection, migration);
     work.commit();
 }
 
@@ -134,8 +141,7 @@ void migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
     const size_t known = check_applied(connection, applied, migrations);
     if (known == migrations.size()) return;
     if (known > 0) before_change();
-    for (const EmbeddedSql& migration : migrations)
-        if (!applied.contains(migration.name)) apply(connection, migration);
+    apply_missing(connection, migrations);
 }
 
 }  // namespace placode::db

@@ -6,6 +6,7 @@
 
 #include <QDateTime>
 #include <QStandardPaths>
+#include <QUuid>
 #include <algorithm>
 #include <filesystem>
 
@@ -24,8 +25,10 @@ std::string chain_link(const std::string& previous, const AuditRecord& row) {
     return checksum_hex(text);
 }
 
+// Two programs may update a store within one millisecond, so the name also says which.
 std::string file_stamp() {
-    return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString();
+    return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString() + "-" +
+           QUuid::createUuid().toString(QUuid::WithoutBraces).left(8).toStdString();
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include "sim/sleep.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "sim/packing.h"
 #include "sim/space_order.h"

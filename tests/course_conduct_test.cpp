@@ -33,20 +33,10 @@ std::string course_text(int version, const char* limit = "3") {
            R"("requires_stages":["diathermy_ring"],"exam":{"seeds":[7,8]}}]})";
 }
 
-class CourseStore : public testing::TestWithParam<const char*> {
+class CourseStore : public EngineTest {
  protected:
-    void SetUp() override {
-        if (std::string(GetParam()) == "Sqlite") {
-            url = "sqlite:" + folder.file("placode.db");
-        } else {
-            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-            ASSERT_EQ(world->server().problem(), "");
-            database = world->server().new_database();
-            url = world->server().url(database);
-        }
-        db::StoreOptions options;
-        options.cheap_passwords = true;
-        store = db::open_store(url, options);
+    void ready() override {
+        store = open();
         anna = add("anna", db::Role::kTrainee);
         jan = add("jan", db::Role::kTrainee);
         ewa = add("ewa", db::Role::kEducator);
@@ -85,22 +75,15 @@ class CourseStore : public testing::TestWithParam<const char*> {
         result.exam = exam;
         store->save_attempt(user, result);
     }
-    [[nodiscard]] RawConnection raw() const {
-        if (database.empty()) return {"QSQLITE", folder.file("placode.db")};
-        return world->server().connect(database);
-    }
 
-    TemporaryFolder folder;
-    std::string url, database;
     std::unique_ptr<db::Store> store;
     int64_t anna = 0, jan = 0, ewa = 0;
 };
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, CourseStore, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, CourseStore, testing::Values("Sqlite", "Postgresql"),
+                         engine_name);
 
 TEST_P(CourseStore, AGroupHasMembersAndEducatorsAndAUniqueName) {
     const int64_t group = store->create_group("Cohort A");

@@ -18,22 +18,8 @@ namespace {
 
 World* const world = World::install();
 
-class LoadGenerator : public testing::TestWithParam<const char*> {
+class LoadGenerator : public EngineTest {
  protected:
-    void SetUp() override {
-        if (std::string(GetParam()) == "Sqlite") {
-            url = "sqlite:" + folder.file("placode.db");
-        } else {
-            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-            ASSERT_EQ(world->server().problem(), "");
-            url = world->server().url(world->server().new_database());
-        }
-    }
-    [[nodiscard]] std::unique_ptr<db::Store> open() const {
-        db::StoreOptions options;
-        options.cheap_passwords = true;
-        return db::open_store(url, options);
-    }
     /// A simulated attempt to multiply.
     void add_source(bool demonstration = true) const {
         const auto store = open();
@@ -47,12 +33,7 @@ class LoadGenerator : public testing::TestWithParam<const char*> {
         result.events = {event, event};
         store->save_attempt(user, result);
     }
-
-    TemporaryFolder folder;
-    std::string url;
 };
-
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
 
 db::LoadOrder small() {
     db::LoadOrder order;
@@ -64,11 +45,12 @@ db::LoadOrder small() {
 
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, LoadGenerator, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, LoadGenerator, testing::Values("Sqlite", "Postgresql"),
+                         engine_name);
 
 TEST_P(LoadGenerator, EveryCopyHasItsListsAndSaysThatItIsOne) {
     add_source();
-    const db::LoadResult load = db::generate_load(url, small());
+    const db::LoadResult load = db::generate_load(url(), small());
     EXPECT_EQ(load.attempts, 20);
     EXPECT_EQ(load.groups, 2);
     EXPECT_EQ(load.rows, 20 * (1 + 2 + 1 + 2)) << "attempt, metrics, reason, events";
@@ -96,17 +78,17 @@ TEST_P(LoadGenerator, EveryCopyHasItsListsAndSaysThatItIsOne) {
 
 TEST_P(LoadGenerator, ARealStoreIsNoPlaceForCopies) {
     add_source(false);
-    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url, small()); }).kind(),
+    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url(), small()); }).kind(),
               StoreError::Kind::kRefused);
     EXPECT_EQ(open()->attempts(0).size(), 1u);
 }
 
 TEST_P(LoadGenerator, WithoutAnAttemptOrASecondTimeItRefuses) {
-    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url, small()); }).kind(),
+    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url(), small()); }).kind(),
               StoreError::Kind::kRefused);
     add_source();
-    (void)db::generate_load(url, small());
-    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url, small()); }).kind(),
+    (void)db::generate_load(url(), small());
+    EXPECT_EQ(failure_of([&] { (void)db::generate_load(url(), small()); }).kind(),
               StoreError::Kind::kRefused);
     EXPECT_EQ(open()->attempts(0).size(), 21u);
 }
@@ -115,7 +97,7 @@ TEST_P(LoadGenerator, AStopLeavesNothing) {
     add_source();
     db::LoadOrder order = small();
     order.progress = [](int64_t, int64_t) { return false; };
-    EXPECT_TRUE(db::generate_load(url, order).cancelled);
+    EXPECT_TRUE(db::generate_load(url(), order).cancelled);
     EXPECT_EQ(open()->users().size(), 1u);
     EXPECT_EQ(open()->attempts(0).size(), 1u);
 }

@@ -23,20 +23,9 @@ namespace {
 World* const world = World::install();
 constexpr const char* kDay = "2026-01-31T00:00:00Z";
 
-class Norms : public testing::TestWithParam<const char*> {
+class Norms : public EngineTest {
  protected:
-    void SetUp() override {
-        if (std::string(GetParam()) == "Sqlite") {
-            url = "sqlite:" + folder.file("placode.db");
-        } else {
-            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-            ASSERT_EQ(world->server().problem(), "");
-            url = world->server().url(world->server().new_database());
-        }
-        db::StoreOptions options;
-        options.cheap_passwords = true;
-        store = db::open_store(url, options);
-    }
+    void ready() override { store = open(); }
     int64_t person(const std::string& login) const {
         return store->create_user(
             {login, login, "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
@@ -66,16 +55,12 @@ class Norms : public testing::TestWithParam<const char*> {
         return people;
     }
 
-    TemporaryFolder folder;
-    std::string url;
     std::unique_ptr<db::Store> store;
 };
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, Norms, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, Norms, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 TEST_P(Norms, BandsAreOfThePersonsMeansAndNameNobody) {
     const auto experts = level("secret-name", 5, 80, 100);

@@ -20,20 +20,11 @@ namespace {
 World* const world = World::install();
 constexpr const char* kPassword = "long enough 1";
 
-class People : public testing::TestWithParam<const char*> {
+class People : public EngineTest {
  protected:
-    void SetUp() override {
-        if (std::string(GetParam()) == "Sqlite") {
-            url = "sqlite:" + folder.file("placode.db");
-        } else {
-            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-            ASSERT_EQ(world->server().problem(), "");
-            url = world->server().url(world->server().new_database());
-        }
-        db::StoreOptions options;
-        options.cheap_passwords = true;
+    void ready() override {
         options.now_ms = [this] { return now_ms; };
-        store = db::open_store(url, options);
+        store = open();
         anna = add("anna", db::Role::kTrainee);
         adam = add("adam", db::Role::kAdministrator);
     }
@@ -55,18 +46,14 @@ class People : public testing::TestWithParam<const char*> {
         return store->save_attempt(user, result);
     }
 
-    TemporaryFolder folder;
-    std::string url;
     std::unique_ptr<db::Store> store;
     int64_t anna = 0, adam = 0;
     int64_t now_ms = 1'767'225'600'000;  // 2026-01-01
 };
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, People, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, People, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 TEST_P(People, APinOpensUntilItWasWrongThreeTimes) {
     for (const char* pin : {"123", "1234567890123", "12a4", "0000", "1234", "9876"})

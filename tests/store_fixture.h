@@ -214,8 +214,9 @@ class World : public testing::Environment {
  public:
     /// Once, before main(): `World* const world = World::install();`
     static World* install() {
-        return static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
+        return installed_ = static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
     }
+    static World& get() { return *installed_; }
     void SetUp() override { application_ = std::make_unique<QCoreApplication>(argc_, argv_); }
     void TearDown() override {
         server_.reset();
@@ -227,12 +228,51 @@ class World : public testing::Environment {
     }
 
  private:
+    inline static World* installed_ = nullptr;
     int argc_ = 1;
     char name_[6] = "store";
     char* argv_[2] = {name_, nullptr};
     std::unique_ptr<QCoreApplication> application_;
     std::unique_ptr<PostgresqlServer> server_;
 };
+
+/// A test that runs on both engines, each time on an empty database:
+/// `INSTANTIATE_TEST_SUITE_P(Engines, ..., testing::Values("Sqlite", "Postgresql"), engine_name)`.
+class EngineTest : public testing::TestWithParam<const char*> {
+ protected:
+    void SetUp() override {
+        options.cheap_passwords = true;
+        if (!is_sqlite()) {
+            PostgresqlServer& server = World::get().server();
+            if (server.missing()) GTEST_SKIP() << server.problem();
+            ASSERT_EQ(server.problem(), "");
+            database = server.new_database();
+        }
+        ready();
+    }
+    /// The rest of SetUp, where the engine is there.
+    virtual void ready() {}
+
+    [[nodiscard]] bool is_sqlite() const { return std::string(GetParam()) == "Sqlite"; }
+    [[nodiscard]] std::string url() const {
+        return is_sqlite() ? "sqlite:" + folder.file("placode.db")
+                           : World::get().server().url(database);
+    }
+    [[nodiscard]] std::unique_ptr<db::Store> open() const { return db::open_store(url(), options); }
+    [[nodiscard]] RawConnection raw() const {
+        if (is_sqlite()) return {"QSQLITE", folder.file("placode.db")};
+        return World::get().server().connect(database);
+    }
+
+    TemporaryFolder folder;
+    std::string database;
+    db::StoreOptions options;
+};
+
+inline std::string engine_name(const testing::TestParamInfo<const char*>& info) {
+    return info.param;
+}
+
 inline std::string read_text(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(in), {}};

@@ -84,39 +84,21 @@ void write_recording(const std::string& path, int seconds = 2) {
     sink->finish({sim::EndReason::kFinished, double(seconds), 1, 0});
 }
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-
-class StoreTest : public testing::TestWithParam<const char*> {
+class StoreTest : public EngineTest {
  protected:
-    void SetUp() override {
-        options.cheap_passwords = true;
+    void ready() override {
         options.now_ms = [this] { return now_ms; };
-        if (is_sqlite()) return;
-        if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-        ASSERT_EQ(world->server().problem(), "");
-        database = world->server().new_database();
-    }
-    [[nodiscard]] bool is_sqlite() const { return std::string(GetParam()) == "Sqlite"; }
-    [[nodiscard]] std::string url() const {
-        return is_sqlite() ? "sqlite:" + folder.file("placode.db") : world->server().url(database);
     }
     [[nodiscard]] std::unique_ptr<db::Store> open(int timeout_ms = 5000) const {
         return db::open_store(url() + "?timeout_ms=" + std::to_string(timeout_ms), options);
     }
-    [[nodiscard]] RawConnection raw() const {
-        if (is_sqlite()) return {"QSQLITE", folder.file("placode.db")};
-        return world->server().connect(database);
-    }
 
-    TemporaryFolder folder;
-    std::string database;
-    db::StoreOptions options;
     int64_t now_ms = 1'700'000'000'000;
 };
 
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 // --- review --------------------------------------------------------------------------------------
 

@@ -38,25 +38,9 @@ db::DefinitionRecord study(int version, const std::string& reason = "",
     return record;
 }
 
-class StudyStore : public testing::TestWithParam<const char*> {
+class StudyStore : public EngineTest {
  protected:
-    void SetUp() override {
-        if (std::string(GetParam()) == "Sqlite") {
-            url = "sqlite:" + folder.file("placode.db");
-        } else {
-            if (world->server().missing()) GTEST_SKIP() << world->server().problem();
-            ASSERT_EQ(world->server().problem(), "");
-            database = world->server().new_database();
-            url = world->server().url(database);
-        }
-        db::StoreOptions options;
-        options.cheap_passwords = true;
-        store = db::open_store(url, options);
-    }
-    [[nodiscard]] RawConnection raw() const {
-        if (database.empty()) return {"QSQLITE", folder.file("placode.db")};
-        return world->server().connect(database);
-    }
+    void ready() override { store = open(); }
     [[nodiscard]] db::StepRecord step(const std::string& code, const std::string& name) const {
         db::StepRecord record;
         record.study_id = "pilot";
@@ -76,16 +60,12 @@ class StudyStore : public testing::TestWithParam<const char*> {
         return record;
     }
 
-    TemporaryFolder folder;
-    std::string url, database;
     std::unique_ptr<db::Store> store;
 };
 
-std::string name_of(const testing::TestParamInfo<const char*>& info) { return info.param; }
-
 }  // namespace
 
-INSTANTIATE_TEST_SUITE_P(Engines, StudyStore, testing::Values("Sqlite", "Postgresql"), name_of);
+INSTANTIATE_TEST_SUITE_P(Engines, StudyStore, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 TEST_P(StudyStore, APublishedTextIsNeverChanged) {
     store->publish(study(1));

@@ -110,19 +110,6 @@ int check(const Context& context, const Options& options) {
     return 0;
 }
 
-/// A refusal about what was typed is bad input, not a failure of the store.
-template <class Work>
-auto as_input(Work&& work) {
-    try {
-        return work();
-    } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kRefused ||
-            error.kind() == db::StoreError::Kind::kConflict)
-            throw InputError(error.what());
-        throw;
-    }
-}
-
 int publish(const Context& context, const Options& options, const char* verb) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageCourses, Scope::kOther);

@@ -25,19 +25,6 @@ struct Options {
     bool trust = false, per_attempt = false;
 };
 
-/// A refusal about what was asked for is bad input, not a failure of the store.
-template <class Work>
-auto as_input(Work&& work) {
-    try {
-        return work();
-    } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kRefused ||
-            error.kind() == db::StoreError::Kind::kNotFound)
-            throw InputError(error.what());
-        throw;
-    }
-}
-
 Session educator(const Context& context) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kSetStandards, Scope::kOther);
@@ -111,10 +98,12 @@ int make(const Context& context, const Options& options) {
     Session session = educator(context);
     const auto levels =
         db::level_attempts(session.store(), options.task, people_of(session, options.levels));
-    const int64_t id = as_input([&] {
-        return db::keep_own_norms(session.store(),
-                                  db::make_norms(levels, options.centre, now_utc(), options.least));
-    });
+    const int64_t id = as_input(
+        [&] {
+            return db::keep_own_norms(
+                session.store(), db::make_norms(levels, options.centre, now_utc(), options.least));
+        },
+        db::StoreError::Kind::kNotFound);
     const auto record = find_pack(session, id);
     print(context, pack_json(record), pack_text(record));
     return 0;
@@ -178,7 +167,8 @@ int import_pack(const Context& context, const Options& options) {
                              "then give --trust");
         session.store().trust_centre(norms.public_key, pack.centre);
     }
-    const int64_t id = as_input([&] { return session.store().save_norms(norms); });
+    const int64_t id = as_input([&] { return session.store().save_norms(norms); },
+                                db::StoreError::Kind::kNotFound);
     print(context, {{"id", id}, {"centre", pack.centre}, {"fingerprint", mark}},
           "norm pack " + std::to_string(id) + " of " + pack.centre + " (" + mark + ")");
     return 0;

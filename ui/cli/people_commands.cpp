@@ -28,19 +28,6 @@ struct Options {
     bool dry_run = false, with_attempts = false, remove = false, recordings = false;
 };
 
-/// A refusal about what was typed is bad input, not a failure of the store.
-template <class Work>
-auto as_input(Work&& work) {
-    try {
-        return work();
-    } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kRefused ||
-            error.kind() == db::StoreError::Kind::kConflict)
-            throw InputError(error.what());
-        throw;
-    }
-}
-
 // --- import
 // ------------------------------------------------------------------------------------
 

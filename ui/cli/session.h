@@ -41,6 +41,19 @@ class Session {
     std::string actor_;
 };
 
+/// A refusal about what was typed, or an error of kind `also`, is bad input, not a failure of the
+/// store: throws InputError instead.
+template <class Work>
+auto as_input(Work&& work, db::StoreError::Kind also = db::StoreError::Kind::kConflict) {
+    try {
+        return work();
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kRefused || error.kind() == also)
+            throw InputError(error.what());
+        throw;
+    }
+}
+
 [[nodiscard]] std::string store_url_of(const Context& context);
 
 /// Throws AccessError unless the store is embedded and its file, if it is there, belongs to whoever

@@ -33,19 +33,6 @@ Session coordinator(const Context& context, Missing missing = Missing::kRefuse) 
     return session;
 }
 
-/// A refusal about what was typed is bad input, not a failure of the store.
-template <class Work>
-auto as_input(Work&& work) {
-    try {
-        return work();
-    } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kRefused ||
-            error.kind() == db::StoreError::Kind::kConflict)
-            throw InputError(error.what());
-        throw;
-    }
-}
-
 std::string need_code(const std::string& code) {
     if (!db::valid_participant_code(code))
         throw InputError("participant: found \"" + code +
