@@ -114,6 +114,16 @@ void visit_contact(const V& v, C& c) {
     v("injury_temperature_c", c.injury_temperature_c);
 }
 
+template <class V, class S>
+void visit_sac(const V& v, S& s) {
+    v("pressure_pa", s.pressure_pa);
+    v("stiffness_pa_m3", s.stiffness_pa_m3);
+    v("discharge", s.discharge);
+    v("fluid_density_kg_m3", s.fluid_density_kg_m3);
+    v("floor_n_m", s.floor_n_m);
+    v("floor_drag_n_m", s.floor_drag_n_m);
+}
+
 template <class V, class H>
 void visit_heat(const V& v, H& h) {
     v("body_temperature_c", h.body_temperature_c);
@@ -165,6 +175,9 @@ void visit_field(const V& v, S& s) {
     v("placode_a_m", s.placode_a_m);
     v("placode_b_m", s.placode_b_m);
     v("dome_height_m", s.dome_height_m);
+    v("dome_exponent", s.dome_exponent);
+    v("cystic", s.cystic);
+    v("canal_depth_m", s.canal_depth_m);
     v("base_radius_x_m", s.base_radius_x_m);
     v("base_radius_y_m", s.base_radius_y_m);
     v("wobble", s.wobble);
@@ -186,6 +199,7 @@ void visit_field(const V& v, S& s) {
     v("skin_layers_m", s.skin_layers_m);
     v("skin_prestretch", s.skin_prestretch);
     v("zone_prestretch", s.zone_prestretch);
+    v("placode_prestretch", s.placode_prestretch);
     v("bed_normal_pa_m", s.bed_normal_pa_m);
     v("bed_tangent_pa_m", s.bed_tangent_pa_m);
     v("side_pa_m", s.side_pa_m);
@@ -217,6 +231,7 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
             }
         }
         if (scene.contains("solver")) visit_solver(Reader{scene["solver"]}, spec.solver);
+        if (scene.contains("sac")) visit_sac(Reader{scene["sac"]}, spec.sac);
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -237,6 +252,7 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
         visit_material(Writer{scene["materials"][name]}, spec.materials[static_cast<size_t>(i)]);
     }
     visit_solver(Writer{scene["solver"]}, spec.solver);
+    visit_sac(Writer{scene["sac"]}, spec.sac);
     visit_contact(Writer{scene["contact"]}, spec.contact);
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);

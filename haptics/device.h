@@ -72,6 +72,7 @@ struct Perception {
     std::span<const uint8_t> contour_cut;  ///< 1 = cut there.
     std::span<const sim::ToolFeedback> tools;
     float cut_fraction = 0;
+    float released = 0;       ///< Share of the placode's circumference that is free.
     bool in_contact = false;  ///< Needle tip touches tissue.
     double tip_gap_m = 1;
     // With jaws and blades.

@@ -19,6 +19,8 @@ constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up.
 constexpr size_t kNormalSpan = 7;       // Points over which the surface's direction is judged.
 constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
 constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
+constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac is open.
+constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
 constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
@@ -43,20 +45,10 @@ OperatorModel::OperatorModel(const OperatorProfile& profile, uint64_t seed, cons
 void OperatorModel::remember(const Perception& seen) {
     const size_t n = seen.contour.size();
     if (contour_.size() != n) {
-        contour_.assign(seen.contour.begin(), seen.contour.end());
-        normal_.assign(n, Vec3::UnitZ());
+        learn(seen);
         tries_.assign(n, 0);
         cut_.assign(n, 0);
         arc_.assign(n + 1, 0.0);
-        // Normals over a few points: a single facet says little about the surface.
-        for (size_t i = 0; i < n && seen.contour_normal.size() == n; ++i) {
-            Vec3 sum = Vec3::Zero();
-            for (size_t k = 0; k < kNormalSpan; ++k) {
-                const Vec3& normal = seen.contour_normal[(i + n + k - kNormalSpan / 2) % n];
-                if (normal.allFinite() && normal.norm() > 0.5) sum += normal.normalized();
-            }
-            if (sum.norm() > 0.5) normal_[i] = sum.normalized();
-        }
     }
     const double share = std::clamp(seen.time_s - seen_s_, 0.0, 0.05) / kRememberS;
     seen_s_ = seen.time_s;
@@ -66,6 +58,46 @@ void OperatorModel::remember(const Perception& seen) {
         const bool near_tip = (contour_[i] - tip_m_).norm() < kNearTipM;
         if (cut_[i] == 0 && !near_tip && drift.norm() < kMostDriftM) contour_[i] += share * drift;
     }
+    watch_sinking(seen);
+}
+
+// The line as it lies now, with normals over a few points: a single facet says little about the
+// surface.
+void OperatorModel::learn(const Perception& seen) {
+    const size_t n = seen.contour.size();
+    contour_.assign(seen.contour.begin(), seen.contour.end());
+    normal_.assign(n, Vec3::UnitZ());
+    for (size_t i = 0; i < n && seen.contour_normal.size() == n; ++i) {
+        Vec3 sum = Vec3::Zero();
+        for (size_t k = 0; k < kNormalSpan; ++k) {
+            const Vec3& normal = seen.contour_normal[(i + n + k - kNormalSpan / 2) % n];
+            if (normal.allFinite() && normal.norm() > 0.5) sum += normal.normalized();
+        }
+        if (sum.norm() > 0.5) normal_[i] = sum.normalized();
+    }
+}
+
+// An opened sac sinks by millimetres, too far for a memory of single points: then the hand is
+// lifted until everything has come to rest, and the line is looked at anew.
+void OperatorModel::watch_sinking(const Perception& seen) {
+    double now = 0, remembered = 0;
+    int count = 0;
+    for (size_t i = 0; i < contour_.size(); ++i) {
+        if (cut_[i] != 0) continue;
+        now += seen.contour[i].z();
+        remembered += contour_[i].z();
+        ++count;
+    }
+    if (count == 0) return;
+    sunk_m_ = (remembered - now) / count;
+    if (std::abs(now / count - still_z_m_) > kStillM) {
+        still_z_m_ = now / count;
+        still_since_s_ = seen.time_s;
+    }
+    const bool still = seen.time_s - still_since_s_ > kStillS || stage_s_ > kMostWatchS;
+    if (stage_ != Stage::kWatch || !still) return;
+    learn(seen);
+    sunk_m_ = 0;
 }
 
 void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
@@ -326,11 +358,19 @@ void OperatorModel::do_lift(double dt_s) noexcept {
     const Frame f = frame(s_m_);
     tip_m_ = f.point + lift_m_ * f.normal + wander_smooth_ * f.inward;
     if (lift_m_ < kHoverM) return;
-    const bool patient = time_s_ < profile_.patience_s;
+    if (sunk_m_ > kSunkM && !enough_) {
+        stage(Stage::kWatch);
+        return;
+    }
+    const bool patient = time_s_ < profile_.patience_s && !enough_;
     if (patient && plan_run(s_m_)) {
         begin_move(tip_m_);
         return;
     }
+    leave();
+}
+
+void OperatorModel::leave() noexcept {
     move_from_ = tip_m_;
     move_s_ = std::max(0.5, (home_m_ - tip_m_).norm() / profile_.free_speed_m_s);
     stage(Stage::kLeave);
@@ -369,7 +409,7 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
     stage_s_ += dt_s;
     noise(dt_s);
     const bool work = stage_ == Stage::kMove || stage_ == Stage::kDescend || stage_ == Stage::kCut;
-    if (work && time_s_ > profile_.patience_s) stage(Stage::kLift);
+    if (work && (time_s_ > profile_.patience_s || sunk_m_ > kSunkM || enough_)) stage(Stage::kLift);
     if (contour_.size() < 3 && stage_ != Stage::kLook) stage(Stage::kDone);
     switch (stage_) {
         case Stage::kLook:
@@ -389,6 +429,13 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
             break;
         case Stage::kLift:
             do_lift(dt_s);
+            break;
+        case Stage::kWatch:
+            if (sunk_m_ > kSunkM) break;
+            if (plan_run(start_m_))
+                begin_move(tip_m_);
+            else
+                leave();
             break;
         case Stage::kLeave:
             tip_m_ = move_from_ + minimum_jerk(stage_s_ / move_s_) * (home_m_ - move_from_);

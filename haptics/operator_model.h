@@ -27,11 +27,13 @@ class OperatorModel {
  public:
     OperatorModel(const OperatorProfile& profile, uint64_t seed, const Vec3& home_tip_m);
     void see(const Perception& perception, const sim::ToolFeedback& own);
+    /// It is enough: lift, leave, finish.
+    void stop() noexcept { enough_ = true; }
     /// Next wish, `dt_s` after the last one.
     [[nodiscard]] OperatorAction act(double dt_s) noexcept;
 
  private:
-    enum class Stage : uint8_t { kLook, kMove, kDescend, kCut, kLift, kLeave, kDone };
+    enum class Stage : uint8_t { kLook, kMove, kDescend, kCut, kLift, kWatch, kLeave, kDone };
     struct Run {  // A piece of contour to cut, in arc length, end > begin.
         double begin_m = 0, end_m = 0;
     };
@@ -40,6 +42,9 @@ class OperatorModel {
     };
 
     void remember(const Perception& seen);
+    void learn(const Perception& seen);
+    void watch_sinking(const Perception& seen);
+    void leave() noexcept;
     void stage(Stage next) noexcept;
     [[nodiscard]] bool plan_run(double from_m) noexcept;
     [[nodiscard]] Frame frame(double s_m) const noexcept;
@@ -66,6 +71,8 @@ class OperatorModel {
     std::vector<uint8_t> cut_;
     std::vector<double> arc_;  // of each point; arc_.back() = length of the closed ring
     std::vector<uint8_t> tries_;
+    double sunk_m_ = 0;  // how much lower the whole line lies than remembered
+    double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
     double force_n_ = 0, seen_s_ = 0;
@@ -84,7 +91,7 @@ class OperatorModel {
     double press_ = 0, early_lift_m_ = 0;
     int passes_ = 0, slips_left_ = 0;
     double slip_at_m_ = -1, slip_s_ = -1;
-    bool pedal_ = false;
+    bool pedal_ = false, enough_ = false;
     std::array<double, 6> tremor_phase_{}, tremor_hz_{};
 };
 

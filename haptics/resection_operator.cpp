@@ -49,6 +49,8 @@ void ResectionOperator::see(const Perception& seen) {
         const auto needle = static_cast<size_t>(tools_.needle);
         Perception own = seen;
         own.in_contact = seen.touches[needle];
+        // Here the ring is a means: a placode that is free all round needs no more energy.
+        if (seen.released >= 1) ring_->stop();
         ring_->see(own, needle < seen.tools.size() ? seen.tools[needle] : sim::ToolFeedback{});
     }
     const size_t n = seen.outline.size();

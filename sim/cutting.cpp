@@ -237,12 +237,7 @@ double principal_stretch(const Scene& scene, const State& state, int tet) noexce
         rest.col(i) = spec.mesh.rest[r[i + 1]] - spec.mesh.rest[r[0]];
         now.col(i) = position(state, c[i + 1]) - position(state, c[0]);
     }
-    if (!spec.rest_scale.empty()) {
-        const auto& scale = spec.rest_scale[tet];
-        rest.row(0) *= scale[0];
-        rest.row(1) *= scale[0];
-        rest.row(2) *= scale[1];
-    }
+    rest = rest_stretch(spec, tet) * rest;
     const Mat3 f = now * rest.inverse();
     return std::sqrt(largest_eigenvalue(f.transpose() * f));
 }

@@ -65,6 +65,8 @@ std::string_view event_name(EventKind kind) noexcept {
             return "crumb";
         case EventKind::kSectorFree:
             return "sector_free";
+        case EventKind::kSacOpened:
+            return "sac_opened";
     }
     return "unknown";
 }

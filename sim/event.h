@@ -47,6 +47,7 @@ enum class EventKind : uint16_t {
                        ///< share of the marked tissue that is gone with it
     kCrumb = 28,       ///< a loose crumb was washed away: value = volume [m^3]
     kSectorFree = 29,  ///< a sector of 5 degrees came free: value = sector, value2 = free sectors
+    kSacOpened = 30,   ///< first hole in the wall of a sac: value = pressure [Pa]
 };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 

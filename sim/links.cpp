@@ -82,7 +82,7 @@ void solve_springs_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
         Float4& x = state.x[at(vertex)];
         if (x.w == 0) continue;
         const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
-        const float* k = packed.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
+        const float* k = state.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
         const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
         Mat3 stiffness;
         stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);

@@ -37,6 +37,7 @@ class VertexPacker {
         const int colours = *std::max_element(colour.begin(), colour.end()) + 1;
         out_.slot.resize(at(body_.vertex_count()));
         out_.corner_lane.resize(4 * at(body_.tet_count()));
+        out_.corner_sign.assign(at(body_.tet_count()), 0);
         for (int c = 0; c <= colours; ++c) {
             out_.colour_start.push_back(static_cast<int32_t>(out_.batches.size()));
             const int wanted = c < colours ? c : -1;
@@ -55,8 +56,7 @@ class VertexPacker {
         const int tets = body_.tet_count();
         out_.edge_weight_n_m.resize(6 * at(tets));
         for (int t = 0; t < tets; ++t) {
-            constants_.push_back(tet_constants(body_.spec(), t));
-            const TetConstants& k = constants_.back();
+            const TetConstants k = tet_constants(body_.spec(), t);
             for (size_t e = 0; e < 6; ++e) {
                 out_.edge_weight_n_m[6 * at(t) + e] =
                     static_cast<float>(k.material.mu_pa * k.volume_m3 * k.a[e]);
@@ -109,7 +109,8 @@ class VertexPacker {
             spring_f_[at(slot)] += k * (rest - s.anchor);
         }
         for (int v = 0; v < body_.vertex_count(); ++v) {
-            if (spring_of_[at(v)] >= 0) out_.spring_vertices.push_back(v);
+            const int32_t slot = spring_of_[at(v)];
+            if (slot >= 0 && !spring_k_[at(slot)].isZero(0)) out_.spring_vertices.push_back(v);
         }
     }
 
@@ -197,10 +198,10 @@ class VertexPacker {
         }
         check_span(b.base, last);
         b.step_start = static_cast<int64_t>(out_.keep.size());
-        b.lane_start = static_cast<int64_t>(out_.lanes.size());
+        b.lane_start = out_.lane_count;
         out_.keep.resize(out_.keep.size() + at(b.steps), 0);
         out_.strip.resize(out_.keep.size() * kLanes, 0);
-        out_.lanes.resize(out_.lanes.size() + at(kLanes * (1 + 3 * b.steps)), 0.0F);
+        out_.lane_count += kLanes * (1 + 3 * b.steps);
         for (size_t lane = 0; lane < kLanes; ++lane) {
             const bool used = lane < members.size();
             const int32_t v = members[used ? lane : 0];
@@ -227,15 +228,10 @@ class VertexPacker {
             if (s.keep) out_.keep[at(b.step_start + step)] |= static_cast<uint16_t>(1U << lane);
             const size_t row = at(b.lane_start) + kLanes * at(1 + 3 * step) + lane;
             if (s.tet >= 0) {
-                const TetConstants& k = constants_[at(s.tet)];
-                const double six_v = 6 * k.volume_m3;
-                out_.lanes[row + kLanes] =
-                    static_cast<float>(k.material.lambda_pa * k.volume_m3 / (six_v * six_v));
-                out_.lanes[row + 2 * kLanes] =
-                    static_cast<float>(s.sign * six_v * k.material.gamma);
                 const auto& tet = body_.mesh().tets[at(s.tet)];
                 const auto corner = std::find(tet.begin(), tet.end(), v) - tet.begin();
-                out_.corner_lane[4 * at(s.tet) + at(corner)] = static_cast<int64_t>(row) + kLanes;
+                out_.corner_lane[4 * at(s.tet) + at(corner)] = static_cast<int32_t>(row + kLanes);
+                if (s.sign < 0) out_.corner_sign[at(s.tet)] |= static_cast<uint8_t>(1U << corner);
             }
             ++step;
         }
@@ -267,7 +263,6 @@ class VertexPacker {
     const SoftBody& body_;
     PackedElements& out_;
     std::vector<uint32_t> place_;  // (V) along a curve through space
-    std::vector<TetConstants> constants_;
     std::vector<std::vector<StripStep>> strips_;
     std::vector<int32_t> spring_of_;
     std::vector<Mat3> spring_k_;
@@ -284,17 +279,21 @@ void check_span(int32_t first, int32_t last) {
     }
 }
 
+Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept {
+    if (spec.rest_scale.empty()) return Mat3::Identity();
+    const double plane = spec.rest_scale[at(tet)][0], normal = spec.rest_scale[at(tet)][1];
+    if (spec.rest_normal.empty()) return Vec3(plane, plane, normal).asDiagonal();
+    const Vec3 n = spec.rest_normal[at(tet)].cast<double>();
+    return plane * Mat3::Identity() + (normal - plane) * n * n.transpose();
+}
+
 TetConstants tet_constants(const SoftBodySpec& spec, int t) {
     const auto i = static_cast<size_t>(t);
     const auto& tet = spec.mesh.tets[i];
-    Vec3 scale = Vec3::Ones();
-    if (!spec.rest_scale.empty()) {
-        scale = Vec3(spec.rest_scale[i][0], spec.rest_scale[i][0], spec.rest_scale[i][1]);
-    }
+    const Mat3 scale = rest_stretch(spec, t);
     Mat3 dm;
     for (int k = 0; k < 3; ++k) {
-        dm.col(k) =
-            scale.cwiseProduct(spec.mesh.rest[at(tet[at(k) + 1])] - spec.mesh.rest[at(tet[0])]);
+        dm.col(k) = scale * (spec.mesh.rest[at(tet[at(k) + 1])] - spec.mesh.rest[at(tet[0])]);
     }
     const Mat3 inverse = dm.inverse();  // rows are the gradients of corners 1, 2, 3
     std::array<Vec3, 4> gradient;
@@ -317,9 +316,30 @@ TetConstants tet_constants(const SoftBodySpec& spec, int t) {
 PackedElements pack(const SoftBody& body) {
     PackedElements out;
     VertexPacker(body, out).run();
-    set_edge_weights(body, out);
     if (body.spec().solver.method != Method::kVbd) pack_tets(body, out);
     return out;
+}
+
+AlignedVector<float> initial_lanes(const SoftBody& body, const PackedElements& packed) {
+    AlignedVector<float> lanes(at(packed.lane_count), 0.0F);
+    for (int t = 0; t < body.tet_count(); ++t) {
+        const TetConstants k = tet_constants(body.spec(), t);
+        const double six_v = 6 * k.volume_m3;
+        for (size_t corner = 0; corner < 4; ++corner) {
+            const size_t row = at(packed.corner_lane[4 * at(t) + corner]);
+            const double sign = packed.corner_sign[at(t)] >> corner & 1 ? -1 : 1;
+            lanes[row] = static_cast<float>(k.material.lambda_pa * k.volume_m3 / (six_v * six_v));
+            lanes[row + kLanes] = static_cast<float>(sign * six_v * k.material.gamma);
+        }
+        if (!packed.tet_slot.empty()) {
+            lanes[at(packed.tet_lane_start + packed.tet_slot[at(t)])] =
+                static_cast<float>(k.material.mu_pa * k.volume_m3);
+        }
+    }
+    for (int v = 0; v < body.vertex_count(); ++v) {
+        set_vertex_weights(body, packed, {}, v, lanes.data());
+    }
+    return lanes;
 }
 
 }  // namespace placode::sim

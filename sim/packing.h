@@ -55,9 +55,10 @@ struct PackedElements {
     std::vector<uint16_t> keep;     ///< (steps) bit per lane: 1 = keep the older vertex of the pair
     AlignedVector<float> springs;   ///< (spring batches x 13 x 16)
     std::vector<int32_t> slot;      ///< (V) 16 batch + lane
-    std::vector<int64_t> corner_lane;      ///< (4 T) place of s of this corner in `lanes`
+    std::vector<int32_t> corner_lane;      ///< (4 T) place of s of this corner in the state's lanes
+    std::vector<uint8_t> corner_sign;      ///< (T) bit per corner: 1 = its q is negative
     std::vector<float> edge_weight_n_m;    ///< (6 T) mu V a, edges 01 02 03 12 13 23
-    std::vector<int32_t> spring_vertices;  ///< ascending
+    std::vector<int32_t> spring_vertices;  ///< That springs hold, ascending.
     std::vector<float> damping_per_s;      ///< (V) mass-weighted mean
 
     // XPBD, empty for VBD. Lane state of batch b: mu V from tet_lane_start + 16 b.
@@ -73,7 +74,7 @@ struct PackedElements {
     // Tethers of vertex v: tether_of[tether_start[v] .. tether_start[v + 1]).
     std::vector<int32_t> tether_start, tether_of, tether_vertices;
 
-    AlignedVector<float> lanes;  ///< What SoftBodyState::lanes starts as.
+    int64_t lane_count = 0;  ///< Length of SoftBodyState::lanes, see initial_lanes().
 };
 
 /// Constants of one tet at its (scaled) rest shape.
@@ -86,6 +87,11 @@ struct TetConstants {
 
 /// Builds everything above. @throws MeshError when a batch spans too many vertices.
 [[nodiscard]] PackedElements pack(const SoftBody& body);
+
+/// What SoftBodyState::lanes starts as, in the layout of `packed` (the body's, or one with room to
+/// grow): written anew for each state, because kept it would be a third of a body's memory.
+[[nodiscard]] AlignedVector<float> initial_lanes(const SoftBody& body,
+                                                 const PackedElements& packed);
 
 /// Local vertices opposite to corner k, in the order that makes det positive.
 inline constexpr std::array<std::array<int, 3>, 4> kOpposite{

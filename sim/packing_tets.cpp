@@ -33,10 +33,10 @@ void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const in
         }
     }
     check_span(b.base, last);
-    const size_t index = out.tet_index.size(), rows = out.tet_rows.size(), state = out.lanes.size();
+    const size_t index = out.tet_index.size(), rows = out.tet_rows.size();
     out.tet_index.resize(index + 4 * kLanes);
     out.tet_rows.resize(rows + kTetRows * kLanes);
-    out.lanes.resize(state + kLanes, 0.0F);  // unused lanes keep 0: switched off
+    out.lane_count += kLanes;  // unused lanes keep 0: switched off
     for (size_t lane = 0; lane < kLanes; ++lane) {
         const int32_t t = members[lane < members.size() ? lane : 0];
         for (size_t k = 0; k < 4; ++k) {
@@ -54,7 +54,6 @@ void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const in
         out.tet_rows[rows + kLanes * 6 + lane] = static_cast<float>(1 / (6 * c.volume_m3));
         out.tet_rows[rows + kLanes * 7 + lane] = static_cast<float>(c.material.gamma - 1);
         if (lane < members.size()) {
-            out.lanes[state + lane] = static_cast<float>(c.material.mu_pa * c.volume_m3);
             out.tet_slot[at(t)] = static_cast<int32_t>(out.tet_batches.size() * kLanes + lane);
         }
     }
@@ -88,25 +87,19 @@ void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
     rows[0] = static_cast<float>(std::max(total, 0.0));
 }
 
-void set_edge_weights(const SoftBody& body, PackedElements& packed) {
-    for (int v = 0; v < body.vertex_count(); ++v) {
-        set_vertex_weights(body, packed, {}, v, packed.lanes.data());
-    }
-}
-
 void pack_tets(const SoftBody& body, PackedElements& out) {
     const SweepPlan plan =
         plan_tets(body.mesh().tets, body.vertex_count(), domains_for(body.tet_count()));
     out.tet_slot.resize(at(body.tet_count()));
-    out.tet_lane_start = static_cast<int64_t>(out.lanes.size());
+    out.tet_lane_start = out.lane_count;
     for (const auto& members : plan.batches) add_tet_batch(body, out, members);
     out.tet_job_start = plan.job_start;
     out.tet_phase_start = plan.phase_start;
     if (body.spec().solver.iterations > 1) {
-        out.tet_lambda_start = static_cast<int64_t>(out.lanes.size());
-        out.lanes.resize(out.lanes.size() + out.tet_batches.size() * 2 * kLanes, 0.0F);
-        out.spring_sum_start = static_cast<int64_t>(out.lanes.size());
-        out.lanes.resize(out.lanes.size() + 3 * out.spring_vertices.size(), 0.0F);
+        out.tet_lambda_start = out.lane_count;
+        out.lane_count += static_cast<int64_t>(out.tet_batches.size()) * 2 * kLanes;
+        out.spring_sum_start = out.lane_count;
+        out.lane_count += 3 * static_cast<int64_t>(out.spring_vertices.size());
     }
 }
 

@@ -17,9 +17,6 @@ void check_span(int32_t first, int32_t last);
 void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
 
-/// The weights of all vertices with every tet alive, into `packed.lanes`.
-void set_edge_weights(const SoftBody& body, PackedElements& packed);
-
 /// Appends batches of disjoint tets for XPBD.
 void pack_tets(const SoftBody& body, PackedElements& packed);
 

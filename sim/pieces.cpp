@@ -19,13 +19,14 @@ namespace {
 constexpr int kBeside = 3;
 constexpr int kFloodPerFrame = 2500;
 constexpr int kRemovedPerFrame = 8;
-constexpr double kCrumb = 0.3e-9;      // smaller pieces are washed away [m^3]
-constexpr double kOutShare = 0.62;     // of the way from lesion to port: the piece is out
-constexpr double kNearLine = 0.0014;   // around a point of the outline [m]
-constexpr int kGroundCells = 64;       // heightmap of kGroundCell cells around the lesion
-constexpr double kGroundCell = 0.001;  // [m]
-constexpr float kLying = 1e-4F;        // this near to the field's height a fallen piece lies [m]
-constexpr float kLost = -0.004F;       // below that it lies in any case [m]
+constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
+constexpr double kOutShare = 0.62;      // of the way from lesion to port: the piece is out
+constexpr double kNearLine = 0.0014;    // around a point of the outline [m]
+constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around the lesion
+constexpr double kGroundCell = 0.001;   // [m]
+constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]
+constexpr double kSunkenWall = 0.0005;  // thickness of a sac's wall that lies on the floor [m]
+constexpr float kLost = -0.004F;        // below that it lies in any case [m]
 
 bool counts_for_release(Tissue t) noexcept {
     return t == Tissue::kPlacode || t == Tissue::kZone || t == Tissue::kSkin ||
@@ -233,6 +234,22 @@ void forget_parted(const Scene& scene, State& state) noexcept {
     }
 }
 
+/// What hangs on a living strand is not loose: roots hold the placode over an opened sac.
+void reach_tethered(const Scene& scene, State& state) noexcept {
+    PieceSearch& search = state.scratch->pieces;
+    const auto& tethers = scene.body.spec().tethers;
+    for (size_t i = 0; i < tethers.size(); ++i) {
+        if (!state.body.tether_alive[i]) continue;
+        for (const int32_t v : tethers[i].vertex) {
+            for (const int32_t t : tets_around(scene.body, state.body, v)) {
+                if (!state.body.tet_alive[t] || search.reached[t] == search.stamp) continue;
+                search.reached[t] = search.stamp;
+                search.stack[search.top++] = t;
+            }
+        }
+    }
+}
+
 /// Some frames' worth of flood from the bed; at its end what was not reached is loose.
 void flood(const Scene& scene, State& state) noexcept {
     PieceSearch& search = state.scratch->pieces;
@@ -248,6 +265,7 @@ void flood(const Scene& scene, State& state) noexcept {
             search.reached[t] = search.stamp;
             search.stack[search.top++] = t;
         }
+        reach_tethered(scene, state);
     }
     for (int n = 0; n < kFloodPerFrame && search.top > 0; ++n) {
         const int32_t t = search.stack[--search.top];
@@ -344,7 +362,7 @@ PieceSearch::PieceSearch(const Scene& scene)
     const TetMesh& mesh = scene.body.mesh();
     std::vector<uint8_t> held(mesh.rest.size(), 0);
     for (const int32_t v : scene.body.spec().fixed) held[v] = 1;
-    for (const AnchorSpring& s : scene.body.spec().springs) held[s.vertex] = 1;
+    for (const int32_t v : scene.body.packed().spring_vertices) held[v] = 1;
     std::array<std::vector<int32_t>, kSectors> sectors;
     for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
         const auto& c = mesh.tets[t];
@@ -361,7 +379,10 @@ PieceSearch::PieceSearch(const Scene& scene)
     sector_start.push_back(static_cast<int32_t>(sector_tets.size()));
     for (const Vec3& x : mesh.rest) {
         float& height = ground_m[ground_cell(x.x(), x.y())];
-        height = std::max(height, static_cast<float>(x.z()));
+        // An opened sac does not stand: what falls lies on the canal's floor.
+        const double floor = scene.sac.present() ? scene.sac.floor.at(x.x(), x.y()) : -1;
+        const double z = floor > -0.1 ? floor + kSunkenWall : x.z();
+        height = std::max(height, static_cast<float>(z));
     }
 }
 

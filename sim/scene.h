@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "sim/heat.h"
+#include "sim/sac.h"
 #include "sim/soft_body.h"
 #include "sim/surface.h"
 #include "sim/tool.h"
@@ -70,6 +71,7 @@ struct Scene {
     SoftBody body;
     Surface surface;
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
+    Sac sac;                        ///< Of the cystic variant; absent otherwise.
     ContactSettings contact;
     std::vector<uint8_t> marked;  ///< (T) 1 = to be resected; empty = nothing is marked.
     double marked_volume_m3 = 0;

@@ -68,6 +68,11 @@ void check_attachments(const SoftBodySpec& spec) {
             "rest_scale: one entry for each tet, or none");
     require(spec.stiffness_percent.empty() || spec.stiffness_percent.size() == tets,
             "stiffness_percent: one entry for each tet, or none");
+    require(spec.rest_normal.empty() || spec.rest_normal.size() == spec.rest_scale.size(),
+            "rest_normal: one entry for each of rest_scale, or none");
+    for (const Vec3f& n : spec.rest_normal) {
+        require(std::abs(n.norm() - 1) < 1e-5F, "rest_normal: must be unit vectors");
+    }
     for (const auto& s : spec.rest_scale) {
         require(s[0] > 0.1F && s[0] < 10.0F && s[1] > 0.1F && s[1] < 10.0F,
                 "rest_scale: allowed 0.1 to 10");

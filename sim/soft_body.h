@@ -47,6 +47,8 @@ inline constexpr double kVbdMaxPoissonsRatio = 0.495;
 inline constexpr double kXpbdGoodCourant = 0.7;
 
 /// Linear spring from a vertex to its anchor, with its own stiffness along and across `normal`.
+/// Without any stiffness it holds nothing and only makes room for a load
+/// (`SoftBodyState::springs`).
 struct AnchorSpring {
     int32_t vertex = 0;
     Vec3 anchor = Vec3::Zero();  ///< [m]
@@ -74,9 +76,14 @@ struct SoftBodySpec {
     std::vector<std::array<float, 2>>
         rest_scale;  ///< (T) in-plane (world x and y), normal (world z) scale of the rest shape;
                      ///< below 1 = the tissue is drawn tight; empty = 1. Mass is not scaled.
+    std::vector<Vec3f> rest_normal;  ///< (T) Unit normal for `rest_scale` instead of world z; or
+                                     ///< empty.
     std::vector<uint8_t> stiffness_percent;  ///< (T) of the material's modulus; empty = 100.
     int spare_vertices = 0;  ///< Room for the copies that cutting makes; 0 = cannot be cut.
 };
+
+/// Maps edges of the mesh to edges of the tet's stress-free shape (rest_scale).
+[[nodiscard]] Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept;
 
 /// Position and inverse mass, or velocity and padding, in one 16-byte slot.
 struct alignas(16) Float4 {
@@ -186,6 +193,7 @@ struct SoftBodyState {
                                          ///< Set it (size V) before the substep it acts in.
     std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
     AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
+    AlignedVector<float> springs;        ///< Anchor springs and loads; see set_load().
     std::vector<int32_t> scratch;        ///< Private to update_free_vertices (V).
     TopologyPointer topology;            ///< Only in bodies with spare vertices.
     AwakeRuns awake;
@@ -245,6 +253,11 @@ void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
 /// tethers) that no held vertex (w = 0) and no spring holds. Call after removing tets, grasping or
 /// letting go; a breaking tether calls it by itself. Never allocates.
 void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept;
+
+/// Sets what a stiffless anchor spring does from now on: force = load_n - diag(k_n_m) (x -
+/// anchor_m). VBD only. @pre the spec has an anchor spring without stiffness at `vertex`.
+void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
+              const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept;
 
 /// Says that something has changed at a vertex, so that sleeping tissue there wakes (sleep.h).
 void rouse(SoftBodyState& state, int32_t vertex) noexcept;

@@ -16,6 +16,7 @@ struct KernelArguments {
     const Float4* x_start = nullptr;
     const Float4* v = nullptr;
     float* lanes = nullptr;
+    const float* springs = nullptr;
     float h = 0;  ///< [s]
     float over_relaxation = 1;
     std::array<float, 3> planned_fall_m{};  ///< h^2 g

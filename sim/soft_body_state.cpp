@@ -51,11 +51,10 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
         x_start = x;
         target = x;
         topology.create(body);
-        lanes.swap(topology->packed.lanes);
-    } else {
-        lanes = body.packed().lanes;
     }
     const PackedElements& packed = packed_of(body, *this);
+    lanes = initial_lanes(body, packed);
+    springs = packed.springs;
     awake.batches.reserve(packed.batches.size());
     awake.colour_start.assign(packed.colour_start.size(), 0);
     awake.vertices.reserve(n / 16 + 1);
@@ -123,6 +122,23 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
     if (!packed.tet_slot.empty()) {
         state.lanes[at(packed.tet_lane_start + packed.tet_slot[at(tet)])] = 0;
     }
+}
+
+void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
+              const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
+    const PackedElements& packed = packed_of(body, state);
+    const int32_t slot = packed.slot[at(vertex)];
+    float* row =
+        state.springs.data() + packed.batches[at(slot / kLanes)].spring_start + slot % kLanes;
+    const auto set = [row](int r, float value) { row[r * kLanes] = value; };
+    set(0, k_n_m.x());
+    set(3, k_n_m.y());
+    set(5, k_n_m.z());
+    for (int i = 0; i < 3; ++i) {
+        set(6 + i, anchor_m[i]);
+        set(9 + i, -load_n[i]);
+    }
+    set(12, k_n_m.minCoeff());
 }
 
 uint64_t state_hash(const SoftBodyState& state) noexcept {

@@ -253,6 +253,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     std::array<Pose, kMaxTools> from, to;
     take_inputs(scene, state, inputs, from, to);
     collect_candidates(scene, state);
+    update_sac(scene, state, solver.frame_s, false);
     wake_tissue(scene, state);
     int64_t mark = now_ns();
     report.cost_ns[1] += mark - start;
@@ -334,6 +335,7 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
     const double h = solver.frame_s / substeps;
     const auto count = static_cast<int64_t>(std::ceil(seconds / h));
     for (int64_t n = 0; n < count; ++n) {
+        if (n % substeps == 0) update_sac(scene, state, solver.frame_s, true);
         begin_substep(scene.body, state.body, h, *state.workers);
         for (int i = 0; i < solver.iterations; ++i) {
             sweep(scene.body, state.body, h, *state.workers);
@@ -380,6 +382,8 @@ uint64_t state_hash(const State& state) noexcept {
         hash.add(s.next);
         hash.add(s.closing);
     }
+    hash.add(state.sac.pressure_pa);
+    hash.add(state.sac.content_m3);
     hash.add(state.splits);
     hash.add(state.release.free_count);
     hash.add(state.release.next);

@@ -88,6 +88,7 @@ struct State {
     SoftBodyState body;
     Sleep sleep;
     SurfaceState surface;
+    SacState sac;
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};
     std::array<Grasp, kMaxTools> grasps{};

@@ -42,6 +42,7 @@ class Substep {
         if (!state.force_n.empty()) state.pushed.resize(state.v.size());  // once
         arguments_.v = state.force_n.empty() ? state.v.data() : state.pushed.data();
         arguments_.lanes = state.lanes.data();
+        arguments_.springs = state.springs.data();
         arguments_.h = static_cast<float>(h);
         arguments_.over_relaxation = static_cast<float>(s.over_relaxation);
         arguments_.pair = s.method == Method::kXpbdPair;

@@ -36,7 +36,7 @@ class Relayout {
         to.keep.clear();
         to.colour_start.clear();
         const size_t tail = from_.batches.empty() ? 0 : end_of_lanes(from_.batches.back());
-        to.lanes.clear();
+        to.lane_count = 0;
         const int colours = static_cast<int>(from_.colour_start.size()) - 1;
         const int spares = static_cast<int>(out_.origin.size()) - body_.vertex_count();
         // Twice an even share: a cut meets the colours unevenly.
@@ -55,7 +55,7 @@ class Relayout {
             to.cost.push_back(to.cost.back() + (b.count > 0 ? b.steps : 0));
         }
         move_tail(tail);
-        to.lanes.resize(to.lanes.size() + 2 * kLanes, 0.0F);  // for corners that found no room
+        to.lane_count += 2 * kLanes;  // for corners that found no room
         to.slot.resize(out_.origin.size(), -1);
         to.damping_per_s.resize(out_.origin.size(), 0.0F);
         // No tethers at copies.
@@ -70,10 +70,10 @@ class Relayout {
     void add_room(VertexBatch& b, int32_t capacity, int colour) {
         PackedElements& to = out_.packed;
         b.step_start = static_cast<int64_t>(to.keep.size());
-        b.lane_start = static_cast<int64_t>(to.lanes.size());
+        b.lane_start = to.lane_count;
         to.keep.resize(to.keep.size() + at(capacity), 0);
         to.strip.resize(to.keep.size() * kLanes, 0);
-        to.lanes.resize(to.lanes.size() + at(kLanes) * at(1 + 3 * capacity), 0.0F);
+        to.lane_count += kLanes * (1 + 3 * capacity);
         out_.capacity.push_back(capacity);
         out_.colour.push_back(colour);
         to.batches.push_back(b);
@@ -89,8 +89,6 @@ class Relayout {
                     to.keep.begin() + now.step_start);
         std::copy_n(from_.strip.begin() + old.step_start * kLanes, old.steps * kLanes,
                     to.strip.begin() + now.step_start * kLanes);
-        std::copy_n(from_.lanes.begin() + old.lane_start, kLanes * (1 + 3 * old.steps),
-                    to.lanes.begin() + now.lane_start);
         // Steps that nobody uses yet load the vertex itself.
         for (int32_t s = old.steps; s < out_.capacity.back(); ++s) {
             std::copy_n(old.self.begin(), kLanes, to.strip.begin() + (now.step_start + s) * kLanes);
@@ -101,7 +99,8 @@ class Relayout {
             for (const int32_t t : body_.tets_of(v)) {
                 const auto& tet = body_.mesh().tets[at(t)];
                 const size_t k = at(std::find(tet.begin(), tet.end(), v) - tet.begin());
-                to.corner_lane[4 * at(t) + k] += now.lane_start - old.lane_start;
+                to.corner_lane[4 * at(t) + k] +=
+                    static_cast<int32_t>(now.lane_start - old.lane_start);
             }
         }
     }
@@ -117,9 +116,8 @@ class Relayout {
     /// What XPBD keeps behind the batches.
     void move_tail(size_t tail) {
         PackedElements& to = out_.packed;
-        const auto shift = static_cast<int64_t>(to.lanes.size()) - static_cast<int64_t>(tail);
-        to.lanes.insert(to.lanes.end(), from_.lanes.begin() + static_cast<int64_t>(tail),
-                        from_.lanes.end());
+        const int64_t shift = to.lane_count - static_cast<int64_t>(tail);
+        to.lane_count += from_.lane_count - static_cast<int64_t>(tail);
         if (!to.tet_slot.empty()) to.tet_lane_start += shift;
         if (to.tet_lambda_start >= 0) to.tet_lambda_start += shift;
         if (to.spring_sum_start >= 0) to.spring_sum_start += shift;
@@ -195,7 +193,7 @@ void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
         ++topology.refused;  // the vertex keeps what fits; tests show that this does not happen
         state.flags |= kCutRefused;
     }
-    const int64_t nowhere = static_cast<int64_t>(state.lanes.size()) - 2 * kLanes;
+    const auto nowhere = static_cast<int32_t>(state.lanes.size()) - 2 * kLanes;
     const int32_t steps =
         std::min<int32_t>(static_cast<int32_t>(strip.size()), topology.capacity[at(slot / kLanes)]);
     b.steps = std::max(b.steps, steps);
@@ -227,7 +225,8 @@ void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
         const size_t k = corner_of(topology.tets[at(t)], v);
         const int64_t step = strip.step_of(n);
         packed.corner_lane[4 * at(t) + k] =
-            step < steps ? b.lane_start + static_cast<int64_t>(lane) + kLanes * (2 + 3 * step)
+            step < steps ? static_cast<int32_t>(b.lane_start + static_cast<int64_t>(lane) +
+                                                kLanes * (2 + 3 * step))
                          : nowhere;
         ++n;
     }
@@ -260,7 +259,7 @@ Topology::Topology(const SoftBody& body) {
         if (list.size() > at(kMostAround)) whole[v] = 1;
     }
     for (const int32_t v : body.spec().fixed) whole[at(v)] = 1;
-    for (const AnchorSpring& s : body.spec().springs) whole[at(s.vertex)] = 1;
+    for (const int32_t v : body.packed().spring_vertices) whole[at(v)] = 1;
     for (const Tether& t : body.spec().tethers) {
         for (const int32_t v : t.vertex) whole[at(v)] = 1;
     }

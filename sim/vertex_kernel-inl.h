@@ -61,7 +61,7 @@ HWY_INLINE void AddSprings(const KernelArguments& a, const VertexBatch& b, size_
                            Systems& s) {
     if (b.spring_start < 0) return;
     const D d;
-    const float* k = a.packed->springs.data() + b.spring_start + lane;
+    const float* k = a.springs + b.spring_start + lane;
     const auto row = [d, k](size_t r) HWY_ATTR { return hn::Load(d, k + r * kLanes); };
     const V3 moved = Sub(x, {row(6), row(7), row(8)});
     const V3 force = {

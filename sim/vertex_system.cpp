@@ -46,7 +46,7 @@ void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
     const PackedElements& packed = packed_of(body, state);
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     if (b.spring_start < 0) return;
-    const float* k = packed.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
+    const float* k = state.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
     const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
     Mat3 stiffness;
     stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);

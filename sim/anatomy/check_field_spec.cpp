@@ -67,8 +67,10 @@ class Checker {
     }
 
     void heights() const {
-        // Higher domes are the cystic variant, which needs shells instead of tets.
-        range("dome_height_m", spec_.dome_height_m, 0, 0.0035);
+        // A high dome of four layers has flat tets on its flanks; a sac's wall stands across them.
+        range("dome_height_m", spec_.dome_height_m, 0, spec_.cystic ? 0.008 : 0.0035);
+        range("dome_exponent", spec_.dome_exponent, spec_.cystic ? 1 : 0.5, 3);
+        range("canal_depth_m", spec_.canal_depth_m, 0.001, 0.008);
         range("base_radius_x_m", spec_.base_radius_x_m, spec_.domain_x_m / 2, 1e6);
         range("base_radius_y_m", spec_.base_radius_y_m, spec_.domain_y_m / 2, 1e6);
         range("groove_depth_m", spec_.groove_depth_m, 0, 0.001);
@@ -80,9 +82,29 @@ class Checker {
         range("relief_frequency_per_m", spec_.relief_frequency_per_m, 0, 1e5);
     }
 
+    void sac() const {
+        range("sac.pressure_pa", spec_.sac.pressure_pa, 0, 2000);
+        range("sac.stiffness_pa_m3", spec_.sac.stiffness_pa_m3, 1e6, 1e11);
+        range("sac.discharge", spec_.sac.discharge, 0, 1);
+        range("sac.fluid_density_kg_m3", spec_.sac.fluid_density_kg_m3, 100, 20000);
+        range("sac.floor_n_m", spec_.sac.floor_n_m, 0, 1000);
+        range("sac.floor_drag_n_m", spec_.sac.floor_drag_n_m, 0, 1000);
+        if (spec_.cystic && spec_.solver.method != Method::kVbd) {
+            throw MeshError("operative field '" + spec_.id +
+                            "': solver.method: a cystic field needs vbd, the only method that "
+                            "knows the load of its fluid");
+        }
+        if (spec_.cystic && spec_.isotropic) {
+            throw MeshError("operative field '" + spec_.id +
+                            "': cystic and isotropic exclude each other");
+        }
+    }
+
     void mechanics() const {
         range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
         range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
+        range("placode_prestretch", spec_.placode_prestretch, 1, 1.5);
+        sac();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
         range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
         range("side_pa_m", spec_.side_pa_m, 0, 1e12);

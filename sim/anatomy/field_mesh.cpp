@@ -18,12 +18,8 @@ TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
     TetMesh mesh;
     for (const Vec2& p : field.plane.points) {
         field.columns.push_back(shape.column(p));
-        double z = field.columns.back().top_m;
-        mesh.rest.emplace_back(p.x(), p.y(), z);
-        for (int l = 0; l < kFieldLayers; ++l) {
-            z -= field.columns.back().thickness_m[l];
-            mesh.rest.emplace_back(p.x(), p.y(), z);
-        }
+        const auto& levels = field.columns.back().level_m;
+        mesh.rest.insert(mesh.rest.end(), levels.begin(), levels.end());
     }
     // The diagonal of a prism's side runs from the lower-ranked column's bottom to the other one's
     // top. Ranked by falling height, it is the shorter of the two diagonals on every slope, and
@@ -46,6 +42,7 @@ TetMesh extruded(const FieldShape& shape, FieldMesh& field) {
         const Vec2 f = field.plane.points[t[2]] - field.plane.points[t[0]];
         const bool left = e.x() * f.y() - e.y() * f.x() > 0;
         for (int l = 0; l < kFieldLayers; ++l) {
+            if (shape.fluid(l, to_skin)) continue;
             const Tissue tissue = shape.tissue(l, to_placode, to_skin);
             std::array<int32_t, 3> top{}, low{};
             for (int i = 0; i < 3; ++i) top[i] = kColumnVertices * t[i] + l;

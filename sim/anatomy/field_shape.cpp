@@ -152,10 +152,6 @@ FieldColumn FieldShape::column(const Vec2& p) const {
     const double w_r = std::max(0.0, 1 - w_p - w_s), sum = w_p + w_r + w_s;
 
     // Base (the back of the fetus), dome of the lesion, groove, rolled rim, relief.
-    const double base =
-        -square(p.y()) / (2 * spec_.base_radius_y_m) - square(p.x()) / (2 * spec_.base_radius_x_m);
-    const double rho = skin_.rho(p);
-    const double dome = rho < 1 ? spec_.dome_height_m * std::pow(1 - rho * rho, 0.75) : 0;
     // The groove fades out at the placode's edge instead of ending in a step there.
     const double groove = -spec_.groove_depth_m *
                           std::exp(-square((p.y() - placode_centre_.y()) / spec_.groove_width_m)) *
@@ -163,7 +159,7 @@ FieldColumn FieldShape::column(const Vec2& p) const {
     const double rim = spec_.rim_height_m * std::exp(-square(d_s / spec_.rim_width_m));
     const double relief_amplitude =
         (w_s * spec_.relief_skin_m + w_p * spec_.relief_placode_m) / sum;
-    out.top_m = base + dome + groove + rim + relief_amplitude * relief(p);
+    out.top_m = base(p) + dome(p) + groove + rim + relief_amplitude * relief(p);
 
     // Atrophic skin: thin up to thin_skin_width_m outside of the edge, then full within 20 % of it.
     const double least = spec_.isotropic ? 1 : spec_.thin_skin_factor;
@@ -173,7 +169,56 @@ FieldColumn FieldShape::column(const Vec2& p) const {
         out.thickness_m[l] =
             (w_p * spec_.placode_layers_m[l] + w_r * spec_.ring_layers_m[l] + w_s * skin) / sum;
     }
+    stack_levels(p, out);
+    if (spec_.cystic && d_s < 0) stack_sac(p, out);
     return out;
+}
+
+double FieldShape::base(const Vec2& p) const {
+    return -square(p.y()) / (2 * spec_.base_radius_y_m) -
+           square(p.x()) / (2 * spec_.base_radius_x_m);
+}
+
+double FieldShape::dome(const Vec2& p) const {
+    const double rho = skin_.rho(p);
+    return rho < 1 ? spec_.dome_height_m * std::pow(1 - rho * rho, spec_.dome_exponent) : 0;
+}
+
+void FieldShape::stack_levels(const Vec2& p, FieldColumn& column) const {
+    double z = column.top_m;
+    column.level_m[0] = Vec3(p.x(), p.y(), z);
+    for (int l = 0; l < kFieldLayers; ++l) {
+        z -= column.thickness_m[l];
+        column.level_m[l + 1] = Vec3(p.x(), p.y(), z);
+    }
+}
+
+// The wall of the sac has its thickness across itself, not along z: on a steep flank a vertical
+// stack would be thin and its tets flat. At the skin edge both agree.
+void FieldShape::stack_sac(const Vec2& p, FieldColumn& column) const {
+    constexpr double kStep = 0.0002, kUpright = 0.001, kWall = 0.0025;  // [m]
+    const auto height = [&](double dx, double dy) {
+        const Vec2 q = p + Vec2(dx, dy);
+        return base(q) + dome(q);
+    };
+    const Vec3 normal = Vec3((height(-kStep, 0) - height(kStep, 0)) / (2 * kStep),
+                             (height(0, -kStep) - height(0, kStep)) / (2 * kStep), 1)
+                            .normalized();
+    const double inside = -column.to_skin_m;
+    const double lean = smoothstep(0, kUpright, inside);
+    const Vec3 across = ((1 - lean) * Vec3::UnitZ() + lean * normal).normalized();
+    double depth = 0;
+    for (int l = 0; l < 2; ++l) {
+        depth += column.thickness_m[l];
+        column.level_m[l + 1] = column.level_m[0] - depth * across;
+    }
+    // The floor: as deep as the layers of the skin edge there, then the canal's.
+    const double edge = column.top_m - dome(p) - depth - spec_.skin_layers_m[2];
+    const double floor =
+        std::lerp(edge, base(p) - spec_.canal_depth_m, smoothstep(0, kWall, inside));
+    column.thickness_m[2] = column.level_m[2].z() - floor;
+    column.level_m[3] = Vec3(p.x(), p.y(), floor);
+    column.level_m[4] = Vec3(p.x(), p.y(), floor - column.thickness_m[3]);
 }
 
 Tissue FieldShape::tissue(int layer, double to_placode_m, double to_skin_m) const {

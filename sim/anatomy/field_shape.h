@@ -47,6 +47,7 @@ struct FieldColumn {
     double to_skin_m = 0;                            ///< d_s
     double top_m = 0;                                ///< Height z of the surface.
     std::array<double, kFieldLayers> thickness_m{};  ///< From the surface down.
+    std::array<Vec3, kFieldLayers + 1> level_m{};    ///< Where the layers meet, surface first.
 };
 
 /// The field of one spec and seed.
@@ -61,6 +62,10 @@ class FieldShape {
     [[nodiscard]] FieldColumn column(const Vec2& p) const;
     /// Label of a piece of layer `layer` with these distances at its centroid.
     [[nodiscard]] Tissue tissue(int layer, double to_placode_m, double to_skin_m) const;
+    /// True where the layer is fluid instead of tissue.
+    [[nodiscard]] bool fluid(int layer, double to_skin_m) const {
+        return spec_.cystic && layer == 2 && to_skin_m < 0;
+    }
     /// Wanted edge length in the plane [m]; from a table of the distances, hence fast.
     [[nodiscard]] double edge_length(const Vec2& p) const;
 
@@ -71,6 +76,10 @@ class FieldShape {
     FieldShape(const OperativeFieldSpec& spec, const Wobble& wobble);
     static Wobble wobble_of(const OperativeFieldSpec& spec);
     [[nodiscard]] double relief(const Vec2& p) const;
+    [[nodiscard]] double base(const Vec2& p) const;
+    [[nodiscard]] double dome(const Vec2& p) const;
+    void stack_levels(const Vec2& p, FieldColumn& column) const;
+    void stack_sac(const Vec2& p, FieldColumn& column) const;
     [[nodiscard]] double exact_edge_length(const Vec2& p) const;
     void tabulate_edge_length();
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "sim/anatomy/field_mesh.h"
+#include "sim/anatomy/field_sac.h"
 #include "sim/anatomy/resection.h"
 
 namespace placode::sim {
@@ -47,13 +48,16 @@ std::vector<Vec3> area_vectors(const FieldMesh& field, int level) {
     return area;
 }
 
-// Muscle and bone below the field: springs by area. The canal's floor rests on bone and is held.
+// Muscle and bone below the field: springs by area.
 void lay_on_bed(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
     const std::vector<Vec3> area = area_vectors(field, kFieldLayers);
     for (size_t v = 0; v < field.mesh.rest.size(); ++v) {
         const Vec3& p = field.mesh.rest[v];
         const bool bottom = field.level[v] == kFieldLayers;
-        if (on_side(spec, p) || (bottom && field.columns[field.column[v]].to_placode_m < 0)) {
+        const FieldColumn& column = field.columns[field.column[v]];
+        // The canal's floor rests on bone; that of a sac reaches as far as its membrane.
+        const double to_wall = spec.cystic ? column.to_skin_m : column.to_placode_m;
+        if (on_side(spec, p) || (bottom && to_wall < 0)) {
             body.fixed.push_back(static_cast<int32_t>(v));
         } else if (bottom) {
             const double a = area[v].norm();
@@ -105,15 +109,30 @@ std::array<float, 2> rest_scale_of(const Material& material, double a) {
     return {static_cast<float>(1 / a), static_cast<float>(1 / c)};
 }
 
-void pre_tension(const OperativeFieldSpec& spec, const TetMesh& mesh, SoftBodySpec& body) {
-    if (spec.skin_prestretch == 1 && spec.zone_prestretch == 1) return;
+// Normal of the surface over a column: across the wall of a sac, else upright.
+Vec3f normal_over(const FieldMesh& field, const std::array<int32_t, 4>& tet) {
+    Vec3 sum = Vec3::Zero();
+    for (const int32_t v : tet) {
+        const auto& levels = field.columns[field.column[v]].level_m;
+        sum += (levels[0] - levels[2]).normalized();
+    }
+    return sum.normalized().cast<float>();
+}
+
+void pre_tension(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
+    const TetMesh& mesh = field.mesh;
+    if (spec.skin_prestretch == 1 && spec.zone_prestretch == 1 && spec.placode_prestretch == 1)
+        return;
     for (const Tissue tissue : mesh.tissue) {
         double stretch = 1;
         if (tissue == Tissue::kSkin || tissue == Tissue::kThinSkin) stretch = spec.skin_prestretch;
         if (tissue == Tissue::kZone) stretch = spec.zone_prestretch;
+        if (tissue == Tissue::kPlacode) stretch = spec.placode_prestretch;
         body.rest_scale.push_back(
             rest_scale_of(spec.materials[static_cast<size_t>(tissue)], stretch));
     }
+    if (!spec.cystic) return;
+    for (const auto& tet : mesh.tets) body.rest_normal.push_back(normal_over(field, tet));
 }
 
 // Strands through the gel, from the underside of the placode to the canal's floor, spread evenly
@@ -156,7 +175,9 @@ void add_landmarks(const OperativeFieldSpec& spec, const FieldShape& shape, cons
         const FieldColumn& column = field.columns[field.column[v]];
         scene.field.to_placode_m.push_back(static_cast<float>(column.to_placode_m));
         scene.field.to_skin_m.push_back(static_cast<float>(column.to_skin_m));
-        scene.field.depth_m.push_back(static_cast<float>(column.top_m - field.mesh.rest[v].z()));
+        double depth = 0;
+        for (int l = 0; l < field.level[v]; ++l) depth += column.thickness_m[l];
+        scene.field.depth_m.push_back(static_cast<float>(depth));
     }
 }
 
@@ -190,9 +211,13 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     body.solver = spec.solver;
     lay_on_bed(spec, field, body);
     hang_on_sides(spec, field, body);
-    pre_tension(spec, field.mesh, body);
+    pre_tension(spec, field, body);
     tie_tethers(spec, field, body);
     const size_t tethers = body.tethers.size();
+    Sac sac = spec.cystic ? make_sac(spec, shape, field) : Sac{};
+    for (const int32_t v : sac.vertices) {
+        body.springs.push_back({v, field.mesh.rest[v], Vec3::UnitZ(), 0, 0});
+    }
     const bool scissors = std::any_of(spec.tools.begin(), spec.tools.end(), [](const ToolSpec& t) {
         return t.kind == ToolKind::kScissors;
     });
@@ -201,6 +226,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     auto scene = std::make_shared<Scene>(SoftBody(std::move(body)));
     scene->id = spec.id;
     if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
+    scene->sac = std::move(sac);
     scene->contact = spec.contact;
     scene->tools = spec.tools;
     scene->colour_linear = kColourLinear;

@@ -3,7 +3,9 @@
 #pragma once
 // The parametric operative field: a graded 2-D Delaunay triangulation of the lesion's surroundings,
 // extruded into four layers of prisms and split into tetrahedra, conforming and deterministic.
-// Flat variant (myeloschisis). Shapes and thicknesses: ARCHITECTURE.md, "Operative field".
+// Flat variant (myeloschisis), or cystic (meningomyelocele): membrane and placode form a dome of
+// two layers over the canal, filled with fluid (sim/sac.h). Shapes and thicknesses:
+// ARCHITECTURE.md, "Operative field".
 
 #include <array>
 #include <cstdint>
@@ -26,6 +28,10 @@ struct OperativeFieldSpec {
     double skin_edge_a_m = 0.012, skin_edge_b_m = 0.008;  ///< Semi-axes of the lesion (skin edge).
     double placode_a_m = 0.008, placode_b_m = 0.003;
     double dome_height_m = 0.002;
+    double dome_exponent = 0.75;   ///< Profile H (1 - rho^2)^n: 0.75 is steep at the skin edge.
+    bool cystic = false;           ///< A sac: no gel under membrane and placode, but fluid.
+    double canal_depth_m = 0.003;  ///< Cystic: floor of the canal below the back.
+    SacSettings sac;
     double base_radius_x_m = 0.120, base_radius_y_m = 0.032;
     double wobble = 0.04;           ///< Amplitude of the seeded outline [-].
     double asymmetry_m = 0;         ///< Placode's centre lies this far to the left (+y).
@@ -41,7 +47,7 @@ struct OperativeFieldSpec {
     std::array<double, 4> placode_layers_m{0.0006, 0.0006, 0.0007, 0.0006};
     std::array<double, 4> ring_layers_m{0.00025, 0.00025, 0.0010, 0.0010};
     std::array<double, 4> skin_layers_m{0.0004, 0.0004, 0.0008, 0.0009};
-    double skin_prestretch = 1.08, zone_prestretch = 1.12;
+    double skin_prestretch = 1.08, zone_prestretch = 1.12, placode_prestretch = 1;
     double bed_normal_pa_m = 11e6, bed_tangent_pa_m = 1.3e6,
            side_pa_m = 3e6;            ///< Winkler bed, per area.
     double contour_offset_m = 0.0015;  ///< Planned incision: this far outside the placode edge.

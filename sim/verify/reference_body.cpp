@@ -39,16 +39,11 @@ ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
     for (size_t t = 0; t < spec.mesh.tets.size(); ++t) {
         Tet tet;
         tet.v = spec.mesh.tets[t];
-        Vec3 scale = Vec3::Ones();
-        if (!spec.rest_scale.empty()) {
-            const auto& s = spec.rest_scale[t];
-            scale = Vec3(static_cast<double>(s[0]), static_cast<double>(s[0]),
-                         static_cast<double>(s[1]));
-        }
+        const Mat3 scale = rest_stretch(spec, static_cast<int>(t));
         Mat3 edges;
         for (int k = 0; k < 3; ++k) {
-            edges.col(k) = scale.cwiseProduct(spec.mesh.rest[at(tet.v[at(k) + 1])] -
-                                              spec.mesh.rest[at(tet.v[0])]);
+            edges.col(k) =
+                scale * (spec.mesh.rest[at(tet.v[at(k) + 1])] - spec.mesh.rest[at(tet.v[0])]);
         }
         const Mat3 inverse = edges.inverse();
         tet.b[0].setZero();
