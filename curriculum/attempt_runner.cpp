@@ -64,6 +64,11 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     task.scene.seed = seed;
     // The device first: the usual mistake is a device that is not there, and it is cheap to find.
     std::unique_ptr<haptics::Servo> servo = open_servo(task, seed, options);
+    // What a hand with force feels is the coupling's spring on the gap between hand and tool: with
+    // the same stiffness in the physics it is the tissue's force, and not a share of it.
+    for (size_t i = 0; i < task.scene.tools.size(); ++i)
+        if (const double held = servo->stiffness_n_m(i); held > 0)
+            task.scene.tools[i].grip_n_m = held;
     impl_->scene = sim::build_operative_field(task.scene);
     impl_->recorder = std::make_unique<AttemptRecorder>(
         std::move(sink), make_header(task, seed, options, *impl_->scene));

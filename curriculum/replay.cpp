@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Proof that a recording is complete: its inputs alone give every state hash again.
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -76,12 +77,20 @@ void conclude(const sim::Recording& recording, const sim::State& state, const Ha
     }
 }
 
+/// A hand with force holds its tools as its device does, not as the task says.
+void restore_grips(const sim::RecordingHeader& header, Task& task) {
+    std::vector<sim::ToolSpec>& tools = task.scene.tools;
+    for (size_t i = 0; i < std::min(tools.size(), header.tools.size()); ++i)
+        tools[i].grip_n_m = header.tools[i].grip_n_m;
+}
+
 }  // namespace
 
 ReplayResult replay(const sim::Recording& recording, int threads,
                     const std::function<void(const sim::Scene&, const sim::State&)>& on_frame) {
     Task task = load_task_text(recording.header.task_json, "recording");
     task.scene.seed = recording.header.seed;
+    restore_grips(recording.header, task);
     const std::shared_ptr<const sim::Scene> scene = sim::build_operative_field(task.scene);
     sim::State state(*scene, threads);
     sim::settle(*scene, state, task.settle_s);

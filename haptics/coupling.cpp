@@ -10,6 +10,7 @@ namespace placode::haptics {
 namespace {
 
 constexpr double kReleaseTimeS = 0.05;
+constexpr double kLeftLagS = 0.001;
 
 bool finite(const sim::ToolFeedback& feedback) noexcept {
     return feedback.proxy.p.allFinite() && std::isfinite(feedback.time_s);
@@ -23,7 +24,7 @@ Coupling::Coupling(const CouplingSettings& settings) noexcept
       tip_velocity_(settings.velocity_cutoff_hz),
       watchdog_(settings.fade_after_s, settings.zero_after_s),
       tool_velocity_(settings.velocity_cutoff_hz),
-      passivity_(settings.passivity_ns_m, settings.passivity_store_j),
+      passivity_(settings.passivity_ns_m, settings.passivity_store_j, settings.passivity_dead_j),
       heat_(settings) {}
 
 bool Coupling::plausible(const DeviceState& device, double dt_s) const noexcept {
@@ -44,6 +45,7 @@ void Coupling::follow_tool(int64_t t_ns, const sim::ToolFeedback& feedback) noex
         tool_velocity_.update(feedback.proxy.p - tool_, dt);
     else
         tool_velocity_.reset();
+    latency_.seen(t_ns, feedback.proxy.p, tip_velocity_.value().norm());
     tool_ = feedback.proxy.p;
     tool_time_s_ = feedback.time_s;
     watchdog_.seen(t_ns);
@@ -71,6 +73,7 @@ void Coupling::clock_jumped(int64_t t_ns) noexcept {
     velocity_.reset();
     tip_velocity_.reset();
     if (watchdog_.ever()) watchdog_.clock_jumped(t_ns);
+    latency_.reset();
     uneven_s_ = settings_.uneven_memory_s;
 }
 
@@ -83,7 +86,13 @@ Vec3 Coupling::spring(const Vec3& tip_m, const Vec3& tip_velocity, double age_s)
         stiffness *= watchdog_.spring_gain(age_s);
         twist.setZero();
     }
-    const Vec3 tool = tool_ + std::min(age_s, settings_.extrapolate_s) * twist;
+    // A state answers to a hand of the past: it has an age already when it arrives. Without this
+    // the free tool lags, and at 250 Hz a hand of 0.1 m/s drags 0.25 N through air. One tick of
+    // the lag is left: a tool without any would give back as much energy as it takes, and the
+    // passivity controller would answer to the encoder's steps.
+    const double ahead = std::min(age_s, settings_.extrapolate_s) +
+                         std::clamp(latency_.latency_s() - kLeftLagS, 0.0, settings_.latency_s);
+    const Vec3 tool = tool_ + ahead * twist;
     return stiffness * (tool - tip_m - (1 - ramp_) * offset_) +
            settings_.damping_ns_m * (twist - tip_velocity);
 }
@@ -98,7 +107,7 @@ Vec3 Coupling::limit(const Vec3& force, float motor_heat, double dt_s,
 
 // A lost device, a number that is none, or a jump silences the hand; it has to behave for a while
 // before it is believed again.
-bool Coupling::trust(const DeviceState& device, const Vec3& tip_m, double dt_s,
+bool Coupling::trust(int64_t t_ns, const DeviceState& device, const Vec3& tip_m, double dt_s,
                      bool& fault) noexcept {
     if (!device.engaged && device.status == DeviceStatus::kReady && device.position_m.allFinite() &&
         tip_m.allFinite()) {
@@ -130,6 +139,7 @@ bool Coupling::trust(const DeviceState& device, const Vec3& tip_m, double dt_s,
     seen_ = true;
     last_position_ = device.position_m;
     last_tip_ = tip_m;
+    latency_.sent(t_ns, tip_m);
     distrust_s_ = std::max(0.0, distrust_s_ - std::max(0.0, dt_s));
     return distrust_s_ == 0;
 }
@@ -148,7 +158,7 @@ CouplingResult Coupling::tick(int64_t t_ns, const DeviceState& device, const Vec
     out.tool_age_s = age;
     out.stale = watchdog_.ever() && watchdog_.fading(age);
 
-    out.trusted = trust(device, tip_m, dt, out.fault);
+    out.trusted = trust(t_ns, device, tip_m, dt, out.fault);
     if (!out.trusted) apart_ = true;
     // No hand, no tool yet, or a tool state too old: no force; the way back is a ramp. A clutch
     // holds the tool and lets the hand go.

@@ -46,8 +46,8 @@ class Coupling {
     [[nodiscard]] const CouplingSettings& settings() const noexcept { return settings_; }
 
  private:
-    [[nodiscard]] bool trust(const DeviceState& device, const Vec3& tip_m, double dt_s,
-                             bool& fault) noexcept;
+    [[nodiscard]] bool trust(int64_t t_ns, const DeviceState& device, const Vec3& tip_m,
+                             double dt_s, bool& fault) noexcept;
     void follow_tool(int64_t t_ns, const sim::ToolFeedback& feedback) noexcept;
     void clock_jumped(int64_t t_ns) noexcept;
     void reanchor(const Vec3& tip_m) noexcept;
@@ -68,6 +68,7 @@ class Coupling {
     // tool
     Watchdog watchdog_;
     double tool_time_s_ = -1;
+    LatencyMeter latency_;
     Vec3 tool_ = Vec3::Zero();
     VelocityFilter tool_velocity_;
     // force

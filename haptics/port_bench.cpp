@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 #include <optional>
+#include <random>
 #include <stdexcept>
 
 #include "haptics/hand_motion.h"
@@ -23,11 +25,45 @@ constexpr double kDeviceKg = 0.045, kDeviceNsM = 0.1, kEncoderM = 55e-6, kCoulom
 constexpr double kStartS = 0.6;  // after the ramp of the force
 constexpr double kPushS = 0.3, kDisturbS = 2.0, kUnplugS = 0.1;
 constexpr double kEndS = 0.5;  // what is measured at the end
+constexpr double kSweepStartS = 1.5, kSweepS = 20, kSweepFrom = 0.5, kSweepTo = 50;
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);
     return x * x * x * (10 + x * (-15 + 6 * x));
 }
+
+/// Phase of the sweep: its frequency grows by the same factor every second.
+double sweep_phase(double t) noexcept {
+    const double rate = std::log(kSweepTo / kSweepFrom) / kSweepS;
+    const double since = std::clamp(t - kSweepStartS, 0.0, kSweepS);
+    return 2 * std::numbers::pi * kSweepFrom / rate * std::expm1(rate * since);
+}
+
+/// What goes wrong next in a soak, and when.
+class Trouble {
+ public:
+    enum class Kind : uint8_t { kNone, kStall, kGap, kBack, kNan, kJump, kUnplug };
+    explicit Trouble(uint64_t seed) noexcept : draw_(seed) {}
+    /// Goes on to tick `i`; true when something begins there.
+    bool step(int i) noexcept {
+        if (i >= until_) now = Kind::kNone;
+        if (i < next_) return false;
+        constexpr int stalls[] = {5, 50, 500};
+        now = static_cast<Kind>(1 + draw_() % 6);
+        int length = 1;
+        if (now == Kind::kStall) length = stalls[draw_() % 3];
+        if (now == Kind::kGap) length = 2 + static_cast<int>(draw_() % 59);
+        if (now == Kind::kUnplug) length = 100;
+        until_ = i + length;
+        next_ = until_ + 800 + static_cast<int>(draw_() % 2500);
+        return true;
+    }
+    Kind now = Kind::kNone;
+
+ private:
+    std::minstd_rand draw_;  // its numbers are the same everywhere
+    int next_ = 1500, until_ = 0;
+};
 
 /// Arm, grip and device: three axes alike.
 class Hand {
@@ -50,6 +86,8 @@ class Hand {
             device_ += dt * device_v_;
         }
     }
+    /// A machine moves the device.
+    void place(const Vec3& device_m) noexcept { device_ = device_m; }
     [[nodiscard]] const Vec3& device_m() const noexcept { return device_; }
     [[nodiscard]] Vec3 encoder_m() const noexcept {
         return kEncoderM * (device_ / kEncoderM).array().round().matrix();
@@ -66,6 +104,7 @@ class Hand {
 struct Link {
     DeviceState state;
     Vec3 force = Vec3::Zero();
+    int64_t valid_until_ns = 0;
 };
 
 class BenchDevice final : public DeviceGroup {
@@ -85,6 +124,7 @@ class BenchDevice final : public DeviceGroup {
     }
     void write(std::span<const DeviceCommand> commands) noexcept override {
         link_.force = commands[0].force_n;
+        link_.valid_until_ns = commands[0].valid_until_ns;
     }
     [[nodiscard]] bool lock_step() const noexcept override { return true; }
 
@@ -92,8 +132,9 @@ class BenchDevice final : public DeviceGroup {
     Link& link_;
 };
 
-sim::ToolSpec bench_tool() {
+sim::ToolSpec bench_tool(double grip_n_m) {
     sim::ToolSpec tool;
+    tool.grip_n_m = grip_n_m;  // as in an attempt with force
     tool.kind = sim::ToolKind::kProbe;
     tool.tip_radius_m = 0.0015;
     tool.pivot_m = Vec3(0, 0, 0.100);
@@ -113,10 +154,11 @@ class Run {
     explicit Run(const PortCase& what)
         : what_(what),
           hand_(what.grip, what.friction),
-          tool_(bench_tool()),
+          tool_(bench_tool(what.settings.stiffness_n_m)),
           servo_(std::make_unique<BenchDevice>(link_), std::span(&tool_, 1), std::span(&trocar_, 1),
                  what.settings),
-          home_(trocar_.home_tip_m) {
+          home_(trocar_.home_tip_m),
+          trouble_(what.soak_seed) {
         const double ratio = 1000 / what.physics_hz;
         every_ = static_cast<int>(std::lround(ratio));
         if (every_ < 1 || std::abs(ratio - every_) > 1e-9 || what.hold_ticks < 1)
@@ -141,14 +183,25 @@ class Run {
             const double rise = std::min(1.0, t);
             return what_.direction * (rise * what_.speed_m_s / w * std::sin(w * t));
         }
+        if (what_.soak_seed != 0) {
+            // In and out at 0.4 Hz: hand and tool meet again whatever has come between them.
+            const double in = std::sin(2 * std::numbers::pi * 0.4 * t);
+            return what_.direction * (minimum_jerk(t) * what_.push_m * (0.3 + in));
+        }
         return what_.direction * (what_.push_m * minimum_jerk((t - kStartS) / kPushS));
+    }
+    [[nodiscard]] Vec3 swept(double t) const noexcept {
+        const double in = 1.5 * minimum_jerk((t - kStartS) / kPushS);
+        return what_.direction * (what_.sweep_m * (in + std::sin(sweep_phase(t))));
     }
 
     // The world answers to the input of this frame; it is published a frame later.
     void physics(int i, double t) {
-        const bool stalled = what_.stall_s > 0 && t >= kDisturbS && t < kDisturbS + what_.stall_s;
+        const bool stalled =
+            (what_.stall_s > 0 && t >= kDisturbS && t < kDisturbS + what_.stall_s) ||
+            trouble_.now == Trouble::Kind::kStall;
         if (i % every_ != 0 || stalled) return;
-        feedback_[0] = pending_;
+        if (!what_.prompt) feedback_[0] = pending_;
         pending_.time_s = t + kTick;
         const Vec3 tip = inputs_[0].pose().p;
         if (tissue_) {
@@ -161,6 +214,7 @@ class Run {
             if (what_.world == PortWorld::kWall && behind > 0)
                 pending_.proxy.p -= behind * what_.direction;
         }
+        if (what_.prompt) feedback_[0] = pending_;
     }
 
     void disturb(double t) noexcept {
@@ -171,17 +225,40 @@ class Run {
         if (what_.teleport && now) state.position_m.y() += 0.02;
         if (what_.unplug && t >= kDisturbS && t < kDisturbS + kUnplugS)
             state.status = DeviceStatus::kLost;
+        if (trouble_.now == Trouble::Kind::kNan) state.position_m.z() = std::nan("");
+        if (trouble_.now == Trouble::Kind::kJump) state.position_m.y() += 0.02;
+        if (trouble_.now == Trouble::Kind::kUnplug) state.status = DeviceStatus::kLost;
+    }
+
+    // One tick of the servo, or what a driver does without one.
+    void serve(int i) noexcept {
+        const bool gap = trouble_.now == Trouble::Kind::kGap;
+        const int64_t now_ns = static_cast<int64_t>(i + 1) * 1'000'000 - back_ns_;
+        if (i % what_.hold_ticks == 0 && !gap) {
+            // After a gap a scheduler of a vendor may tick in a burst.
+            for (int n = gap_ ? 3 : 0; n > 0; --n)
+                servo_.tick(now_ns - 50'000 * n, inputs_, feedback_);
+            servo_.tick(now_ns, inputs_, feedback_);
+        }
+        gap_ = gap;
+        if (now_ns > link_.valid_until_ns) link_.force.setZero();
     }
 
     void tick(int i) {
         const double t = i * kTick;
         link_.state.position_m = hand_.encoder_m();
+        if (what_.soak_seed != 0 && trouble_.step(i)) {
+            ++result_.disturbances;
+            if (trouble_.now == Trouble::Kind::kBack) back_ns_ += 7'000'000;
+        }
         disturb(t);
-        if (i % what_.hold_ticks == 0)
-            servo_.tick(static_cast<int64_t>(i + 1) * 1'000'000, inputs_, feedback_);
+        serve(i);
         physics(i, t);
         const Vec3 before = hand_.device_m();
-        hand_.step(target(t), link_.force);
+        if (what_.sweep_m > 0)
+            hand_.place(swept(t));
+        else
+            hand_.step(target(t), link_.force);
         note(t, hand_.device_m() - before);
     }
 
@@ -244,13 +321,57 @@ class Run {
     double low_ = 1, high_ = -1;
     int counted_ = 0;
     bool recovered_ = false, seen_silent_ = false;
+    Trouble trouble_;
+    int64_t back_ns_ = 0;
+    bool gap_ = false;
 };
+
+/// Force and displacement against the phase of the sweep, from one phase to another.
+PortImpedance impedance_at(double hz, const PortResult& result, double from, double to) {
+    std::complex<double> force = 0, way = 0, turn_sum = 0;
+    double mean_force = 0, mean_way = 0, n = 0;
+    for (size_t i = 1; i < result.force_n.size(); ++i) {
+        const double phase = sweep_phase((static_cast<double>(i) + 0.5) * kTick);
+        if (phase < from || phase > to) continue;
+        // A force is held for a tick: it belongs to the middle of the way in it.
+        const double x = 0.5 * (static_cast<double>(result.position_m[i - 1]) +
+                                static_cast<double>(result.position_m[i]));
+        const auto f = static_cast<double>(result.force_n[i]);
+        const std::complex<double> turn = std::polar(1.0, -phase);
+        way += x * turn;
+        force += f * turn;
+        turn_sum += turn;
+        mean_way += x;
+        mean_force += f;
+        ++n;
+    }
+    way -= mean_way / n * turn_sum;
+    force -= mean_force / n * turn_sum;
+    const std::complex<double> ratio = force / way;
+    return {hz, std::abs(ratio), std::arg(ratio)};
+}
 
 }  // namespace
 
 std::span<const Grip> grips() noexcept { return kGrips; }
 
 PortResult run_port(const PortCase& what) { return Run(what).all(); }
+
+std::vector<PortImpedance> port_impedance(PortCase what) {
+    what.world = PortWorld::kWall;
+    what.seconds = kSweepStartS + kSweepS;
+    if (what.sweep_m <= 0) what.sweep_m = 0.001;
+    const PortResult result = run_port(what);
+    std::vector<PortImpedance> out;
+    const double rate = std::log(kSweepTo / kSweepFrom) / kSweepS;
+    for (const double hz : {0.7, 1.0, 2.0, 5.0, 10.0, 20.0, 40.0}) {
+        // Whole turns of the sweep around the moment at which it passes this frequency.
+        const double middle = sweep_phase(kSweepStartS + std::log(hz / kSweepFrom) / rate);
+        const double half = std::numbers::pi * std::max(1.0, std::round(hz));
+        out.push_back(impedance_at(hz, result, middle - half, middle + half));
+    }
+    return out;
+}
 
 bool calm(const PortResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }
 

@@ -42,10 +42,19 @@ struct PortCase {
     double speed_m_s = 0.1;  ///< In air: peak speed of the hand's to and fro.
     bool friction = false;   ///< Coulomb friction of the device, 0.26 N.
     double youngs_modulus_pa = 60e3;  ///< Of the tissue.
+    bool prompt = false;              ///< The physics answers at once, not at its next frame.
     // Disturbances, at 2 s: the physics stands still for so long, a tick is not a number, the hand
     // jumps, the device is unplugged for 0.1 s.
     double stall_s = 0;
     bool nan = false, teleport = false, unplug = false;
+    /// Not 0: the hand goes in and out of the surface, and every second or so one of these comes,
+    /// drawn with this seed: physics that stands still for 5, 50 or 500 ms, a servo that misses up
+    /// to 60 ticks and then ticks four times in a burst, a clock that jumps back, no number, a
+    /// jump of the hand, an unplugged device.
+    uint64_t soak_seed = 0;
+    /// Not 0: no arm; the device itself is moved by a sweep of this amplitude from 0.5 to 50 Hz,
+    /// half as much again behind the surface.
+    double sweep_m = 0;
 };
 
 struct PortResult {
@@ -57,6 +66,7 @@ struct PortResult {
     double least_energy_j = 0;  ///< Lowest energy that went into the port up to a time.
     double drift_j_s = 0;       ///< Energy given by the port per second at the end; + = created.
     double steepest_n_s = 0;    ///< Fastest rise of the force within a tick (falls are allowed).
+    int disturbances = 0;       ///< Of a soak.
     double recovered_s = 0;     ///< From the end of the disturbance to half of the force before.
     HapticCertificate certificate;
     std::vector<float> position_m, force_n;  ///< Along the push, every tick.
@@ -65,6 +75,15 @@ struct PortResult {
 /// Runs one case. Deterministic: the same case gives the same bits. Throws std::invalid_argument
 /// for a rate that does not divide 1000.
 [[nodiscard]] PortResult run_port(const PortCase& what);
+
+/// What the port is at one frequency: force by displacement.
+struct PortImpedance {
+    double hz = 0;
+    double stiffness_n_m = 0;  ///< Size of force by displacement.
+    double phase_rad = 0;      ///< 0 a spring, pi/2 a damper; negative: energy is given.
+};
+/// From a sweep against the wall (`sweep_m`), at 0.7 to 40 Hz.
+[[nodiscard]] std::vector<PortImpedance> port_impedance(PortCase what);
 
 /// True when the device comes to rest: less than 0.3 mm from peak to peak after three seconds.
 [[nodiscard]] bool calm(const PortResult& result) noexcept;

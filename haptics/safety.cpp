@@ -35,9 +35,10 @@ CouplingSettings station_limits(const Station& station) {
 Vec3 PassivityController::correct(const Vec3& force_n, const Vec3& velocity_m_s, double dt_s,
                                   bool& acted) noexcept {
     const double v2 = velocity_m_s.squaredNorm();
-    acted = energy_j_ < 0 && dt_s > 0 && v2 >= kMovingSpeedMS * kMovingSpeedMS && max_damping_ > 0;
+    acted = energy_j_ < -dead_j_ && dt_s > 0 && v2 >= kMovingSpeedMS * kMovingSpeedMS &&
+            max_damping_ > 0;
     if (!acted) return force_n;
-    return force_n - std::min(-energy_j_ / (dt_s * v2), max_damping_) * velocity_m_s;
+    return force_n - std::min((-energy_j_ - dead_j_) / (dt_s * v2), max_damping_) * velocity_m_s;
 }
 
 double ThermalBudget::ceiling_n(double motor_heat) const noexcept {

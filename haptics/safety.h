@@ -7,6 +7,7 @@
 // allocation, nothing throws, nobody asks the time.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -27,15 +28,17 @@ struct CouplingSettings {
     double jump_m = 0.005;                              ///< Per ms; more is a fault.
     double continuous_force_n = 0.88;                   ///< Allowed rms over `thermal_window_s`.
     double thermal_window_s = 60, thermal_floor_n = 0.8;
-    double motor_heat_limit = 0.8;      ///< Of what the device itself reports, 0 to 1.
-    double extrapolate_s = 0.004;       ///< Longest extrapolation of the tool state.
-    double recover_s = 0.1;             ///< Good ticks needed after a fault.
-    double servo_gap_s = 0.005;         ///< A longer gap between ticks ramps in again.
-    double start_gap_m = 0.002;         ///< No force begins while hand and tool are farther apart.
+    double motor_heat_limit = 0.8;  ///< Of what the device itself reports, 0 to 1.
+    double extrapolate_s = 0.004;   ///< Longest extrapolation of the tool state by its age.
+    double latency_s = 0.005;    ///< Longest latency of tool states that is made up for; 0: none.
+    double recover_s = 0.1;      ///< Good ticks needed after a fault.
+    double servo_gap_s = 0.005;  ///< A longer gap between ticks ramps in again.
+    double start_gap_m = 0.002;  ///< No force begins while hand and tool are farther apart.
     double uneven_stiffness_n_m = 150;  ///< Ceiling of the stiffness after a gap of the servo,
     double uneven_memory_s = 600;       ///< for so long.
     double passivity_ns_m = 20;         ///< Largest damping that the passivity controller adds.
     double passivity_store_j = 0.005;   ///< Cap of the observed surplus, so that it is forgotten.
+    double passivity_dead_j = 2e-5;     ///< Missing energy that is left alone: encoder noise.
 };
 
 /// The same law within what a device can bear; a limit that the device does not name stays.
@@ -70,8 +73,9 @@ class VelocityFilter {
 /// Observes the energy at the port and takes back by damping what the virtual side has created.
 class PassivityController {
  public:
-    PassivityController(double max_damping_ns_m, double store_j) noexcept
-        : max_damping_(max_damping_ns_m), store_j_(store_j) {}
+    /// `dead_j`: missing energy that is left alone, the noise of an encoder's steps.
+    PassivityController(double max_damping_ns_m, double store_j, double dead_j = 0) noexcept
+        : max_damping_(max_damping_ns_m), store_j_(store_j), dead_j_(dead_j) {}
     void reset() noexcept { energy_j_ = 0; }
     /// Exact for a force held over the tick: `sent_n` acted while the hand moved by `moved_m`.
     void observe(const Vec3& sent_n, const Vec3& moved_m) noexcept {
@@ -85,7 +89,7 @@ class PassivityController {
     [[nodiscard]] double least_j() const noexcept { return least_j_; }  ///< Since construction.
 
  private:
-    double max_damping_, store_j_, energy_j_ = 0, least_j_ = 0;
+    double max_damping_, store_j_, dead_j_, energy_j_ = 0, least_j_ = 0;
 };
 
 /// Heat of the motors: the ceiling falls from the rms allowance to the floor at 1.5 times of it,
@@ -146,6 +150,44 @@ class Watchdog {
     double fade_after_s_, zero_after_s_;
     bool seen_ = false;
     int64_t seen_ns_ = 0;
+};
+
+/// How old a tool state is when it arrives: a free tool stands where the hand was when the physics
+/// looked, so its place is found again among the last places of the hand. A tool in contact says
+/// nothing; the last finding holds.
+class LatencyMeter {
+ public:
+    void reset() noexcept { count_ = 0; }
+    /// The hand asks for `tip_m` in this tick.
+    void sent(int64_t t_ns, const Vec3& tip_m) noexcept {
+        tips_[count_ % kTips] = {t_ns, tip_m};
+        ++count_;
+    }
+    /// A new tool state. A slow hand is at one place for many ticks: it tells no age.
+    void seen(int64_t t_ns, const Vec3& tool_m, double hand_speed_m_s) noexcept {
+        if (hand_speed_m_s < kTellingSpeedMS) return;
+        for (size_t back = 1; back <= std::min(count_, kTips); ++back) {
+            const Sent& one = tips_[(count_ - back) % kTips];
+            if ((one.tip_m - tool_m).squaredNorm() > kSamePlaceM * kSamePlaceM) continue;
+            const double found = static_cast<double>(t_ns - one.t_ns) * 1e-9;
+            latency_s_ += kShare * (found - latency_s_);
+            return;
+        }
+    }
+    [[nodiscard]] double latency_s() const noexcept { return latency_s_; }
+
+ private:
+    static constexpr size_t kTips = 32;
+    static constexpr double kTellingSpeedMS = 0.01;
+    static constexpr double kSamePlaceM = 1e-7;  // inputs are floats: 4e-9 at 0.1 m
+    static constexpr double kShare = 0.1;
+    struct Sent {
+        int64_t t_ns = 0;
+        Vec3 tip_m = Vec3::Zero();
+    };
+    std::array<Sent, kTips> tips_;
+    size_t count_ = 0;
+    double latency_s_ = 0;
 };
 
 /// When the next tick is due. A missed period is skipped: a burst to catch up would act on one old

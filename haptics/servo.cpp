@@ -43,6 +43,7 @@ struct Servo::Impl {
         Coupling coupling;
         sim::ToolInput held;     // Last trusted input.
         double tool_time_s = 0;  // Of the last tool state, to count distinct ones.
+        bool force = false;      // The device of this hand has motors.
     };
 
     std::unique_ptr<DeviceGroup> devices;
@@ -191,6 +192,7 @@ Servo::Servo(std::unique_ptr<DeviceGroup> devices, std::span<const sim::ToolSpec
         if (impl_->device_names.find(name) == std::string::npos)
             impl_->device_names += (impl_->device_names.empty() ? "" : ", ") + name;
         Impl::HandLoop hand{Trocar(tools[i], trocars[i]), Coupling(limited_to(coupling, info)), {}};
+        hand.force = info.dof_force > 0;
         hand.held.set_pose(hand.trocar.tip_pose(DeviceState{}));
         impl_->hands.push_back(hand);
     }
@@ -308,5 +310,10 @@ HapticCertificate Servo::certificate() const {
 
 bool Servo::finish_requested() const noexcept { return impl_->finish; }
 bool Servo::renders_force() const noexcept { return impl_->force; }
+
+double Servo::stiffness_n_m(size_t hand) const noexcept {
+    if (hand >= impl_->hands.size() || !impl_->hands[hand].force) return 0;
+    return impl_->hands[hand].coupling.settings().stiffness_n_m;
+}
 
 }  // namespace placode::haptics

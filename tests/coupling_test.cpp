@@ -369,13 +369,13 @@ TEST(Coupling, IsStableOnAWallWithItsDefaults) {
 // and the passivity controller must calm it.
 TEST(Coupling, CalmsAStiffLawByThePassivityController) {
     CouplingSettings stiff;
-    stiff.stiffness_n_m = 20'000;
+    stiff.stiffness_n_m = 4000;
     stiff.damping_ns_m = 0;
     stiff.passivity_ns_m = 0;
     const double wild = limit_cycle(stiff, 4);
     EXPECT_GT(wild, 3e-4);
     stiff.passivity_ns_m = 20;
-    EXPECT_LT(limit_cycle(stiff, 4), 0.5 * wild);
+    EXPECT_LT(limit_cycle(stiff, 4), 1e-4);
 }
 
 }  // namespace

@@ -120,6 +120,24 @@ TEST(Watchdog, ClockJumpsMakeNothingYoung) {
     EXPECT_FALSE(watchdog.fading(watchdog.age_s(52 * kMs)));
 }
 
+TEST(LatencyMeter, FindsTheHandThatAFreeToolAnswersTo) {
+    LatencyMeter meter;
+    const auto hand = [](int i) { return Vec3(1e-4 * i, 0, 0); };
+    for (int i = 0; i < 400; ++i) {
+        meter.sent(i * kMs, hand(i));
+        if (i >= 4 && i % 4 == 0) meter.seen(i * kMs, hand(i - 4), 0.1);
+    }
+    // A share of 0.1 in each of 99 states: 0.9^99 of the way is left.
+    EXPECT_NEAR(meter.latency_s(), 0.004, 2e-7);
+    for (int i = 0; i < 100; ++i) meter.seen((400 + i) * kMs, hand(399), 0.001);
+    EXPECT_NEAR(meter.latency_s(), 0.004, 2e-7) << "a slow hand tells no age";
+    for (int i = 0; i < 100; ++i) meter.seen((400 + i) * kMs, Vec3(0, 0.01, 0), 0.1);
+    EXPECT_NEAR(meter.latency_s(), 0.004, 2e-7) << "nor does a tool in contact";
+    meter.reset();
+    meter.seen(500 * kMs, hand(399), 0.1);
+    EXPECT_NEAR(meter.latency_s(), 0.004, 2e-7) << "places from before the reset are forgotten";
+}
+
 TEST(PeriodSchedule, SkipsMissedPeriodsAndNeverCatchesUp) {
     PeriodSchedule schedule(0, kMs);
     EXPECT_EQ(schedule.next_ns(), kMs);
