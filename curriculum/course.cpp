@@ -75,7 +75,7 @@ const CourseStage* Course::stage(const std::string& stage_id) const {
 }
 
 bool counts_for(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
-    if (outcome.task_id != stage.task_id || outcome.interrupted) return false;
+    if (outcome.task_id != stage.task_id || outcome.interrupted || outcome.voided) return false;
     if (stage.mode != StageMode::kExam) return true;
     return outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
            (!stage.exam.proctor || !outcome.proctor.empty()) &&

@@ -58,6 +58,7 @@ struct AttemptOutcome {
     std::string exam_course = {}, exam_stage = {};  ///< Done as this exam; empty = practice.
     std::string proctor = {};
     bool certified = false;  ///< On a device with a haptic certificate.
+    bool voided = false;     ///< Void for cause: the machine failed. Does not count.
 };
 
 enum class StageStatus : uint8_t {

@@ -96,6 +96,7 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.exam_stage = attempt.exam.stage_id;
         outcome.proctor = attempt.exam.proctor;
         outcome.certified = !attempt.exam.device_certificate.empty();
+        outcome.voided = !attempt.void_reason.empty();
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;

@@ -78,6 +78,10 @@ struct AttemptRecord {
     int preprocessing_version = 1;  ///< assessment::kPreprocessingVersion of that time.
     bool generated = false;         ///< Multiplied from a simulated attempt, to measure the store.
     ExamContext exam;
+    std::string haptic_grade;  ///< not_applicable, sound, bad; empty: no certificate was kept.
+    /// Why an exam attempt is void for cause: its haptic loop failed, not the person. Empty: it is
+    /// not. A void attempt is kept, counts for nothing and uses up no attempt.
+    std::string void_reason;
 };
 
 /// Which attempts a list shows.
@@ -116,6 +120,7 @@ struct AttemptDetail {
     assessment::MetricSet metrics;
     assessment::Score score;
     std::vector<sim::Event> events;  ///< Ledger: without vaporised elements and hashes.
+    std::string haptic_certificate;  ///< JSON of haptics/certificate.h; empty: none was kept.
 };
 
 /// What is saved in one transaction when an attempt ends.
@@ -127,6 +132,7 @@ struct AttemptResult {
     std::vector<sim::Event> events;
     std::string recording_file;  ///< Compressed into the store; empty = none.
     ExamContext exam;
+    std::string haptic_certificate;  ///< JSON; empty: as the recording file has it.
 };
 
 /// A further score of an attempt; the first one is in its AttemptDetail.

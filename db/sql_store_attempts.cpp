@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "assessment/signal.h"
+#include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
@@ -22,7 +23,8 @@ const std::string kAttemptColumns =
     "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version, "
     "t.preprocessing_version, t.generated_from, t.exam_course, t.exam_course_version, "
     "t.exam_stage, "
-    "t.proctor, t.device_certificate FROM attempts t LEFT JOIN persons p ON p.account_id = "
+    "t.proctor, t.device_certificate, t.haptic_grade, t.void_reason FROM attempts t LEFT JOIN "
+    "persons p ON p.account_id = "
     "t.account_id ";
 
 uint64_t unsigned_of(const std::string& text) {
@@ -58,6 +60,8 @@ AttemptRecord read_attempt(const Statement& row) {
     record.generated = row.integer(18) != 0;
     record.exam = {row.text(19), static_cast<int>(row.integer(20)), row.text(21), row.text(22),
                    row.text(23)};
+    record.haptic_grade = row.text(24);
+    record.void_reason = row.text(25);
     return record;
 }
 
@@ -67,15 +71,16 @@ bool belongs_in_ledger(const sim::Event& event) {
     return event.kind != sim::EventKind::kVaporised && event.kind != sim::EventKind::kStateHash;
 }
 
-int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result) {
+int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
+                       const HapticVerdict& haptics) {
     Statement insert(
         connection,
         "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
         "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
         "demonstration, points, verdict, rubric_id, rubric_version, "
         "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
-        "proctor, device_certificate) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?, ?, ?, ?, ?, ?) RETURNING id");
+        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason) VALUES (?, ?, "
+        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
     insert.run(user_id, result.header.task_id, result.header.task_version,
                result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
                result.end.duration_s, result.header.device, std::to_string(result.header.seed),
@@ -85,7 +90,8 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
                static_cast<int>(result.score.verdict), result.score.rubric_id,
                result.score.rubric_version, result.metrics.version,
                assessment::kPreprocessingVersion, result.exam.course_id, result.exam.course_version,
-               result.exam.stage_id, result.exam.proctor, result.exam.device_certificate);
+               result.exam.stage_id, result.exam.proctor, result.exam.device_certificate,
+               haptics.certificate, haptics.grade, haptics.void_reason);
     return insert.returned_id();
 }
 
@@ -142,9 +148,10 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
         checksum = checksum_hex(file);
         packed = compress(file);
     }
+    const HapticVerdict haptics = haptic_verdict(result);
     UnitOfWork work(connection_);
     (void)need_user(user_id);
-    const int64_t id = insert_attempt(connection_, user_id, result);
+    const int64_t id = insert_attempt(connection_, user_id, result, haptics);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())
         Statement(
@@ -156,6 +163,8 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
                                          static_cast<qsizetype>(packed.size())));
     append_audit(actor_, "attempt.save", "attempt " + std::to_string(id),
                  "user " + std::to_string(user_id));
+    if (!haptics.void_reason.empty())
+        append_audit(actor_, "attempt.void", "attempt " + std::to_string(id), haptics.void_reason);
     work.commit();
     return id;
 }
@@ -196,6 +205,9 @@ AttemptDetail SqlStore::attempt(int64_t id) {
     while (reason.next())
         detail.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
                                         reason.real(3), reason.integer(4) != 0});
+    Statement haptics(connection_, "SELECT haptic_certificate FROM attempts WHERE id = ?");
+    haptics.run(id);
+    if (haptics.next()) detail.haptic_certificate = haptics.text(0);
     Statement event(connection_,
                     "SELECT time_s, kind, tool, tissue, value, value2, rest_x_m, rest_y_m, "
                     "rest_z_m, element FROM attempt_events WHERE attempt_id = ? ORDER BY position");

@@ -20,9 +20,9 @@ AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::st
 
 namespace {
 
-/// Interrupted attempts count nowhere.
-const std::string kFinished =
-    "t.end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted));
+/// Interrupted attempts count nowhere, nor do exams that are void for cause.
+const std::string kFinished = "t.void_reason = '' AND t.end_reason <> " +
+                              std::to_string(static_cast<int>(sim::EndReason::kInterrupted));
 
 std::string finished(const AttemptConditions& conditions) {
     return conditions.sql + (conditions.sql.empty() ? " WHERE " : " AND ") + kFinished;

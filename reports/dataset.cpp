@@ -297,6 +297,8 @@ Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
              {"end", "How it ended"},
              {"verdict", "Verdict"},
              {"rubric_id", "Rubric"},
+             {"haptic_grade", "Haptic certificate"},
+             {"void_reason", "Void for cause, because"},
              {"build", "Program version and kernel"}})
         form.fields.push_back(text_field(id, label));
     const auto add_number = [&](const std::string& id, const std::string& label,
@@ -335,6 +337,8 @@ Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
                                        {"started_utc", record.started_utc},
                                        {"device", record.device},
                                        {"rubric_id", record.rubric_id},
+                                       {"haptic_grade", record.haptic_grade},
+                                       {"void_reason", record.void_reason},
                                        {"build", record.build}})
             if (!text.empty()) row.values[id] = text;
         for (const auto& definition : definitions)

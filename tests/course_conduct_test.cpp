@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 
 #include "db/access.h"
+#include "haptics/certificate.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -65,7 +66,8 @@ class CourseStore : public EngineTest {
         return store->assign_course(assignment);
     }
     void attempt(int64_t user, double points, const db::ExamContext& exam = {}, uint64_t seed = 1,
-                 const std::string& at = "2026-02-01T00:00:00Z") const {
+                 const std::string& at = "2026-02-01T00:00:00Z",
+                 const std::string& haptics = {}) const {
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
         result.header.started_utc = at;
@@ -73,6 +75,7 @@ class CourseStore : public EngineTest {
         result.score.points = points;
         result.score.verdict = assessment::Verdict::kPassed;
         result.exam = exam;
+        result.haptic_certificate = haptics;
         store->save_attempt(user, result);
     }
 
@@ -215,6 +218,52 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
     EXPECT_EQ(store->certificates(0).size(), 1u);
     EXPECT_THAT(store->certificates(jan), IsEmpty());
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->id, issued.id);
+}
+
+TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
+    assign(anna);
+    attempt(anna, 80);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "Dr N", "", kNow);
+    haptics::HapticCertificate loop;
+    loop.force = true;
+    loop.ticks = 60'000;
+    loop.duration_s = 60;
+    const std::string sound = haptics::certificate_to_json(loop);
+    loop.gaps = 40;
+    loop.faults = 1;
+    const std::string bad = haptics::certificate_to_json(loop);
+    const auto save = [&](const db::ExamContext& exam, const std::string& haptics) {
+        attempt(anna, 90, exam, order.seed, "2026-02-03T00:00:00Z", haptics);
+        return store->attempts(anna).back();
+    };
+    const auto exams = [&] {
+        return db::course_standing(*store, anna, "short", kNow).progress.stages[1].attempts;
+    };
+    const db::AttemptRecord failed = save(order.context, bad);
+    EXPECT_EQ(failed.haptic_grade, "bad");
+    EXPECT_THAT(failed.void_reason, HasSubstr("40 drop-outs"));
+    EXPECT_THAT(failed.void_reason, HasSubstr("1 device faults"));
+    EXPECT_EQ(exams(), 0) << "it uses up no attempt";
+    EXPECT_EQ(store->attempt(failed.id).haptic_certificate, bad) << "kept with the attempt";
+    EXPECT_EQ(store->audit_trail(1).front().action, "attempt.void");
+    const db::AttemptRecord damaged = save(order.context, "{damaged");
+    EXPECT_THAT(damaged.void_reason, HasSubstr("cannot be read"));
+    // What it says of itself does not count.
+    std::string flattered = bad;
+    flattered.replace(flattered.find("\"grade\":\"bad\""), 13, "\"grade\":\"sound\"");
+    EXPECT_NE(save(order.context, flattered).void_reason, "");
+    EXPECT_EQ(exams(), 0);
+    const db::AttemptRecord practice = save({}, bad);
+    EXPECT_EQ(practice.haptic_grade, "bad");
+    EXPECT_EQ(practice.void_reason, "") << "only an exam is declared void";
+    const db::AttemptRecord counted = save(order.context, sound);
+    EXPECT_EQ(counted.haptic_grade, "sound");
+    EXPECT_EQ(counted.void_reason, "");
+    EXPECT_EQ(exams(), 1);
+    for (const auto& standing : store->task_standings(0))
+        if (standing.user_id == anna) {
+            EXPECT_EQ(standing.attempts, 3) << "two practices and one exam";
+        }
 }
 
 TEST_P(CourseStore, APublishedCourseCannotBeChangedAndEverythingLeavesATrace) {

@@ -245,6 +245,7 @@ TEST(Course, AnExamCountsOnlyUnderItsConditions) {
     EXPECT_FALSE(spoiled([](auto& o) { o.exam_stage.clear(); })) << "practice";
     EXPECT_FALSE(spoiled([](auto& o) { o.exam_course = "other"; }));
     EXPECT_FALSE(spoiled([](auto& o) { o.interrupted = true; }));
+    EXPECT_FALSE(spoiled([](auto& o) { o.voided = true; })) << "void for cause";
     EXPECT_FALSE(spoiled([](auto& o) { o.task_id = "warm_up"; }));
     std::vector<AttemptOutcome> all{at("warm_up", 80, "2026-01-01"),
                                     at("warm_up", 80, "2026-01-01")};

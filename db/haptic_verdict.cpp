@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/haptic_verdict.h"
+
+#include <exception>
+
+#include "db/recording_file.h"
+#include "haptics/certificate.h"
+
+namespace placode::db {
+
+HapticVerdict haptic_verdict(const AttemptResult& result) noexcept {
+    HapticVerdict out;
+    std::string reasons;
+    try {
+        out.certificate = result.haptic_certificate;
+        if (out.certificate.empty() && !result.recording_file.empty())
+            out.certificate = haptic_certificate(result.recording_file);
+        if (out.certificate.empty()) return out;
+        // Judged anew by the limits of today, not by what the file says of itself.
+        const auto verdict = haptics::judge(haptics::certificate_from_json(out.certificate));
+        out.grade = haptics::grade_name(verdict.grade);
+        if (verdict.grade != haptics::CertificateGrade::kBad) return out;
+        for (const std::string& reason : verdict.reasons)
+            reasons.append(reasons.empty() ? "" : "; ").append(reason);
+    } catch (const std::exception&) {
+        out.grade = haptics::grade_name(haptics::CertificateGrade::kBad);
+        reasons = "the haptic certificate of the recording cannot be read";
+    }
+    if (!result.exam.course_id.empty()) out.void_reason = reasons;
+    return out;
+}
+
+}  // namespace placode::db

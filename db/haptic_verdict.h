@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The haptic certificate of an attempt when it is saved: what is kept of it, and whether an exam is
+// void for cause.
+
+#include <string>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+struct HapticVerdict {
+    std::string certificate;  ///< JSON; empty: none was kept.
+    std::string grade;        ///< As haptics::grade_name; empty: none was kept.
+    std::string void_reason;  ///< Why an exam attempt does not count; empty: it does.
+};
+
+/// Takes the certificate from `result` or, where that is empty, from the recording file. One that
+/// cannot be read counts as bad. Never throws.
+[[nodiscard]] HapticVerdict haptic_verdict(const AttemptResult& result) noexcept;
+
+}  // namespace placode::db
