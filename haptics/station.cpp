@@ -52,6 +52,9 @@ constexpr StationKey kKeys[] = {
     {"spacemouse.socket", "", 0, 0,
      "socket of spacenavd; empty: $SPNAV_SOCKET, /run/spnav.sock, /var/run/spnav.sock"},
     {"spacemouse.speed_m_s", "0.04", 0.005, 0.15, "speed at full deflection [m/s]"},
+    {"tested.device", "", 0, 0, "device whose force was tested on this computer by a person"},
+    {"tested.force_n", "0", 0, 10, "largest force with which that test was passed [N]"},
+    {"tested.date", "", 0, 0, "when"},
     {"pedals.device", "", 0, 0,
      "foot pedals: /dev/input/by-id/...-event-kbd; empty: none but the keyboard's F13, F14"},
     {"pedals.cut_key", "183", 1, 767, "code of the yellow pedal (KEY_F13 is 183)"},
@@ -172,6 +175,58 @@ std::string Station::file_text() const {
         out.append(known.key).append(" = ").append(text(known.key)).append("\n");
     }
     return out;
+}
+
+std::string Station::edited(std::string_view text) const {
+    std::string out;
+    std::map<std::string, std::string, std::less<>> left = values_;
+    while (!text.empty()) {
+        const size_t end = text.find('\n');
+        const std::string_view line = text.substr(0, end);
+        text = end == std::string_view::npos ? std::string_view{} : text.substr(end + 1);
+        const std::string_view said = trimmed(line.substr(0, line.find('#')));
+        const size_t sign = said.find('=');
+        const std::string_view key = trimmed(said.substr(0, sign));
+        const auto wanted = values_.find(key);
+        if (sign == std::string_view::npos || wanted == values_.end() ||
+            trimmed(said.substr(sign + 1)) == wanted->second)
+            out.append(line);
+        else
+            out.append(key).append(" = ").append(wanted->second);
+        if (sign != std::string_view::npos) left.erase(std::string(key));
+        out.push_back('\n');
+    }
+    for (const auto& [key, value] : left) out.append(key).append(" = ").append(value).append("\n");
+    return out;
+}
+
+void Station::save(const std::string& path) const {
+    namespace fs = std::filesystem;
+    const auto refuse = [&](const std::string& why) {
+        throw DeviceError("station file " + path + ": cannot be written (" + why +
+                          "); PLACODE_STATION can name another place");
+    };
+    if (path.empty()) refuse("no folder of settings is known");
+    std::string text = file_text();
+    if (std::ifstream in(path); in)
+        text = edited(std::string(std::istreambuf_iterator<char>(in), {}));
+    (void)parse(text, path);  // what we write can be read
+    std::error_code error;
+    const fs::path folder = fs::path(path).parent_path();
+    if (!folder.empty()) fs::create_directories(folder, error);
+    if (error) refuse(error.message());
+    const std::string beside = path + ".new";
+    {
+        std::ofstream out(beside, std::ios::trunc);
+        out << text;
+        out.flush();
+        if (!out) refuse("disk full or not allowed");
+    }
+    fs::rename(beside, path, error);
+    if (error) {
+        fs::remove(beside);
+        refuse(error.message());
+    }
 }
 
 }  // namespace placode::haptics

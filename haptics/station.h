@@ -46,6 +46,12 @@ class Station {
     void set(std::string_view key, std::string_view value);
     /// Every key with its value and meaning, as a file that `parse` reads.
     [[nodiscard]] std::string file_text() const;
+    /// `text` of a station file with the values of this station: what is the same stays as it
+    /// stands, with its comments; what is not there comes at the end.
+    [[nodiscard]] std::string edited(std::string_view text) const;
+    /// Writes the values into the file at `path`, whole or not at all; makes its folder. A file
+    /// that is there is edited, otherwise it is `file_text`. Throws DeviceError.
+    void save(const std::string& path) const;
 
  private:
     std::map<std::string, std::string, std::less<>> values_;

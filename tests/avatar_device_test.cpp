@@ -5,19 +5,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
-
 #include "haptics/rcm.h"
-#include "haptics/real_time.h"
 #include "tests/count_allocations.h"
+#include "tests/device_session.h"
 #include "tests/stand_in/avatar_port.h"
 
 namespace placode::haptics {
 namespace {
 
 using test::AvatarPort;
+using test::error_of;
 using ::testing::HasSubstr;
+using Session = test::DeviceSession<1>;
 
 DeviceConfig config(const AvatarPort& port) {
     DeviceConfig out;
@@ -29,44 +28,11 @@ DeviceConfig config(const AvatarPort& port) {
     return out;
 }
 
-std::string error_of(const DeviceConfig& what) {
-    try {
-        open_device(what)->stop();
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 /// 0.1 rad and 120 mm, as the device says it.
 std::vector<int> angles(double roll, double pitch, double depth_mm, double yaw) {
     const auto scaled = [](double v) { return static_cast<int>(std::lround(v * 10'000)); };
     return {scaled(roll), scaled(pitch), scaled(depth_mm), scaled(yaw)};
 }
-
-struct Session {
-    explicit Session(const DeviceConfig& what) : device(open_device(what)) {}
-    ~Session() { device->stop(); }
-    void tick(const Vec3& force = Vec3::Zero()) {
-        const int64_t t = monotonic_ns();
-        device->read(t, states);
-        commands[0].force_n = force;
-        commands[0].valid_until_ns = t + 10'000'000;
-        device->write(commands);
-    }
-    bool until(const std::function<bool()>& done, const Vec3& force = Vec3::Zero()) {
-        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (std::chrono::steady_clock::now() < limit) {
-            tick(force);
-            if (done()) return true;
-            sleep_until(monotonic_ns() + 300'000);
-        }
-        return false;
-    }
-    std::unique_ptr<DeviceGroup> device;
-    std::array<DeviceState, 1> states;
-    std::array<DeviceCommand, 1> commands;
-};
 
 TEST(Avatar, SaysWhatIsWrongWithThePort) {
     DeviceConfig wrong;

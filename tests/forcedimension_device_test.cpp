@@ -5,12 +5,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "haptics/device.h"
 #include "tests/count_allocations.h"
+#include "tests/device_session.h"
 
 namespace placode::haptics {
 namespace {
 
+using test::error_of;
 using ::testing::HasSubstr;
 
 template <class Function>
@@ -40,31 +41,12 @@ DeviceConfig config() {
     return out;
 }
 
-std::string error_of(const DeviceConfig& what) {
-    try {
-        open_device(what)->stop();
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-struct Session {
-    Session() : device(open_device(config())) {}
-    ~Session() { device->stop(); }
+/// On a clock of its own.
+struct Session : test::DeviceSession<2> {
+    Session() : DeviceSession(config()) {}
     void tick(int n = 1, const Vec3& wanted = Vec3::Zero()) {
-        for (int i = 0; i < n; ++i) {
-            device->read(t_ns += 1'000'000, states);
-            for (auto& command : commands) {
-                command.force_n = wanted;
-                command.valid_until_ns = t_ns + 10'000'000;
-            }
-            device->write(commands);
-        }
+        for (int i = 0; i < n; ++i) tick_at(t_ns += 1'000'000, wanted);
     }
-    std::unique_ptr<DeviceGroup> device;
-    std::array<DeviceState, 2> states;
-    std::array<DeviceCommand, 2> commands;
     int64_t t_ns = 0;
 };
 

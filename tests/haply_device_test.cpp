@@ -4,19 +4,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <functional>
-
-#include "haptics/device.h"
-#include "haptics/real_time.h"
 #include "tests/count_allocations.h"
+#include "tests/device_session.h"
 #include "tests/stand_in/haply_service.h"
 
 namespace placode::haptics {
 namespace {
 
+using test::error_of;
 using test::HaplyService;
 using ::testing::HasSubstr;
+using Session = test::DeviceSession<2>;
 
 DeviceConfig config(const HaplyService& service) {
     DeviceConfig out;
@@ -28,43 +26,6 @@ DeviceConfig config(const HaplyService& service) {
     out.station.set("haply.port", std::to_string(service.port()));
     return out;
 }
-
-std::string error_of(const DeviceConfig& what) {
-    try {
-        open_device(what)->stop();
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
-struct Session {
-    explicit Session(const DeviceConfig& what) : device(open_device(what)) {}
-    ~Session() { device->stop(); }
-    const DeviceState& tick(const Vec3& force = Vec3::Zero()) {
-        const int64_t t = monotonic_ns();
-        device->read(t, states);
-        for (auto& command : commands) {
-            command.force_n = force;
-            command.valid_until_ns = t + 10'000'000;
-        }
-        device->write(commands);
-        return states[0];
-    }
-    /// Ticks until `done`; the limit only keeps a broken build from hanging.
-    bool until(const std::function<bool()>& done, const Vec3& force = Vec3::Zero()) {
-        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-        while (std::chrono::steady_clock::now() < limit) {
-            tick(force);
-            if (done()) return true;
-            sleep_until(monotonic_ns() + 500'000);
-        }
-        return false;
-    }
-    std::unique_ptr<DeviceGroup> device;
-    std::array<DeviceState, 2> states;
-    std::array<DeviceCommand, 2> commands;
-};
 
 TEST(Haply, SaysThatNoServiceAnswers) {
     DeviceConfig absent;

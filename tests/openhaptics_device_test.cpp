@@ -14,11 +14,13 @@
 #include "haptics/servo.h"
 #include "sim/grasp.h"
 #include "tests/count_allocations.h"
+#include "tests/device_session.h"
 #include "tests/stand_in/hd_stand_in.h"
 
 namespace placode::haptics {
 namespace {
 
+using test::error_of;
 using ::testing::HasSubstr;
 
 const FakeHd& hd() {
@@ -54,15 +56,6 @@ DeviceConfig config(bool two_arms = false) {
         out.station.set("openhaptics.left", "Left");
     }
     return out;
-}
-
-std::string error_of(const DeviceConfig& what) {
-    try {
-        open_device(what)->stop();
-    } catch (const DeviceError& error) {
-        return error.what();
-    }
-    return "no error";
 }
 
 /// A servo whose ticks the test gives, and tools that stay where the test wants them.

@@ -80,6 +80,32 @@ TEST(Station, IsReadFromTheFileThatTheEnvironmentNames) {
     unsetenv("XDG_CONFIG_HOME");
 }
 
+TEST(Station, IsSavedWithTheCommentsOfWhoWroteTheFile) {
+    const auto folder = std::filesystem::temp_directory_path() /
+                        ("station_save_" + std::to_string(::getpid()));
+    const std::string path = (folder / "deep" / "station.conf").string();
+    Station station;
+    station.set("haply.right", "04EA");
+    station.save(path);
+    const auto text = [&] {
+        std::ifstream in(path);
+        return std::string(std::istreambuf_iterator<char>(in), {});
+    };
+    EXPECT_EQ(Station::parse(text(), path).text("haply.right"), "04EA");
+    std::ofstream(path) << "# my bench\nhaply.right = 04EA  # the good one\narm.scale = 2";
+    Station changed = Station::parse(text(), path);
+    changed.set("arm.scale", "0.5");
+    changed.set("haply.left", "BEEF");
+    changed.save(path);
+    EXPECT_EQ(text(),
+              "# my bench\nhaply.right = 04EA  # the good one\narm.scale = 0.5\n"
+              "haply.left = BEEF\n");
+    EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+    std::filesystem::remove_all(folder);
+    EXPECT_THROW(changed.save("/proc/nothing/station.conf"), DeviceError);
+    EXPECT_THROW(changed.save(""), DeviceError);
+}
+
 TEST(DeviceAxes, TurnVectorsOfADevice) {
     const Mat3 axes = device_axes("x z -y", "k");
     EXPECT_EQ(axes * Vec3(1, 2, 3), Vec3(1, 3, -2));

@@ -47,6 +47,11 @@ void check(Arguments& arguments) {
     if (arguments.json && !arguments.list_devices)
         throw UsageError("--json goes with --list-devices; an attempt reports with --status");
     if (arguments.list_devices || arguments.limits_file || arguments.station_file) return;
+    if (!arguments.test_device.empty()) {
+        if (!arguments.task.empty() || !arguments.record.empty())
+            throw UsageError("--test-device tries a device by itself, without --task and --record");
+        return;
+    }
     if (arguments.control && arguments.device.rfind("play:", 0) != 0)
         throw UsageError("--control: steers a replay only; use it with --device play:FILE");
     if (arguments.device.rfind("play:", 0) == 0) {
@@ -117,6 +122,12 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
                  "\"quit\" from standard input");
     app.add_flag("--list-devices", arguments.list_devices, "What can be used here, and why not");
     app.add_flag("--json", arguments.json, "With --list-devices: one JSON document");
+    app.add_option("--test-device", arguments.test_device,
+                   "Try a device by itself, or pedals[:DEVICE]: a line of JSON every 50 ms; reads "
+                   "\"floor on|off\", \"identify\", \"quit\" from standard input")
+        ->type_name("NAME");
+    app.add_option("--test-force", arguments.test_force_n, "Its largest force [N], 0.5 at first")
+        ->check(CLI::Range(0.1, 10.0));
     app.add_flag("--limits-file", arguments.limits_file,
                  "Print the limits file that grants real time to the haptic loop");
     app.add_flag("--station-file", arguments.station_file,

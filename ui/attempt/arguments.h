@@ -30,8 +30,10 @@ struct Arguments {
     bool headless = false, fast = false, status = false, demonstration = false;
     bool fullscreen = false, list_devices = false, json = false;
     bool limits_file = false, station_file = false;
-    bool control = false;  ///< Replay: obey lines on standard input, stay at the end.
-    ReplayWish wish;       ///< Replay: camera, speed and the moment to start with.
+    std::string test_device;    ///< Try this device, or "pedals"; empty = no.
+    double test_force_n = 0.5;  ///< Ceiling of the force of that test.
+    bool control = false;       ///< Replay: obey lines on standard input, stay at the end.
+    ReplayWish wish;            ///< Replay: camera, speed and the moment to start with.
 };
 
 /// Throws UsageError. Prints help or version itself and then sets `exit_now`.

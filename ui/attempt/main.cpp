@@ -14,6 +14,7 @@
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/device.h"
+#include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
 #include "sim/view/gl_program.h"
 #include "ui/attempt/sessions.h"
@@ -45,7 +46,9 @@ int list_devices(bool json) {
                             {"detail", device.detail},
                             {"found", device.found}});
         const nlohmann::ordered_json out{
-            {"devices", list}, {"station_file", haptics::Station::path_of_this_computer()}};
+            {"devices", list},
+            {"pedals", haptics::pedal_devices()},
+            {"station_file", haptics::Station::path_of_this_computer()}};
         std::printf(
             "%s\n",
             out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace).c_str());
@@ -117,6 +120,7 @@ int run(int argc, char** argv) {
     if (arguments.limits_file) return print_file(haptics::limits_file());
     if (arguments.station_file) return print_file(haptics::Station::of_this_computer().file_text());
     catch_stop_signals();
+    if (!arguments.test_device.empty()) return run_device_test(arguments);
     StatusLine status(arguments.status);
     return arguments.play.empty() ? run_attempt(arguments, status) : run_replay(arguments, status);
 }

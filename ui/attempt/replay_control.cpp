@@ -83,26 +83,34 @@ void apply_line(std::string_view line, ReplayWish& wish) {
     }
 }
 
-void ControlInput::poll(ReplayWish& wish) {
+bool LineInput::next(std::string& line) {
     while (!closed_) {
         pollfd descriptor{STDIN_FILENO, POLLIN, 0};
         if (::poll(&descriptor, 1, 0) <= 0) break;
         char block[512];
         const ssize_t got = ::read(STDIN_FILENO, block, sizeof block);
         if (got <= 0) {
-            // Who steered is gone: nobody could close the window any more.
             closed_ = true;
-            wish.quit = true;
             break;
         }
         pending_.append(block, static_cast<size_t>(got));
     }
-    size_t end = 0;
-    while ((end = pending_.find('\n')) != std::string::npos) {
-        apply_line(std::string_view(pending_).substr(0, end), wish);
-        pending_.erase(0, end + 1);
+    const size_t end = pending_.find('\n');
+    if (end == std::string::npos) {
+        if (pending_.size() > 4096) pending_.clear();  // not a command, whatever it is
+        return false;
     }
-    if (pending_.size() > 4096) pending_.clear();  // not a command, whatever it is
+    line = pending_.substr(0, end);
+    pending_.erase(0, end + 1);
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    return true;
+}
+
+void ControlInput::poll(ReplayWish& wish) {
+    std::string line;
+    while (input_.next(line)) apply_line(line, wish);
+    // Who steered is gone: nobody could close the window any more.
+    if (input_.closed()) wish.quit = true;
 }
 
 int ReplayKeys::presses_of(const sim::WindowInput& input, sim::Key key) {

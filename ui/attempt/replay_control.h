@@ -36,14 +36,26 @@ struct ReplayWish {
 /// Carries out one line. What is out of range is refused with the reason in `problem`.
 void apply_line(std::string_view line, ReplayWish& wish);
 
-/// Reads what has come on standard input without waiting. Main thread.
+/// Lines on standard input, without waiting for them. Main thread.
+class LineInput {
+ public:
+    /// The next whole line without its end; false: none has come yet.
+    [[nodiscard]] bool next(std::string& line);
+    /// Who wrote is gone.
+    [[nodiscard]] bool closed() const { return closed_; }
+
+ private:
+    std::string pending_;
+    bool closed_ = false;
+};
+
+/// Carries out what has come on standard input. Main thread.
 class ControlInput {
  public:
     void poll(ReplayWish& wish);
 
  private:
-    std::string pending_;
-    bool closed_ = false;
+    LineInput input_;
 };
 
 /// Keys of the window: Space, arrows, V.

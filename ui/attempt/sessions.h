@@ -27,4 +27,8 @@ void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
 /// Re-simulates `arguments.play`; exit status 0 = identical, 1 = not.
 [[nodiscard]] int run_replay(const Arguments& arguments, StatusLine& status);
 
+/// Tries a device by itself (`arguments.test_device`), or watches foot pedals: status lines on
+/// standard output, commands on standard input. Exit status 0. Throws DeviceError.
+[[nodiscard]] int run_device_test(const Arguments& arguments);
+
 }  // namespace placode::ui
