@@ -51,7 +51,7 @@ void WebSocket::drop(int64_t t_ns) noexcept {
     state_ = State::kClosed;
     retry_ns_ = t_ns + kRetryNs;
     in_size_ = out_size_ = message_size_ = 0;
-    message_complete_ = failed_ = false;
+    message_complete_ = message_open_ = failed_ = false;
 }
 
 void WebSocket::begin(int64_t t_ns) noexcept {
@@ -178,6 +178,26 @@ bool WebSocket::send_text(std::string_view text) noexcept {
     return send_frame(kText, text);
 }
 
+// What RFC 6455 allows here: no extensions, whole and short control frames, fragments only of a
+// message that has begun and has not ended.
+bool WebSocket::allowed(uint8_t first, uint64_t size) const noexcept {
+    if ((first & 0x70) != 0) return false;
+    const bool last = (first & 0x80) != 0;
+    switch (first & 0x0F) {
+        case kText:
+        case kBinary:
+            return !message_open_;
+        case kContinuation:
+            return message_open_;
+        case kClose:
+        case kPing:
+        case kPong:
+            return last && size <= 125;
+        default:
+            return false;
+    }
+}
+
 // Takes one frame from the buffer; false: none is complete.
 bool WebSocket::take_frame() noexcept {
     const auto* in = reinterpret_cast<const uint8_t*>(in_.data());
@@ -195,8 +215,9 @@ bool WebSocket::take_frame() noexcept {
         for (int i = 2; i < 10; ++i) size = size << 8 | in[i];
     }
     const uint8_t opcode = in[0] & 0x0F;
-    // A service does not mask; a message that does not fit could never be finished.
-    if ((in[1] & 0x80) != 0 || size > in_.size() - header) {
+    // A service does not mask; a message that does not fit could never be finished; what breaks the
+    // protocol cannot be understood further on.
+    if ((in[1] & 0x80) != 0 || size > in_.size() - header || !allowed(in[0], size)) {
         failed_ = true;
         return false;
     }
@@ -211,6 +232,7 @@ bool WebSocket::take_frame() noexcept {
         if (opcode != kContinuation) {
             message_size_ = 0;
             message_text_ = opcode == kText;
+            message_open_ = true;
         }
         if (message_size_ + payload.size() > message_.size()) {
             failed_ = true;
@@ -219,6 +241,7 @@ bool WebSocket::take_frame() noexcept {
         std::memcpy(message_.data() + message_size_, payload.data(), payload.size());
         message_size_ += payload.size();
         message_complete_ = (in[0] & 0x80) != 0;
+        if (message_complete_) message_open_ = false;
     }
     const size_t all = header + static_cast<size_t>(size);
     in_size_ -= all;

@@ -43,6 +43,7 @@ class WebSocket {
     bool flush() noexcept;
     bool send_frame(uint8_t opcode, std::string_view payload) noexcept;
     bool take_frame() noexcept;
+    [[nodiscard]] bool allowed(uint8_t first, uint64_t size) const noexcept;
 
     std::string request_;
     uint32_t address_ = 0;  // IPv4, network order; 0 = the host has none
@@ -53,7 +54,7 @@ class WebSocket {
     int64_t retry_ns_ = 0, since_ns_ = 0;
     std::vector<char> in_, out_, message_;
     size_t in_size_ = 0, out_size_ = 0, message_size_ = 0;
-    bool message_complete_ = false, message_text_ = false, failed_ = false;
+    bool message_complete_ = false, message_text_ = false, message_open_ = false, failed_ = false;
 };
 
 }  // namespace placode::haptics
