@@ -19,6 +19,7 @@ constexpr int kFeatureTable = 8192;  // a power of two, four times the most cont
 constexpr double kContactRatio = 6;
 constexpr double kTissueReach = 0.0005;  // tissue may come this much nearer within a frame [m]
 constexpr double kStepOfRadius = 0.6;    // motion per substep near tissue, in radii of the tip
+constexpr double kTremor = 1e-4;         // of an instrument that balances hand and tissue [m]
 constexpr double kFreeStep = 0.003;      // motion per frame where nothing is near [m]
 // Tried on a 1.5 mm probe in 60 kPa tissue with grips of 50 and 600 N/m: 1 oscillates, 4 is quiet.
 constexpr double kCaution = 6;
@@ -240,10 +241,27 @@ bool touch_triangle(const Scene& scene, State& state, const SurfaceTriangle& tri
     return add_contact(scene, state, c, d.value_m, x);
 }
 
+/// True when a triangle that was `start[3]` away at the frame's start cannot have come within
+/// `margin`: a distance changes by no more than the way, here of the centre in T, so that most
+/// candidates end here, with one root.
+bool surely_apart(const std::array<float, 4>& start, const Pose& to_tool, const Triangle& x,
+                  double margin) noexcept {
+    constexpr double kRounding = 1e-7;  // of the start as floats [m]
+    const Vec3 centre = (x[0] + x[1] + x[2]) / 3;
+    const Vec3 before(start[0], start[1], start[2]);
+    const double way = (to_tool * centre - before).norm();
+    const double left = static_cast<double>(start[3]) - way - margin - kRounding;
+    if (left <= 0) return false;
+    const double size2 = std::max({(x[0] - centre).squaredNorm(), (x[1] - centre).squaredNorm(),
+                                   (x[2] - centre).squaredNorm()});
+    return left * left > size2;
+}
+
 }  // namespace
 
 ContactSet::ContactSet(const Scene& scene)
     : candidates(kMostCandidates),
+      start(kMostCandidates),
       contacts(kMostContacts),
       vertices(kMostVertices),
       incidence(3 * kMostContacts),
@@ -262,25 +280,34 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
     ContactSet& set = state.scratch->contacts;
     set.candidate_count = set.most_contacts = 0;
     set.near.fill(0);
-    if (!state.sleep.still()) state.surface.refit(state.body.x);
+    // Every other frame is enough: the boxes of the frame before are too small by what the tissue
+    // may have moved since.
+    const bool refit = state.frame % 2 == 0 || set.fitted != state.surface.version();
+    if (refit && !state.sleep.still()) {
+        state.surface.refit(state.body.x);
+        set.fitted = state.surface.version();
+    }
+    const double stale = refit ? 0 : kTissueReach;
     const auto triangles = state.surface.triangles();
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         const ToolState& tool = state.tools[t];
         if (!tool.engaged) continue;
         const ToolShape& shape = set.shapes[t];
         const Pose to_tool = tool.proxy.inverse();
-        const double way = (tool.hand.p - tool.proxy.p).norm() +
-                           kStepOfRadius * shape.parts[0].near_radius_m * state.substeps;
+        // To the hand, and back if the tissue pushes as hard; near tissue never faster than this.
+        const double to_hand = (tool.hand.p - tool.proxy.p).norm();
+        const double way =
+            std::min(2 * to_hand + kTremor,
+                     to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
         const double limit = scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach;
         // A ball around box or triangle: the distance changes by no more than the way.
-        const auto beyond = [&](const Vec3& centre, double radius) noexcept {
-            return signed_distance(shape, to_tool * centre).value_m > limit + radius;
-        };
         state.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
                 const Vec3 low(box.low[0], box.low[1], box.low[2]);
                 const Vec3 high(box.high[0], box.high[1], box.high[2]);
-                return beyond(0.5 * (low + high), 0.5 * (high - low).norm());
+                const double radius = 0.5 * (high - low).norm() + stale;
+                const Vec3 centre_T = to_tool * (0.5 * (low + high));
+                return signed_distance(shape, centre_T).value_m > limit + radius;
             },
             [&](int i) noexcept {
                 const auto& v = triangles[i].vertex;
@@ -290,12 +317,17 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
                 const double radius =
                     std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
                                         (c - centre).squaredNorm()}));
-                if (beyond(centre, radius)) return;
+                const Vec3 centre_T = to_tool * centre;
+                const double distance = signed_distance(shape, centre_T).value_m;
+                if (distance > limit + radius) return;
                 if (set.candidate_count == static_cast<int>(set.candidates.size())) {
                     state.flags |= kContactsDropped;
                     return;
                 }
                 set.near[t] = 1;
+                const Vec3f p = centre_T.cast<float>();
+                set.start[set.candidate_count] = {p.x(), p.y(), p.z(),
+                                                  static_cast<float>(distance)};
                 set.candidates[set.candidate_count++] = i * 4 + t;
             });
     }
@@ -354,8 +386,9 @@ void find_contacts(const Scene& scene, State& state) noexcept {
         for (int k = 0; k < 3; ++k) {
             const Float4& before = state.body.x_start[tri.vertex[k]];
             x[k] = Vec3(before.x, before.y, before.z);
-            x_T[k] = to_tool[t] * x[k];
         }
+        if (surely_apart(set.start[i], to_tool[t], x, scene.contact.margin_m)) continue;
+        for (int k = 0; k < 3; ++k) x_T[k] = to_tool[t] * x[k];
         const TriangleDistance d = nearest_on_triangle(set.shapes[t], x_T, scene.contact.margin_m);
         if (d.part < 0 || (d.part == 0 && blades_open(scene, state, t))) continue;
         if (d.part < set.shapes[t].bare_parts) {

@@ -50,8 +50,10 @@ struct ContactVertex {
 struct ContactSet {
     explicit ContactSet(const Scene& scene);
     std::array<ToolShape, kMaxTools> shapes;
-    std::array<uint8_t, kMaxTools> near{};  // 1 = the tool has candidates in this frame
-    std::vector<int32_t> candidates;        // triangle * 4 + tool
+    std::array<uint8_t, kMaxTools> near{};    // 1 = the tool has candidates in this frame
+    std::vector<int32_t> candidates;          // triangle * 4 + tool
+    std::vector<std::array<float, 4>> start;  // of each: centre in T at the frame's start, distance
+    uint32_t fitted = ~0U;                    // surface version of the last refit
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;
     std::vector<int32_t> incidence;

@@ -156,7 +156,7 @@ bool surely_below(const Scene& scene, const State& state, int tet, double stretc
     const Material& material = spec.materials[static_cast<int>(spec.mesh.tissue[tet])];
     const double percent = spec.stiffness_percent.empty() ? 100.0 : spec.stiffness_percent[tet];
     const double mu =
-        neo_hookean(material.youngs_modulus_pa * percent / 100, material.poissons_ratio).mu_pa;
+        material.youngs_modulus_pa * (percent / 100) / (2 * (1 + material.poissons_ratio));
     const double j = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / (6 * volume);
     // Inverted or swollen tets are looked at closely; the weights are floats.
     if (!(j > 0) || !(j < stretch * stretch * stretch)) return false;
@@ -332,9 +332,10 @@ void tear(const Scene& scene, State& state) noexcept {
             }
         }
     }
-    const int tets = scene.body.tet_count();
-    for (int t = static_cast<int>(state.frame % kTearShare); t < tets && torn < kTearPerFrame;
-         t += kTearShare) {
+    // Everywhere else in turns; neighbours in number share their corners.
+    const int tets = scene.body.tet_count(), turn = tets / kTearShare + 1;
+    const int from = static_cast<int>(state.frame % kTearShare) * turn;
+    for (int t = from; t < std::min(tets, from + turn) && torn < kTearPerFrame; ++t) {
         // What sleeps has been looked at before it fell asleep.
         if (state.body.tet_alive[t] && !state.sleep.sleeps(corners(scene.body, state.body, t)))
             torn += check_stretch(scene, state, t, kTearCountFar, -1);

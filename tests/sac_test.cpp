@@ -27,6 +27,7 @@ OperativeFieldSpec cystic(double edge_m = 0.001) {
     spec.dome_height_m = 0.005;
     spec.dome_exponent = 1;
     spec.sac.pressure_pa = 200;
+    spec.sac.floor_drag_n_m = 20;
     spec.placode_prestretch = 1.1;
     spec.placode_layers_m = {0.0006, 0.0006, 0.0007, 0.0008};
     spec.ring_layers_m = {0.00025, 0.00025, 0.001, 0.0008};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "sim/anatomy/field_mesh.h"
 #include "sim/anatomy/field_sac.h"
@@ -135,6 +136,37 @@ void pre_tension(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBod
     for (const auto& tet : mesh.tets) body.rest_normal.push_back(normal_over(field, tet));
 }
 
+int32_t column_next_to(const FieldMesh& field, const Vec2& p) {
+    size_t best = 0;
+    for (size_t c = 0; c < field.plane.points.size(); ++c) {
+        if ((field.plane.points[c] - p).squaredNorm() <
+            (field.plane.points[best] - p).squaredNorm()) {
+            best = c;
+        }
+    }
+    return static_cast<int32_t>(best);
+}
+
+// Roots of a placode on a sac: from its rim outwards to the canal's floor, evenly by angle, taut
+// only where the sac bulges. On an empty sac they are slack, but the placode cannot wander off.
+void tie_roots(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
+    constexpr double kRim = 0.85, kFoot = 1.35, kSlack = 1.15;  // shares of the placode, of a root
+    for (int i = 0; i < spec.tethers; ++i) {
+        const double angle = 2 * std::numbers::pi * (i + 0.5) / spec.tethers;
+        const Vec2 edge(spec.placode_a_m * std::cos(angle), spec.placode_b_m * std::sin(angle));
+        const Vec2 centre(0, spec.asymmetry_m);
+        const int32_t rim = column_next_to(field, centre + kRim * edge);
+        const int32_t foot = column_next_to(field, centre + kFoot * edge);
+        Tether tether;
+        tether.vertex = {field.vertices[rim][2], field.vertices[foot][3]};
+        tether.rest_m =
+            kSlack * (field.mesh.rest[tether.vertex[0]] - field.mesh.rest[tether.vertex[1]]).norm();
+        tether.compliance_m_n = spec.tether_compliance_m_n;
+        tether.break_n = spec.tether_break_n;
+        body.tethers.push_back(tether);
+    }
+}
+
 // Strands through the gel, from the underside of the placode to the canal's floor, spread evenly
 // over the placode's columns. Slack until the placode is lifted.
 void tie_tethers(const OperativeFieldSpec& spec, const FieldMesh& field, SoftBodySpec& body) {
@@ -212,7 +244,10 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     lay_on_bed(spec, field, body);
     hang_on_sides(spec, field, body);
     pre_tension(spec, field, body);
-    tie_tethers(spec, field, body);
+    if (spec.cystic)
+        tie_roots(spec, field, body);
+    else
+        tie_tethers(spec, field, body);
     const size_t tethers = body.tethers.size();
     Sac sac = spec.cystic ? make_sac(spec, shape, field) : Sac{};
     for (const int32_t v : sac.vertices) {
