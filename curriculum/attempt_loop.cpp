@@ -160,6 +160,7 @@ void AttemptLoop::perceive() noexcept {
     seen.contour_cut = state_.progress.cut;
     seen.tools = {feedback_.data(), scene_->tools.size()};
     seen.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
+    seen.sector_free = state_.release.free;
     seen.released = static_cast<float>(state_.release.free_count) / sim::kSectors;
     for (size_t i = 0; i < scene_->tools.size(); ++i) {
         if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;

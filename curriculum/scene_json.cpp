@@ -136,6 +136,7 @@ void visit_heat(const V& v, H& h) {
     v("arrhenius_ea_j_mol", h.arrhenius_ea_j_mol);
     v("arrhenius_gate_c", h.arrhenius_gate_c);
     v("dwell_radius_m", h.dwell_radius_m);
+    v("vaporise_dried", h.vaporise_dried);
 }
 
 template <class V, class T>

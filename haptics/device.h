@@ -72,8 +72,9 @@ struct Perception {
     std::span<const uint8_t> contour_cut;  ///< 1 = cut there.
     std::span<const sim::ToolFeedback> tools;
     float cut_fraction = 0;
-    float released = 0;       ///< Share of the placode's circumference that is free.
-    bool in_contact = false;  ///< Needle tip touches tissue.
+    std::span<const uint8_t> sector_free;  ///< 1 = free, by sim::sector_of.
+    float released = 0;                    ///< Share of the placode's circumference that is free.
+    bool in_contact = false;               ///< Needle tip touches tissue.
     double tip_gap_m = 1;
     // With jaws and blades.
     std::span<const Vec3> outline;         ///< Of the marked tissue where it lies now, in W [m].

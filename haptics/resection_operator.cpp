@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "haptics/jaw_habits.h"
+#include "sim/pieces.h"
 
 namespace placode::haptics {
 
 namespace {
 
+constexpr double kRoundShare = 0.97;  // of the line is cut: the ring counts as once round
 constexpr double kHoverM = 0.005;     // of free motion over the tissue
 constexpr double kRiseMS = 0.012;     // out of the tissue
 constexpr double kEnterMS = 0.008;    // into it
@@ -51,6 +53,18 @@ void ResectionOperator::see(const Perception& seen) {
         own.in_contact = seen.touches[needle];
         // Here the ring is a means: a placode that is free all round needs no more energy.
         if (seen.released >= 1) ring_->stop();
+        // Once round, what counts is where the placode still hangs on.
+        const size_t points = seen.contour_cut.size();
+        const auto cut = std::count(seen.contour_cut.begin(), seen.contour_cut.end(), 1);
+        if (static_cast<double>(cut) > kRoundShare * static_cast<double>(points) &&
+            !seen.sector_free.empty()) {
+            free_here_.resize(points);
+            for (size_t i = 0; i < points && i < seen.contour.size(); ++i) {
+                const auto sector = static_cast<size_t>(sim::sector_of(seen.contour[i]));
+                free_here_[i] = seen.sector_free[sector];
+            }
+            own.contour_cut = free_here_;
+        }
         ring_->see(own, needle < seen.tools.size() ? seen.tools[needle] : sim::ToolFeedback{});
     }
     const size_t n = seen.outline.size();

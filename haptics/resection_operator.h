@@ -77,6 +77,7 @@ class ResectionOperator final : public ScriptedOperator {
     bool placed_ = false, holds_ = false, touches_ = false, piece_free_ = false;
     int pieces_out_ = 0;
     sim::ToolFeedback needle_feedback_;
+    std::vector<uint8_t> free_here_;  // by point of the planned line
     // What is done.
     Right right_ = Right::kWait;
     Left left_ = Left::kLook;

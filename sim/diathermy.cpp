@@ -16,8 +16,8 @@ constexpr double kSparkGap = 0.0002;  // cutting voltage bridges this much gas [
 constexpr double kLeastSource = 0.00025, kMostSource = 0.0008;  // contact radius a [m]
 // Coagulation current comes in short bursts (some 6 % of the time) from a voltage that does not
 // keep an arc: the same mean power spreads over a wider spot and dries tissue without removing it.
-constexpr double kCoagSpread = 2.5;       // source radius against cutting
-constexpr double kCoagDriedLimit = 0.35;  // below HeatSettings::vaporise_dried: nothing is removed
+constexpr double kCoagSpread = 2.5;  // source radius against cutting
+constexpr double kCoagDried = 0.7;   // of HeatSettings::vaporise_dried: nothing is removed
 constexpr int kMostInterval = 4;
 constexpr double kShareWhileCutting = 0.003;  // of the contact force: see ToolState::contact_share
 
@@ -51,7 +51,7 @@ double deposit(const Scene& scene, State& state, int t, double step_s) noexcept 
     if (coag) a = std::min(kCoagSpread * a, kMostSource);
     DepositLimits limits;
     limits.step_s = step_s;
-    limits.dried_limit = coag ? kCoagDriedLimit : 1.0;
+    limits.dried_limit = coag ? kCoagDried * scene.heat->settings().vaporise_dried : 1.0;
     limits.body_temperature_c = scene.heat->settings().body_temperature_c;
     // Centre of the end sphere where the tip itself is in reach, else the touching flank.
     const Vec3 tip = tool.proxy * Vec3(0, 0, -spec.tip_radius_m);

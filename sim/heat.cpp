@@ -240,21 +240,22 @@ struct HeatStepper {
         }
     }
 
-    /// Tets whose corners have boiled dry enough. Each is seen from its lowest vertex number only;
-    /// that vertex has boiled at least a part, because four fractions of at most 1 must reach the
-    /// threshold together.
+    /// Tets whose corners have boiled dry enough. Each is seen once, from the lowest number among
+    /// its corners that have boiled at all.
     int find_vaporised(std::span<const uint8_t> alive, std::span<int32_t> out) const noexcept {
         const auto threshold = static_cast<float>(4 * model.settings_.vaporise_dried);
-        const float least = threshold - 3;
         int found = 0;
         const int room = static_cast<int>(out.size());
         for (int n = 0; n < state.warm_count && found < room; ++n) {
             const int v = state.warm_list[n];
-            if (state.dried[v] <= 0 || state.dried[v] < least) continue;
+            if (state.dried[v] <= 0) continue;
             for (const int32_t t : body.tets_of(v)) {
                 if (!alive[t]) continue;
                 const auto& c = body.mesh().tets[t];
-                if (std::min({c[0], c[1], c[2], c[3]}) != v) continue;
+                if (std::any_of(c.begin(), c.end(),
+                                [&](int32_t o) { return o < v && state.dried[o] > 0; })) {
+                    continue;
+                }
                 const float sum =
                     state.dried[c[0]] + state.dried[c[1]] + state.dried[c[2]] + state.dried[c[3]];
                 if (sum < threshold) continue;
