@@ -6,6 +6,7 @@
 
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
+#include "assessment/practice.h"
 #include "assessment/tissue_metrics.h"
 
 namespace placode::assessment {
@@ -179,6 +180,20 @@ std::vector<MetricDefinition> metric_definitions() {
          "Times that tissue was stretched beyond its injury limit.", "Placode"},
         {"max_stretch", "Largest stretch", "", kLowerIsBetter,
          "Largest principal stretch among these, 1 = at rest.", "Placode"},
+        {"steps_done_percent", "Steps done", "%", kHigherIsBetter,
+         "Share of the task's steps that were done.", "Placode"},
+        {"target_error_mm", "Distance from targets", "mm", kLowerIsBetter,
+         "Mean distance from the target's centre where tissue was first touched.", "Placode"},
+        {"target_misses", "Targets missed", "", kLowerIsBetter,
+         "Times that tissue was touched or grasped beside the target.", "Placode"},
+        {"trace_coverage_percent", "Contour followed", "%", kHigherIsBetter,
+         "Share of the planned contour along which the tip passed within 1 mm.", "Placode"},
+        {"trace_error_mm", "Distance from the line", "mm", kLowerIsBetter,
+         "Mean distance of the tip from the planned contour while it was followed.", "Placode"},
+        {"trace_error_p95_mm", "Distance from the line, 95th percentile", "mm", kLowerIsBetter,
+         "95th percentile of that distance, over stretches of 5 degrees.", "Placode"},
+        {"traction_held_s", "Traction held", "s", kHigherIsBetter,
+         "Time during which both hands pulled within the task's limits.", "Placode"},
     };
 }
 
@@ -194,6 +209,7 @@ MetricSet compute_metrics(const sim::Recording& recording) {
     add_motion_metrics(recording, found);
     add_motion_details(recording, found);
     add_tissue_metrics(recording, found);
+    add_practice_metrics(recording, found);
     // In the order of the definitions; what is not finite is not known.
     MetricSet set;
     for (const MetricDefinition& definition : metric_definitions()) {

@@ -13,7 +13,7 @@
 
 namespace placode::assessment {
 
-inline constexpr int kMetricSetVersion = 3;
+inline constexpr int kMetricSetVersion = 4;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

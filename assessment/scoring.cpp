@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "assessment/tissue_metrics.h"
+#include "sim/practice.h"
+#include "sim/retune.h"
 
 namespace placode::assessment {
 
@@ -49,6 +51,7 @@ constexpr EventSource kSources[]{
     {"torn_volume_mm3", EventKind::kTorn, Show::kFirst, false},
     {"crush_count", EventKind::kCrushed, Show::kStrongest, false},
     {"slip_count", EventKind::kSlipped, Show::kStrongest, false},
+    {"target_misses", sim::kTargetMissed, Show::kFirst, false},
     {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
     {"peak_traction_mn", EventKind::kReleased, Show::kStrongest, true},
     {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
@@ -219,6 +222,17 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
             {item.id, reason_text(item, *value, lost, locus), lost, locus.time_s, item.critical});
         points -= lost;
         critical = critical || item.critical;
+    }
+    // Tissue that was changed by hand is not the task's: such an attempt shows something, it proves
+    // nothing.
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::kTuned) continue;
+        score.reasons.insert(
+            score.reasons.begin(),
+            {"tuned", "Tissue or generator was tuned: this attempt is not scored as a pass.", 0,
+             event.time_s, true});
+        critical = true;
+        break;
     }
     score.points = std::clamp(points, 0.0, 100.0);
     std::stable_sort(score.reasons.begin(), score.reasons.end(),

@@ -109,6 +109,11 @@ function(placode_ui_programs)
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n)
   placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
-  placode_program(placode-sim SOURCES ui/attempt/*.cpp LINK placode_view placode_db CLI11::CLI11)
+  # All but main stands in a library, so that tests can link it.
+  file(GLOB attempt_sources CONFIGURE_DEPENDS ui/attempt/*.cpp ui/attempt/*.h)
+  list(FILTER attempt_sources EXCLUDE REGEX "ui/attempt/main\\.cpp$")
+  add_library(placode_attempt STATIC ${attempt_sources})
+  target_link_libraries(placode_attempt PUBLIC placode_view placode_db CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
+  placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt)
   placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_reports CLI11::CLI11)
 endfunction()

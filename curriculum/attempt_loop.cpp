@@ -9,6 +9,7 @@
 #include <numbers>
 #include <thread>
 
+#include "curriculum/preset.h"
 #include "haptics/real_time.h"
 
 namespace placode::curriculum {
@@ -56,9 +57,10 @@ bool tip_in_view(const sim::Scene& scene, const sim::State& state, size_t tool) 
 }
 
 AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
-                         std::shared_ptr<const sim::Scene> scene,
-                         std::unique_ptr<haptics::Servo> servo, AttemptRecorder& recorder)
-    : scene_(std::move(scene)),
+                         std::shared_ptr<sim::Scene> scene, std::unique_ptr<haptics::Servo> servo,
+                         AttemptRecorder& recorder)
+    : scene_(scene),
+      tunable_(std::move(scene)),
       servo_(std::move(servo)),
       recorder_(recorder),
       time_limit_s_(options.duration_s > 0 ? std::min(options.duration_s, task.time_limit_s)
@@ -67,6 +69,7 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       finish_when_cut_(task.finish_when_cut),
       fast_(options.fast),
       lock_step_(servo_->devices().lock_step()),
+      preset_(!preset_of(task).empty()),
       frames_per_sample_(std::max<int64_t>(1, std::llround(0.01 / frame_s_))),
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
@@ -81,6 +84,15 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
     if (scene_->geometry.placode_edge.size() >= 3) placode_.emplace(scene_->geometry.placode_edge);
     used_substeps_ = state_.substeps;
     sim::settle(*scene_, state_, task.settle_s);
+    if (!options.steps.empty()) {
+        std::vector<sim::PracticeStep> goals;
+        for (const TaskStep& step : options.steps) goals.push_back(step.goal);
+        practice_.emplace(goals, scene_->tools, scene_->geometry);
+        target_vertex_.resize(goals.size(), {-1, -1});
+        for (size_t i = 0; i < goals.size(); ++i) find_targets(goals[i], target_vertex_[i]);
+        goal_.count = practice_->count();
+        look_at_goal();
+    }
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {
         sim::fill_snapshot(*scene_, state_, snapshots_.back());
@@ -184,6 +196,7 @@ void AttemptLoop::perceive() noexcept {
                                 piece.volume_m3 > kPieceShare * scene_->marked_volume_m3);
     }
     seen.pieces_out = state_.pieces.out;
+    seen.practice = goal_;
     servo_->devices().perceive(seen);
 }
 
@@ -203,8 +216,20 @@ void AttemptLoop::gather_inputs() noexcept {
     }
 }
 
+/// What the clinician's panel asks for, between two frames; the ledger keeps the frame, so that a
+/// replay does the same at the same place.
+void AttemptLoop::take_tunings() noexcept {
+    sim::Event wish;
+    while (tunings_.pop(wish)) {
+        wish.time_s = state_.time_s;
+        wish.hash = static_cast<uint64_t>(state_.frame);
+        if (sim::retune(*tunable_, state_, wish)) record(wish);
+    }
+}
+
 void AttemptLoop::one_frame() noexcept {
     const size_t tools = scene_->tools.size();
+    take_tunings();
     gather_inputs();
     sim::Input input;
     input.frame = state_.frame;
@@ -259,6 +284,53 @@ void AttemptLoop::take_sample() noexcept {
     sample.step_flags = sample_flags_;
     sample_flags_ = 0;
     record(sample);
+    if (practice_) practise(sample);
+}
+
+/// The surface vertices that stand for a step's targets: targets move with the tissue.
+void AttemptLoop::find_targets(const sim::PracticeStep& step, std::array<int32_t, 2>& out) {
+    for (int t = 0; t < sim::targets_of(step.kind); ++t) {
+        const sim::Vec2 wanted = assessment::practice_target(step, scene_->geometry, t == 1);
+        double nearest = 1;
+        for (size_t v = 0; v < scene_->field.depth_m.size(); ++v) {
+            if (scene_->field.depth_m[v] > 0) continue;
+            const double way = (to_vec3(state_.body.x[v]).head<2>() - wanted).norm();
+            if (way >= nearest) continue;
+            nearest = way;
+            out[static_cast<size_t>(t)] = static_cast<int32_t>(v);
+        }
+    }
+}
+
+void AttemptLoop::look_at_goal() noexcept {
+    goal_.index = practice_->index();
+    goal_.step = practice_->step();
+    goal_.progress = practice_->progress();
+    goal_.traced = practice_->traced();
+    goal_.targets = 0;
+    if (practice_->done()) return;
+    for (const int32_t v : target_vertex_[static_cast<size_t>(goal_.index)]) {
+        if (v < 0) continue;
+        goal_.target_m[static_cast<size_t>(goal_.targets++)] =
+            to_vec3(state_.body.x[static_cast<size_t>(v)]);
+    }
+}
+
+/// One sample for the steps of a practice task; what was done is written into the ledger.
+void AttemptLoop::practise(const sim::Sample& sample) noexcept {
+    look_at_goal();
+    assessment::PracticeSight sight{
+        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}};
+    for (size_t i = 0; i < scene_->tools.size(); ++i) {
+        sight.holds[i] = state_.grasps[i].count > 0;
+        sight.pull_n[i] = state_.grasps[i].force_n.norm();
+        sight.engaged[i] = inputs_[i].engaged != 0;
+    }
+    for (const sim::Event& event : practice_->see(sight)) {
+        record(event);
+        if (event.kind == sim::kTargetMissed) say("Beside the mark");
+    }
+    look_at_goal();
 }
 
 void AttemptLoop::say(const char* phrase) noexcept {
@@ -324,10 +396,12 @@ void AttemptLoop::watch_end() noexcept {
     }
     const bool cut = finish_when_cut_ && numbers_now_.cut_fraction >= kCutFraction;
     lifted_s_ = cut && lifted ? lifted_s_ + frame_s_ : 0;
+    // A moment to see the last step ticked off.
+    practised_s_ = practice_ && practice_->done() ? practised_s_ + frame_s_ : 0;
     const auto requested = static_cast<sim::EndReason>(requested_.load(std::memory_order_relaxed));
     if (requested != sim::EndReason::kRunning)
         reason_ = requested;
-    else if (servo_->finish_requested() || lifted_s_ >= kLiftedS)
+    else if (servo_->finish_requested() || lifted_s_ >= kLiftedS || practised_s_ >= kLiftedS)
         reason_ = sim::EndReason::kFinished;
     else if (state_.time_s >= time_limit_s_ - frame_s_ / 2)
         reason_ = sim::EndReason::kTimeLimit;
@@ -385,6 +459,7 @@ void AttemptLoop::publish() noexcept {
     out.message = message_;
     out.message_age_s = static_cast<float>(std::min(1e9, state_.time_s - message_at_s_));
     snapshots_.publish();
+    practice_out_.publish(goal_);
 }
 
 void AttemptLoop::keep_pace() noexcept {
@@ -418,6 +493,12 @@ void AttemptLoop::run() noexcept {
     real_time_ = !lock_step_ && servo_->renders_force() &&
                  haptics::make_thread_real_time(haptics::kPhysicsPriority);
     next_ = published_ = second_ = Clock::now();
+    if (preset_) {
+        sim::Event event;
+        event.kind = sim::kTuned;
+        event.element = static_cast<int32_t>(sim::TuneParameter::kPreset);
+        record(event);
+    }
     while (reason_ == sim::EndReason::kRunning) {
         if (paused_.load(std::memory_order_relaxed)) {
             publish();
@@ -435,6 +516,9 @@ void AttemptLoop::run() noexcept {
         keep_pace();
     }
     servo_->stop();
+    if (practice_) {
+        for (const sim::Event& event : practice_->end(state_.time_s)) record(event);
+    }
     if (reason_ == sim::EndReason::kFinished) record_event(EventKind::kFinished, 0, 0);
     // `adapt` may have chosen substeps for a frame that never came; the hash covers their number.
     state_.substeps = used_substeps_;

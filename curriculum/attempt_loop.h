@@ -11,9 +11,11 @@
 #include <span>
 #include <vector>
 
+#include "assessment/practice.h"
 #include "assessment/tissue_metrics.h"
 #include "curriculum/attempt_recorder.h"
 #include "curriculum/attempt_runner.h"
+#include "sim/retune.h"
 
 namespace placode::curriculum {
 
@@ -33,18 +35,20 @@ struct LoopNumbers {
 
 class AttemptLoop {
  public:
-    AttemptLoop(const Task& task, const AttemptOptions& options,
-                std::shared_ptr<const sim::Scene> scene, std::unique_ptr<haptics::Servo> servo,
-                AttemptRecorder& recorder);
+    AttemptLoop(const Task& task, const AttemptOptions& options, std::shared_ptr<sim::Scene> scene,
+                std::unique_ptr<haptics::Servo> servo, AttemptRecorder& recorder);
 
     void run() noexcept;  ///< The thread's body, from the first frame to the end.
 
     // Main thread.
     void request_finish(sim::EndReason reason) noexcept;
     void set_paused(bool paused) noexcept;
+    /// Changes tissue or generator before the next frame (sim/retune.h); false when too many wait.
+    bool tune(const sim::Event& wish) noexcept { return tunings_.push(wish); }
     [[nodiscard]] bool finished() const noexcept { return finished_; }
     [[nodiscard]] sim::Latest<sim::Snapshot>& snapshots() noexcept { return snapshots_; }
     [[nodiscard]] sim::Latest<LoopNumbers>& numbers() noexcept { return numbers_; }
+    [[nodiscard]] sim::Latest<sim::PracticeGoal>& practice() noexcept { return practice_out_; }
     [[nodiscard]] const haptics::Servo& servo() const noexcept { return *servo_; }
     void set_servo_p999(double us) noexcept { servo_p999_us_ = static_cast<float>(us); }
     [[nodiscard]] const sim::RecordingEnd& end() const noexcept { return end_; }  ///< After run().
@@ -59,11 +63,15 @@ class AttemptLoop {
     void one_frame() noexcept;
     void hand_out(const sim::StepReport& report) noexcept;
     void take_sample() noexcept;
+    void find_targets(const sim::PracticeStep& step, std::array<int32_t, 2>& out);
+    void look_at_goal() noexcept;
+    void practise(const sim::Sample& sample) noexcept;
     void warn() noexcept;
     void say(const char* phrase) noexcept;
     void watch_end() noexcept;
     void measure(Clock::duration cost) noexcept;
     void adapt(double frame_s) noexcept;
+    void take_tunings() noexcept;
     void publish() noexcept;
     void keep_pace() noexcept;
     template <class T>
@@ -74,10 +82,11 @@ class AttemptLoop {
 
     // constant
     std::shared_ptr<const sim::Scene> scene_;
+    std::shared_ptr<sim::Scene> tunable_;  // the same, for the clinician's panel alone
     std::unique_ptr<haptics::Servo> servo_;
     AttemptRecorder& recorder_;
     double time_limit_s_, frame_s_;
-    bool finish_when_cut_, fast_, lock_step_;
+    bool finish_when_cut_, fast_, lock_step_, preset_;
     int64_t frames_per_sample_, frames_per_look_;
     std::optional<assessment::ClosedContour> placode_;
     // crosses threads
@@ -86,6 +95,8 @@ class AttemptLoop {
     std::atomic<float> servo_p999_us_{0};
     sim::Latest<sim::Snapshot> snapshots_;
     sim::Latest<LoopNumbers> numbers_;
+    sim::Latest<sim::PracticeGoal> practice_out_;
+    sim::Ring<sim::Event> tunings_{64};
     // physics thread
     sim::State state_;
     std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
@@ -95,7 +106,10 @@ class AttemptLoop {
     uint32_t sample_flags_ = 0;
     int used_substeps_ = 0;  // of the last frame
     int64_t dropped_ = 0;
-    double lifted_s_ = 0;
+    double lifted_s_ = 0, practised_s_ = 0;
+    std::optional<assessment::PracticeTracker> practice_;
+    std::vector<std::array<int32_t, 2>> target_vertex_;  // of every step, -1 = none
+    sim::PracticeGoal goal_;
     std::array<char, 64> message_{};
     double message_at_s_ = -1e9;
     sim::EndReason reason_ = sim::EndReason::kRunning;

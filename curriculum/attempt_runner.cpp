@@ -40,6 +40,7 @@ std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
     config.tools = task.scene.tools;
     config.window = options.window;
     config.frame_s = task.scene.solver.frame_s;
+    config.practice = !task.steps.empty();
     config.station = haptics::Station::of_this_computer();
     return std::make_unique<haptics::Servo>(
         haptics::open_device(config), task.scene.tools,
@@ -51,7 +52,8 @@ std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
 
 struct AttemptRunner::Impl {
     Task task;
-    std::shared_ptr<const sim::Scene> scene;
+    std::shared_ptr<sim::Scene> scene;
+    std::shared_ptr<const sim::Scene> shown;  // the same, for everybody else
     std::unique_ptr<AttemptRecorder> recorder;
     std::unique_ptr<AttemptLoop> loop;
     std::thread physics;
@@ -62,6 +64,7 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
                              std::unique_ptr<sim::RecordingSink> sink)
     : impl_(std::make_unique<Impl>()) {
     task.scene.seed = seed;
+    options.steps = steps_for(task, options.device);
     // The device first: the usual mistake is a device that is not there, and it is cheap to find.
     std::unique_ptr<haptics::Servo> servo = open_servo(task, seed, options);
     // What a hand with force feels is the coupling's spring on the gap between hand and tool: with
@@ -69,7 +72,9 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     for (size_t i = 0; i < task.scene.tools.size(); ++i)
         if (const double held = servo->stiffness_n_m(i); held > 0)
             task.scene.tools[i].grip_n_m = held;
-    impl_->scene = sim::build_operative_field(task.scene);
+    // Built here and shared with nobody yet: the one scene that may be tuned (sim/retune.h).
+    impl_->shown = sim::build_operative_field(task.scene);
+    impl_->scene = std::const_pointer_cast<sim::Scene>(impl_->shown);
     impl_->recorder = std::make_unique<AttemptRecorder>(
         std::move(sink), make_header(task, seed, options, *impl_->scene));
     impl_->loop = std::make_unique<AttemptLoop>(task, options, impl_->scene, std::move(servo),
@@ -95,6 +100,14 @@ void AttemptRunner::request_finish(sim::EndReason reason) noexcept {
     impl_->loop->request_finish(reason);
 }
 void AttemptRunner::set_paused(bool paused) noexcept { impl_->loop->set_paused(paused); }
+void AttemptRunner::tune(sim::TuneParameter parameter, sim::Tissue tissue, double value) noexcept {
+    sim::Event wish;
+    wish.kind = sim::kTuned;
+    wish.element = static_cast<int32_t>(parameter);
+    wish.tissue = tissue;
+    wish.value = static_cast<float>(value);
+    impl_->loop->tune(wish);
+}
 bool AttemptRunner::finished() const noexcept { return impl_->loop->finished(); }
 
 void AttemptRunner::wait() {
@@ -105,7 +118,7 @@ void AttemptRunner::wait() {
 }
 
 const std::shared_ptr<const sim::Scene>& AttemptRunner::scene() const noexcept {
-    return impl_->scene;
+    return impl_->shown;
 }
 const Task& AttemptRunner::task() const noexcept { return impl_->task; }
 
@@ -113,6 +126,11 @@ const sim::Snapshot& AttemptRunner::snapshot(bool* fresh) noexcept {
     const bool changed = impl_->loop->snapshots().refresh();
     if (fresh != nullptr) *fresh = changed;
     return impl_->loop->snapshots().front();
+}
+
+const sim::PracticeGoal& AttemptRunner::practice() noexcept {
+    impl_->loop->practice().refresh();
+    return impl_->loop->practice().front();
 }
 
 AttemptStatus AttemptRunner::status() const {

@@ -10,6 +10,7 @@
 #include "curriculum/task.h"
 #include "haptics/servo.h"
 #include "sim/recording.h"
+#include "sim/retune.h"
 #include "sim/snapshot.h"
 
 namespace placode::curriculum {
@@ -22,6 +23,7 @@ struct AttemptOptions {
     bool demonstration = false;
     std::string started_utc;
     sim::Latest<sim::WindowInput>* window = nullptr;
+    std::vector<TaskStep> steps;  ///< Filled by the runner: what the device can do of the task's.
 };
 
 struct AttemptStatus {
@@ -49,6 +51,9 @@ class AttemptRunner {
     void start();                                         ///< Starts the threads.
     void request_finish(sim::EndReason reason) noexcept;  ///< Main thread: menu, window closed.
     void set_paused(bool paused) noexcept;
+    /// Changes tissue or generator before the next frame. Main thread. The attempt then counts as
+    /// tuned: it is recorded, replayed exactly, and never passes.
+    void tune(sim::TuneParameter parameter, sim::Tissue tissue, double value) noexcept;
     [[nodiscard]] bool finished() const noexcept;
     void wait();  ///< Until finished and everything is written.
 
@@ -56,6 +61,8 @@ class AttemptRunner {
     [[nodiscard]] const Task& task() const noexcept;
     /// Newest snapshot (main thread); true in `fresh` when it changed.
     [[nodiscard]] const sim::Snapshot& snapshot(bool* fresh = nullptr) noexcept;
+    /// Where the steps of a practice task stand (main thread); count == 0 = it has none.
+    [[nodiscard]] const sim::PracticeGoal& practice() noexcept;
     [[nodiscard]] AttemptStatus status() const;
     [[nodiscard]] sim::RecordingEnd end() const;  ///< After wait().
     /// What the haptic loop has done so far, as JSON (haptics/certificate.h).

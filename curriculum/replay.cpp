@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "curriculum/attempt_runner.h"
+#include "sim/retune.h"
 
 namespace placode::curriculum {
 
@@ -92,6 +93,12 @@ ReplayResult replay(const sim::Recording& recording, int threads,
     task.scene.seed = recording.header.seed;
     restore_grips(recording.header, task);
     const std::shared_ptr<const sim::Scene> scene = sim::build_operative_field(task.scene);
+    // This scene is ours alone: tunings of the attempt are done again.
+    const auto tunable = std::const_pointer_cast<sim::Scene>(scene);
+    std::vector<sim::Event> tunings;
+    for (const sim::Event& event : recording.events)
+        if (event.kind == sim::kTuned) tunings.push_back(event);
+    size_t tuning = 0;
     sim::State state(*scene, threads);
     sim::settle(*scene, state, task.settle_s);
 
@@ -107,6 +114,10 @@ ReplayResult replay(const sim::Recording& recording, int threads,
                              std::to_string(input.tool_count) + " tools)";
             return result;
         }
+        for (;
+             tuning < tunings.size() && tunings[tuning].hash <= static_cast<uint64_t>(state.frame);
+             ++tuning)
+            static_cast<void>(sim::retune(*tunable, state, tunings[tuning]));
         state.substeps = input.substeps;
         (void)sim::step(*scene, state, {input.tools, tools}, {feedback.data(), tools});
         ++result.frames;

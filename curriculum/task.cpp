@@ -3,6 +3,7 @@
 #include "curriculum/task.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 
 #include "curriculum/json_reader.h"
@@ -44,6 +45,38 @@ assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
     return rubric;
 }
 
+constexpr std::array<const char*, sim::kPracticeKinds> kStepKinds{
+    "move",  "depth",   "turn",  "touch",    "cut",     "coag",
+    "grasp", "release", "trace", "traction", "withdraw"};
+
+TaskStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
+    TaskStep step;
+    sim::PracticeStep& goal = step.goal;
+    const std::string kind = json["kind"], hand = json.value("hand", "right");
+    for (size_t i = 0; i < kStepKinds.size(); ++i)
+        if (kind == kStepKinds[i]) goal.kind = static_cast<sim::PracticeKind>(i);
+    goal.hand = hand == "left"     ? sim::Hand::kLeft
+                : hand == "camera" ? sim::Hand::kCamera
+                                   : sim::Hand::kRight;
+    goal.distance_m = json.value("distance_m", goal.distance_m);
+    goal.turn_rad = json.value("turn_rad", goal.turn_rad);
+    goal.hold_s = json.value("hold_s", goal.hold_s);
+    goal.hour = json.value("hour", goal.hour);
+    goal.hour_left = json.value("hour_left", goal.hour_left);
+    goal.outward_m = json.value("outward_m", goal.outward_m);
+    goal.tolerance_m = json.value("tolerance_m", goal.tolerance_m);
+    goal.low_n = json.value("low_n", goal.low_n);
+    goal.high_n = json.value("high_n", goal.high_n);
+    if (goal.low_n >= goal.high_n)
+        throw DefinitionError(origin, pointer + "/low_n", "must be below high_n");
+    step.text = local_text(json["text"]);
+    if (json.contains("hints"))
+        for (const auto& [device, text] : json["hints"].items())
+            step.hints[device] = local_text(text);
+    if (json.contains("devices")) step.devices = json["devices"].get<std::vector<std::string>>();
+    return step;
+}
+
 /// The scene as one complete object: named file or own object, with the task's changes on top.
 Json resolve_scene(const Json& task, const std::string& origin) {
     Json scene;
@@ -75,6 +108,11 @@ Task read_task(const Json& json, const std::string& origin) {
     task.settle_s = json.value("settle_s", task.settle_s);
     task.time_limit_s = json.value("time_limit_s", task.time_limit_s);
     task.finish_when_cut = json.value("finish_when_cut", task.finish_when_cut);
+    if (json.contains("steps")) {
+        for (const Json& step : json["steps"])
+            task.steps.push_back(
+                read_step(step, origin, "/steps/" + std::to_string(task.steps.size())));
+    }
     task.rubric = read_rubric(json["rubric"], origin);
 
     const Json scene = resolve_scene(json, origin);
@@ -102,6 +140,18 @@ Task read_task(const Json& json, const std::string& origin) {
 }
 
 }  // namespace
+
+std::vector<TaskStep> steps_for(const Task& task, const std::string& device) {
+    const std::string name = device.substr(0, device.find(':'));
+    std::vector<TaskStep> steps;
+    for (const TaskStep& step : task.steps) {
+        const auto& only = step.devices;
+        if (only.empty() || name == "script" ||
+            std::find(only.begin(), only.end(), name) != only.end())
+            steps.push_back(step);
+    }
+    return steps;
+}
 
 Task load_task(const std::string& id_or_file) {
     const std::filesystem::path file = find_definition("tasks", id_or_file);

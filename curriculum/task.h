@@ -4,6 +4,7 @@
 // A task: what to do, in which scene, with which tools, and how it is judged. Data, not code.
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/definitions.h"
 #include "sim/anatomy/operative_field.h"
+#include "sim/practice.h"
 
 namespace placode::curriculum {
 
@@ -20,6 +22,14 @@ struct LocalText {
     [[nodiscard]] const std::string& in(const std::string& language) const {
         return language == "pl" && !pl.empty() ? pl : en;
     }
+};
+
+/// A step of a practice task: what to do, how the device at hand does it, when it counts as done.
+struct TaskStep {
+    sim::PracticeStep goal;
+    LocalText text;
+    std::map<std::string, LocalText> hints;  ///< By device: "mouse", "keyboard", ...
+    std::vector<std::string> devices;        ///< Only with these; empty = with all.
 };
 
 struct Task {
@@ -32,10 +42,14 @@ struct Task {
     double settle_s = 0.3;
     double time_limit_s = 600;
     bool finish_when_cut = true;  ///< Ends by itself when the ring is complete.
+    std::vector<TaskStep> steps;  ///< Done in this order; the attempt ends with the last.
     assessment::Rubric rubric;
     std::string
         json;  ///< Resolved text, for the recording: load_task_text(json) gives the same task.
 };
+
+/// The steps that this device can do; scripts can do all. "script:expert" is the device "script".
+[[nodiscard]] std::vector<TaskStep> steps_for(const Task& task, const std::string& device);
 
 /// By id of a shipped task, or by path of a JSON file. Throws DefinitionError.
 [[nodiscard]] Task load_task(const std::string& id_or_file);

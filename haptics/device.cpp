@@ -123,6 +123,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Precision (a tenth of the speed)", "hold Ctrl"},
                 {"Stop the hand", "hold Space"},
                 {"Turn the instrument", "Q / E"},
+                {"Steer the scope", "arrow keys"},
                 {"Other hand, when there are two", "Tab"},
                 {"Finish the task", "Enter"}};
     if (device == "gamepad")

@@ -16,6 +16,7 @@
 #include "haptics/station.h"
 #include "sim/exchange.h"
 #include "sim/geometry.h"
+#include "sim/practice.h"
 #include "sim/scene.h"
 #include "sim/snapshot.h"
 #include "sim/tool.h"
@@ -85,6 +86,7 @@ struct Perception {
     std::array<double, sim::kMaxTools> pull_n{};          ///< Traction of jaws that hold.
     bool piece_free = false;  ///< What the jaws hold hangs on nothing any more.
     int pieces_out = 0;
+    sim::PracticeGoal practice;  ///< Steps of a practice task: what to do now, and where.
 };
 
 /// Settings of `open_device`, from command line, station and task.
@@ -95,7 +97,8 @@ struct DeviceConfig {
     sim::Latest<sim::WindowInput>* window =
         nullptr;  ///< For mouse, keyboard and gamepad; may be null.
     double frame_s = 1e-3;
-    Station station;  ///< What this computer says about its devices.
+    bool practice = false;  ///< The task has steps (for scripts).
+    Station station;        ///< What this computer says about its devices.
     /// Clock of groups with a scheduler of their own [ns]; null: CLOCK_MONOTONIC. For tests.
     int64_t (*clock_ns)() noexcept = nullptr;
 };

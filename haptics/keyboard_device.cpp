@@ -11,6 +11,7 @@ constexpr double kSpeedMS = 0.040;
 // A key has one speed. The tip of a needle cuts at a few mm/s, so the pedal slows the hand as well.
 constexpr double kPrecision = 0.1;
 constexpr double kRollRadS = 1.5;
+constexpr double kScopeSpeedMS = 0.010;
 
 class KeyboardDevice final : public WindowHands {
  public:
@@ -18,7 +19,7 @@ class KeyboardDevice final : public WindowHands {
 
  protected:
     void move(const sim::WindowInput& now, const sim::WindowInput&, double dt_s, WindowHand& active,
-              WindowHand*) noexcept override {
+              WindowHand* scope) noexcept override {
         using sim::Key;
         const auto axis = [&now](Key plus, Key minus) {
             return (now.is_down(plus) ? 1.0 : 0.0) - (now.is_down(minus) ? 1.0 : 0.0);
@@ -27,6 +28,10 @@ class KeyboardDevice final : public WindowHands {
         const Vec3 direction(axis(Key::kD, Key::kA), axis(Key::kW, Key::kS),
                              axis(Key::kR, Key::kF));
         ease(active, kSpeedMS * (fine ? kPrecision : 1.0) * direction, dt_s);
+        if (scope != nullptr) {
+            const Vec3 look(axis(Key::kRight, Key::kLeft), axis(Key::kUp, Key::kDown), 0);
+            ease(*scope, kScopeSpeedMS * (fine ? kPrecision : 1.0) * look, dt_s);
+        }
         active.roll_rad += kRollRadS * dt_s * axis(Key::kE, Key::kQ);
     }
 

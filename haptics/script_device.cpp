@@ -9,6 +9,7 @@
 
 #include "haptics/lift_operator.h"
 #include "haptics/operator_model.h"
+#include "haptics/practice_operator.h"
 #include "haptics/resection_operator.h"
 #include "haptics/trocar.h"
 
@@ -62,7 +63,9 @@ class ScriptDevice final : public DeviceGroup {
         if (tools.needle >= 0) first = tools.needle;
         if (first < 0) first = 0;
         const auto home = [&](int i) { return homes[static_cast<size_t>(i)]; };
-        if (tools.scissors >= 0 && tools.grasper >= 0) {
+        if (config.practice) {
+            operator_ = std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes);
+        } else if (tools.scissors >= 0 && tools.grasper >= 0) {
             operator_ =
                 std::make_unique<ResectionOperator>(level, config.seed, tools, config.tools, homes);
         } else if (tools.grasper >= 0 && tools.needle < 0) {

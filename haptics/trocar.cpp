@@ -139,11 +139,20 @@ std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools
     desk.col(1) = Vec3::UnitZ();
     desk.col(2) = -Vec3::UnitX();
 
+    // A mouse knows two directions: along the tissue, not along the picture, which the scope sees at
+    // a slant; otherwise every motion up in the picture would lift the tip by half its way.
+    Mat3 level;
+    level.col(0) = -Vec3::UnitY();
+    level.col(1) = Vec3::UnitX();
+    level.col(2) = Vec3::UnitZ();
+    const bool flat = device == "mouse" || device == "keyboard" || device == "gamepad";
+
     std::vector<TrocarSettings> out;
     for (const auto& tool : tools) {
         TrocarSettings settings;
         settings.mapping = tip ? Mapping::kTip : Mapping::kHandle;
         settings.R_WD = tip ? camera : desk;
+        if (flat && tool.kind != sim::ToolKind::kScope) settings.R_WD = level;
         if (tool.kind == sim::ToolKind::kScope) {
             settings.home_tip_m = kScopeDistanceM * tool.pivot_m.normalized();
         } else {

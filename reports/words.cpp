@@ -41,6 +41,19 @@ constexpr const char* kPatterns[]{
     "{value} mm3 of skin tore{where}.",
     "{value} mm3 of the placode was cut{where}.",
     "{value} s is more than the target time.",
+    "{value} % of the steps were done.",
+    "Tissue was touched beside the marked place {times}.",
+    "{value} % of the places were touched.",
+    "The first touch was {value} mm beside the centre on average.",
+    "The tissue was pressed with up to {value} mN{where}; 100 mN is enough.",
+    "The tip was out of view for {value} s.",
+    "{value} % of the line was followed within 1 mm.",
+    "The tip was {value} mm beside the line on average.",
+    "In places the tip was {value} mm beside the line.",
+    "The tissue was pulled with up to {value} mN{where}; 25 mN is the limit.",
+    "{value} mm3 of tissue tore{where}.",
+    "Tissue was grasped {value} times; four are enough.",
+    "Tissue or generator was tuned: this attempt is not scored as a pass.",
 };
 
 QString translated(const char* context, const char* english) {

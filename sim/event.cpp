@@ -3,9 +3,19 @@
 
 #include "sim/event.h"
 
+#include "sim/practice.h"
+#include "sim/retune.h"
+
 namespace placode::sim {
 
 std::string_view event_name(EventKind kind) noexcept {
+    if (kind == kPracticeSteps) return "practice_steps";
+    if (kind == kStepDone) return "step_done";
+    if (kind == kTargetTouched) return "target_touched";
+    if (kind == kTargetMissed) return "target_missed";
+    if (kind == kTraced) return "traced";
+    if (kind == kTractionHeld) return "traction_held";
+    if (kind == kTuned) return "tuned";
     switch (kind) {
         case EventKind::kPhase:
             return "phase";

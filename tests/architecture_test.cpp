@@ -102,6 +102,7 @@ TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
         {"QSql", {"db/"}},
         {"qcustomplot", {"reports/"}},
         {"CLI/", {"ui/cli/", "ui/attempt/"}},
+        {"AL/", {"ui/attempt/"}},
         {"readstat", {"reports/"}},
     };
     for (const Include& include : includes()) {

@@ -80,7 +80,7 @@ TEST(Course, TheShippedCourseNamesShippedTasks) {
             EXPECT_NE(std::find(tasks.begin(), tasks.end(), stage.task_id), tasks.end())
                 << stage.task_id;
     }
-    EXPECT_EQ(load_course("first_steps").stages.size(), 5u);
+    EXPECT_EQ(load_course("first_steps").stages.size(), 9u);
 }
 
 TEST(Course, WrongCoursesAreRefusedWithTheirPlace) {

@@ -178,7 +178,7 @@ TEST(DefaultTrocars, PutTheNeedleAboveTheEdgeInsideThePicture) {
 
 TEST(DefaultTrocars, MoveTheTipRightInThePictureWhenTheDeviceMovesRight) {
     const std::vector<sim::ToolSpec> tools{needle(), scope()};
-    const auto trocars = default_trocars(tools, "mouse");
+    const auto trocars = default_trocars(tools, "spacemouse");
     Trocar tip(needle(), trocars[0]);
     Trocar camera(scope(), trocars[1]);
     const sim::Pose X_WC = camera.tip_pose(DeviceState{});
@@ -189,6 +189,22 @@ TEST(DefaultTrocars, MoveTheTipRightInThePictureWhenTheDeviceMovesRight) {
         state.position_m[axis] = 0.005;
         const Vec3 moved = X_WC.inverse() * tip.tip_pose(state).p - before;
         EXPECT_LT((moved - 0.005 * want[axis]).norm(), 1e-9) << "device axis " << axis;
+    }
+}
+
+TEST(DefaultTrocars, AMouseMovesAlongTheTissueAndItsWheelAwayFromIt) {
+    const std::vector<sim::ToolSpec> tools{needle(), scope()};
+    for (const char* device : {"mouse", "keyboard", "gamepad"}) {
+        const auto trocars = default_trocars(tools, device);
+        Trocar tip(needle(), trocars[0]);
+        const Vec3 before = tip.tip_pose(DeviceState{}).p;
+        const Vec3 want[3] = {Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0, 0, 1)};
+        for (int axis = 0; axis < 3; ++axis) {
+            DeviceState state;
+            state.position_m[axis] = 0.005;
+            const Vec3 moved = tip.tip_pose(state).p - before;
+            EXPECT_LT((moved - 0.005 * want[axis]).norm(), 1e-9) << device << " axis " << axis;
+        }
     }
 }
 

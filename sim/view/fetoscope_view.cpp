@@ -59,6 +59,7 @@ struct FetoscopeView::Impl {
     void draw_smoke();
     void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
+    void observe(const Snapshot& snapshot);
 
     ViewSettings settings;
     std::unique_ptr<GlContext> context;  // before everything that lives in it
@@ -75,6 +76,7 @@ struct FetoscopeView::Impl {
     TextPainter painter;
     Overlay overlay_painter;
     Smoke smoke;
+    Lens lens;
     GlTarget picture, output;
     Camera camera;
     Quality quality;
@@ -115,6 +117,18 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
         quality.samples = 0;
         quality.render_scale = std::min(quality.render_scale, s.height > 800 ? 0.6 : 0.8);
     }
+}
+
+void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
+    smoke.update(snapshot);
+    Vec3 tip(-0.022, 0, 0.038);
+    bool touches = false;
+    for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
+        if (tools[i].kind != ToolKind::kScope) continue;
+        tip = snapshot.tools[i].pose.p;
+        touches = snapshot.tools[i].in_contact != 0;
+    }
+    lens.update(snapshot, tip, touches);
 }
 
 void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
@@ -291,7 +305,7 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     if (width < 16 || height < 16 || snapshot.x.empty()) return;  // minimised, or nothing yet
     const auto start = Clock::now();
     s.camera = camera_of(snapshot, s.tools);
-    s.smoke.update(snapshot);
+    s.observe(snapshot);
     PostSettings post;
     post.circle = picture_circle(width, height);
     const int size = std::max(
@@ -308,6 +322,7 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.last_picture = start;
     s.last_time_s = snapshot.time_s;
     post.haze = s.smoke.haze();
+    post.lens = &s.lens;
     post.dim = overlay.menu ? 0.45 : 1.0;
     post.noise_seed = ++s.frames;
     // Always through a target of our own: what a window shows cannot be read back reliably.
@@ -334,7 +349,9 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.context->swap();
 }
 
-void FetoscopeView::observe(const Snapshot& snapshot) { impl_->smoke.update(snapshot); }
+void FetoscopeView::observe(const Snapshot& snapshot) { impl_->observe(snapshot); }
+void FetoscopeView::wipe_lens() { impl_->lens.wipe(); }
+const Lens& FetoscopeView::lens() const { return impl_->lens; }
 bool FetoscopeView::software() const { return impl_->software; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
 bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
@@ -343,6 +360,12 @@ int FetoscopeView::menu_item_under_pointer() const {
     double x = 0, y = 0;
     impl_->context->pointer(x, y);
     return impl_->overlay_painter.menu_item_at(x, y);
+}
+std::string FetoscopeView::typed() { return impl_->context->typed(); }
+int FetoscopeView::tuning_item_under_pointer() const {
+    double x = 0, y = 0;
+    impl_->context->pointer(x, y);
+    return impl_->overlay_painter.tuning_item_at(x, y);
 }
 int FetoscopeView::width() const { return impl_->context->width(); }
 int FetoscopeView::height() const { return impl_->context->height(); }

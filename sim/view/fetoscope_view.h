@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/view/gl_context.h"
+#include "sim/view/lens.h"
 #include "sim/view/overlay.h"
 #include "sim/view/view_field.h"
 
@@ -39,12 +40,20 @@ class FetoscopeView {
     void draw(const Snapshot& snapshot, const OverlayState& overlay);
     /// Lets smoke and haze go on between pictures, without drawing.
     void observe(const Snapshot& snapshot);
+    /// Wipes the lens; takes a second of simulated time.
+    void wipe_lens();
+    /// What is on the lens.
+    [[nodiscard]] const Lens& lens() const;
     /// True when the processor draws: leave some of it to the physics.
     [[nodiscard]] bool software() const;
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     void poll(WindowInput& input);
     [[nodiscard]] bool close_requested() const;
     void capture_pointer(bool capture);
+    /// What was typed since the last call, UTF-8; backspace is "\b".
+    [[nodiscard]] std::string typed();
+    /// Place of the tuning panel under the pointer, -1 = none (sim/view/tuning_view.h).
+    [[nodiscard]] int tuning_item_under_pointer() const;
     /// Menu item under the pointer, -1 = none.
     [[nodiscard]] int menu_item_under_pointer() const;
 

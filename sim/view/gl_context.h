@@ -28,6 +28,8 @@ class GlContext {
     virtual void capture_pointer(bool) {}
     /// Pointer in framebuffer pixels, y down.
     virtual void pointer(double& x, double& y) const { x = y = -1; }
+    /// What was typed since the last call, UTF-8; backspace is "\b".
+    [[nodiscard]] virtual std::string typed() { return {}; }
     [[nodiscard]] virtual bool close_requested() const { return false; }
 };
 

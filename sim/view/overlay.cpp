@@ -79,11 +79,14 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
         energy();
         force();
         ring();
+        targets();
     }
     read_outs();
     warning();
     if (state.show_performance) performance();
     if (state.show_help && !state.menu) help();
+    tuning_.hide();
+    if (!state.menu) tuning_.draw(painter, state.tuning, width_, height_, unit_);
     if (state.menu) menu();
     painter.draw();
 }
@@ -109,13 +112,18 @@ void Overlay::read_outs() {
             y += paint_->line_height(TextSize::kNormal);
         }
         y += 0.3 * unit_;
-        for (const std::string& line : paint_->wrapped(state_->goal, TextSize::kSmall, room)) {
-            paint_->text(margin_, y, line, TextSize::kSmall, kMuted);
-            y += paint_->line_height(TextSize::kSmall);
+        if (practising()) {
+            y = practice_steps(y, room);
+        } else {
+            for (const std::string& line : paint_->wrapped(state_->goal, TextSize::kSmall, room)) {
+                paint_->text(margin_, y, line, TextSize::kSmall, kMuted);
+                y += paint_->line_height(TextSize::kSmall);
+            }
         }
         paint_->text(width_ - margin_, height_ - margin_, say("F1 help   Esc pause   Enter finish"),
                      TextSize::kSmall, kMuted.faded(0.7F), Align::kRight);
     }
+    if (practising() && room <= 9 * unit_) practice_line();
     if (!state_->banner.empty()) {
         const std::string text = say(state_->banner);
         const double w = paint_->text_width(text, TextSize::kSmall) + 1.2 * unit_;
@@ -163,9 +171,18 @@ void Overlay::force() {
         const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
         if (tool.kind == ToolKind::kScope) continue;
         const double f = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
-        const double share = std::clamp(f / std::max(state_->full_force_n, 1e-6), 0.0, 1.0);
-        const Colour colour = share > 0.85 ? kCritical : share > 0.5 ? kWarn : kGood;
+        const PracticeStep& step = state_->practice.goal.step;
+        const bool band = practising() && step.kind == PracticeKind::kTraction;
+        const double full = band ? 1.6 * step.high_n : state_->full_force_n;
+        const double share = std::clamp(f / std::max(full, 1e-6), 0.0, 1.0);
+        Colour colour = share > 0.85 ? kCritical : share > 0.5 ? kWarn : kGood;
+        if (band) colour = f > step.high_n ? kCritical : f < step.low_n ? kMuted : kGood;
         paint_->box(margin_, y, w, h, kRaised);
+        if (band) {  // where both hands have to stand
+            const double from = w * step.low_n / full, to = w * step.high_n / full;
+            paint_->box(margin_ + from, y - 0.15 * unit_, to - from, h + 0.3 * unit_,
+                        kGood.faded(0.35F));
+        }
         paint_->box(margin_, y, w * share, h, colour);
         paint_->text(margin_, y - 0.5 * unit_, say("force") + "  " + number(1000 * f, 0) + " mN",
                      TextSize::kSmall, kMuted);
@@ -178,9 +195,11 @@ void Overlay::ring() {
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     const double y = height_ - margin_ - radius - (room > 9 * unit_ ? 2.0 * unit_ : 0.0);
     paint_->ring(x, y, radius, 0.80, kLine);
-    const size_t n = snapshot_->contour_cut.size();
+    const PracticeGoal& goal = state_->practice.goal;
+    const bool traces = practising() && goal.step.kind == PracticeKind::kTrace;
+    const size_t n = traces ? goal.traced.size() : snapshot_->contour_cut.size();
     for (size_t i = 0; i < n; ++i) {
-        if (snapshot_->contour_cut[i] == 0) continue;
+        if ((traces ? goal.traced[i] : snapshot_->contour_cut[i]) == 0) continue;
         // Drawn as the lesion lies in the picture: cranial (+x) up, left (+y) to the left.
         Vec2 direction[2];
         for (size_t e = 0; e < 2; ++e) {
@@ -194,9 +213,116 @@ void Overlay::ring() {
                      kAccent);
     }
     paint_->text(x, y + 0.25 * unit_,
-                 number(std::floor(100.0 * snapshot_->cut_fraction + 1e-4), 0) + " %",
+                 number(std::floor(100.0 * (traces ? std::min(1.0, goal.progress)
+                                                   : snapshot_->cut_fraction) +
+                                   1e-4),
+                        0) +
+                     " %",
                  TextSize::kNormal, kText, Align::kCentre);
     paint_->text(x, y + 1.25 * unit_, say("ring"), TextSize::kSmall, kMuted, Align::kCentre);
+}
+
+bool Overlay::practising() const {
+    const PracticeOverlay& practice = state_->practice;
+    return !practice.steps.empty() && practice.goal.count > 0;
+}
+
+// The whole list, each step ticked off when it is done; how to do it stands below the present one.
+double Overlay::practice_steps(double y, double room) {
+    const PracticeOverlay& practice = state_->practice;
+    const int now = practice.goal.index;
+    const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
+    for (int i = 0; i < static_cast<int>(practice.steps.size()); ++i) {
+        const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(i)];
+        if (i < now) paint_->text(margin_, y, "\xE2\x9C\x93", TextSize::kSmall, kGood);
+        if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
+        const Colour& colour = i == now ? kText : kMuted;
+        for (const std::string& line :
+             paint_->wrapped(step.text, TextSize::kSmall, room - indent)) {
+            paint_->text(margin_ + indent, y, line, TextSize::kSmall, colour);
+            y += row;
+        }
+        if (i == now) {
+            for (const std::string& line :
+                 paint_->wrapped(step.hint, TextSize::kSmall, room - indent)) {
+                paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
+                y += row;
+            }
+            const double w = room - indent;
+            paint_->box(margin_ + indent, y - 0.6 * unit_, w, 0.25 * unit_, kLine);
+            paint_->box(margin_ + indent, y - 0.6 * unit_,
+                        w * std::clamp(practice.goal.progress, 0.0, 1.0), 0.25 * unit_, kAccent);
+            y += 0.5 * unit_;
+        }
+        y += 0.2 * unit_;
+    }
+    return y;
+}
+
+// No room beside the picture: the present step alone, at the foot.
+void Overlay::practice_line() {
+    const PracticeOverlay& practice = state_->practice;
+    const int now = practice.goal.index;
+    if (now >= static_cast<int>(practice.steps.size())) return;
+    const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(now)];
+    const std::string text =
+        std::to_string(now + 1) + "/" + std::to_string(practice.steps.size()) + "  " + step.text;
+    const double w =
+        std::min(width_ - 2 * margin_, std::max(paint_->text_width(text, TextSize::kSmall),
+                                                paint_->text_width(step.hint, TextSize::kSmall)) +
+                                           1.6 * unit_);
+    const double rows = step.hint.empty() ? 1 : 2;
+    const double h = rows * paint_->line_height(TextSize::kSmall) + 0.8 * unit_;
+    const double x = 0.5 * (width_ - w), y = height_ - h - 3.2 * unit_;
+    paint_->box(x, y, w, h, kRaised.faded(0.85F));
+    paint_->text(0.5 * width_, y + 1.2 * unit_, text, TextSize::kSmall, kText, Align::kCentre);
+    if (rows > 1)
+        paint_->text(0.5 * width_, y + 1.2 * unit_ + paint_->line_height(TextSize::kSmall),
+                     step.hint, TextSize::kSmall, kAccent, Align::kCentre);
+    paint_->box(x, y + h - 0.2 * unit_, w * std::clamp(practice.goal.progress, 0.0, 1.0),
+                0.2 * unit_, kAccent);
+}
+
+bool Overlay::place_of(const Vec3& mm, Vec2& px) const {
+    const Eigen::Vector4f at(static_cast<float>(mm.x()), static_cast<float>(mm.y()),
+                             static_cast<float>(mm.z()), 1.0F);
+    const Eigen::Vector4f clip = camera_->view_projection() * at;
+    if (clip.w() <= 0) return false;
+    const Vec2 seen(static_cast<double>(clip.x() / clip.w()),
+                    static_cast<double>(clip.y() / clip.w()));
+    // The lens of compose.glsl, the other way round: r (1 + k1 r^2 + k2 r^4) = kRim |seen|.
+    constexpr double k1 = 0.20, k2 = 0.03, rim = 1 + k1 + k2;
+    const double wanted = rim * seen.norm();
+    double r = wanted;
+    for (int i = 0; i < 8; ++i) {
+        const double r2 = r * r;
+        r -= (r * (1 + k1 * r2 + k2 * r2 * r2) - wanted) / (1 + 3 * k1 * r2 + 5 * k2 * r2 * r2);
+    }
+    if (r > 1) return false;
+    const Vec2 p = seen.norm() > 1e-9 ? Vec2(seen.normalized() * r) : Vec2(Vec2::Zero());
+    px = Vec2(circle_.x + circle_.radius * p.x(), circle_.y - circle_.radius * p.y());
+    return true;
+}
+
+// Rings around the places of the present step, as wide as what still counts.
+void Overlay::targets() {
+    if (!practising()) return;
+    const PracticeGoal& goal = state_->practice.goal;
+    for (int t = 0; t < goal.targets; ++t) {
+        const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
+        Vec2 px, side;
+        if (!place_of(mm, px)) continue;
+        double radius = 0.7 * unit_;
+        if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
+            radius = std::max(radius, (side - px).norm());
+        paint_->ring(px.x(), px.y(), radius + 1.5, (radius - 2.5) / (radius + 1.5),
+                     kInk.faded(0.6F));
+        paint_->ring(px.x(), px.y(), radius, (radius - 2) / radius, kText);
+        paint_->ring(px.x(), px.y(), 2.5, 0, kText);
+        if (goal.progress > 0)
+            paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
+                         kAccent.faded(0.5F));
+    }
 }
 
 // One short phrase at the rim, on the side of the instrument; calm, gone after a few seconds.

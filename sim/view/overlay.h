@@ -8,12 +8,23 @@
 #include <utility>
 #include <vector>
 
+#include "sim/practice.h"
 #include "sim/snapshot.h"
 #include "sim/view/camera.h"
 #include "sim/view/post_process.h"
 #include "sim/view/text.h"
+#include "sim/view/tuning_view.h"
 
 namespace placode::sim {
+
+/// Steps of a practice task, in the user's language: what to do, and how with the device at hand.
+struct PracticeOverlay {
+    struct Step {
+        std::string text, hint;
+    };
+    std::vector<Step> steps;  ///< Empty = the task has none.
+    PracticeGoal goal;        ///< Where it stands.
+};
 
 /// What the program wants said. Texts are already in the user's language unless noted.
 struct OverlayState {
@@ -30,6 +41,8 @@ struct OverlayState {
     bool show_help = false, show_performance = false, show_guide = false;
     bool menu = false;
     int menu_selected = 0;
+    PracticeOverlay practice;
+    TuningOverlay tuning;
 };
 inline constexpr int kMenuItems = 3;  ///< Continue, finish and score, leave.
 
@@ -48,16 +61,24 @@ class Overlay {
               int height);
     /// Menu item under a pointer [px], -1 = none.
     [[nodiscard]] int menu_item_at(double x, double y) const;
+    /// Item of the tuning panel there, -1 = none.
+    [[nodiscard]] int tuning_item_at(double x, double y) const { return tuning_.item_at(x, y); }
 
  private:
     void read_outs();
     void energy();
     void force();
     void ring();
+    [[nodiscard]] double practice_steps(double y, double room);
+    void practice_line();
+    void targets();
     void warning();
     void help();
     void performance();
     void menu();
+    /// Where a point of W [mm] stands in the window [px]; false behind the lens or off the picture.
+    [[nodiscard]] bool place_of(const Vec3& mm, Vec2& px) const;
+    [[nodiscard]] bool practising() const;
     [[nodiscard]] std::string say(std::string_view english) const;
 
     // Of the picture being drawn.
@@ -70,6 +91,7 @@ class Overlay {
     double width_ = 0, height_ = 0, unit_ = 16, margin_ = 16, column_ = 150;
     double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
     bool menu_shown_ = false;
+    TuningView tuning_;
 };
 
 /// "3:07".

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/view/lens.h"
+
 namespace placode::sim {
 namespace {
 
@@ -90,7 +92,27 @@ void PostProcess::run(const GlTexture& picture, int size, const PostSettings& se
     compose_.set("haze", static_cast<float>(settings.haze));
     compose_.set("noise_seed", static_cast<float>(settings.noise_seed % 997U) * 0.37F);
     compose_.set("dim", static_cast<float>(settings.dim));
+    set_lens(settings.lens);
     draw_screen_triangle();
+}
+
+void PostProcess::set_lens(const Lens* lens) {
+    std::array<float, 4 * kMostDrops> drops{};
+    int count = 0;
+    if (lens != nullptr) {
+        for (const LensDrop& drop : lens->drops()) {
+            if (count == kMostDrops) break;
+            const auto i = static_cast<size_t>(4 * count++);
+            drops[i] = static_cast<float>(drop.at.x());
+            drops[i + 1] = static_cast<float>(drop.at.y());
+            drops[i + 2] = static_cast<float>(drop.radius);
+            drops[i + 3] = static_cast<float>(drop.strength);
+        }
+    }
+    compose_.set_array("drops", drops.data(), kMostDrops);
+    compose_.set("drop_count", count);
+    compose_.set("lens_fog", lens != nullptr ? static_cast<float>(lens->fog()) : 0.0F);
+    compose_.set("cloth", lens != nullptr ? static_cast<float>(lens->cloth()) : 2.0F);
 }
 
 }  // namespace placode::sim

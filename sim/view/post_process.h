@@ -9,6 +9,8 @@
 
 namespace placode::sim {
 
+class Lens;
+
 /// Where the round picture lies in the window [px].
 struct Circle {
     double x = 0, y = 0, radius = 1;
@@ -22,6 +24,7 @@ struct PostSettings {
     GLuint output = 0;          ///< Framebuffer.
     double dt_s = 0;            ///< Since the last picture, for the slow iris.
     double haze = 0, dim = 1;
+    const Lens* lens = nullptr;  ///< Fog and droplets on it; null = clean.
     uint32_t noise_seed = 0;
 };
 
@@ -31,6 +34,7 @@ class PostProcess {
     void run(const GlTexture& picture, int size, const PostSettings& settings);
 
  private:
+    void set_lens(const Lens* lens);
     GlProgram bright_, meter_, blur_, compose_;
     GlTarget quarter_, ping_, pong_;
     std::array<GlTarget, 2> exposure_;

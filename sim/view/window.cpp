@@ -92,6 +92,7 @@ class GlfwWindow final : public GlContext {
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
             self(w).on_key(key, action);
         });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { self(w).on_char(code); });
         glfwSetScrollCallback(window_,
                               [](GLFWwindow* w, double, double y) { self(w).state_.wheel += y; });
         glfwSetCursorPosCallback(
@@ -126,6 +127,8 @@ class GlfwWindow final : public GlContext {
         input = state_;
     }
 
+    [[nodiscard]] std::string typed() override { return std::exchange(typed_, {}); }
+
     void capture_pointer(bool capture) override {
         if (capture == captured_) return;
         captured_ = capture;
@@ -153,7 +156,22 @@ class GlfwWindow final : public GlContext {
         glfwGetFramebufferSize(window_, &w, &h);
         return {w, h};
     }
+    void on_char(unsigned code) {
+        if (typed_.size() > 256 || code < 0x20 || code > 0xFFFF) return;
+        if (code < 0x80) {
+            typed_ += static_cast<char>(code);
+        } else if (code < 0x800) {
+            typed_ += static_cast<char>(0xC0 | (code >> 6));
+            typed_ += static_cast<char>(0x80 | (code & 0x3F));
+        } else {
+            typed_ += static_cast<char>(0xE0 | (code >> 12));
+            typed_ += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
+            typed_ += static_cast<char>(0x80 | (code & 0x3F));
+        }
+    }
     void on_key(int key, int action) {
+        if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE && typed_.size() < 256)
+            typed_ += '\b';
         if (action == GLFW_REPEAT) return;
         for (const auto& [code, name] : kKeys) {
             if (code != key) continue;
@@ -197,6 +215,7 @@ class GlfwWindow final : public GlContext {
 
     GLFWwindow* window_ = nullptr;
     WindowInput state_;
+    std::string typed_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;
 };

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <charconv>
+#include <cstdlib>
 #include <iostream>
 #include <vector>
 
@@ -46,7 +47,11 @@ void read_screenshots(const std::string& text, Arguments& arguments) {
 void check(Arguments& arguments) {
     if (arguments.json && !arguments.list_devices)
         throw UsageError("--json goes with --list-devices; an attempt reports with --status");
-    if (arguments.list_devices || arguments.limits_file || arguments.station_file) return;
+    if (arguments.exam && !arguments.preset.empty())
+        throw UsageError("--preset: an exam is done on the task as it was published");
+    if (arguments.list_devices || arguments.list_presets || arguments.limits_file ||
+        arguments.station_file)
+        return;
     if (!arguments.test_device.empty()) {
         if (!arguments.task.empty() || !arguments.record.empty())
             throw UsageError("--test-device tries a device by itself, without --task and --record");
@@ -120,6 +125,15 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_flag("--control", arguments.control,
                  "Replay: read \"camera NAME\", \"speed X\", \"seek S\", \"pause\", \"play\", "
                  "\"quit\" from standard input");
+    app.add_option("--preset", arguments.preset,
+                   "Load a preset that was saved with F2; such an attempt is not scored as a pass")
+        ->type_name("ID|FILE.json");
+    app.add_option("--author", arguments.author, "Who saves presets (default: the login name)");
+    app.add_flag("--exam", arguments.exam, "Only the time is shown; no tuning");
+    app.add_option("--volume", arguments.volume_percent, "Loudness of tones and alarms [%]")
+        ->check(CLI::Range(0, 100));
+    app.add_flag("--mute", arguments.mute, "No sound");
+    app.add_flag("--list-presets", arguments.list_presets, "Presets of this user, then exit");
     app.add_flag("--list-devices", arguments.list_devices, "What can be used here, and why not");
     app.add_flag("--json", arguments.json, "With --list-devices: one JSON document");
     app.add_option("--test-device", arguments.test_device,
@@ -144,6 +158,10 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
     if (!size.empty()) read_size(size, arguments);
     if (!screenshots.empty()) read_screenshots(screenshots, arguments);
+    if (arguments.author.empty()) {
+        const char* login = std::getenv("USER");
+        arguments.author = login != nullptr ? login : "";
+    }
     check(arguments);
     return arguments;
 }

@@ -29,6 +29,10 @@ struct Arguments {
     int scope_angle_deg = -1;  ///< -1 = as the task says.
     bool headless = false, fast = false, status = false, demonstration = false;
     bool fullscreen = false, list_devices = false, json = false;
+    std::string preset, author;  ///< Tuned numbers to load; who tunes, for what is saved.
+    bool exam = false;           ///< Time only, no tuning.
+    bool mute = false, list_presets = false;
+    int volume_percent = -1;  ///< -1 = as set before.
     bool limits_file = false, station_file = false;
     std::string test_device;    ///< Try this device, or "pedals"; empty = no.
     double test_force_n = 0.5;  ///< Ceiling of the force of that test.

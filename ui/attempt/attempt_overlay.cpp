@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/attempt/attempt_overlay.h"
 
+#include "curriculum/preset.h"
+
 namespace placode::ui {
 namespace {
 
@@ -20,10 +22,15 @@ Help controls(const std::string& device) {
                 {"Space", "Freeze the hand"},
                 {"Tab", "Other hand"}};
     } else if (device == "keyboard") {
-        help = {{"W A S D", "Move the instrument"}, {"R  F", "Shallower, deeper"},
-                {"Q  E", "Turn about the shaft"},   {"X", "Cut (yellow pedal)"},
-                {"C", "Coagulate (blue pedal)"},    {"Ctrl", "Precise"},
-                {"Space", "Freeze the hand"},       {"Tab", "Other hand"}};
+        help = {{"W A S D", "Move the instrument"},
+                {"R  F", "Shallower, deeper"},
+                {"Q  E", "Turn about the shaft"},
+                {"X", "Cut (yellow pedal)"},
+                {"C", "Coagulate (blue pedal)"},
+                {"arrows", "Move the scope"},
+                {"Ctrl", "Precise"},
+                {"Space", "Freeze the hand"},
+                {"Tab", "Other hand"}};
     } else if (device == "gamepad") {
         help = {{"left stick", "Move the instrument"},   {"triggers", "Deeper, shallower"},
                 {"right stick", "Turn about the shaft"}, {"A", "Cut (yellow pedal)"},
@@ -40,11 +47,10 @@ Help controls(const std::string& device) {
                 {"pedals, 1", "Cut (yellow pedal)"},
                 {"pedals, 2", "Coagulate (blue pedal)"}};
     }
-    const Help common{{"F5", "Planned line on, off"},
-                      {"F3", "Performance"},
-                      {"F12", "Screenshot"},
-                      {"Esc", "Pause and menu"},
-                      {"Enter", "Finish and be scored"},
+    const Help common{{"L", "Wipe the lens"},       {"M  + -", "Sound off, louder, softer"},
+                      {"F2", "Clinician's tuning"}, {"F5", "Planned line on, off"},
+                      {"F3", "Performance"},        {"F12", "Screenshot"},
+                      {"Esc", "Pause and menu"},    {"Enter", "Finish and be scored"},
                       {"F1", "Help on, off"}};
     help.insert(help.end(), common.begin(), common.end());
     return help;
@@ -66,6 +72,17 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
         overlay.coag_power_w = tool.coag_power_w;
         break;
     }
+    const std::string device = arguments.device.substr(0, arguments.device.find(':'));
+    for (const curriculum::TaskStep& step : curriculum::steps_for(task, arguments.device)) {
+        const auto hint = step.hints.find(device);
+        overlay.practice.steps.push_back(
+            {step.text.in(arguments.language),
+             hint == step.hints.end() ? "" : hint->second.in(arguments.language)});
+        // A line that is to be followed must be seen.
+        overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
+    }
+    overlay.exam = arguments.exam;
+    if (!curriculum::preset_of(task).empty()) overlay.banner = "TUNED, not scored";
     if (arguments.demonstration) overlay.banner = "DEMONSTRATION";
     if (!arguments.play.empty()) overlay.banner = "REPLAY";
     return overlay;

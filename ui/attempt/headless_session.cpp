@@ -15,7 +15,7 @@ namespace placode::ui {
 void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
                   StatusLine& status) {
     Screenshots shots(arguments);
-    const sim::OverlayState overlay = attempt_overlay(runner.task(), arguments);
+    sim::OverlayState overlay = attempt_overlay(runner.task(), arguments);
     std::optional<sim::FetoscopeView> view;
     if (shots.wanted()) {
         view.emplace(sim::view_field(*runner.scene(), arguments.seed),
@@ -31,6 +31,7 @@ void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
             if (!snapshot.x.empty()) {
                 view->observe(snapshot);
                 if (shots.due(snapshot.time_s)) {
+                    overlay.practice.goal = runner.practice();
                     view->draw(snapshot, overlay);
                     shots.save(*view, snapshot.time_s);
                 }
@@ -42,6 +43,7 @@ void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
     if (!view) return;
     const sim::Snapshot& last = runner.snapshot();
     if (last.x.empty()) return;
+    overlay.practice.goal = runner.practice();
     view->draw(last, overlay);
     shots.save(*view, last.time_s);
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "curriculum/attempt_runner.h"
+#include "curriculum/preset.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/device.h"
@@ -63,6 +64,17 @@ int list_devices(bool json) {
     return 0;
 }
 
+int list_presets() {
+    const auto presets = curriculum::list_presets();
+    for (const curriculum::ScenePreset& p : presets)
+        std::printf("%-28s on %-14s %s, %s  %s\n", p.id.c_str(), p.preset_of.c_str(),
+                    p.author.empty() ? "-" : p.author.c_str(), p.saved_utc.c_str(), p.name.c_str());
+    if (presets.empty())
+        std::printf("no presets in %s; F2 in the simulator's window saves one\n",
+                    curriculum::preset_folder().c_str());
+    return 0;
+}
+
 // Files that an administrator or a user may want to start from.
 int print_file(const std::string& text) {
     std::fputs(text.c_str(), stdout);
@@ -72,6 +84,8 @@ int print_file(const std::string& text) {
 int run_attempt(const Arguments& arguments, StatusLine& status) {
     status.print({}, true);
     curriculum::Task task = curriculum::load_task(arguments.task);
+    if (!arguments.preset.empty())
+        task = curriculum::with_preset(task, curriculum::load_preset(arguments.preset));
     if (arguments.scope_angle_deg >= 0) {
         for (sim::ToolSpec& tool : task.scene.tools) {
             if (tool.kind == sim::ToolKind::kScope)
@@ -117,6 +131,7 @@ int run(int argc, char** argv) {
     const Arguments arguments = parse_arguments(argc, argv, exit_now);
     if (exit_now) return 0;
     if (arguments.list_devices) return list_devices(arguments.json);
+    if (arguments.list_presets) return list_presets();
     if (arguments.limits_file) return print_file(haptics::limits_file());
     if (arguments.station_file) return print_file(haptics::Station::of_this_computer().file_text());
     catch_stop_signals();

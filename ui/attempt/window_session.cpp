@@ -9,6 +9,8 @@
 #include "sim/view/fetoscope_view.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
+#include "ui/attempt/sound.h"
+#include "ui/attempt/tuning_panel.h"
 
 namespace placode::ui {
 namespace {
@@ -26,8 +28,17 @@ class WindowSession {
           shots_(arguments),
           overlay_(attempt_overlay(runner.task(), arguments)),
           view_(sim::view_field(*runner.scene(), arguments.seed),
-                view_settings(arguments, overlay_.title)) {
-        overlay_.show_help = true;  // until the first key, so that nobody starts in the dark
+                view_settings(arguments, overlay_.title)),
+          panel_(runner.task(),
+                 {.language = arguments.language,
+                  .author = arguments.author,
+                  .allowed = !arguments.exam,
+                  .saved_utc = {},
+                  .tune = [&runner](auto p, auto tissue,
+                                    double value) { runner.tune(p, tissue, value); }}),
+          sound_(sound_settings(arguments)) {
+        // Until the first key, so that nobody starts in the dark; steps say it themselves.
+        overlay_.show_help = overlay_.practice.steps.empty();
     }
 
     void run() {
@@ -44,6 +55,7 @@ class WindowSession {
             if (stop_requested()) runner_.request_finish(sim::EndReason::kInterrupted);
             handle_keys();
             publish();
+            listen();
             status_.print(runner_.status());
             if (Clock::now() >= next_picture) {
                 const Clock::time_point start = Clock::now();
@@ -61,6 +73,7 @@ class WindowSession {
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
         }
+        sound_.silence();
         overlay_.menu = false;
         overlay_.notice = "Finished";
         picture();
@@ -72,7 +85,77 @@ class WindowSession {
         return input_.presses[i] != before_.presses[i];
     }
 
+    static SoundSettings sound_settings(const Arguments& arguments) {
+        SoundSettings settings = load_sound_settings();
+        if (arguments.volume_percent >= 0) settings.volume = arguments.volume_percent / 100.0;
+        settings.muted = settings.muted || arguments.mute;
+        return settings;
+    }
+
+    void listen() {
+        const sim::Snapshot& snapshot = runner_.snapshot();
+        if (snapshot.x.empty()) return;
+        sound_.play(score_.listen(snapshot, overlay_.time_limit_s, overlay_.exam));
+    }
+
+    /// Letters that mean something wherever the keyboard puts them: sound and lens.
+    void handle_letters() {
+        const std::string typed = view_.typed();
+        if (panel_.typing()) {
+            panel_.type(typed);
+            return;
+        }
+        SoundSettings settings = sound_.settings();
+        for (const char c : typed) {
+            if (c == 'm' || c == 'M') settings.muted = !settings.muted;
+            if (c == '+') settings.volume = std::min(1.0, settings.volume + 0.1);
+            if (c == '-') settings.volume = std::max(0.0, settings.volume - 0.1);
+            if (c == 'l' || c == 'L') view_.wipe_lens();
+            if (c != 'm' && c != 'M' && c != '+' && c != '-') continue;
+            if (c == '+' || c == '-') settings.muted = false;
+            sound_.set(settings);
+            save_sound_settings(settings);
+            note(!sound_.problem().empty() ? "No sound on this computer"
+                 : settings.muted          ? "Sound off"
+                                           : "Sound on");
+        }
+    }
+
+    /// F2 and what belongs to the panel. True when nothing else shall see the keys.
+    bool handle_panel() {
+        const bool pointed = panel_.takes_pointer();
+        const bool was_typing = panel_.typing();
+        if (pressed(Key::kF2)) {
+            if (overlay_.exam) note("No tuning in an exam");
+            panel_.toggle();
+        }
+        bool taken = false;
+        for (const Key key :
+             {Key::kUp, Key::kDown, Key::kLeft, Key::kRight, Key::kEnter, Key::kEscape}) {
+            if (pressed(key)) taken = panel_.key(key) || taken;
+        }
+        if (panel_.takes_pointer() && input_.left && !before_.left)
+            panel_.click(view_.tuning_item_under_pointer());
+        if (panel_.takes_pointer() != pointed) {
+            view_.capture_pointer(!panel_.takes_pointer());
+            hold_left_ = true;
+        }
+        if (panel_.tuned()) {
+            overlay_.banner = "TUNED, not scored";
+            overlay_.cut_power_w = panel_.power_w(sim::TuneParameter::kCutPower);
+            overlay_.coag_power_w = panel_.power_w(sim::TuneParameter::kCoagPower);
+        }
+        overlay_.tuning = panel_.picture();
+        return taken || was_typing || panel_.typing();
+    }
+
     void handle_keys() {
+        handle_letters();
+        if (!overlay_.menu && handle_panel()) {
+            hide_enter_ = true;
+            before_ = input_;
+            return;
+        }
         if (pressed(Key::kF3)) overlay_.show_performance = !overlay_.show_performance;
         if (pressed(Key::kF5)) overlay_.show_guide = !overlay_.show_guide;
         if (pressed(Key::kF12)) screenshot_asked_ = true;
@@ -129,12 +212,17 @@ class WindowSession {
     void publish() {
         sim::WindowInput seen = input_;
         const auto enter = static_cast<size_t>(Key::kEnter);
-        if (overlay_.menu) {
+        if (overlay_.menu || panel_.takes_pointer() || panel_.typing()) {
             hidden_enter_ += seen.presses[enter] - last_enter_;
             hidden_wheel_ += seen.wheel - last_wheel_;
             seen.down.reset();
             seen.left = seen.right = seen.middle = false;
+        } else if (panel_.shown()) {  // the arrows are the panel's
+            for (const Key key : {Key::kUp, Key::kDown, Key::kLeft, Key::kRight})
+                seen.down.reset(static_cast<size_t>(key));
+            if (hide_enter_) hidden_enter_ += seen.presses[enter] - last_enter_;
         }
+        hide_enter_ = false;
         last_enter_ = seen.presses[enter];
         last_wheel_ = seen.wheel;
         seen.presses[enter] -= hidden_enter_;
@@ -146,6 +234,7 @@ class WindowSession {
     void picture() {
         const sim::Snapshot& snapshot = runner_.snapshot();
         const curriculum::AttemptStatus status = runner_.status();
+        overlay_.practice.goal = runner_.practice();
         if (!status.warning.empty()) overlay_.notice = status.warning;
         if (notice_until_ > Clock::now()) overlay_.notice = notice_;
         if (notice_until_ <= Clock::now() && status.warning.empty() && overlay_.notice == notice_) {
@@ -157,15 +246,19 @@ class WindowSession {
         if (screenshot_asked_) extra_screenshot(snapshot.time_s);
     }
 
+    void note(const char* text) {
+        notice_ = text;
+        notice_until_ = Clock::now() + std::chrono::seconds(2);
+    }
+
     void extra_screenshot(double time_s) {
         screenshot_asked_ = false;
         try {
             shots_.save_extra(view_, time_s);
-            notice_ = "Screenshot saved";
+            note("Screenshot saved");
         } catch (const sim::ViewError&) {
-            notice_ = "Screenshot could not be saved";
+            note("Screenshot could not be saved");
         }
-        notice_until_ = Clock::now() + std::chrono::seconds(2);
     }
 
     curriculum::AttemptRunner& runner_;
@@ -174,8 +267,11 @@ class WindowSession {
     Screenshots shots_;
     sim::OverlayState overlay_;
     sim::FetoscopeView view_;
+    TuningPanel panel_;
+    Sound sound_;
+    SoundScore score_;
     sim::WindowInput input_, before_;
-    bool help_seen_ = false, hold_left_ = false, screenshot_asked_ = false;
+    bool help_seen_ = false, hold_left_ = false, screenshot_asked_ = false, hide_enter_ = false;
     uint32_t hidden_enter_ = 0, last_enter_ = 0;
     double hidden_wheel_ = 0, last_wheel_ = 0;
     std::string notice_;

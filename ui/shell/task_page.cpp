@@ -5,9 +5,12 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
+#include <QLabel>
 #include <QLocale>
+#include <QPixmap>
 #include <map>
 
+#include "curriculum/definitions.h"
 #include "haptics/device.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -58,6 +61,14 @@ class TaskPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         layout->addWidget(make_label(tr("Step by step"), "heading"));
+        const auto file = curriculum::data_folder() / "pictures" / (task_.id + ".jpg");
+        if (const QPixmap picture(qstr(file.string())); !picture.isNull()) {
+            auto* label = new QLabel;
+            label->setObjectName("task_picture");
+            label->setPixmap(picture.scaledToWidth(560, Qt::SmoothTransformation));
+            label->setAccessibleName(tr("The task as a scripted expert does it"));
+            layout->addWidget(label);
+        }
         int number = 1;
         for (const curriculum::LocalText& step : task_.instructions) {
             auto* line = new QHBoxLayout;

@@ -9,6 +9,10 @@ uniform float circle_radius;
 uniform float haze;       // 0 clear .. 1 white-out
 uniform float noise_seed;
 uniform float dim;        // 1 = normal, < 1 behind the menu
+uniform vec4 drops[10];   // on the lens: place in the circle, radius, strength
+uniform int drop_count;
+uniform float lens_fog;   // 0 clear .. 0.8
+uniform float cloth;      // edge of the wiping cloth, 2 = none
 out vec4 colour;
 
 const float kBarrel1 = 0.20, kBarrel2 = 0.03, kRim = 1.0 + kBarrel1 + kBarrel2;
@@ -32,18 +36,50 @@ void main() {
         colour = vec4(encode(surround) * dim, 1.0);
         return;
     }
+    // Droplets are small lenses: they show the field small and upside down, bright at one rim.
+    float glint = 0.0, wet = 0.0;
+    vec2 seen = p;
+    for (int i = 0; i < drop_count; ++i) {
+        vec2 d = p - drops[i].xy;
+        float q = length(d) / drops[i].z;
+        if (q >= 1.0) continue;
+        float k = drops[i].w * smoothstep(1.0, 0.8, q);
+        seen = mix(seen, drops[i].xy - d * (2.5 + 2.0 * q * q), k);
+        glint += k * smoothstep(0.55, 0.95, q) * smoothstep(-0.2, 0.9, dot(d / drops[i].z, vec2(-0.5, 0.8)));
+        wet = max(wet, k * smoothstep(0.6, 1.0, q));
+    }
     // The colours part by about one pixel at the rim.
-    vec2 u = undistort(p), shift = p * r * (1.0 / circle_radius);
+    vec2 u = undistort(seen), shift = p * r * (1.0 / circle_radius);
     vec3 c;
     c.r = texture(picture, 0.5 + 0.5 * (u + shift)).r;
     c.g = texture(picture, 0.5 + 0.5 * u).g;
     c.b = texture(picture, 0.5 + 0.5 * (u - shift)).b;
+    // Fog: every point smears over its surroundings, and the light of the scope comes back white.
+    bool wiped = cloth < 1.5 && p.x < cloth;
+    float fogged = wiped ? 0.0 : lens_fog;
+    if (fogged > 0.01) {
+        float reach = 0.012 + 0.05 * fogged;
+        vec3 smear = vec3(0.0);
+        for (int i = 0; i < 8; ++i) {
+            float a = 0.785398 * float(i) + 6.2832 * hash(px);
+            vec2 o = reach * (0.4 + 0.6 * fract(float(i) * 0.618)) * vec2(cos(a), sin(a));
+            smear += texture(picture, 0.5 + 0.5 * (u + o)).rgb;
+        }
+        c = mix(c, smear / 8.0, min(1.0, 1.6 * fogged));
+    }
     float exposure = texture(exposure_map, vec2(0.5)).r;
     c *= exposure;
     c += 0.38 * texture(bloom, 0.5 + 0.5 * u).rgb;
     // Smoke that has gathered: light thrown back at the lens, brightest in the middle.
     vec3 fog = vec3(0.485, 0.456, 0.423) * mix(0.85, 0.55, r);
     c = mix(c, fog, haze);
+    c = mix(c, vec3(0.34, 0.33, 0.32), 0.55 * fogged);
+    c = c * (1.0 - 0.35 * wet) + 0.5 * glint;
+    if (cloth < 1.5) {  // a strip of white gauze passes
+        float strip = smoothstep(0.40, 0.30, abs(p.x - cloth - 0.2 + 0.03 * sin(11.0 * p.y)));
+        float weave = 0.5 + 0.06 * sin(140.0 * p.x) * sin(140.0 * p.y);
+        c = mix(c, vec3(weave), strip);
+    }
     c *= (1.0 - 0.38 * r * r) * (1.0 - smoothstep(0.93, 1.0, r));
     c = film(c * 0.95);
     float luminance = dot(c, vec3(0.2126, 0.7152, 0.0722));

@@ -502,6 +502,10 @@
         <translation>Q / E</translation>
     </message>
     <message>
+        <source>arrow keys</source>
+        <translation>klawisze strzałek</translation>
+    </message>
+    <message>
         <source>left stick</source>
         <translation>lewa gałka</translation>
     </message>
@@ -1072,6 +1076,34 @@
 </context>
 <context>
     <name>Metric</name>
+    <message>
+        <source>Steps done</source>
+        <translation>Wykonane kroki</translation>
+    </message>
+    <message>
+        <source>Distance from targets</source>
+        <translation>Odległość od celów</translation>
+    </message>
+    <message>
+        <source>Targets missed</source>
+        <translation>Chybione cele</translation>
+    </message>
+    <message>
+        <source>Contour followed</source>
+        <translation>Przebyta linia</translation>
+    </message>
+    <message>
+        <source>Distance from the line</source>
+        <translation>Odległość od linii</translation>
+    </message>
+    <message>
+        <source>Distance from the line, 95th percentile</source>
+        <translation>Odległość od linii, 95. percentyl</translation>
+    </message>
+    <message>
+        <source>Traction held</source>
+        <translation>Utrzymane napięcie</translation>
+    </message>
     <message>
         <source>Time</source>
         <translation>Czas</translation>
@@ -1942,6 +1974,58 @@
 </context>
 <context>
     <name>Reason</name>
+    <message>
+        <source>{value} % of the steps were done.</source>
+        <translation>Wykonano {value} % kroków.</translation>
+    </message>
+    <message>
+        <source>Tissue was touched beside the marked place {times}.</source>
+        <translation>Tkanki dotknięto obok zaznaczonego miejsca {times}.</translation>
+    </message>
+    <message>
+        <source>{value} % of the places were touched.</source>
+        <translation>Dotknięto {value} % miejsc.</translation>
+    </message>
+    <message>
+        <source>The first touch was {value} mm beside the centre on average.</source>
+        <translation>Pierwszy dotyk był średnio {value} mm od środka.</translation>
+    </message>
+    <message>
+        <source>The tissue was pressed with up to {value} mN{where}; 100 mN is enough.</source>
+        <translation>Na tkankę naciśnięto z siłą do {value} mN{where}; wystarczy 100 mN.</translation>
+    </message>
+    <message>
+        <source>The tip was out of view for {value} s.</source>
+        <translation>Końcówka była poza obrazem przez {value} s.</translation>
+    </message>
+    <message>
+        <source>{value} % of the line was followed within 1 mm.</source>
+        <translation>Przebyto {value} % linii w granicach 1 mm.</translation>
+    </message>
+    <message>
+        <source>The tip was {value} mm beside the line on average.</source>
+        <translation>Końcówka była średnio {value} mm od linii.</translation>
+    </message>
+    <message>
+        <source>In places the tip was {value} mm beside the line.</source>
+        <translation>Miejscami końcówka była {value} mm od linii.</translation>
+    </message>
+    <message>
+        <source>The tissue was pulled with up to {value} mN{where}; 25 mN is the limit.</source>
+        <translation>Tkankę ciągnięto z siłą do {value} mN{where}; granica to 25 mN.</translation>
+    </message>
+    <message>
+        <source>{value} mm3 of tissue tore{where}.</source>
+        <translation>Rozerwano {value} mm3 tkanki{where}.</translation>
+    </message>
+    <message>
+        <source>Tissue was grasped {value} times; four are enough.</source>
+        <translation>Tkankę chwycono {value} razy; wystarczą cztery.</translation>
+    </message>
+    <message>
+        <source>Tissue or generator was tuned: this attempt is not scored as a pass.</source>
+        <translation>Tkankę lub generator strojono: tej próby nie ocenia się jako zaliczonej.</translation>
+    </message>
     <message>
         <source>Energy was on for {value} s while touching the placode{where}.</source>
         <translation>Energia była włączona przez {value} s podczas dotykania płytki{where}.</translation>
@@ -2881,6 +2965,10 @@
     <message>
         <source>Task</source>
         <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>The task as a scripted expert does it</source>
+        <translation>Zadanie w wykonaniu symulowanego eksperta</translation>
     </message>
     <message>
         <source>Step by step</source>

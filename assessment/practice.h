@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Watches the steps of a practice task while it is done, from the same samples that the recording
+// keeps, and writes what it saw as events: the metrics of practice come from these.
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "assessment/tissue_metrics.h"
+#include "sim/practice.h"
+#include "sim/recording.h"
+
+namespace placode::assessment {
+
+/// What is there to see in one sample.
+struct PracticeSight {
+    const sim::Sample& sample;
+    std::span<const sim::Vec3> targets;  ///< Of the present step, where they lie now, in W [m].
+    std::array<bool, sim::kMaxTools> holds{};
+    std::array<double, sim::kMaxTools> pull_n{};
+    std::array<bool, sim::kMaxTools> engaged{};
+};
+
+/// The target of a step on a planned contour at rest [m], in the plane; `second` = the left hand's.
+[[nodiscard]] sim::Vec2 practice_target(const sim::PracticeStep& step,
+                                        const sim::FieldGeometry& geometry, bool second);
+
+/// One attempt's steps, in order. `see` neither allocates nor throws (physics thread).
+class PracticeTracker {
+ public:
+    /// @pre steps.size() <= kMaxPracticeSteps.
+    PracticeTracker(std::span<const sim::PracticeStep> steps, std::span<const sim::ToolSpec> tools,
+                    const sim::FieldGeometry& geometry);
+
+    /// One sample later. Returns the events that it brought (valid until the next call).
+    [[nodiscard]] std::span<const sim::Event> see(const PracticeSight& sight) noexcept;
+    /// The end of the attempt: what was going on is written down.
+    [[nodiscard]] std::span<const sim::Event> end(double time_s) noexcept;
+
+    [[nodiscard]] int index() const noexcept { return index_; }
+    [[nodiscard]] int count() const noexcept { return static_cast<int>(steps_.size()); }
+    [[nodiscard]] bool done() const noexcept { return index_ >= count(); }
+    [[nodiscard]] const sim::PracticeStep& step() const noexcept;
+    [[nodiscard]] double progress() const noexcept { return progress_; }
+    [[nodiscard]] const std::array<uint8_t, sim::kTraceBins>& traced() const noexcept {
+        return traced_;
+    }
+
+ private:
+    void emit(sim::EventKind kind, double value, double value2, int tool,
+              const sim::Vec3& at) noexcept;
+    void advance(double time_s) noexcept;
+    [[nodiscard]] int tool_of(sim::Hand hand, const PracticeSight& sight) const noexcept;
+    [[nodiscard]] bool did(const PracticeSight& sight) noexcept;
+    [[nodiscard]] bool did_motion(const sim::ToolSample& tool) noexcept;
+    [[nodiscard]] bool did_touch(const PracticeSight& sight, int tool) noexcept;
+    [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
+    [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
+    void close_bin(int tool, double time_s) noexcept;
+    void close_traction(double time_s) noexcept;
+
+    std::vector<sim::PracticeStep> steps_;
+    std::vector<sim::ToolSpec> tools_;
+    std::vector<ClosedContour> contour_;  // empty or one
+    double dt_ = 0.01;
+    int index_ = 0;
+    double progress_ = 0, began_s_ = 0, now_s_ = 0, amount_ = 0, held_s_ = 0, peak_n_ = 0;
+    bool started_ = false, has_last_ = false, touched_ = false, open_ = false;
+    int last_tool_ = -1;
+    sim::ToolSample last_;
+    std::array<uint8_t, sim::kTraceBins> traced_{};
+    int bin_ = -1, bin_samples_ = 0, bins_done_ = 0;
+    double bin_offset_ = 0;
+    std::array<sim::Event, 8> events_{};
+    size_t event_count_ = 0;
+};
+
+/// Metrics of practice from the events of a recording; nothing where it had no steps.
+void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out);
+
+}  // namespace placode::assessment

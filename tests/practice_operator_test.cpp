@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scripted operators at the tasks with steps, on a coarse field: the expert passes, the novice
+// leaves its faults in the ledger. (All three levels take a minute of computing; the order of their
+// scores on the published scenes stands in the README.)
+
+#include "haptics/practice_operator.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "assessment/ledger.h"
+#include "assessment/scoring.h"
+#include "curriculum/attempt_runner.h"
+#include "tests/attempt_fixture.h"
+
+namespace placode::curriculum {
+namespace {
+
+struct Outcome {
+    sim::Recording recording;
+    assessment::MetricSet metrics;
+    assessment::Score score;
+    size_t harm = 0;
+};
+
+Outcome perform(const std::string& id, const std::string& level) {
+    const Task task = test::changed_task(id, {{"edge_ring_m", "0.0008"},
+                                              {"edge_placode_m", "0.0014"},
+                                              {"edge_outer_m", "0.003"},
+                                              {"settle_s", "0.05"}});
+    AttemptOptions options;
+    options.device = "script:" + level;
+    options.fast = true;
+    options.threads = 1;
+    const auto recording = std::make_shared<sim::Recording>();
+    AttemptRunner runner(task, 1, options, std::make_unique<test::MemorySink>(recording));
+    runner.start();
+    runner.wait();
+    Outcome out;
+    out.recording = std::move(*recording);
+    out.metrics = assessment::compute_metrics(out.recording);
+    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
+    out.harm =
+        assessment::damage_ledger(out.recording.events, out.recording.header.geometry).size();
+    return out;
+}
+
+class PracticeOperator : public testing::TestWithParam<const char*> {};
+
+TEST_P(PracticeOperator, TheExpertPassesAndTheNoviceHarms) {
+    const Outcome expert = perform(GetParam(), "expert");
+    const Outcome novice = perform(GetParam(), "novice");
+    EXPECT_EQ(expert.score.verdict, assessment::Verdict::kPassed) << expert.score.points;
+    EXPECT_EQ(*expert.metrics.find("steps_done_percent"), 100);
+    EXPECT_EQ(expert.recording.end.reason, sim::EndReason::kFinished);
+    EXPECT_GT(expert.score.points, novice.score.points + 5);
+    EXPECT_GT(novice.harm, expert.harm);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, PracticeOperator,
+                         testing::Values("familiarisation", "touch_targets", "trace_contour",
+                                         "two_handed_traction"));
+
+TEST(PracticeOperatorLevels, FamiliarisationTakesAtMostTwoMinutes) {
+    EXPECT_LE(load_task("familiarisation").time_limit_s, 120);
+}
+
+}  // namespace
+}  // namespace placode::curriculum

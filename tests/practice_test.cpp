@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Steps of a practice task, watched on samples made by hand.
+
+#include "assessment/practice.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "assessment/metrics.h"
+
+namespace placode::assessment {
+namespace {
+
+using sim::PracticeKind;
+using sim::PracticeStep;
+using sim::Vec3;
+
+sim::FieldGeometry circle(double radius_m) {
+    sim::FieldGeometry geometry;
+    for (int i = 0; i < 360; ++i) {
+        const double a = 2 * std::numbers::pi * i / 360;
+        geometry.planned_contour.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
+    }
+    return geometry;
+}
+
+/// One right hand and one left hand, samples by hand.
+class Attempt {
+ public:
+    explicit Attempt(std::vector<PracticeStep> steps)
+        : tracker_(steps, tools(), circle(0.005)), steps_(std::move(steps)) {}
+
+    static std::vector<sim::ToolSpec> tools() {
+        std::vector<sim::ToolSpec> two(2);
+        two[1].hand = sim::Hand::kLeft;
+        return two;
+    }
+    sim::ToolSample& tool(size_t i) { return sample_.tools[i]; }
+    void tip(size_t i, const Vec3& at) {
+        for (int k = 0; k < 3; ++k)
+            sample_.tools[i].tip_m[static_cast<size_t>(k)] = static_cast<float>(at[k]);
+    }
+    void see(int samples = 1) {
+        for (int i = 0; i < samples; ++i) {
+            sample_.time_s += 0.01;
+            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}};
+            for (const sim::Event& e : tracker_.see(sight)) recording.events.push_back(e);
+        }
+    }
+    [[nodiscard]] const PracticeTracker& tracker() const { return tracker_; }
+    [[nodiscard]] MetricSet metrics() {
+        for (const sim::Event& e : tracker_.end(sample_.time_s)) recording.events.push_back(e);
+        MetricSet set;
+        add_practice_metrics(recording, set.values);
+        return set;
+    }
+
+    std::vector<Vec3> targets{Vec3::Zero(), Vec3::Zero()};
+    std::array<bool, sim::kMaxTools> holds{};
+    std::array<double, sim::kMaxTools> pull_n{};
+    sim::Recording recording;
+
+ private:
+    PracticeTracker tracker_;
+    std::vector<PracticeStep> steps_;
+    sim::Sample sample_;
+};
+
+TEST(Practice, TargetsStandOnTheClockOfThePlannedLine) {
+    PracticeStep step;
+    step.outward_m = 0.002;
+    for (const auto& [hour, x, y] :
+         {std::tuple{12.0, 0.007, 0.0}, {3.0, 0.0, -0.007}, {9.0, 0.0, 0.007}}) {
+        step.hour = hour;
+        const sim::Vec2 at = practice_target(step, circle(0.005), false);
+        EXPECT_NEAR(at.x(), x, 1e-4) << hour;  // the line has a point for every degree
+        EXPECT_NEAR(at.y(), y, 1e-4) << hour;
+    }
+}
+
+TEST(Practice, AWayAcrossTheShaftIsMotionAndAWayAlongItIsDepth) {
+    PracticeStep move{.kind = PracticeKind::kMove, .distance_m = 0.01};
+    PracticeStep depth{.kind = PracticeKind::kDepth, .distance_m = 0.01};
+    Attempt attempt({move, depth});
+    for (int i = 0; i <= 30; ++i) {  // along z, the shaft of a tool that is not turned
+        attempt.tip(0, Vec3(0, 0, 0.001 * i));
+        attempt.see();
+    }
+    EXPECT_EQ(attempt.tracker().index(), 0);
+    for (int i = 0; i <= 12; ++i) {
+        attempt.tip(0, Vec3(0.001 * i, 0, 0.03));
+        attempt.see();
+    }
+    EXPECT_EQ(attempt.tracker().index(), 1);
+    for (int i = 0; i <= 12; ++i) {
+        attempt.tip(0, Vec3(0.012, 0, 0.03 - 0.001 * i));
+        attempt.see();
+    }
+    EXPECT_TRUE(attempt.tracker().done());
+    EXPECT_EQ(*attempt.metrics().find("steps_done_percent"), 100);
+}
+
+TEST(Practice, ATurnAboutTheShaftIsTakenFromTheOrientationAlone) {
+    Attempt attempt({{.kind = PracticeKind::kTurn, .turn_rad = 1.0}});
+    for (int i = 0; i <= 9; ++i) {
+        const double half = 0.05 * i;
+        attempt.tool(0).orientation = {static_cast<float>(std::cos(half)), 0, 0,
+                                       static_cast<float>(std::sin(half))};
+        attempt.see();
+    }
+    EXPECT_NEAR(attempt.tracker().progress(), 0.9, 1e-4);  // orientations are floats
+}
+
+TEST(Practice, ATouchBesideTheTargetIsAMissHoweverItSlidesAfterwards) {
+    Attempt attempt({{.kind = PracticeKind::kTouch, .hold_s = 0.05, .tolerance_m = 0.001}});
+    attempt.tip(0, Vec3(0.003, 0, 0));
+    attempt.tool(0).in_contact = 1;
+    attempt.see(3);
+    attempt.tool(0).in_contact = 0;
+    attempt.see(2);
+    attempt.tip(0, Vec3(0.0004, 0, 0));
+    attempt.tool(0).in_contact = 1;
+    attempt.see(8);
+    const MetricSet metrics = attempt.metrics();
+    EXPECT_EQ(*metrics.find("target_misses"), 1);
+    EXPECT_NEAR(*metrics.find("target_error_mm"), 0.4, 1e-4);
+    EXPECT_EQ(*metrics.find("steps_done_percent"), 100);
+}
+
+TEST(Practice, EnergyCountsInBurstsWithTheRightPedalOnly) {
+    Attempt attempt({{.kind = PracticeKind::kCut, .hold_s = 0.1}});
+    attempt.tool(0).in_contact = 1;
+    attempt.tool(0).pedals = sim::kPedalCoag;
+    attempt.see(30);
+    EXPECT_EQ(attempt.tracker().progress(), 0);
+    for (int burst = 0; burst < 2; ++burst) {
+        attempt.tool(0).pedals = sim::kPedalCut;
+        attempt.see(6);
+        attempt.tool(0).pedals = 0;
+        attempt.see(6);
+    }
+    EXPECT_TRUE(attempt.tracker().done());
+}
+
+/// Once around at `offset` outside the line.
+void go_around(Attempt& attempt, double offset, int degrees) {
+    attempt.tool(0).tip_gap_m = 0.0002F;
+    for (int i = 0; i < 2 * degrees; ++i) {
+        const double a = std::numbers::pi * i / 360;
+        const double r = 0.005 + offset;
+        attempt.tip(0, Vec3(r * std::cos(a), r * std::sin(a), 0));
+        attempt.see();
+    }
+}
+
+TEST(Practice, TracingMeasuresTheDistanceFromTheLine) {
+    Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+    go_around(attempt, 0.0004, 360);
+    EXPECT_TRUE(attempt.tracker().done());
+    const MetricSet metrics = attempt.metrics();
+    // A chord of one degree lies 0.2 um inside its arc.
+    EXPECT_NEAR(*metrics.find("trace_error_mm"), 0.4, 1e-3);
+    EXPECT_GT(*metrics.find("trace_coverage_percent"), 95);
+}
+
+TEST(Practice, HalfARingFarFromTheLineCoversNothing) {
+    Attempt attempt({{.kind = PracticeKind::kTrace, .tolerance_m = 0.001}});
+    go_around(attempt, 0.0015, 180);
+    EXPECT_FALSE(attempt.tracker().done());
+    const MetricSet metrics = attempt.metrics();
+    EXPECT_EQ(*metrics.find("trace_coverage_percent"), 0);
+    EXPECT_NEAR(*metrics.find("trace_error_mm"), 1.5, 1e-2);
+}
+
+TEST(Practice, TractionCountsWhileBothHandsPullWithinTheBand) {
+    Attempt attempt(
+        {{.kind = PracticeKind::kTraction, .hold_s = 0.5, .low_n = 0.01, .high_n = 0.05}});
+    attempt.see();  // both open: what is held before the step does not count
+    attempt.holds = {true, true};
+    attempt.pull_n = {0.02, 0.02};
+    attempt.see(30);
+    attempt.pull_n = {0.02, 0.08};  // too hard: from the start again
+    attempt.see(5);
+    attempt.pull_n = {0.02, 0.03};
+    attempt.see(40);
+    EXPECT_FALSE(attempt.tracker().done());
+    attempt.see(15);
+    EXPECT_TRUE(attempt.tracker().done());
+    EXPECT_NEAR(*attempt.metrics().find("traction_held_s"), 0.8, 0.02);  // two spells
+}
+
+TEST(Practice, RecordingsWithoutStepsHaveNoSuchMetrics) {
+    std::vector<Metric> none;
+    add_practice_metrics({}, none);
+    EXPECT_TRUE(none.empty());
+}
+
+}  // namespace
+}  // namespace placode::assessment
