@@ -191,6 +191,8 @@ void Overlay::force() {
 }
 
 void Overlay::ring() {
+    // Where small steps are practised, nobody cuts a ring.
+    if (practising() && state_->practice.goal.step.kind != PracticeKind::kTrace) return;
     const double radius = 2.3 * unit_, x = width_ - margin_ - radius;
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     const double y = height_ - margin_ - radius - (room > 9 * unit_ ? 2.0 * unit_ : 0.0);
@@ -227,6 +229,14 @@ bool Overlay::practising() const {
     return !practice.steps.empty() && practice.goal.count > 0;
 }
 
+void Overlay::tick(double x, double y) {
+    const double u = 0.62 * unit_, t = 0.11 * unit_;  // drawn: not every font has one
+    const Vec2 a(x, y), b(x + 0.38 * u, y + 0.38 * u), c(x + 1.1 * u, y - 0.62 * u), d(t, t);
+    const Vec2 e(-t, t);
+    paint_->quad({Vec2(a - e), Vec2(b - e), Vec2(b + e), Vec2(a + e)}, kGood);
+    paint_->quad({Vec2(b - d), Vec2(c - d), Vec2(c + d), Vec2(b + d)}, kGood);
+}
+
 // The whole list, each step ticked off when it is done; how to do it stands below the present one.
 double Overlay::practice_steps(double y, double room) {
     const PracticeOverlay& practice = state_->practice;
@@ -234,7 +244,7 @@ double Overlay::practice_steps(double y, double room) {
     const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
     for (int i = 0; i < static_cast<int>(practice.steps.size()); ++i) {
         const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(i)];
-        if (i < now) paint_->text(margin_, y, "\xE2\x9C\x93", TextSize::kSmall, kGood);
+        if (i < now) tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
         if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
         const Colour& colour = i == now ? kText : kMuted;
         for (const std::string& line :

@@ -71,6 +71,7 @@ class Overlay {
     void ring();
     [[nodiscard]] double practice_steps(double y, double room);
     void practice_line();
+    void tick(double x, double y);
     void targets();
     void warning();
     void help();
