@@ -289,4 +289,53 @@ namespace {
     QT_TRANSLATE_NOOP("Theme", "Time"),
 };
 
+[[maybe_unused]] const char* const kStationMeanings[] = {
+    QT_TRANSLATE_NOOP(
+        "Station",
+        "handle: the arm is the handle outside the body (the port inverts); tip: it is the tip"),
+    QT_TRANSLATE_NOOP("Station", "motion of the handle per motion of the arm"),
+    QT_TRANSLATE_NOOP("Station", "right or left: the hand that a single arm stands for"),
+    QT_TRANSLATE_NOOP("Station", "stiffness of the virtual coupling [N/m]"),
+    QT_TRANSLATE_NOOP("Station", "its damping [N s/m]"),
+    QT_TRANSLATE_NOOP("Station", "largest force [N]; 0.5 for the first test of a device"),
+    QT_TRANSLATE_NOOP("Station", "path of libHD.so; empty: as the system finds it"),
+    QT_TRANSLATE_NOOP("Station",
+                      "name of the right arm in the vendor's setup; empty: try the "
+                      "default device, \"Default PHANToM\" and \"Right Device\""),
+    QT_TRANSLATE_NOOP("Station", "name of the left arm; empty: no left arm"),
+    QT_TRANSLATE_NOOP("Station", "address of the Inverse service"),
+    QT_TRANSLATE_NOOP("Station", "its WebSocket port"),
+    QT_TRANSLATE_NOOP(
+        "Station",
+        "device_id of the right Inverse3; empty: the first, with a left arm the first that is not "
+        "left-handed"),
+    QT_TRANSLATE_NOOP("Station",
+                      "device_id of the left Inverse3; auto: the first that says it is "
+                      "left-handed; empty: no left "
+                      "arm"),
+    QT_TRANSLATE_NOOP("Station",
+                      "the device's axes that are our x (right), y (up), z (to the operator)"),
+    QT_TRANSLATE_NOOP("Station", "its largest force [N]; not confirmed by the vendor"),
+    QT_TRANSLATE_NOOP("Station", "serial port of the right port device"),
+    QT_TRANSLATE_NOOP("Station", "serial port of the left port device; empty: none"),
+    QT_TRANSLATE_NOOP("Station", "serial port of the handle and pedal box; empty: none"),
+    QT_TRANSLATE_NOOP("Station", "signs of rotation, pitch, depth, yaw, each 1 or -1"),
+    QT_TRANSLATE_NOOP("Station", "depth that the device reports with the tip at the port [m]"),
+    QT_TRANSLATE_NOOP("Station", "wait after opening the port, its board starts anew [s]"),
+    QT_TRANSLATE_NOOP("Station", "path of libdhd.so or libdrd.so; empty: as the system finds it"),
+    QT_TRANSLATE_NOOP("Station", "1: the device that says left-handed is the right one"),
+    QT_TRANSLATE_NOOP(
+        "Station",
+        "socket of spacenavd; empty: $SPNAV_SOCKET, /run/spnav.sock, /var/run/spnav.sock"),
+    QT_TRANSLATE_NOOP("Station", "speed at full deflection [m/s]"),
+    QT_TRANSLATE_NOOP("Station", "device whose force was tested on this computer by a person"),
+    QT_TRANSLATE_NOOP("Station", "largest force with which that test was passed [N]"),
+    QT_TRANSLATE_NOOP("Station", "when"),
+    QT_TRANSLATE_NOOP(
+        "Station",
+        "foot pedals: /dev/input/by-id/...-event-kbd; empty: none but the keyboard's F13, F14"),
+    QT_TRANSLATE_NOOP("Station", "code of the yellow pedal (KEY_F13 is 183)"),
+    QT_TRANSLATE_NOOP("Station", "code of the blue pedal (KEY_F14 is 184)"),
+};
+
 }  // namespace

@@ -104,6 +104,8 @@ QWidget* MainWindow::buildRail() {
     add(PageId::kStandards, tr("Standards"), "standards", teaches);
     add(PageId::kStudies, tr("Studies"), "studies", context_.may(Action::kRunQuestionnaire));
     add(PageId::kPeople, tr("People"), "people", context_.may(Action::kManageUsers, Scope::kOther));
+    add(PageId::kDevices, tr("Devices"), "devices",
+        teaches || context_.may(Action::kBackup, Scope::kOther));
     add(PageId::kHealth, tr("Health"), "health", context_.may(Action::kBackup, Scope::kOther));
     add(PageId::kAudit, tr("Audit"), "audit", context_.may(Action::kViewAudit, Scope::kOther));
     layout->addStretch();

@@ -50,6 +50,8 @@ Page* make_page(AppContext& context, const Place& place) {
             return make_standards_page(context, place);
         case PageId::kRatings:
             return make_ratings_page(context, place);
+        case PageId::kDevices:
+            return make_devices_page(context, place);
     }
     return make_login_page(context, place);
 }

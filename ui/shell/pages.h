@@ -33,6 +33,7 @@ enum class PageId : uint8_t {
     kCohort,
     kStandards,
     kRatings,
+    kDevices,
 };
 
 /// Where to go: a page and what it shows.
@@ -86,6 +87,7 @@ class Page : public QWidget {
 [[nodiscard]] Page* make_cohort_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_standards_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_ratings_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_devices_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_page(AppContext& context, const Place& place);
 
 }  // namespace placode::ui

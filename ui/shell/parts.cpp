@@ -293,6 +293,12 @@ QString device_name(const std::string& device) {
     if (device == "mouse") return Parts::tr("Mouse");
     if (device == "keyboard") return Parts::tr("Keyboard");
     if (device == "gamepad") return Parts::tr("Gamepad");
+    // Names of products stay as they are.
+    if (device == "spacemouse") return "SpaceMouse";
+    if (device == "openhaptics") return "Touch (OpenHaptics)";
+    if (device == "haply") return "Haply Inverse3";
+    if (device == "avatar") return "Haptic Avatar";
+    if (device == "forcedimension") return "Force Dimension";
     if (device == "script:expert") return Parts::tr("Scripted expert");
     if (device == "script:intermediate") return Parts::tr("Scripted intermediate");
     if (device == "script:novice") return Parts::tr("Scripted novice");

@@ -72,6 +72,22 @@ class ResultPage : public Page {
                 tr("The attempt was interrupted: it is kept, and does not count for the course."),
                 "warn"));
         }
+        if (!record.void_reason.empty()) {
+            QLabel* voided = make_label(
+                tr("Void for cause: the force device did not work as it must. The attempt is kept, "
+                   "does not count and uses up no attempt of the exam. (%1)")
+                    .arg(qstr(record.void_reason)),
+                "warn");
+            voided->setObjectName("void_for_cause");
+            layout->addWidget(voided);
+        } else if (record.haptic_grade == "bad") {
+            layout->addWidget(make_label(
+                tr("The force device did not work as it must: forces of this attempt may have been "
+                   "wrong."),
+                "warn"));
+        } else if (record.haptic_grade == "sound") {
+            layout->addWidget(make_label(tr("Haptic certificate: sound."), "small"));
+        }
         return make_card(layout);
     }
 

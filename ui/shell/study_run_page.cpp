@@ -11,7 +11,7 @@
 
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
-#include "haptics/device.h"
+#include "ui/shell/device_tester.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -173,11 +173,9 @@ class StudyRunPage : public Page {
         layout->addWidget(make_label(text, "muted"));
         auto* devices = new QComboBox;
         devices->setObjectName("device");
-        for (const haptics::DeviceListing& listing : haptics::list_devices()) {
-            const QString name = qstr(listing.name);
-            if (listing.available && !name.startsWith("script") && !name.startsWith("play"))
-                devices->addItem(device_name(listing.name), name);
-        }
+        each_device(context_, devices, [devices](const ListedDevice& device) {
+            devices->addItem(device_name(device.name.toStdString()), device.name);
+        });
         if (context_.user().demonstration)
             for (const char* script : {"script:expert", "script:intermediate", "script:novice"})
                 devices->addItem(device_name(script), script);

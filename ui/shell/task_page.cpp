@@ -12,6 +12,7 @@
 
 #include "curriculum/definitions.h"
 #include "haptics/device.h"
+#include "ui/shell/device_tester.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -45,9 +46,10 @@ class TaskPage : public Page {
         row->addLayout(right, 2);
         column->addLayout(row);
         column->addStretch();
-        const QString chosen =
-            place.state.value("device", context.settings().value("device")).toString();
-        devices_->setCurrentIndex(std::max(0, devices_->findData(chosen)));
+        wanted_ = place.state.value("device", context.settings().value("device")).toString();
+        devices_->setCurrentIndex(std::max(0, devices_->findData(wanted_)));
+        // A choice by hand is not taken back when a device is found later.
+        connect(devices_, &QComboBox::activated, this, [this] { wanted_.clear(); });
         showDevice();
     }
 
@@ -141,13 +143,12 @@ class TaskPage : public Page {
     /// Hands for everybody; scripted operators only for demonstration accounts and educators,
     /// because their scores are nobody's skill.
     void addDevices() {
-        for (const haptics::DeviceListing& listing : haptics::list_devices()) {
-            const QString name = qstr(listing.name);
-            if (!listing.available || name.startsWith("script") || name.startsWith("play"))
-                continue;
-            devices_->addItem(device_name(listing.name), name);
-            details_[name] = QCoreApplication::translate("Device", listing.detail.c_str());
-        }
+        each_device(context_, devices_, [this](const ListedDevice& device) {
+            details_[device.name] =
+                QCoreApplication::translate("Device", device.detail.toUtf8().constData());
+            devices_->addItem(device_name(device.name.toStdString()), device.name);
+            if (device.name == wanted_) devices_->setCurrentIndex(devices_->count() - 1);
+        });
         if (!context_.user().demonstration &&
             !db::has_role(context_.user().roles, db::Role::kEducator))
             return;
@@ -203,6 +204,7 @@ class TaskPage : public Page {
 
     curriculum::Task task_;
     std::map<QString, QString> details_;
+    QString wanted_;  // the device of last time, until somebody chooses
     QComboBox* devices_ = nullptr;
     QPushButton* start_ = nullptr;
     QLabel *device_note_ = nullptr, *controls_ = nullptr;

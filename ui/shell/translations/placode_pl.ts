@@ -2488,6 +2488,18 @@
         <source>Thick where energy flowed into tissue. Dashed line: the plan.</source>
         <translation>Grubo tam, gdzie energia płynęła do tkanki. Linia przerywana: plan.</translation>
     </message>
+    <message>
+        <source>Void for cause: the force device did not work as it must. The attempt is kept, does not count and uses up no attempt of the exam. (%1)</source>
+        <translation>Unieważniona z przyczyn technicznych: urządzenie siłowe nie działało tak, jak musi. Próba zostaje w historii, nie liczy się i nie zużywa podejścia do egzaminu. (%1)</translation>
+    </message>
+    <message>
+        <source>The force device did not work as it must: forces of this attempt may have been wrong.</source>
+        <translation>Urządzenie siłowe nie działało tak, jak musi: siły w tej próbie mogły być błędne.</translation>
+    </message>
+    <message>
+        <source>Haptic certificate: sound.</source>
+        <translation>Certyfikat haptyczny: w porządku.</translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
@@ -3556,6 +3568,10 @@
         <source>Search pages, tasks, people and attempts (Ctrl+K)</source>
         <translation>Szukaj stron, zadań, osób i prób (Ctrl+K)</translation>
     </message>
+    <message>
+        <source>Devices</source>
+        <translation>Urządzenia</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::SearchBox</name>
@@ -3602,6 +3618,505 @@
     <message>
         <source>Arrow keys choose, Enter opens, Escape closes.</source>
         <translation>Strzałki wybierają, Enter otwiera, Escape zamyka.</translation>
+    </message>
+</context>
+<context>
+    <name>CalibrationGuide</name>
+    <message>
+        <source>1. Calibrate the arm in the vendor&apos;s own program (Touch Diagnostic).</source>
+        <translation>1. Skalibruj ramię w programie producenta (Touch Diagnostic).</translation>
+    </message>
+    <message>
+        <source>2. Put the stylus into the inkwell until its light stops blinking.</source>
+        <translation>2. Wstaw rysik do kałamarza i poczekaj, aż lampka przestanie migać.</translation>
+    </message>
+    <message>
+        <source>3. Take it out: from now on the arm is ready.</source>
+        <translation>3. Wyjmij go: od tej chwili ramię jest gotowe.</translation>
+    </message>
+    <message>
+        <source>1. Start the Haply hub and its Inverse service.</source>
+        <translation>1. Uruchom Haply Hub i jego usługę Inverse.</translation>
+    </message>
+    <message>
+        <source>2. Hold the cursor in the calibration notch and press its button until the light is steady.</source>
+        <translation>2. Trzymaj kursor w gnieździe kalibracji i naciskaj jego przycisk, aż lampka zaświeci stale.</translation>
+    </message>
+    <message>
+        <source>3. Wake the grip by a press of its button.</source>
+        <translation>3. Obudź uchwyt naciśnięciem jego przycisku.</translation>
+    </message>
+    <message>
+        <source>1. Calibrate in the vendor&apos;s program HapticInit, or move every axis to its ends once.</source>
+        <translation>1. Skalibruj w programie producenta HapticInit albo przesuń każdą oś raz do obu końców.</translation>
+    </message>
+    <message>
+        <source>2. Press the force button on the base, if it has one.</source>
+        <translation>2. Naciśnij przycisk siły na podstawie, jeśli urządzenie go ma.</translation>
+    </message>
+    <message>
+        <source>1. Put the instrument into the port device before it is switched on.</source>
+        <translation>1. Włóż narzędzie do portu, zanim go włączysz.</translation>
+    </message>
+    <message>
+        <source>2. Turn and move it once through its whole way.</source>
+        <translation>2. Obróć je i przesuń raz przez cały zakres.</translation>
+    </message>
+    <message>
+        <source>3. With the tip at the port, the depth must read 0; else set avatar.depth_zero_m.</source>
+        <translation>3. Gdy końcówka jest przy porcie, głębokość musi wynosić 0; jeśli nie, ustaw avatar.depth_zero_m.</translation>
+    </message>
+    <message>
+        <source>Let go of the cap: every signal must be 0. The cap gives no force.</source>
+        <translation>Puść gałkę: każdy sygnał musi wynosić 0. Gałka nie daje siły.</translation>
+    </message>
+</context>
+<context>
+    <name>DevicesPage</name>
+    <message>
+        <source>Devices of this computer</source>
+        <translation>Urządzenia tego komputera</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Urządzenia</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Co znaleziono</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Szukaj ponownie</translation>
+    </message>
+    <message>
+        <source>Looking for devices; this may take some seconds…</source>
+        <translation>Szukanie urządzeń; może potrwać kilka sekund…</translation>
+    </message>
+    <message>
+        <source>Looking for devices</source>
+        <translation>Szukanie urządzeń</translation>
+    </message>
+    <message>
+        <source>found</source>
+        <translation>jest</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>nie ma</translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Wypróbuj</translation>
+    </message>
+    <message>
+        <source>Reading the station file</source>
+        <translation>Odczyt pliku stanowiska</translation>
+    </message>
+    <message>
+        <source>Saving the station file</source>
+        <translation>Zapis pliku stanowiska</translation>
+    </message>
+    <message>
+        <source>Settings of this computer</source>
+        <translation>Ustawienia tego komputera</translation>
+    </message>
+    <message>
+        <source>Kept in %1</source>
+        <translation>Zapisane w %1</translation>
+    </message>
+    <message>
+        <source>Force test passed with %1 N: %2, %3.</source>
+        <translation>Próba siły zdana przy %1 N: %2, %3.</translation>
+    </message>
+    <message>
+        <source>No force test was passed on this computer yet.</source>
+        <translation>Na tym komputerze nie zdano jeszcze próby siły.</translation>
+    </message>
+    <message>
+        <source>Save the settings</source>
+        <translation>Zapisz ustawienia</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation> (%1 do %2)</translation>
+    </message>
+    <message>
+        <source>Saved for this computer.</source>
+        <translation>Zapisano dla tego komputera.</translation>
+    </message>
+    <message>
+        <source>Foot pedals</source>
+        <translation>Pedały nożne</translation>
+    </message>
+    <message>
+        <source>Choose the pedals, press each and say which one it is: yellow cuts, blue coagulates. Pedals that a device brings itself need nothing here.</source>
+        <translation>Wybierz pedały, naciśnij każdy i powiedz, który to: żółty tnie, niebieski koaguluje. Pedały, które należą do urządzenia, niczego tu nie potrzebują.</translation>
+    </message>
+    <message>
+        <source>Event device</source>
+        <translation>Urządzenie zdarzeń</translation>
+    </message>
+    <message>
+        <source>Watch</source>
+        <translation>Obserwuj</translation>
+    </message>
+    <message>
+        <source>This is the yellow one</source>
+        <translation>To jest żółty</translation>
+    </message>
+    <message>
+        <source>This is the blue one</source>
+        <translation>To jest niebieski</translation>
+    </message>
+    <message>
+        <source>No pedals were found under /dev/input/by-id.</source>
+        <translation>W /dev/input/by-id nie znaleziono pedałów.</translation>
+    </message>
+    <message>
+        <source>Press a pedal…</source>
+        <translation>Naciśnij pedał…</translation>
+    </message>
+    <message>
+        <source>Watching the pedals</source>
+        <translation>Obserwacja pedałów</translation>
+    </message>
+    <message>
+        <source>The pedals are unplugged.</source>
+        <translation>Pedały są odłączone.</translation>
+    </message>
+    <message>
+        <source>Key %1</source>
+        <translation>Klawisz %1</translation>
+    </message>
+    <message>
+        <source>, set as the yellow pedal</source>
+        <translation>, ustawiony jako żółty pedał</translation>
+    </message>
+    <message>
+        <source>, set as the blue pedal</source>
+        <translation>, ustawiony jako niebieski pedał</translation>
+    </message>
+    <message>
+        <source>%1 (pressed)</source>
+        <translation>%1 (naciśnięty)</translation>
+    </message>
+    <message>
+        <source>The pedal was saved for this computer.</source>
+        <translation>Pedał zapisano dla tego komputera.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::SignalView</name>
+    <message>
+        <source>right %1 mm, up %2 mm, towards you %3 mm, force %4 N</source>
+        <translation>w prawo %1 mm, w górę %2 mm, do siebie %3 mm, siła %4 N</translation>
+    </message>
+    <message>
+        <source>to you</source>
+        <translation>do siebie</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>siła</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+</context>
+<context>
+    <name>Station</name>
+    <message>
+        <source>handle: the arm is the handle outside the body (the port inverts); tip: it is the tip</source>
+        <translation>handle: ramię jest uchwytem poza ciałem (port odwraca ruch); tip: jest końcówką</translation>
+    </message>
+    <message>
+        <source>motion of the handle per motion of the arm</source>
+        <translation>ruch uchwytu na ruch ramienia</translation>
+    </message>
+    <message>
+        <source>right or left: the hand that a single arm stands for</source>
+        <translation>right (prawa) lub left (lewa): ręka, którą zastępuje jedyne ramię</translation>
+    </message>
+    <message>
+        <source>stiffness of the virtual coupling [N/m]</source>
+        <translation>sztywność wirtualnego sprzęgu [N/m]</translation>
+    </message>
+    <message>
+        <source>its damping [N s/m]</source>
+        <translation>jego tłumienie [N s/m]</translation>
+    </message>
+    <message>
+        <source>largest force [N]; 0.5 for the first test of a device</source>
+        <translation>największa siła [N]; 0,5 przy pierwszej próbie urządzenia</translation>
+    </message>
+    <message>
+        <source>path of libHD.so; empty: as the system finds it</source>
+        <translation>ścieżka libHD.so; puste: tak jak znajdzie ją system</translation>
+    </message>
+    <message>
+        <source>name of the right arm in the vendor&apos;s setup; empty: try the default device, &quot;Default PHANToM&quot; and &quot;Right Device&quot;</source>
+        <translation>nazwa prawego ramienia w programie producenta; puste: urządzenie domyślne, &quot;Default PHANToM&quot; i &quot;Right Device&quot;</translation>
+    </message>
+    <message>
+        <source>name of the left arm; empty: no left arm</source>
+        <translation>nazwa lewego ramienia; puste: bez lewego ramienia</translation>
+    </message>
+    <message>
+        <source>address of the Inverse service</source>
+        <translation>adres usługi Inverse</translation>
+    </message>
+    <message>
+        <source>its WebSocket port</source>
+        <translation>jej port WebSocket</translation>
+    </message>
+    <message>
+        <source>device_id of the right Inverse3; empty: the first, with a left arm the first that is not left-handed</source>
+        <translation>device_id prawego Inverse3; puste: pierwsze, a przy lewym ramieniu pierwsze, które nie jest leworęczne</translation>
+    </message>
+    <message>
+        <source>device_id of the left Inverse3; auto: the first that says it is left-handed; empty: no left arm</source>
+        <translation>device_id lewego Inverse3; auto: pierwsze, które podaje się za leworęczne; puste: bez lewego ramienia</translation>
+    </message>
+    <message>
+        <source>the device&apos;s axes that are our x (right), y (up), z (to the operator)</source>
+        <translation>osie urządzenia, które są naszymi x (w prawo), y (w górę), z (do operatora)</translation>
+    </message>
+    <message>
+        <source>its largest force [N]; not confirmed by the vendor</source>
+        <translation>jego największa siła [N]; niepotwierdzona przez producenta</translation>
+    </message>
+    <message>
+        <source>serial port of the right port device</source>
+        <translation>port szeregowy prawego urządzenia portowego</translation>
+    </message>
+    <message>
+        <source>serial port of the left port device; empty: none</source>
+        <translation>port szeregowy lewego urządzenia portowego; puste: brak</translation>
+    </message>
+    <message>
+        <source>serial port of the handle and pedal box; empty: none</source>
+        <translation>port szeregowy skrzynki uchwytów i pedałów; puste: brak</translation>
+    </message>
+    <message>
+        <source>signs of rotation, pitch, depth, yaw, each 1 or -1</source>
+        <translation>znaki obrotu, pochylenia, głębokości i odchylenia, każdy 1 albo -1</translation>
+    </message>
+    <message>
+        <source>depth that the device reports with the tip at the port [m]</source>
+        <translation>głębokość, którą urządzenie podaje, gdy końcówka jest przy porcie [m]</translation>
+    </message>
+    <message>
+        <source>wait after opening the port, its board starts anew [s]</source>
+        <translation>czekanie po otwarciu portu, płytka zaczyna od nowa [s]</translation>
+    </message>
+    <message>
+        <source>path of libdhd.so or libdrd.so; empty: as the system finds it</source>
+        <translation>ścieżka libdhd.so lub libdrd.so; puste: tak jak znajdzie ją system</translation>
+    </message>
+    <message>
+        <source>1: the device that says left-handed is the right one</source>
+        <translation>1: urządzenie, które podaje się za leworęczne, jest prawym</translation>
+    </message>
+    <message>
+        <source>socket of spacenavd; empty: $SPNAV_SOCKET, /run/spnav.sock, /var/run/spnav.sock</source>
+        <translation>gniazdo spacenavd; puste: $SPNAV_SOCKET, /run/spnav.sock, /var/run/spnav.sock</translation>
+    </message>
+    <message>
+        <source>speed at full deflection [m/s]</source>
+        <translation>prędkość przy pełnym wychyleniu [m/s]</translation>
+    </message>
+    <message>
+        <source>device whose force was tested on this computer by a person</source>
+        <translation>urządzenie, którego siłę człowiek wypróbował na tym komputerze</translation>
+    </message>
+    <message>
+        <source>largest force with which that test was passed [N]</source>
+        <translation>największa siła, przy której próba się udała [N]</translation>
+    </message>
+    <message>
+        <source>when</source>
+        <translation>kiedy</translation>
+    </message>
+    <message>
+        <source>foot pedals: /dev/input/by-id/...-event-kbd; empty: none but the keyboard&apos;s F13, F14</source>
+        <translation>pedały nożne: /dev/input/by-id/...-event-kbd; puste: tylko F13 i F14 klawiatury</translation>
+    </message>
+    <message>
+        <source>code of the yellow pedal (KEY_F13 is 183)</source>
+        <translation>kod żółtego pedału (KEY_F13 to 183)</translation>
+    </message>
+    <message>
+        <source>code of the blue pedal (KEY_F14 is 184)</source>
+        <translation>kod niebieskiego pedału (KEY_F14 to 184)</translation>
+    </message>
+</context>
+<context>
+    <name>TrialCard</name>
+    <message>
+        <source>Waiting for the device…</source>
+        <translation>Czekanie na urządzenie…</translation>
+    </message>
+    <message>
+        <source>Trying: %1</source>
+        <translation>Próba: %1</translation>
+    </message>
+    <message>
+        <source>End the test</source>
+        <translation>Zakończ próbę</translation>
+    </message>
+    <message>
+        <source>Force test</source>
+        <translation>Próba siły</translation>
+    </message>
+    <message>
+        <source>Put a floor under the hand</source>
+        <translation>Podłóż podłogę pod rękę</translation>
+    </message>
+    <message>
+        <source>It pushed me out softly</source>
+        <translation>Wypchnęło mnie łagodnie</translation>
+    </message>
+    <message>
+        <source>It buzzed or pushed wrongly</source>
+        <translation>Brzęczało albo pchało źle</translation>
+    </message>
+    <message>
+        <source>Right and left hand</source>
+        <translation>Prawa i lewa ręka</translation>
+    </message>
+    <message>
+        <source>Find the right hand</source>
+        <translation>Znajdź prawą rękę</translation>
+    </message>
+    <message>
+        <source>Swap right and left</source>
+        <translation>Zamień prawą z lewą</translation>
+    </message>
+    <message>
+        <source>Trying the device</source>
+        <translation>Próba urządzenia</translation>
+    </message>
+    <message>
+        <source>Now with at most %1 N. Hold the arm in the air, put the floor under it, go down slowly until it carries the hand, then let go: it must come to rest. One hand on the arm, the other at its power switch.</source>
+        <translation>Teraz najwyżej %1 N. Trzymaj ramię w powietrzu, podłóż podłogę, opuszczaj je powoli, aż podłoga poniesie rękę, potem puść: musi się uspokoić. Jedna ręka na ramieniu, druga przy wyłączniku.</translation>
+    </message>
+    <message>
+        <source>Signals of %1</source>
+        <translation>Sygnały: %1</translation>
+    </message>
+    <message>
+        <source>Left hand: %1</source>
+        <translation>Lewa ręka: %1</translation>
+    </message>
+    <message>
+        <source>Right hand: %1</source>
+        <translation>Prawa ręka: %1</translation>
+    </message>
+    <message>
+        <source>Loop: %1 µs, 99.9 %: %2 µs, drop-outs %3, faults %4. Force at most %5 N, stiffness %6 N/m.</source>
+        <translation>Pętla: %1 µs, 99,9 %: %2 µs, przerwy %3, usterki %4. Siła najwyżej %5 N, sztywność %6 N/m.</translation>
+    </message>
+    <message>
+        <source>Take the floor away</source>
+        <translation>Zabierz podłogę</translation>
+    </message>
+    <message>
+        <source>This device gives no force: there is nothing to test.</source>
+        <translation>To urządzenie nie daje siły: nie ma czego próbować.</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>gotowe</translation>
+    </message>
+    <message>
+        <source>rests: take it out of its inkwell or cradle</source>
+        <translation>odłożone: wyjmij je z kałamarza lub podstawki</translation>
+    </message>
+    <message>
+        <source>not calibrated: follow the steps above</source>
+        <translation>nieskalibrowane: wykonaj kroki powyżej</translation>
+    </message>
+    <message>
+        <source>lost: is it plugged in and switched on?</source>
+        <translation>brak łączności: czy jest podłączone i włączone?</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>usterka</translation>
+    </message>
+    <message>
+        <source>button %1</source>
+        <translation>przycisk %1</translation>
+    </message>
+    <message>
+        <source>yellow pedal</source>
+        <translation>żółty pedał</translation>
+    </message>
+    <message>
+        <source>blue pedal</source>
+        <translation>niebieski pedał</translation>
+    </message>
+    <message>
+        <source>turn %1°</source>
+        <translation>obrót %1°</translation>
+    </message>
+    <message>
+        <source>One arm: it stands for the %1 hand.</source>
+        <translation>Jedno ramię: to %1 ręka.</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>prawa</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>lewa</translation>
+    </message>
+    <message>
+        <source>Find out which arm is the right one: press the button below, then move only the arm in your right hand, or press its button.</source>
+        <translation>Sprawdź, które ramię jest prawe: naciśnij przycisk poniżej, potem poruszaj tylko ramieniem w prawej ręce albo naciśnij jego przycisk.</translation>
+    </message>
+    <message>
+        <source>Move the arm in your right hand now; let the other rest.</source>
+        <translation>Poruszaj teraz ramieniem w prawej ręce; drugie niech spoczywa.</translation>
+    </message>
+    <message>
+        <source>✓ That is the arm that is set as the right one.</source>
+        <translation>✓ To ramię jest ustawione jako prawe.</translation>
+    </message>
+    <message>
+        <source>That arm is set as the left one: swap right and left.</source>
+        <translation>To ramię jest ustawione jako lewe: zamień prawe z lewym.</translation>
+    </message>
+    <message>
+        <source>Right and left were swapped and saved.</source>
+        <translation>Prawe i lewe zamieniono i zapisano.</translation>
+    </message>
+    <message>
+        <source>%1 N passed and saved; now %2 N.</source>
+        <translation>%1 N zdane i zapisane; teraz %2 N.</translation>
+    </message>
+    <message>
+        <source>%1 N passed and saved: the test is complete.</source>
+        <translation>%1 N zdane i zapisane: próba jest zakończona.</translation>
+    </message>
+    <message>
+        <source>The force of this computer is limited to %1 N now. Check the axes and signs of the device before you try again.</source>
+        <translation>Siła na tym komputerze jest teraz ograniczona do %1 N. Sprawdź osie i znaki urządzenia, zanim spróbujesz ponownie.</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Spróbuj ponownie</translation>
+    </message>
+    <message>
+        <source>The test has ended; no force.</source>
+        <translation>Próba zakończona; brak siły.</translation>
     </message>
 </context>
 </TS>

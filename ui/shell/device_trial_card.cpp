@@ -1,0 +1,374 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/device_trial_card.h"
+
+#include <QCoreApplication>
+#include <QDate>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QPointer>
+#include <algorithm>
+
+#include "haptics/hand_identity.h"
+#include "ui/shell/app_context.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/signal_view.h"
+
+namespace placode::ui {
+namespace {
+
+/// Forces of the test, one after the other; the first is 0.5 N.
+constexpr std::array<double, 4> kLevelsN{0.5, 1, 2, 3};
+
+void retone(QLabel* badge, const QString& text, const char* tone) {
+    if (badge->text() == text) return;
+    badge->setText(text);
+    badge->setProperty("tone", tone);
+    badge->style()->unpolish(badge);
+    badge->style()->polish(badge);
+}
+
+class TrialCard : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(TrialCard)
+ public:
+    TrialCard(AppContext& context, const QString& device, const TrialWishes& wishes)
+        : context_(context),
+          device_(device),
+          wishes_(wishes),
+          tester_(context.launcher().options()) {
+        setProperty("role", "card");
+        setObjectName("trial_card");
+        auto* layout = new QVBoxLayout(this);
+        layout->setContentsMargins(kSpace24, kSpace16, kSpace24, kSpace16);
+        layout->setSpacing(kSpace12);
+        layout->addLayout(head());
+        layout->addWidget(guide());
+        arms_ = new QVBoxLayout;
+        arms_->setSpacing(kSpace12);
+        layout->addLayout(arms_);
+        loop_ = make_label(tr("Waiting for the device…"), "small");
+        loop_->setObjectName("trial_loop");
+        layout->addWidget(loop_);
+        layout->addWidget(make_rule());
+        layout->addWidget(forceTest());
+        layout->addWidget(make_rule());
+        layout->addWidget(handTest());
+        connect(&tester_, &DeviceTester::stateChanged, this, [this] { update(); });
+        connect(&tester_, &DeviceTester::ended, this, [this](const QString& why) { over(why); });
+        begin();
+    }
+
+ private:
+    QHBoxLayout* head() {
+        auto* line = new QHBoxLayout;
+        line->setSpacing(kSpace12);
+        line->addWidget(
+            make_label(tr("Trying: %1").arg(device_name(device_.toStdString())), "heading"));
+        line->addStretch();
+        stop_ = make_button(context_, tr("End the test"), "secondary", "stop");
+        stop_->setObjectName("trial_stop");
+        connect(stop_, &QPushButton::clicked, this,
+                [this] { tester_.running() ? tester_.stop() : begin(); });
+        line->addWidget(stop_);
+        return line;
+    }
+
+    QWidget* guide() {
+        QString text;
+        for (const QString& step : calibration_steps(device_))
+            text += (text.isEmpty() ? "" : "\n") + step;
+        QLabel* label = make_label(text, "muted");
+        label->setObjectName("calibration_guide");
+        return label;
+    }
+
+    QWidget* forceTest() {
+        auto* box = new QWidget;
+        auto* layout = new QVBoxLayout(box);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Force test"), "heading"));
+        force_text_ = make_label({}, "muted");
+        force_text_->setObjectName("force_text");
+        layout->addWidget(force_text_);
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        floor_ = make_button(context_, tr("Put a floor under the hand"), "primary", "download");
+        floor_->setObjectName("floor");
+        good_ = make_button(context_, tr("It pushed me out softly"), "secondary", "check");
+        good_->setObjectName("force_good");
+        bad_ = make_button(context_, tr("It buzzed or pushed wrongly"), "danger", "alert");
+        bad_->setObjectName("force_bad");
+        connect(floor_, &QPushButton::clicked, this,
+                [this] { tester_.say(tester_.state().floor ? "floor off" : "floor on"); });
+        connect(good_, &QPushButton::clicked, this, [this] { passed(); });
+        connect(bad_, &QPushButton::clicked, this, [this] { failed(); });
+        layout->addWidget(floor_, 0, Qt::AlignLeft);
+        for (QPushButton* button : {good_, bad_}) row->addWidget(button);
+        row->addStretch();
+        layout->addLayout(row);
+        return box;
+    }
+
+    QWidget* handTest() {
+        auto* box = new QWidget;
+        auto* layout = new QVBoxLayout(box);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Right and left hand"), "heading"));
+        hand_text_ = make_label({}, "muted");
+        hand_text_->setObjectName("hand_text");
+        layout->addWidget(hand_text_);
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        identify_ = make_button(context_, tr("Find the right hand"), "secondary", "hand");
+        identify_->setObjectName("identify");
+        swap_ = make_button(context_, tr("Swap right and left"), "secondary", "switch");
+        swap_->setObjectName("swap_hands");
+        connect(identify_, &QPushButton::clicked, this, [this] { tester_.say("identify"); });
+        connect(swap_, &QPushButton::clicked, this, [this] { swap(); });
+        row->addWidget(identify_);
+        row->addWidget(swap_);
+        row->addStretch();
+        layout->addLayout(row);
+        return box;
+    }
+
+    void begin() {
+        answered_ = false;
+        context_.guard(tr("Trying the device"), [this] { tester_.start(device_, level()); });
+        stop_->setText(tr("End the test"));
+        explain();
+    }
+
+    [[nodiscard]] double level() const { return kLevelsN[level_]; }
+
+    void explain() {
+        force_text_->setText(
+            tr("Now with at most %1 N. Hold the arm in the air, put the floor under it, go down "
+               "slowly until it carries the hand, then let go: it must come to rest. One hand on "
+               "the arm, the other at its power switch.")
+                .arg(format_number(level(), 1)));
+    }
+
+    void rebuildArms(const TrialState& state) {
+        while (QLayoutItem* item = arms_->takeAt(0)) {
+            if (item->widget() != nullptr) item->widget()->deleteLater();
+            delete item;
+        }
+        rows_.clear();
+        for (size_t i = 0; i < state.arms.size(); ++i) {
+            auto* box = new QWidget;
+            auto* layout = new QVBoxLayout(box);
+            layout->setContentsMargins(0, 0, 0, 0);
+            layout->setSpacing(kSpace4);
+            auto* line = new QHBoxLayout;
+            line->setSpacing(kSpace8);
+            Row row;
+            row.name = make_label(state.arms[i].name);
+            row.name->setObjectName(QString("arm_name_%1").arg(i));
+            row.name->setWordWrap(false);
+            row.status = make_badge("–", "");
+            row.status->setObjectName(QString("arm_status_%1").arg(i));
+            row.keys = make_label({}, "small");
+            row.keys->setObjectName(QString("arm_keys_%1").arg(i));
+            row.keys->setWordWrap(false);
+            line->addWidget(row.name);
+            line->addWidget(row.status);
+            line->addStretch();
+            line->addWidget(row.keys);
+            layout->addLayout(line);
+            row.view = new SignalView(context_.colors());
+            row.view->setAccessibleName(tr("Signals of %1").arg(state.arms[i].name));
+            row.view->setFixedHeight(200);
+            layout->addWidget(row.view);
+            arms_->addWidget(box);
+            rows_.push_back(row);
+        }
+    }
+
+    void update() {
+        const TrialState& state = tester_.state();
+        if (rows_.size() != state.arms.size()) rebuildArms(state);
+        bool force = false;
+        for (size_t i = 0; i < rows_.size(); ++i) {
+            const TriedArm& arm = state.arms[i];
+            force = force || arm.force_device;
+            rows_[i].name->setText(
+                (arm.hand == "left" ? tr("Left hand: %1") : tr("Right hand: %1")).arg(arm.name));
+            showStatus(rows_[i].status, arm);
+            rows_[i].keys->setText(keysOf(arm));
+            rows_[i].view->show(arm, state.limit_n, state.floor);
+        }
+        loop_->setText(
+            tr("Loop: %1 µs, 99.9 %: %2 µs, drop-outs %3, faults %4. Force at most %5 N, "
+               "stiffness %6 N/m.")
+                .arg(format_number(state.period_p50_us, 0), format_number(state.period_p999_us, 0),
+                     QString::number(state.gaps), QString::number(state.faults),
+                     format_number(state.limit_n, 1), format_number(state.stiffness_n_m, 0)));
+        floor_->setText(state.floor ? tr("Take the floor away") : tr("Put a floor under the hand"));
+        for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(force);
+        if (!force && !rows_.empty())
+            force_text_->setText(tr("This device gives no force: there is nothing to test."));
+        showHands(state);
+    }
+
+    static void showStatus(QLabel* badge, const TriedArm& arm) {
+        if (arm.status == "ready") return retone(badge, tr("ready"), "good");
+        if (arm.status == "resting")
+            return retone(badge, tr("rests: take it out of its inkwell or cradle"), "warn");
+        if (arm.status == "not_calibrated")
+            return retone(badge, tr("not calibrated: follow the steps above"), "critical");
+        if (arm.status == "lost")
+            return retone(badge, tr("lost: is it plugged in and switched on?"), "critical");
+        retone(badge, tr("fault"), "critical");
+    }
+
+    static QString keysOf(const TriedArm& arm) {
+        QStringList held;
+        for (unsigned i = 0; i < 4; ++i)
+            if ((arm.buttons >> i & 1u) != 0) held << tr("button %1").arg(i + 1);
+        if ((arm.pedals & 1u) != 0) held << tr("yellow pedal");
+        if ((arm.pedals & 2u) != 0) held << tr("blue pedal");
+        const QString turn = tr("turn %1°").arg(format_number(arm.roll_deg, 0));
+        return held.isEmpty() ? turn : turn + " · " + held.join(", ");
+    }
+
+    void showHands(const TrialState& state) {
+        const bool two = state.arms.size() > 1;
+        identify_->setVisible(two);
+        if (!two) {
+            hand_text_->setText(tr("One arm: it stands for the %1 hand.")
+                                    .arg(state.arms.empty() || state.arms[0].hand != "left"
+                                             ? tr("right")
+                                             : tr("left")));
+            return;
+        }
+        if (!state.identity_asked)
+            hand_text_->setText(
+                tr("Find out which arm is the right one: press the button below, then move only "
+                   "the arm in your right hand, or press its button."));
+        else if (state.identity_arm < 0)
+            hand_text_->setText(tr("Move the arm in your right hand now; let the other rest."));
+        else if (state.identity_arm == 0)
+            hand_text_->setText(tr("✓ That is the arm that is set as the right one."));
+        else if (!answered_)
+            hand_text_->setText(tr("That arm is set as the left one: swap right and left."));
+        answered_ = state.identity_arm >= 0;
+    }
+
+    void swap() {
+        const TrialState state = tester_.state();
+        std::vector<haptics::DeviceInfo> infos;
+        for (const TriedArm& arm : state.arms) {
+            haptics::DeviceInfo info;
+            info.serial = arm.serial.toStdString();
+            infos.push_back(info);
+        }
+        tester_.stop();
+        const bool done = wishes_.change([&](haptics::Station& station) {
+            haptics::swap_hands(station, device_.toStdString(), infos);
+        });
+        if (done) wishes_.notice(tr("Right and left were swapped and saved."));
+        begin();
+    }
+
+    void passed() {
+        const double force = level();
+        tester_.stop();
+        const bool done = wishes_.change([&](haptics::Station& station) {
+            station.set("tested.device", device_.toStdString());
+            station.set("tested.force_n", number_text(force));
+            station.set("tested.date", QDate::currentDate().toString(Qt::ISODate).toStdString());
+        });
+        const double limit = wishes_.station().number("limit.force_n");
+        if (done && level_ + 1 < kLevelsN.size() && kLevelsN[level_ + 1] <= limit) {
+            ++level_;
+            wishes_.notice(tr("%1 N passed and saved; now %2 N.")
+                               .arg(format_number(force, 1), format_number(level(), 1)));
+        } else if (done) {
+            wishes_.notice(
+                tr("%1 N passed and saved: the test is complete.").arg(format_number(force, 1)));
+        }
+        begin();
+    }
+
+    // Half of what was too much, as the bench checklist says.
+    void failed() {
+        const double force = level() / 2;
+        tester_.stop();
+        level_ = 0;
+        if (wishes_.change([&](haptics::Station& station) {
+                station.set("limit.force_n", number_text(force));
+                station.set("tested.device", device_.toStdString());
+                station.set("tested.force_n", "0");
+                station.set("tested.date",
+                            QDate::currentDate().toString(Qt::ISODate).toStdString());
+            }))
+            wishes_.notice(tr("The force of this computer is limited to %1 N now. Check the axes "
+                              "and signs of the device before you try again.")
+                               .arg(format_number(force, 2)));
+        begin();
+    }
+
+    void over(const QString& why) {
+        stop_->setText(tr("Try again"));
+        loop_->setText(why.isEmpty() ? tr("The test has ended; no force.") : why);
+        for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(false);
+    }
+
+    static std::string number_text(double value) { return QString::number(value).toStdString(); }
+
+    struct Row {
+        QLabel *name = nullptr, *status = nullptr, *keys = nullptr;
+        SignalView* view = nullptr;
+    };
+
+    AppContext& context_;
+    QString device_;
+    TrialWishes wishes_;
+    size_t level_ = 0;
+    bool answered_ = false;
+    std::vector<Row> rows_;
+    QVBoxLayout* arms_ = nullptr;
+    QPushButton *stop_ = nullptr, *floor_ = nullptr, *good_ = nullptr, *bad_ = nullptr,
+                *identify_ = nullptr, *swap_ = nullptr;
+    QLabel *loop_ = nullptr, *force_text_ = nullptr, *hand_text_ = nullptr;
+    DeviceTester tester_;  // the last: it ends first
+};
+
+struct Guide {
+    Q_DECLARE_TR_FUNCTIONS(CalibrationGuide)
+};
+
+}  // namespace
+
+QStringList calibration_steps(const QString& device) {
+    if (device == "openhaptics")
+        return {Guide::tr("1. Calibrate the arm in the vendor's own program (Touch Diagnostic)."),
+                Guide::tr("2. Put the stylus into the inkwell until its light stops blinking."),
+                Guide::tr("3. Take it out: from now on the arm is ready.")};
+    if (device == "haply")
+        return {Guide::tr("1. Start the Haply hub and its Inverse service."),
+                Guide::tr("2. Hold the cursor in the calibration notch and press its button until "
+                          "the light is steady."),
+                Guide::tr("3. Wake the grip by a press of its button.")};
+    if (device == "forcedimension")
+        return {Guide::tr("1. Calibrate in the vendor's program HapticInit, or move every axis to "
+                          "its ends once."),
+                Guide::tr("2. Press the force button on the base, if it has one.")};
+    if (device == "avatar")
+        return {Guide::tr("1. Put the instrument into the port device before it is switched on."),
+                Guide::tr("2. Turn and move it once through its whole way."),
+                Guide::tr("3. With the tip at the port, the depth must read 0; else set "
+                          "avatar.depth_zero_m.")};
+    if (device == "spacemouse")
+        return {Guide::tr("Let go of the cap: every signal must be 0. The cap gives no force.")};
+    return {};
+}
+
+QFrame* make_trial_card(AppContext& context, const QString& device, const TrialWishes& wishes) {
+    return new TrialCard(context, device, wishes);
+}
+
+}  // namespace placode::ui
