@@ -52,6 +52,7 @@ StudyStep read_step(const Json& json, const std::string& origin, const std::stri
     step.max_s = json.value("max_s", 0.0);
     if (json.contains("time_limit_s")) step.time_limit_s = json["time_limit_s"].get<double>();
     step.required = json.value("required", true);
+    step.arms = json.value("arms", std::vector<int>());
     check_step(step, origin, pointer);
     return step;
 }
@@ -76,6 +77,16 @@ Arms read_arms(const Json& json, const std::string& origin) {
                                   " is not a multiple of the number of arms, " +
                                   std::to_string(arms.names.size()));
     return arms;
+}
+
+void check_arms(const StudyProtocol& study, const std::string& origin) {
+    const int count = study.arms ? static_cast<int>(study.arms->names.size()) : 0;
+    for (size_t i = 0; i < study.steps.size(); ++i)
+        for (const int arm : study.steps[i].arms)
+            if (arm >= count)
+                throw DefinitionError(origin, "/steps/" + std::to_string(i) + "/arms",
+                                      "found arm " + std::to_string(arm) + "; the study has " +
+                                          std::to_string(count) + " arms, counted from 0");
 }
 
 /// What a step names must be there when the study is read from a file, not on the first day.
@@ -112,6 +123,10 @@ const char* step_kind_name(StepKind kind) {
     return "";
 }
 
+bool StudyStep::for_arm(int arm) const {
+    return arms.empty() || std::find(arms.begin(), arms.end(), arm) != arms.end();
+}
+
 const StudyStep* StudyProtocol::step(const std::string& step_id) const {
     for (const StudyStep& candidate : steps)
         if (candidate.id == step_id) return &candidate;
@@ -145,6 +160,7 @@ StudyProtocol load_study_text(const std::string& text, const std::string& origin
                                   "\"" + study.steps.back().id +
                                       "\" is used twice; every step needs an id of its own");
     }
+    check_arms(study, origin);
     if (study.needs_consent() && study.consent.statements.empty())
         throw DefinitionError(origin, "/consent",
                               "a step asks for consent, but there is nothing to consent to");

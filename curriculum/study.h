@@ -31,6 +31,9 @@ struct StudyStep {
     double max_s = 0;                    ///< Familiarisation.
     std::optional<double> time_limit_s;  ///< Procedure; absent = none beyond the task's own.
     bool required = true;
+    std::vector<int> arms;  ///< Only for these, from 0; empty = for everybody.
+
+    [[nodiscard]] bool for_arm(int arm) const;  ///< arm -1 = not allocated.
 };
 
 struct ConsentStatement {

@@ -10,6 +10,7 @@
 
 #include "db/sql_connection.h"
 #include "db/store.h"
+#include "db/study_records.h"
 
 namespace placode::db {
 
@@ -32,7 +33,7 @@ struct AttemptConditions {
 [[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
                                               const std::string& task_id);
 
-class SqlStore final : public Store {
+class SqlStore final : public Store, private StudyRecords {
  public:
     SqlStore(const StoreUrl& url, StoreOptions options);
 
@@ -124,6 +125,9 @@ class SqlStore final : public Store {
     int64_t save_answers(const AnswerRecord& answers) override;
     std::vector<AnswerRecord> answers(const std::string& study_id) override;
 
+    // sql_store_records.cpp
+    StudyRecords& records() override { return *this; }
+
     // sql_store.cpp
     void audit(const std::string& actor, const std::string& action, const std::string& object,
                const std::string& detail) override;
@@ -133,6 +137,35 @@ class SqlStore final : public Store {
     std::string url() const override { return connection_.url().shown; }
 
  private:
+    // sql_store_records.cpp
+    void lock_record(const std::string& study_id, const std::string& code) override;
+    void sign_record(const std::string& study_id, const std::string& code, const std::string& login,
+                     const std::string& password, const std::string& meaning) override;
+    void unlock_record(const std::string& study_id, const std::string& code,
+                       const std::string& reason) override;
+    std::vector<RecordEvent> record_events(const std::string& study_id) override;
+    std::map<std::string, RecordState> record_states(const std::string& study_id) override;
+    // sql_store_corrections.cpp
+    void correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
+                         const std::string& reason) override;
+    std::vector<Correction> corrections(const std::string& study_id) override;
+    void save_second_entry(const SecondEntry& entry) override;
+    std::vector<SecondEntry> second_entries(const std::string& study_id) override;
+    void save_consent_signature(const std::string& study_id, const std::string& code,
+                                const std::string& path) override;
+    std::optional<ConsentSignature> consent_signature(const std::string& study_id,
+                                                      const std::string& code) override;
+
+    /// Throws kRefused while the record is locked.
+    void need_unlocked(const std::string& study_id, const std::string& code);
+    [[nodiscard]] bool is_locked(const std::string& study_id, const std::string& code);
+    /// Over everything that was recorded of the participant.
+    [[nodiscard]] std::string record_checksum(const std::string& study_id, const std::string& code);
+    void insert_record_event(RecordEvent event);
+    /// The answers of that entry (1 or 2), and of which questionnaire and participant they are.
+    [[nodiscard]] AnswerRecord need_answers(int64_t answer_id, int entry);
+    void need_valid(const AnswerRecord& answers);
+
     [[nodiscard]] int64_t now_ms() const;
     /// Inside a transaction, so that a change and its trace are one.
     void append_audit(const std::string& actor, const std::string& action,

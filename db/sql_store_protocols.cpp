@@ -142,6 +142,7 @@ void SqlStore::need_active_participant(const std::string& study_id, const std::s
     if (const std::string mode = participant.text(1); !mode.empty())
         connection_.fail(Kind::kRefused,
                          code + " has withdrawn (" + mode + "); nothing more is recorded");
+    need_unlocked(study_id, code);
     const int version = static_cast<int>(participant.integer(0));
     if (version == 0) return;
     const auto published = find_definition("study", study_id, version);
@@ -223,7 +224,11 @@ void SqlStore::erase_participant(const std::string& study_id, const std::string&
     for (const int64_t id : attempts) delete_attempt(id);
     const std::string mine =
         " WHERE answer_id IN (SELECT id FROM answers WHERE study_id = ? AND participant = ?)";
-    Statement(connection_, "DELETE FROM answer_changes" + mine).run(study_id, code);
+    for (const char* table :
+         {"answer_changes", "answer_corrections", "second_entry_items", "second_entries"})
+        Statement(connection_, std::string("DELETE FROM ") + table + mine).run(study_id, code);
+    Statement(connection_, "DELETE FROM consent_signatures WHERE study_id = ? AND code = ?")
+        .run(study_id, code);
     Statement(connection_, "DELETE FROM answer_items" + mine).run(study_id, code);
     Statement(connection_, "DELETE FROM answers WHERE study_id = ? AND participant = ?")
         .run(study_id, code);

@@ -17,6 +17,8 @@
 
 namespace placode::db {
 
+class StudyRecords;
+
 /// Operation, place and way out, e.g. `open sqlite:/x/placode.db: database is locked by another
 /// program; close it, or wait and try again`.
 class StoreError : public std::runtime_error {
@@ -196,6 +198,8 @@ class Store {
     /// Refuses as record_step() does.
     virtual int64_t save_answers(const AnswerRecord& answers) = 0;
     [[nodiscard]] virtual std::vector<AnswerRecord> answers(const std::string& study_id) = 0;
+    /// Locks, signatures, corrections, second entries: db/study_records.h.
+    [[nodiscard]] virtual StudyRecords& records() = 0;
 
     // --- audit, health
     virtual void audit(const std::string& actor, const std::string& action,

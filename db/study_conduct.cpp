@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "db/packing.h"
+#include "db/study_records.h"
 
 namespace placode::db {
 namespace {
@@ -18,13 +20,23 @@ std::string consent_text(const curriculum::Consent& consent, const std::string& 
     return text;
 }
 
-/// The first step of that kind which asks for this questionnaire.
-std::string step_of(const curriculum::StudyProtocol& protocol, const std::string& questionnaire) {
-    for (const auto& step : protocol.steps)
-        if (step.kind == curriculum::StepKind::kQuestionnaire &&
-            step.questionnaire == questionnaire)
-            return step.id;
-    return {};
+/// The first step that asks for this questionnaire and is not done yet; else the last that asks.
+std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
+                    const AnswerRecord& answers) {
+    std::set<std::string> done;
+    for (const StepRecord& step : store.steps(answers.study_id))
+        if (step.participant == answers.participant && step.visit == answers.visit &&
+            step.state != StepState::kStarted)
+            done.insert(step.step);
+    std::string last;
+    for (const auto& step : protocol.steps) {
+        if (step.kind != curriculum::StepKind::kQuestionnaire ||
+            step.questionnaire != answers.questionnaire_id)
+            continue;
+        last = step.id;
+        if (!done.contains(step.id)) break;
+    }
+    return last;
 }
 
 /// Consent and demographics are not asked again at a second visit.
@@ -55,7 +67,8 @@ void publish_on_first_use(Store& store, const curriculum::Questionnaire& questio
 }
 
 void record_consent(Store& store, const std::string& study_id, const std::string& code,
-                    const std::string& language, const std::vector<std::string>& agreed) {
+                    const std::string& language, const std::vector<std::string>& agreed,
+                    const std::string& signature) {
     const auto protocol = published_study(store, study_id);
     const auto refuse = [&](const std::string& problem) {
         throw StoreError(StoreError::Kind::kRefused,
@@ -76,8 +89,11 @@ void record_consent(Store& store, const std::string& study_id, const std::string
     for (const std::string& each : agreed) list += (list.empty() ? "" : " ") + each;
     step.detail = "consent version " + std::to_string(protocol->consent.version) + ", " + language +
                   ", text " + checksum_hex(consent_text(protocol->consent, language)) +
-                  ", agreed: " + list;
+                  ", agreed: " + list +
+                  (signature.empty() ? "; signed on paper"
+                                     : "; signed on screen, " + checksum_hex(signature));
     store.record_step(step);
+    if (!signature.empty()) store.records().save_consent_signature(study_id, code, signature);
 }
 
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
@@ -93,7 +109,7 @@ int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionna
     step.study_id = answers.study_id;
     step.participant = answers.participant;
     step.visit = answers.visit;
-    step.step = step_of(*protocol, questionnaire.id);
+    step.step = step_of(store, *protocol, answers);
     step.answer_id = id;
     step.detail = questionnaire.id + " version " + std::to_string(questionnaire.version);
     if (!step.step.empty()) store.record_step(step);
@@ -120,6 +136,7 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
             for (int visit = 1; visit <= protocols[version]->visits; ++visit) {
                 for (const auto& step : protocols[version]->steps) {
                     if (visit > 1 && first_visit_only(step)) continue;
+                    if (!step.for_arm(participant.arm)) continue;
                     ++progress.total;
                     const std::string key = std::to_string(visit) + "/" + step.id;
                     if (std::find(progress.finished.begin(), progress.finished.end(), key) !=
@@ -135,6 +152,42 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
         list.push_back(std::move(progress));
     }
     return list;
+}
+
+std::vector<EntryDifference> entry_differences(Store& store, const std::string& study_id) {
+    std::map<int64_t, SecondEntry> second;
+    for (SecondEntry& entry : store.records().second_entries(study_id))
+        second[entry.answer_id] = std::move(entry);
+    std::vector<EntryDifference> list;
+    for (const AnswerRecord& first : store.answers(study_id)) {
+        const auto found = second.find(first.id);
+        if (found == second.end()) continue;
+        const auto answer = [](const curriculum::Answers& answers, const std::string& item) {
+            const auto there = answers.find(item);
+            return there == answers.end() ? std::string() : there->second;
+        };
+        std::set<std::string> items;
+        for (const auto& [item, unused] : first.answers) items.insert(item);
+        for (const auto& [item, unused] : found->second.answers) items.insert(item);
+        for (const std::string& item : items) {
+            const std::string a = answer(first.answers, item);
+            const std::string b = answer(found->second.answers, item);
+            const auto x = curriculum::answer_number(a), y = curriculum::answer_number(b);
+            if (a == b || (x && y && *x == *y)) continue;
+            list.push_back({first.id, first.participant, first.questionnaire_id, item, a, b,
+                            found->second.entered_by});
+        }
+    }
+    return list;
+}
+
+void decide_difference(Store& store, const EntryDifference& difference, int right,
+                       const std::string& reason) {
+    const int wrong = right == 1 ? 2 : 1;
+    store.records().correct_answers(
+        difference.answer_id, wrong,
+        {{difference.item, right == 1 ? difference.first : difference.second}},
+        "double entry: " + reason);
 }
 
 }  // namespace placode::db

@@ -24,8 +24,10 @@ void publish_on_first_use(Store& store, const curriculum::Questionnaire& questio
 /// Records that the participant has consented: the step's detail keeps version, language and
 /// checksum of the text that was read. @param agreed ids of the statements. Throws kRefused when a
 /// required statement is not among them.
+/// @param signature the hand's lines (path of an SVG); empty = signed on paper.
 void record_consent(Store& store, const std::string& study_id, const std::string& code,
-                    const std::string& language, const std::vector<std::string>& agreed);
+                    const std::string& language, const std::vector<std::string>& agreed,
+                    const std::string& signature = {});
 
 /// Checks, keeps the questionnaire's text, saves, and marks the step as done. Returns the answers'
 /// id. Throws kRefused naming the item that is wrong.
@@ -42,5 +44,19 @@ struct Progress {
     std::string last_utc;               ///< Of the newest step.
 };
 [[nodiscard]] std::vector<Progress> study_progress(Store& store, const std::string& study_id);
+
+/// An item in which the two entries from paper differ; empty = not answered.
+struct EntryDifference {
+    int64_t answer_id = 0;
+    std::string participant, questionnaire_id, item, first, second;
+    std::string entered_by;  ///< Who typed the second entry.
+};
+/// Over all second entries of a study: what is still to be decided.
+[[nodiscard]] std::vector<EntryDifference> entry_differences(Store& store,
+                                                             const std::string& study_id);
+/// Makes the other entry say the same. @param right 1 or 2: which entry says what the paper says.
+/// Throws as StudyRecords::correct_answers().
+void decide_difference(Store& store, const EntryDifference& difference, int right,
+                       const std::string& reason);
 
 }  // namespace placode::db

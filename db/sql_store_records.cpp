@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lock and signature of a participant's record. The events are never changed; where a record
+// stands follows from them.
+
+#include <array>
+
+#include "db/packing.h"
+#include "db/sql_store.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+namespace {
+
+constexpr std::array<const char*, 3> kEvents{"locked", "signed", "unlocked"};
+
+/// Texts of any content, one after the other, without a way to read two as one.
+void add_text(std::string& all, const std::string& text) {
+    all += std::to_string(text.size()) + ":" + text + ";";
+}
+
+}  // namespace
+
+bool SqlStore::is_locked(const std::string& study_id, const std::string& code) {
+    Statement query(connection_,
+                    "SELECT event FROM record_events WHERE study_id = ? AND code = ? ORDER BY id "
+                    "DESC LIMIT 1");
+    query.run(study_id, code);
+    return query.next() && query.text(0) != "unlocked";
+}
+
+void SqlStore::need_unlocked(const std::string& study_id, const std::string& code) {
+    if (is_locked(study_id, code))
+        connection_.fail(Kind::kRefused, "the record of " + code +
+                                             " is locked; unlock it with a reason first, which "
+                                             "cancels its signature");
+}
+
+std::string SqlStore::record_checksum(const std::string& study_id, const std::string& code) {
+    std::string all;
+    const auto add_rows = [&](const char* sql, int columns) {
+        Statement query(connection_, sql);
+        query.run(study_id, code);
+        while (query.next()) {
+            for (int i = 0; i < columns; ++i) add_text(all, query.text(i));
+            all += '\n';
+        }
+        all += '\n';
+    };
+    add_rows("SELECT created_utc FROM participants WHERE study_id = ? AND code = ?", 1);
+    add_rows(
+        "SELECT id, visit, step, state, attempt_id, answer_id, detail, at_utc FROM study_steps "
+        "WHERE study_id = ? AND code = ? ORDER BY id",
+        8);
+    add_rows(
+        "SELECT id, questionnaire_id, questionnaire_version, answered_utc, language, visit FROM "
+        "answers WHERE study_id = ? AND participant = ? ORDER BY id",
+        6);
+    add_rows(
+        "SELECT i.answer_id, i.item, i.answer FROM answer_items i JOIN answers a ON a.id = "
+        "i.answer_id WHERE a.study_id = ? AND a.participant = ? ORDER BY i.answer_id, i.item",
+        3);
+    add_rows(
+        "SELECT t.id, t.task_id, t.points, t.verdict, t.duration_s FROM attempts t JOIN "
+        "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ? AND s.code = ? ORDER BY t.id",
+        5);
+    return checksum_hex(all);
+}
+
+void SqlStore::insert_record_event(RecordEvent event) {
+    event.at_utc = utc_now();
+    Statement(connection_,
+              "INSERT INTO record_events (study_id, code, event, remark, checksum, by_login, "
+              "by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
+        .run(event.study_id, event.code, kEvents[static_cast<size_t>(event.kind)], event.remark,
+             event.checksum, event.login, event.name, event.at_utc);
+    append_audit(actor_, std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
+                 event.study_id + " " + event.code,
+                 event.remark + (event.remark.empty() ? "" : "; ") + "record " + event.checksum);
+}
+
+namespace {
+
+RecordEvent event_of(const std::string& study_id, const std::string& code, RecordEventKind kind,
+                     const std::string& login) {
+    RecordEvent event;
+    event.study_id = study_id;
+    event.code = code;
+    event.kind = kind;
+    event.login = event.name = login;
+    return event;
+}
+
+}  // namespace
+
+void SqlStore::lock_record(const std::string& study_id, const std::string& code) {
+    connection_.begin_operation("lock the record of " + code + " in");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT number FROM participants WHERE study_id = ? AND code = ?");
+    if (!there.run(study_id, code).next())
+        connection_.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
+                                              code + "\"; check the code");
+    if (is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is locked already");
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kLocked, actor_);
+    event.checksum = record_checksum(study_id, code);
+    insert_record_event(event);
+    work.commit();
+}
+
+void SqlStore::sign_record(const std::string& study_id, const std::string& code,
+                           const std::string& login, const std::string& password,
+                           const std::string& meaning) {
+    const std::string operation = "sign the record of " + code + " in";
+    connection_.begin_operation(operation);
+    if (meaning.empty())
+        connection_.fail(Kind::kRefused, "a signature needs its meaning, such as \"reviewed\"");
+    // As every sign-in: counted, and slowed down after wrong ones.
+    const std::string before = actor_;
+    const SignIn who = sign_in(login, password);
+    connection_.begin_operation(operation);
+    if (who.outcome != SignInOutcome::kOk) {
+        actor_ = before;
+        connection_.fail(Kind::kRefused, who.outcome == SignInOutcome::kThrottled
+                                             ? "too many wrong passwords; try again in " +
+                                                   std::to_string(who.wait_s) + " s"
+                                             : "login or password is wrong; nothing was signed");
+    }
+    UnitOfWork work(connection_);
+    if (!is_locked(study_id, code))
+        connection_.fail(Kind::kRefused, "lock the record first: what is signed must not change");
+    const auto states = record_states(study_id);
+    if (const auto found = states.find(code); found != states.end() && found->second.signature)
+        connection_.fail(Kind::kConflict,
+                         "it is signed already, by " + found->second.signature->name);
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kSigned, who.user->login);
+    event.name = who.user->display_name;
+    event.remark = meaning;
+    event.checksum = record_checksum(study_id, code);
+    insert_record_event(event);
+    work.commit();
+}
+
+void SqlStore::unlock_record(const std::string& study_id, const std::string& code,
+                             const std::string& reason) {
+    connection_.begin_operation("unlock the record of " + code + " in");
+    if (reason.empty()) connection_.fail(Kind::kRefused, "unlocking needs a reason");
+    UnitOfWork work(connection_);
+    if (!is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is not locked");
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kUnlocked, actor_);
+    event.remark = reason;
+    event.checksum = record_checksum(study_id, code);
+    insert_record_event(event);
+    work.commit();
+}
+
+std::vector<RecordEvent> SqlStore::record_events(const std::string& study_id) {
+    connection_.begin_operation("read locks and signatures from");
+    Statement query(connection_,
+                    "SELECT id, code, event, remark, checksum, by_login, by_name, at_utc FROM "
+                    "record_events WHERE study_id = ? ORDER BY id");
+    query.run(study_id);
+    std::vector<RecordEvent> found;
+    while (query.next()) {
+        RecordEvent event;
+        event.id = query.integer(0);
+        event.study_id = study_id;
+        event.code = query.text(1);
+        const std::string kind = query.text(2);
+        for (size_t i = 0; i < kEvents.size(); ++i)
+            if (kind == kEvents[i]) event.kind = static_cast<RecordEventKind>(i);
+        event.remark = query.text(3);
+        event.checksum = query.text(4);
+        event.login = query.text(5);
+        event.name = query.text(6);
+        event.at_utc = query.text(7);
+        found.push_back(std::move(event));
+    }
+    return found;
+}
+
+std::map<std::string, RecordState> SqlStore::record_states(const std::string& study_id) {
+    std::map<std::string, RecordState> states;
+    for (RecordEvent& event : record_events(study_id)) {
+        RecordState& state = states[event.code];
+        state.locked = event.kind != RecordEventKind::kUnlocked;
+        if (event.kind == RecordEventKind::kSigned)
+            state.signature = std::move(event);
+        else
+            state.signature.reset();
+    }
+    for (auto& [code, state] : states)
+        if (state.signature)
+            state.signature_fits = state.signature->checksum == record_checksum(study_id, code);
+    return states;
+}
+
+}  // namespace placode::db
