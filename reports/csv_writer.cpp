@@ -121,6 +121,7 @@ std::string codebook_text(const Dataset& data) {
                 values += (values.empty() ? "" : " | ") + std::to_string(code.value);
                 if (!code.label.empty()) values += " = " + code.label;
             }
+            if (field.derived) values = field.rule;
             if (field.analogue) values = field.anchor_low + " ... " + field.anchor_high;
             const auto yes = [](bool truth) { return truth ? "yes" : "no"; };
             text +=

@@ -98,6 +98,14 @@ Field field_of(const curriculum::Questionnaire& questionnaire, const Questionnai
     return field;
 }
 
+std::string rule_of(const curriculum::ScaleScore& scale) {
+    std::string rule = scale.mean ? "mean of" : "sum of";
+    for (const std::string& item : scale.items) rule += " " + item;
+    if (scale.factor != 1) rule = shortest_text(scale.factor) + " * " + rule;
+    if (scale.offset != 0) rule += " + " + shortest_text(scale.offset);
+    return rule;
+}
+
 Form questionnaire_form(const curriculum::Questionnaire& questionnaire,
                         const DatasetOptions& options) {
     Form form;
@@ -116,6 +124,7 @@ Form questionnaire_form(const curriculum::Questionnaire& questionnaire,
         field.label = scale.title.in(options.language);
         field.kind = FieldKind::kDecimal;
         field.derived = true;
+        field.rule = rule_of(scale);
         form.fields.push_back(field);
     }
     return form;

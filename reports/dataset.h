@@ -42,6 +42,7 @@ struct Field {
     bool not_applicable = false;  ///< "NA" is a possible value.
     bool identifying = false;     ///< Left out without permission.
     bool derived = false;         ///< Computed: a scale score.
+    std::string rule;             ///< Of a scale score: "mean of A B C", "2.5 * sum of ...".
     std::optional<curriculum::ShowIf> show_if;
 
     /// The number that stands for "does not apply" where only numbers can: the first of 99, 999,

@@ -81,4 +81,7 @@ struct StudyNumbers {
 [[nodiscard]] StudyNumbers study_numbers(const Dataset& data,
                                          const std::vector<curriculum::Questionnaire>& instruments);
 
+/// "form,field,statistic,value": every number above, for scripts/study_report.R and whoever checks.
+[[nodiscard]] std::string study_numbers_csv(const StudyNumbers& numbers);
+
 }  // namespace placode::reports

@@ -9,6 +9,7 @@
 
 #include "reports/export.h"
 #include "reports/paper.h"
+#include "reports/study_report_parts.h"
 #include "reports/text.h"
 
 namespace placode::reports {
@@ -338,7 +339,8 @@ void write_versions(Paper& paper, const StudyReport& report) {
     for (const auto& [name, json] : data.questionnaire_json)
         html += "Questionnaire " + safe(name) + ", SHA-256 " + checksum(json) + "...<br/>";
     html += "The same numbers follow from `placodectl export csv --study " + safe(data.id) +
-            "`; the figures' data lie beside the figures.</p>";
+            "` (scripts/study_report.R computes them there); the figures' data lie beside the "
+            "figures, all numbers in numbers.csv.</p>";
     paper.html(html);
 }
 
@@ -353,11 +355,17 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
             report.instruments.push_back(questionnaire_of(store, form.id, form.version));
     report.everybody = store.participants(study_id);
     report.steps = store.steps(study_id);
+    for (auto& version : store.definitions("study"))
+        if (version.id == study_id) report.versions.push_back(std::move(version));
+    report.record_events = store.records().record_events(study_id);
+    report.record_states = store.records().record_states(study_id);
+    report.corrections = store.records().corrections(study_id);
+    report.ratings = store.ratings("osats");
     return report;
 }
 
-std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers& numbers) {
-    const ChartStyle style;
+std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers& numbers,
+                                  const ChartStyle& style) {
     std::vector<Figure> figures{flow_figure("flow", "Participants", flow_of(report), style)};
     for (const FormNumbers& form : numbers.forms) add_form_figures(figures, form, style);
     if (auto figure = comparison_figure(numbers, style)) figures.push_back(std::move(*figure));
@@ -402,14 +410,16 @@ void write_study_pdf(const StudyReport& report, const std::string& path,
         draw(paper, "forest_", "");
     }
     if (!report.data.attempts.empty()) {
+        tell("performance");
         paper.heading("Performance");
-        draw(paper, "learning_", "");
+        write_analyses(paper, report);
     }
     paper.heading("What this sample can carry");
     QString cautions;
     for (const std::string& each : numbers.cautions) cautions += "<li>" + safe(each) + "</li>";
     if (cautions.isEmpty()) cautions = "<li>No statistic shown here needs a caution.</li>";
     paper.html("<ul>" + cautions + "</ul>");
+    write_data_care(paper, report);
     write_versions(paper, report);
     paper.finish();
 }
@@ -426,6 +436,8 @@ std::vector<std::string> write_study_figures(const StudyReport& report, const st
         for (const char* ending : {".svg", ".png", ".csv"})
             paths.push_back(folder + "/" + file_name(figure.id) + ending);
     }
+    paths.push_back(folder + "/numbers.csv");
+    save_file(paths.back(), study_numbers_csv(numbers));
     return paths;
 }
 

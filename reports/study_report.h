@@ -5,9 +5,11 @@
 // figures, what the sample cannot carry, versions.
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "db/study_records.h"
 #include "reports/dataset.h"
 #include "reports/figure.h"
 #include "reports/study_numbers.h"
@@ -19,15 +21,21 @@ struct StudyReport {
     std::vector<curriculum::Questionnaire> instruments;  ///< Of the data set's forms.
     std::vector<db::StepRecord> steps;
     std::vector<db::ParticipantRecord> everybody;  ///< With those who left.
+    std::vector<db::DefinitionRecord> versions;    ///< Of the protocol: amendments with reasons.
+    std::vector<db::RecordEvent> record_events;
+    std::map<std::string, db::RecordState> record_states;
+    std::vector<db::Correction> corrections;
+    std::vector<db::RatingRecord> ratings;  ///< By the OSATS form, of all attempts.
 };
 
 /// Reads what the report needs. Throws ReportError as study_dataset() does.
 [[nodiscard]] StudyReport read_study_report(db::Store& store, const std::string& study_id,
                                             const std::string& language = "en");
 
-/// All figures that the data allow.
+/// All figures that the data allow. The figures do not refer to `report`.
 [[nodiscard]] std::vector<Figure> study_figures(const StudyReport& report,
-                                                const StudyNumbers& numbers);
+                                                const StudyNumbers& numbers,
+                                                const ChartStyle& style = {});
 
 /// @param progress is told what is being made, may be empty. Needs a QGuiApplication.
 void write_study_pdf(const StudyReport& report, const std::string& path,

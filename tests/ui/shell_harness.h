@@ -29,13 +29,15 @@ class ShellHarness {
  public:
     ShellHarness() { start(); }
 
-    /// Starts the shell anew on the same store, as after a restart of the machine.
-    void start() {
+    /// Starts the shell anew on the same store, as after a restart of the machine; or on another
+    /// one of the folder.
+    void start(const QString& file = {}) {
+        if (!file.isEmpty()) file_ = file;
         window_.reset();
         context_.reset();
         ShellOptions options;
         // A lock is reported after 0.3 s instead of 5 s.
-        options.store_url = "sqlite:" + path("placode.db").toStdString() + "?timeout_ms=300";
+        options.store_url = "sqlite:" + path(file_).toStdString() + "?timeout_ms=300";
         options.language = "en";
         options.theme = "light";
         options.settings_file = path("settings.ini");
@@ -199,6 +201,7 @@ class ShellHarness {
     }
 
     QTemporaryDir folder_;
+    QString file_ = "placode.db";
     std::unique_ptr<AppContext> context_;
     std::unique_ptr<MainWindow> window_;
 };

@@ -106,6 +106,10 @@ void ShellStudyTest::consentNeedsEveryStatement() {
         QTest::keyClick(box, Qt::Key_Space);  // by keyboard alone
     }
     auto* given = shell.find<QPushButton>("consent_given");
+    QVERIFY2(!given->isEnabled(), "the signature is missing");
+    auto* paper = shell.find<QCheckBox>("signed_on_paper");
+    paper->setFocus();
+    QTest::keyClick(paper, Qt::Key_Space);
     QVERIFY(given->isEnabled());
     given->setFocus();
     QTest::keyClick(given, Qt::Key_Return);

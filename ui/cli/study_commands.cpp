@@ -12,6 +12,7 @@
 #include "reports/csv_table.h"
 #include "reports/export.h"
 #include "ui/cli/session.h"
+#include "ui/cli/study_records.h"
 
 namespace placode::cli {
 namespace {
@@ -410,6 +411,9 @@ void add_study_commands(CLI::App& app, Context& context) {
     CLI::App* study = app.add_subcommand("study", "Protocols, participants, answers");
     study->require_subcommand(1);
     add_definition_commands(*study, context, "study", options);
+    add_study_record_commands(*study, context);
+    add_study_key_commands(*study, context);
+    add_study_analysis_commands(*study, context);
     const auto add = [&](const char* name, const char* text,
                          int (*work)(const Context&, const Options&)) {
         CLI::App* command = study->add_subcommand(name, text);

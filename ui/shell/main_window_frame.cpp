@@ -102,7 +102,11 @@ QWidget* MainWindow::buildRail() {
     add(PageId::kCohort, tr("Cohort"), "cohort", teaches);
     add(PageId::kRatings, tr("Ratings"), "ratings", teaches);
     add(PageId::kStandards, tr("Standards"), "standards", teaches);
-    add(PageId::kStudies, tr("Studies"), "studies", context_.may(Action::kRunQuestionnaire));
+    const bool studies = context_.may(Action::kRunQuestionnaire);
+    add(PageId::kStudies, tr("Studies"), "studies", studies);
+    add(PageId::kStudyData, tr("Data"), "data", studies);
+    add(PageId::kStudyResults, tr("Results"), "results", context_.may(Action::kExportStudy));
+    add(PageId::kProtocols, tr("Protocols"), "protocols", studies);
     add(PageId::kPeople, tr("People"), "people", context_.may(Action::kManageUsers, Scope::kOther));
     add(PageId::kDevices, tr("Devices"), "devices",
         teaches || context_.may(Action::kBackup, Scope::kOther));

@@ -52,6 +52,12 @@ Page* make_page(AppContext& context, const Place& place) {
             return make_ratings_page(context, place);
         case PageId::kDevices:
             return make_devices_page(context, place);
+        case PageId::kStudyData:
+            return make_study_data_page(context, place);
+        case PageId::kStudyResults:
+            return make_study_results_page(context, place);
+        case PageId::kProtocols:
+            return make_protocols_page(context, place);
     }
     return make_login_page(context, place);
 }

@@ -34,6 +34,9 @@ enum class PageId : uint8_t {
     kStandards,
     kRatings,
     kDevices,
+    kStudyData,
+    kStudyResults,
+    kProtocols,
 };
 
 /// Where to go: a page and what it shows.
@@ -88,6 +91,9 @@ class Page : public QWidget {
 [[nodiscard]] Page* make_standards_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_ratings_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_devices_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_study_data_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_study_results_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_protocols_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_page(AppContext& context, const Place& place);
 
 }  // namespace placode::ui

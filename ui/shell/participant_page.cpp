@@ -3,20 +3,15 @@
 // Participant: one person answers one questionnaire. Answer, review, submit; the rail is hidden,
 // because the screen belongs to somebody who has no account here.
 
-#include <QButtonGroup>
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QRadioButton>
 #include <QScrollArea>
-#include <QSlider>
 #include <QStackedWidget>
 #include <algorithm>
 
 #include "db/study_conduct.h"
+#include "db/study_records.h"
+#include "ui/shell/answer_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -26,22 +21,22 @@ namespace {
 using curriculum::ItemKind;
 using curriculum::QuestionnaireItem;
 
-constexpr int kNoValue = 1000;  ///< "does not apply" among the values of a scale.
-
 class ParticipantPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
  public:
     ParticipantPage(AppContext& context, const Place& place)
         : Page(context),
           code_(place.text),
-          questionnaire_(curriculum::load_questionnaire(
-              place.state.value("questionnaire").toString().toStdString())),
+          preview_(place.state.value("preview").toString()),
+          questionnaire_(questionnaireOf(context, place)),
           study_(place.state.value("study", place.state.value("questionnaire"))
                      .toString()
                      .toStdString()),
           visit_(place.state.value("visit", 1).toInt()),
           run_(place.state.value("run").toBool()),
-          rating_of_(place.state.value("rating_of").toLongLong()) {
+          rating_of_(place.state.value("rating_of").toLongLong()),
+          second_of_(place.state.value("second_of").toLongLong()),
+          paper_(place.state.value("paper").toBool()) {
         if (rating_of_ != 0)
             context.require(db::Action::kViewAttempts, db::Scope::kOther);
         else
@@ -62,9 +57,13 @@ class ParticipantPage : public Page {
     }
 
     [[nodiscard]] QString title() const override {
+        if (!preview_.isEmpty()) return tr("Preview");
+        if (second_of_ != 0) return tr("Second entry of %1").arg(code_);
         return rating_of_ != 0 ? tr("Rate an attempt") : tr("Participant %1").arg(code_);
     }
-    [[nodiscard]] bool alone() const override { return rating_of_ == 0; }
+    [[nodiscard]] bool alone() const override {
+        return rating_of_ == 0 && second_of_ == 0 && !paper_ && preview_.isEmpty();
+    }
     [[nodiscard]] QVariantMap state() const override {
         QVariantMap kept;
         for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
@@ -78,26 +77,50 @@ class ParticipantPage : public Page {
                 {"study", qstr(study_)},
                 {"visit", visit_},
                 {"run", run_},
-                {"rating_of", QVariant::fromValue<qint64>(rating_of_)}};
+                {"rating_of", QVariant::fromValue<qint64>(rating_of_)},
+                {"second_of", QVariant::fromValue<qint64>(second_of_)},
+                {"version", questionnaire_.version},
+                {"paper", paper_},
+                {"preview", preview_}};
     }
     [[nodiscard]] bool mayLeave() override {
-        if (submitted_ || answers_.empty()) return true;
+        if (submitted_ || answers_.empty() || !preview_.isEmpty()) return true;
         return confirm(this, tr("Leave without submitting?"),
                        tr("The answers given so far are not saved."), tr("Leave"));
     }
 
  private:
+    /// The text of an editor, the version that the store keeps, or what is shipped.
+    static curriculum::Questionnaire questionnaireOf(AppContext& context, const Place& place) {
+        const std::string preview = place.state.value("preview").toString().toStdString();
+        if (!preview.empty()) return curriculum::load_questionnaire_text(preview, "preview");
+        const std::string id = place.state.value("questionnaire").toString().toStdString();
+        const int version = place.state.value("version").toInt();
+        if (const auto published = context.store().definition("questionnaire", id, version))
+            return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
+        return curriculum::load_questionnaire(id);
+    }
+
+    void addNote(QVBoxLayout* column) {
+        QString note;
+        if (!preview_.isEmpty()) note = tr("Preview: nothing is saved.");
+        if (paper_) note = tr("Entry from paper of %1: type what the sheet says.").arg(code_);
+        if (second_of_ != 0)
+            note = tr("Second entry from paper of %1: the first one is not shown.").arg(code_);
+        if (!note.isEmpty()) column->addWidget(make_badge(note, "accent"));
+    }
+
     QWidget* answerStep() {
         auto* step = new QWidget;
         QVBoxLayout* column = make_column(step, 900);
+        addNote(column);
         column->addWidget(make_label(context_.in(questionnaire_.title), "display"));
         column->addWidget(make_label(context_.in(questionnaire_.introduction), "muted"));
         std::string section;
         for (const QuestionnaireItem& item : questionnaire_.items) {
             if (item.section != section)
                 for (const auto& each : questionnaire_.sections)
-                    if (each.id == item.section)
-                        column->addWidget(make_label(context_.in(each.title), "heading"));
+                    if (each.id == item.section) addSection(column, each);
             section = item.section;
             column->addWidget(itemCard(item));
         }
@@ -121,6 +144,12 @@ class ParticipantPage : public Page {
         return step;
     }
 
+    void addSection(QVBoxLayout* column, const curriculum::Section& section) {
+        column->addWidget(make_label(context_.in(section.title), "heading"));
+        if (!section.introduction.en.empty())
+            column->addWidget(make_label(context_.in(section.introduction), "muted"));
+    }
+
     /// The letter of an item, or its number where the id is a word for machines.
     [[nodiscard]] QString markOf(const QuestionnaireItem& item) const {
         if (item.id.size() <= 2) return qstr(item.id);
@@ -133,209 +162,12 @@ class ParticipantPage : public Page {
         QString text = markOf(item) + "  " + context_.in(item.text);
         if (!item.required) text += tr(" (may be left out)");
         layout->addWidget(make_label(text, "heading"));
-        switch (item.kind) {
-            case ItemKind::kLikert:
-                if (item.point_labels.empty())
-                    layout->addLayout(scale(item));
-                else
-                    layout->addLayout(labelledScale(item));
-                break;
-            case ItemKind::kChoice:
-                layout->addWidget(choice(item));
-                break;
-            case ItemKind::kMultiple:
-                layout->addLayout(multiple(item));
-                break;
-            case ItemKind::kDate:
-                layout->addWidget(date(item));
-                break;
-            case ItemKind::kVisualAnalogue:
-                layout->addLayout(analogue(item));
-                break;
-            default:
-                layout->addWidget(line(item));
-        }
-        if (item.not_applicable && item.kind != ItemKind::kLikert)
-            layout->addWidget(doesNotApply(item));
+        add_answer_field(layout, context_,
+                         {item, markOf(item), answer(item.id), this,
+                          [this, id = item.id](const QString& text) { keep(id, text); }});
         QFrame* card = make_card(layout);
         cards_[item.id] = card;
         return card;
-    }
-
-    QHBoxLayout* scale(const QuestionnaireItem& item) {
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace8);
-        QLabel* low = make_label(context_.in(item.anchor_low), "muted");
-        low->setFixedWidth(150);
-        low->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        row->addWidget(low);
-        auto* group = new QButtonGroup(this);
-        for (int value = item.scale_min; value <= item.scale_max; ++value) {
-            auto* button = new QRadioButton(QString::number(value));
-            button->setObjectName(QString("answer_%1_%2").arg(qstr(item.id)).arg(value));
-            QString name = tr("%1: %2 of %3").arg(markOf(item)).arg(value).arg(item.scale_max);
-            if (value == item.scale_min) name += ", " + context_.in(item.anchor_low);
-            if (value == item.scale_max) name += ", " + context_.in(item.anchor_high);
-            button->setAccessibleName(name);
-            button->setMinimumSize(72, kTouchTarget);
-            button->setChecked(answer(item.id) == QString::number(value));
-            group->addButton(button, value);
-            row->addWidget(button);
-        }
-        QLabel* high = make_label(context_.in(item.anchor_high), "muted");
-        high->setFixedWidth(150);
-        row->addWidget(high);
-        if (item.not_applicable) {
-            auto* none = new QRadioButton(tr("does not apply"));
-            none->setObjectName(QString("answer_%1_NA").arg(qstr(item.id)));
-            none->setMinimumHeight(kTouchTarget);
-            none->setChecked(answer(item.id) == curriculum::kNotApplicable);
-            group->addButton(none, kNoValue);
-            row->addWidget(none);
-        }
-        row->addStretch();
-        connect(group, &QButtonGroup::idClicked, this, [this, id = item.id](int value) {
-            keep(id,
-                 value == kNoValue ? QString(curriculum::kNotApplicable) : QString::number(value));
-        });
-        return row;
-    }
-
-    /// Every value with its words, one below the other.
-    QVBoxLayout* labelledScale(const QuestionnaireItem& item) {
-        auto* column = new QVBoxLayout;
-        auto* group = new QButtonGroup(this);
-        const auto add = [&](int value, const QString& text, const QString& name, bool checked) {
-            auto* button = new QRadioButton(text);
-            button->setObjectName(QString("answer_%1_%2").arg(qstr(item.id), name));
-            button->setMinimumHeight(kTouchTarget);
-            button->setChecked(checked);
-            group->addButton(button, value);
-            column->addWidget(button);
-        };
-        for (int value = item.scale_min; value <= item.scale_max; ++value) {
-            const auto& label = item.point_labels.at(static_cast<size_t>(value - item.scale_min));
-            const QString number = QString::number(value);
-            add(value, number + "  " + context_.in(label), number, answer(item.id) == number);
-        }
-        if (item.not_applicable)
-            add(kNoValue, tr("does not apply"), "NA",
-                answer(item.id) == curriculum::kNotApplicable);
-        connect(group, &QButtonGroup::idClicked, this, [this, id = item.id](int value) {
-            keep(id,
-                 value == kNoValue ? QString(curriculum::kNotApplicable) : QString::number(value));
-        });
-        return column;
-    }
-
-    QVBoxLayout* multiple(const QuestionnaireItem& item) {
-        auto* column = new QVBoxLayout;
-        const auto given = curriculum::answer_indices(answer(item.id).toStdString());
-        std::vector<QCheckBox*> boxes;
-        for (size_t i = 0; i < item.choices.size(); ++i) {
-            auto* box = new QCheckBox(context_.in(item.choices[i]));
-            box->setObjectName(QString("answer_%1_%2").arg(qstr(item.id)).arg(i));
-            box->setMinimumHeight(kTouchTarget);
-            box->setChecked(given && std::find(given->begin(), given->end(), static_cast<int>(i)) !=
-                                         given->end());
-            boxes.push_back(box);
-            column->addWidget(box);
-        }
-        for (QCheckBox* box : boxes) {
-            connect(box, &QCheckBox::clicked, this, [this, boxes, id = item.id] {
-                QStringList chosen;
-                for (size_t i = 0; i < boxes.size(); ++i)
-                    if (boxes[i]->isChecked()) chosen << QString::number(i);
-                keep(id, chosen.join(';'));
-            });
-        }
-        return column;
-    }
-
-    QWidget* date(const QuestionnaireItem& item) {
-        auto* edit = new QLineEdit(answer(item.id));
-        edit->setObjectName("answer_" + qstr(item.id));
-        edit->setAccessibleName(context_.in(item.text));
-        edit->setPlaceholderText(tr("year-month-day, e.g. 2026-11-21"));
-        edit->setMaximumWidth(320);
-        connect(edit, &QLineEdit::textChanged, this,
-                [this, edit, id = item.id] { keep(id, edit->text().trimmed()); });
-        return edit;
-    }
-
-    /// A line without marks. Nothing is answered before it was touched.
-    QHBoxLayout* analogue(const QuestionnaireItem& item) {
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace12);
-        row->addWidget(make_label(context_.in(item.anchor_low), "muted"));
-        auto* slider = new QSlider(Qt::Horizontal);
-        slider->setObjectName("answer_" + qstr(item.id));
-        slider->setAccessibleName(context_.in(item.text));
-        slider->setRange(static_cast<int>(item.number_min), static_cast<int>(item.number_max));
-        slider->setMinimumSize(360, kTouchTarget);
-        slider->setValue(answer(item.id).isEmpty() ? (slider->minimum() + slider->maximum()) / 2
-                                                   : answer(item.id).toInt());
-        auto* state =
-            make_label(answer(item.id).isEmpty() ? tr("not answered") : tr("answered"), "small");
-        const auto take = [this, slider, state, id = item.id] {
-            keep(id, QString::number(slider->value()));
-            state->setText(tr("answered"));
-        };
-        connect(slider, &QSlider::valueChanged, this, take);
-        connect(slider, &QSlider::sliderReleased, this, take);  // a tap on the middle counts
-        row->addWidget(slider, 1);
-        row->addWidget(make_label(context_.in(item.anchor_high), "muted"));
-        row->addWidget(state);
-        return row;
-    }
-
-    QWidget* doesNotApply(const QuestionnaireItem& item) {
-        auto* box = new QCheckBox(tr("does not apply"));
-        box->setObjectName(QString("answer_%1_NA").arg(qstr(item.id)));
-        box->setChecked(answer(item.id) == curriculum::kNotApplicable);
-        connect(box, &QCheckBox::clicked, this, [this, id = item.id](bool on) {
-            keep(id, on ? QString(curriculum::kNotApplicable) : QString());
-        });
-        return box;
-    }
-
-    QWidget* choice(const QuestionnaireItem& item) {
-        auto* box = new QComboBox;
-        box->setObjectName("answer_" + qstr(item.id));
-        box->setAccessibleName(context_.in(item.text));
-        box->addItem(tr("Choose …"), -1);
-        for (size_t i = 0; i < item.choices.size(); ++i)
-            box->addItem(context_.in(item.choices[i]), static_cast<int>(i));
-        const QString given = answer(item.id);
-        if (!given.isEmpty()) box->setCurrentIndex(given.toInt() + 1);
-        box->setMaximumWidth(420);
-        connect(box, &QComboBox::currentIndexChanged, this, [this, box, id = item.id] {
-            const int value = box->currentData().toInt();
-            keep(id, value < 0 ? QString() : QString::number(value));
-        });
-        return box;
-    }
-
-    QWidget* line(const QuestionnaireItem& item) {
-        if (item.kind == ItemKind::kText) {
-            auto* edit = new QPlainTextEdit(answer(item.id));
-            edit->setObjectName("answer_" + qstr(item.id));
-            edit->setAccessibleName(context_.in(item.text));
-            edit->setTabChangesFocus(true);
-            edit->setFixedHeight(110);
-            connect(edit, &QPlainTextEdit::textChanged, this,
-                    [this, edit, id = item.id] { keep(id, edit->toPlainText().trimmed()); });
-            return edit;
-        }
-        auto* edit = new QLineEdit(answer(item.id));
-        edit->setObjectName("answer_" + qstr(item.id));
-        edit->setAccessibleName(context_.in(item.text));
-        edit->setPlaceholderText(qstr(item.unit));
-        edit->setMaximumWidth(240);
-        // A comma is a decimal point to half of Europe; the store always holds '.'.
-        connect(edit, &QLineEdit::textChanged, this,
-                [this, edit, id = item.id] { keep(id, edit->text().trimmed().replace(',', '.')); });
-        return edit;
     }
 
     [[nodiscard]] QString answer(const std::string& id) const {
@@ -375,9 +207,11 @@ class ParticipantPage : public Page {
             if (!item.show_if) continue;
             const bool shown = curriculum::is_shown(questionnaire_, item, answers_);
             if (shown && aside_.contains(item.id)) {
+                logChange(item.id, "", aside_[item.id]);
                 answers_[item.id] = aside_[item.id];
                 aside_.erase(item.id);
             } else if (!shown && answers_.contains(item.id)) {
+                logChange(item.id, answers_[item.id], "");
                 aside_[item.id] = answers_[item.id];
                 answers_.erase(item.id);
             }
@@ -480,6 +314,8 @@ class ParticipantPage : public Page {
     void submit() {
         if (submitted_) return;
         if (rating_of_ != 0) return saveRating();
+        if (second_of_ != 0) return saveSecondEntry();
+        if (!preview_.isEmpty()) return leave();
         context_.guard(tr("Saving the answers"), [this] {
             db::AnswerRecord record;
             record.study_id = study_;
@@ -495,7 +331,7 @@ class ParticipantPage : public Page {
             record.demonstration = context_.user().demonstration;
             db::submit_answers(context_.store(), questionnaire_, record);
             submitted_ = true;
-            run_ ? leave() : showThanks();
+            run_ || paper_ ? leave() : showThanks();
         });
     }
 
@@ -515,9 +351,22 @@ class ParticipantPage : public Page {
         });
     }
 
+    void saveSecondEntry() {
+        context_.guard(tr("Saving the second entry"), [this] {
+            context_.store().records().save_second_entry({second_of_, answers_, {}, {}});
+            submitted_ = true;
+            Q_EMIT notice(tr("The second entry is saved; differences are listed below."));
+            leave();
+        });
+    }
+
     /// Back to where the participant came from.
     void leave() {
-        if (rating_of_ != 0)
+        if (!preview_.isEmpty())
+            Q_EMIT go({PageId::kProtocols, 0, {}, {{"kind", "questionnaire"}, {"text", preview_}}});
+        else if (second_of_ != 0 || paper_)
+            Q_EMIT go({PageId::kStudyData, 0, code_, {{"study", qstr(study_)}}});
+        else if (rating_of_ != 0)
             Q_EMIT go({PageId::kRatings, 0, {}, {}});
         else if (run_)
             Q_EMIT go({PageId::kStudyRun, 0, code_, {{"study", qstr(study_)}}});
@@ -549,11 +398,14 @@ class ParticipantPage : public Page {
     }
 
     QString code_;
+    QString preview_;  ///< Text of a questionnaire that is being edited; empty = none.
     curriculum::Questionnaire questionnaire_;
     std::string study_;
     int visit_ = 1;
     bool run_ = false;       ///< Within a study run: goes back to it.
     int64_t rating_of_ = 0;  ///< A rater judges this attempt.
+    int64_t second_of_ = 0;  ///< Typed a second time from paper: these answers.
+    bool paper_ = false;     ///< Typed from paper by the coordinator.
     curriculum::Answers answers_, aside_;
     std::vector<db::AnswerChange> changes_;
     std::map<std::string, QFrame*> cards_;

@@ -20,6 +20,8 @@
 namespace placode::ui {
 namespace {
 
+constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
+
 /// Those that are published, and those that are shipped and could be.
 std::vector<std::string> known_studies(AppContext& context) {
     std::vector<std::string> ids = curriculum::list_definitions("studies");
@@ -201,6 +203,12 @@ class ProtocolCard : public QFrame {
     QHBoxLayout* exports() {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
+        for (const auto& [page, text, icon, name] :
+             {std::tuple{PageId::kStudyData, tr("Data"), "data", "open_data"},
+              {PageId::kStudyResults, tr("Results"), "results", "open_results"}})
+            button(row, text, "secondary", icon, name, [this, page = page] {
+                Q_EMIT page_.go({page, 0, {}, {{"study", qstr(study_)}}});
+            });
         row->addStretch();
         auto* format = new QComboBox;
         format->setObjectName("study_export_format");
@@ -209,6 +217,16 @@ class ProtocolCard : public QFrame {
             format->addItem(QString::fromUtf8(each.title), QString(each.name));
         row->addWidget(format);
         const bool may = context_.may(db::Action::kExportStudy);
+        identifying_ = new QLineEdit;
+        identifying_->setObjectName("identifying_reason");
+        identifying_->setAccessibleName(tr("Reason to include what names a person"));
+        identifying_->setPlaceholderText(tr("Reason to include names; audited"));
+        identifying_->setToolTip(
+            tr("Left empty, questions that name a person stay in the store. For who may see names "
+               "only."));
+        // Most have no right to it: the field is there for who has.
+        identifying_->setVisible(context_.may(db::Action::kViewPersonalData, db::Scope::kOther));
+        row->addWidget(identifying_);
         button(row, tr("Export"), "secondary", "download", "study_export", [this, format] {
             exportAs(format->currentData().toString());
         })->setEnabled(may);
@@ -246,24 +264,33 @@ class ProtocolCard : public QFrame {
             context_.askFolder(this, tr("Export into this folder"),
                                QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
         if (folder.isEmpty()) return;
-        if (!context_.guard(tr("Exporting the study"),
-                            [&] { context_.require(db::Action::kExportStudy); }))
+        const QString reason = identifying_->text().trimmed();
+        if (!context_.guard(tr("Exporting the study"), [&] {
+                context_.require(db::Action::kExportStudy);
+                if (reason.isEmpty()) return;
+                context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
+                if (reason.size() < kShortestReason)
+                    throw db::StoreError(db::StoreError::Kind::kRefused,
+                                         "export with names: the reason needs at least " +
+                                             std::to_string(kShortestReason) + " characters");
+            }))
             return;
         auto count = std::make_shared<size_t>(0);
         context_.background(
             this, tr("Exporting the study"),
-            [study = study_, language = context_.language().toStdString(), format, folder,
-             count](db::Store& store) {
+            [study = study_, language = context_.language().toStdString(), format, folder, count,
+             named = !reason.isEmpty()](db::Store& store) {
                 const reports::ExportSource source{
-                    reports::study_dataset(store, study, {false, language}),
+                    reports::study_dataset(store, study, {named, language}),
                     reports::recordings_of(store)};
                 *count = reports::export_dataset(source, format.toStdString(), folder.toStdString())
                              .size();
             },
-            [this, format, folder, count](bool done) {
+            [this, format, folder, count, reason](bool done) {
                 if (!done) return;
-                context_.audit(("export." + format).toUtf8().constData(), "study " + qstr(study_),
-                               folder);
+                context_.audit(
+                    ("export." + format).toUtf8().constData(), "study " + qstr(study_),
+                    folder + (reason.isEmpty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
                 Q_EMIT page_.notice(tr("%1 files, read back and compared with the store: %2")
                                         .arg(*count)
                                         .arg(folder));
@@ -280,9 +307,13 @@ class ProtocolCard : public QFrame {
             return;
         context_.background(
             this, tr("Making the report"),
-            [study = study_, language = context_.language().toStdString(), path](db::Store& store) {
-                reports::write_study_pdf(reports::read_study_report(store, study, language),
-                                         path.toStdString());
+            [study = study_, language = context_.language().toStdString(), path,
+             context = &context_](db::Store& store) {
+                reports::write_study_pdf(
+                    reports::read_study_report(store, study, language), path.toStdString(),
+                    [context](const std::string& what) {
+                        Q_EMIT context->busyChanged(tr("Making the report: %1").arg(qstr(what)));
+                    });
             },
             [this, path](bool done) {
                 if (!done) return;
@@ -303,6 +334,7 @@ class ProtocolCard : public QFrame {
     QTableWidget* table_ = nullptr;
     QComboBox* mode_ = nullptr;
     QLineEdit* reason_ = nullptr;
+    QLineEdit* identifying_ = nullptr;  ///< Why names may leave; empty = they do not.
 };
 
 }  // namespace

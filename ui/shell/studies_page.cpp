@@ -12,11 +12,20 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/protocol_card.h"
+#include "ui/shell/study_preview.h"
 
 namespace placode::ui {
 namespace {
 
 using curriculum::ItemKind;
+
+/// Shipped, or published here.
+std::vector<std::string> known_questionnaires(AppContext& context) {
+    std::vector<std::string> ids = curriculum::list_definitions("questionnaires");
+    for (const auto& each : context.store().definitions("questionnaire"))
+        if (std::find(ids.begin(), ids.end(), each.id) == ids.end()) ids.push_back(each.id);
+    return ids;
+}
 
 class StudiesPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(StudiesPage)
@@ -24,11 +33,11 @@ class StudiesPage : public Page {
     StudiesPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kRunQuestionnaire);
         chosen_ = place.text;
-        const std::vector<std::string> ids = curriculum::list_definitions("questionnaires");
+        const std::vector<std::string> ids = known_questionnaires(context);
         const bool paper = std::find(ids.begin(), ids.end(), "face_validity") != ids.end();
         if (chosen_.isEmpty() && !ids.empty())
             chosen_ = paper ? QString("face_validity") : qstr(ids.front());
-        questionnaire_ = curriculum::load_questionnaire(chosen_.toStdString());
+        questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
         answers_ = context.store().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
         column->addWidget(

@@ -14,6 +14,7 @@
 #include "ui/shell/device_tester.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/signature_pad.h"
 
 namespace placode::ui {
 namespace {
@@ -75,6 +76,7 @@ class StudyRunPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace4);
         for (const StudyStep& step : protocol_.steps) {
+            if (!step.for_arm(progress_.participant.arm)) continue;
             const std::string key = std::to_string(progress_.visit) + "/" + step.id;
             const auto& done = progress_.finished;
             const bool finished = std::find(done.begin(), done.end(), key) != done.end();
@@ -131,7 +133,8 @@ class StudyRunPage : public Page {
         layout->addWidget(button, 0, Qt::AlignRight);
     }
 
-    /// The text, a box for every statement, and a signature by the hand that ticks them.
+    /// The text, a box for every statement, and the signature: on the screen, or on a sheet that
+    /// the coordinator keeps.
     void addConsent(QVBoxLayout* layout) {
         for (const auto& text : protocol_.consent.information)
             layout->addWidget(make_label(context_.in(text)));
@@ -143,27 +146,50 @@ class StudyRunPage : public Page {
             layout->addWidget(box);
             boxes.emplace_back(box, &statement);
         }
+        auto* pad = new SignaturePad(context_.colors().text, context_.colors().line);
+        pad->setObjectName("signature");
+        auto* on_paper = new QCheckBox(tr("Signed on paper; the coordinator keeps the sheet"));
+        on_paper->setObjectName("signed_on_paper");
+        on_paper->setMinimumHeight(kTouchTarget);
+        QPushButton* clear = make_button(context_, tr("Clear"), "quiet");
+        clear->setObjectName("clear_signature");
         QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
         agree->setObjectName("consent_given");
         agree->setEnabled(false);
-        for (const auto& [box, unused] : boxes) {
-            connect(box, &QCheckBox::toggled, this, [boxes, agree] {
-                agree->setEnabled(std::all_of(boxes.begin(), boxes.end(), [](const auto& each) {
-                    return each.first->isChecked() || !each.second->required;
-                }));
-            });
-        }
-        connect(agree, &QPushButton::clicked, this, [this, boxes] {
-            context_.guard(tr("Recording the consent"), [&] {
-                std::vector<std::string> agreed;
-                for (const auto& [box, statement] : boxes)
-                    if (box->isChecked()) agreed.push_back(statement->id);
-                db::record_consent(context_.store(), study_, code_.toStdString(),
-                                   context_.language().toStdString(), agreed);
-                again();
-            });
+        const auto update = [boxes, agree, pad, on_paper] {
+            pad->setEnabled(!on_paper->isChecked());
+            agree->setEnabled((on_paper->isChecked() || !pad->path().isEmpty()) &&
+                              std::all_of(boxes.begin(), boxes.end(), [](const auto& each) {
+                                  return each.first->isChecked() || !each.second->required;
+                              }));
+        };
+        for (const auto& [box, unused] : boxes) connect(box, &QCheckBox::toggled, this, update);
+        connect(on_paper, &QCheckBox::toggled, this, update);
+        connect(clear, &QPushButton::clicked, this, [pad] { pad->clear(); });
+        pad->changed = update;
+        connect(agree, &QPushButton::clicked, this, [this, boxes, pad, on_paper] {
+            giveConsent(boxes, on_paper->isChecked() ? QString() : pad->path());
         });
+        layout->addLayout(make_field(tr("Signature"), pad));
+        auto* row = new QHBoxLayout;
+        row->addWidget(on_paper);
+        row->addStretch();
+        row->addWidget(clear);
+        layout->addLayout(row);
         layout->addWidget(agree, 0, Qt::AlignRight);
+    }
+
+    void giveConsent(
+        const std::vector<std::pair<QCheckBox*, const curriculum::ConsentStatement*>>& boxes,
+        const QString& signature) {
+        context_.guard(tr("Recording the consent"), [&] {
+            std::vector<std::string> agreed;
+            for (const auto& [box, statement] : boxes)
+                if (box->isChecked()) agreed.push_back(statement->id);
+            db::record_consent(context_.store(), study_, code_.toStdString(),
+                               context_.language().toStdString(), agreed, signature.toStdString());
+            again();
+        });
     }
 
     void addAttempt(QVBoxLayout* layout, const StudyStep& step) {

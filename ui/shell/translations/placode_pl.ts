@@ -1523,6 +1523,38 @@
         <source>The rating is saved.</source>
         <translation>Ocena zapisana.</translation>
     </message>
+    <message>
+        <source>Preview</source>
+        <translation>Podgląd</translation>
+    </message>
+    <message>
+        <source>Second entry of %1</source>
+        <translation>Drugie wprowadzenie: %1</translation>
+    </message>
+    <message>
+        <source>Preview: nothing is saved.</source>
+        <translation>Podgląd: nic nie jest zapisywane.</translation>
+    </message>
+    <message>
+        <source>Entry from paper of %1: type what the sheet says.</source>
+        <translation>Wprowadzanie z papieru, %1: proszę wpisać to, co jest na arkuszu.</translation>
+    </message>
+    <message>
+        <source>Second entry from paper of %1: the first one is not shown.</source>
+        <translation>Drugie wprowadzenie z papieru, %1: pierwsze nie jest pokazywane.</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>od %1 do %2 %3</translation>
+    </message>
+    <message>
+        <source>Saving the second entry</source>
+        <translation>Zapisywanie drugiego wprowadzenia</translation>
+    </message>
+    <message>
+        <source>The second entry is saved; differences are listed below.</source>
+        <translation>Drugie wprowadzenie zapisane; różnice są wymienione poniżej.</translation>
+    </message>
 </context>
 <context>
     <name>Parts</name>
@@ -1883,6 +1915,30 @@
     <message>
         <source>withdrew: %1</source>
         <translation>wycofani: %1</translation>
+    </message>
+    <message>
+        <source>Reason to include what names a person</source>
+        <translation>Powód dołączenia tego, co wskazuje osobę</translation>
+    </message>
+    <message>
+        <source>Reason to include names; audited</source>
+        <translation>Powód dołączenia nazwisk; zapisywany w dzienniku</translation>
+    </message>
+    <message>
+        <source>Left empty, questions that name a person stay in the store. For who may see names only.</source>
+        <translation>Gdy puste, pytania wskazujące osobę pozostają w bazie. Tylko dla osób uprawnionych do nazwisk.</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Dane</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Wyniki</translation>
+    </message>
+    <message>
+        <source>Making the report: %1</source>
+        <translation>Tworzenie raportu: %1</translation>
     </message>
 </context>
 <context>
@@ -2971,6 +3027,18 @@
         <source>Recording the step</source>
         <translation>Zapisywanie kroku</translation>
     </message>
+    <message>
+        <source>Signed on paper; the coordinator keeps the sheet</source>
+        <translation>Podpisano na papierze; arkusz przechowuje koordynator</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Wyczyść</translation>
+    </message>
+    <message>
+        <source>Signature</source>
+        <translation>Podpis</translation>
+    </message>
 </context>
 <context>
     <name>TaskPage</name>
@@ -3572,6 +3640,18 @@
         <source>Devices</source>
         <translation>Urządzenia</translation>
     </message>
+    <message>
+        <source>Data</source>
+        <translation>Dane</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Wyniki</translation>
+    </message>
+    <message>
+        <source>Protocols</source>
+        <translation>Protokoły</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::SearchBox</name>
@@ -4117,6 +4197,750 @@
     <message>
         <source>The test has ended; no force.</source>
         <translation>Próba zakończona; brak siły.</translation>
+    </message>
+</context>
+<context>
+    <name>DefinitionFields</name>
+    <message>
+        <source>Id: letters, digits, _</source>
+        <translation>Identyfikator: litery, cyfry, _</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>Title</source>
+        <translation>Tytuł</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Opis</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Źródło</translation>
+    </message>
+    <message>
+        <source>Visits</source>
+        <translation>Wizyty</translation>
+    </message>
+    <message>
+        <source>Information, a paragraph a line: English | Polish</source>
+        <translation>Informacja, akapit w wierszu: angielski | polski</translation>
+    </message>
+    <message>
+        <source>Statements to agree to, one a line: id | English | Polish</source>
+        <translation>Oświadczenia, jedno w wierszu: identyfikator | angielski | polski</translation>
+    </message>
+    <message>
+        <source>Names of the arms, one a line: English | Polish (empty = no arms)</source>
+        <translation>Nazwy grup, jedna w wierszu: angielski | polski (puste = bez grup)</translation>
+    </message>
+    <message>
+        <source>Size of a block: a multiple of the number of arms</source>
+        <translation>Wielkość bloku: wielokrotność liczby grup</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Text to read, a paragraph a line: English | Polish</source>
+        <translation>Tekst do przeczytania, akapit w wierszu: angielski | polski</translation>
+    </message>
+    <message>
+        <source>Questionnaire: its id</source>
+        <translation>Kwestionariusz: identyfikator</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>At most [s] (familiarisation)</source>
+        <translation>Najwyżej [s] (oswojenie)</translation>
+    </message>
+    <message>
+        <source>Time limit [s] (procedure; empty = none)</source>
+        <translation>Limit czasu [s] (zabieg; puste = bez limitu)</translation>
+    </message>
+    <message>
+        <source>Only for these arms, from 0 (empty = everybody)</source>
+        <translation>Tylko dla tych grup, od 0 (puste = wszyscy)</translation>
+    </message>
+    <message>
+        <source>Introduction</source>
+        <translation>Wstęp</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Licencja</translation>
+    </message>
+    <message>
+        <source>Scale scores, one a line: id | mean or sum, then the items | English | Polish</source>
+        <translation>Wyniki skal, jeden w wierszu: identyfikator | mean lub sum, potem pytania | angielski | polski</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Pytanie</translation>
+    </message>
+    <message>
+        <source>Scale from</source>
+        <translation>Skala od</translation>
+    </message>
+    <message>
+        <source>Scale to</source>
+        <translation>Skala do</translation>
+    </message>
+    <message>
+        <source>Word at the low end</source>
+        <translation>Słowo na dolnym końcu</translation>
+    </message>
+    <message>
+        <source>Word at the high end</source>
+        <translation>Słowo na górnym końcu</translation>
+    </message>
+    <message>
+        <source>Choices, one a line: English | Polish</source>
+        <translation>Odpowiedzi, jedna w wierszu: angielski | polski</translation>
+    </message>
+    <message>
+        <source>Least number</source>
+        <translation>Najmniejsza liczba</translation>
+    </message>
+    <message>
+        <source>Greatest number</source>
+        <translation>Największa liczba</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>Shown only if: item = answers</source>
+        <translation>Pokazywane tylko, gdy: pytanie = odpowiedzi</translation>
+    </message>
+    <message>
+        <source>An answer is required</source>
+        <translation>Odpowiedź jest wymagana</translation>
+    </message>
+    <message>
+        <source>&quot;Does not apply&quot; may be answered</source>
+        <translation>Można odpowiedzieć „nie dotyczy”</translation>
+    </message>
+    <message>
+        <source>Turned round in scale scores</source>
+        <translation>Odwracane w wynikach skal</translation>
+    </message>
+    <message>
+        <source>Names a person: leaves only with permission</source>
+        <translation>Wskazuje osobę: opuszcza program tylko za zgodą</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPreview</name>
+    <message>
+        <source>Signature on the screen or on paper</source>
+        <translation>Podpis na ekranie lub na papierze</translation>
+    </message>
+    <message>
+        <source>Preview: what participants go through</source>
+        <translation>Podgląd: przez co przechodzą uczestnicy</translation>
+    </message>
+    <message>
+        <source>Visits: %1</source>
+        <translation>Wizyty: %1</translation>
+    </message>
+    <message>
+        <source>Only: %1</source>
+        <translation>Tylko: %1</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>najwyżej %1</translation>
+    </message>
+    <message>
+        <source>no time limit of the study</source>
+        <translation>bez limitu czasu badania</translation>
+    </message>
+</context>
+<context>
+    <name>Analysis</name>
+    <message>
+        <source>Construct validity</source>
+        <translation>Trafność teoretyczna</translation>
+    </message>
+    <message>
+        <source>Test-retest reliability</source>
+        <translation>Rzetelność test-retest</translation>
+    </message>
+    <message>
+        <source>Learning curves</source>
+        <translation>Krzywe uczenia się</translation>
+    </message>
+    <message>
+        <source>Agreement of raters</source>
+        <translation>Zgodność oceniających</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>miara</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>przedział 95 %</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>pierwszy</translation>
+    </message>
+    <message>
+        <source>second</source>
+        <translation>drugi</translation>
+    </message>
+    <message>
+        <source>participant</source>
+        <translation>uczestnik</translation>
+    </message>
+    <message>
+        <source>attempts</source>
+        <translation>próby</translation>
+    </message>
+    <message>
+        <source>last</source>
+        <translation>ostatnia</translation>
+    </message>
+    <message>
+        <source>best</source>
+        <translation>najlepsza</translation>
+    </message>
+    <message>
+        <source>failures</source>
+        <translation>niepowodzenia</translation>
+    </message>
+    <message>
+        <source>plateau a</source>
+        <translation>plateau a</translation>
+    </message>
+    <message>
+        <source>plateau reached</source>
+        <translation>plateau osiągnięte</translation>
+    </message>
+    <message>
+        <source>rated</source>
+        <translation>oceniane</translation>
+    </message>
+    <message>
+        <source>raters</source>
+        <translation>oceniający</translation>
+    </message>
+    <message>
+        <source>There are no two levels with attempts of at least two people each.</source>
+        <translation>Nie ma dwóch poziomów z próbami co najmniej dwóch osób.</translation>
+    </message>
+    <message>
+        <source>At least three people with two attempts each are needed.</source>
+        <translation>Potrzeba co najmniej trzech osób z dwiema próbami każda.</translation>
+    </message>
+    <message>
+        <source>There are no attempts yet.</source>
+        <translation>Nie ma jeszcze żadnych prób.</translation>
+    </message>
+</context>
+<context>
+    <name>NamesCard</name>
+    <message>
+        <source>Names behind the codes</source>
+        <translation>Nazwiska pod kodami</translation>
+    </message>
+    <message>
+        <source>In a file of its own, apart from the data, encrypted under a passphrase. It is in no export and no backup of the store: keep a copy, and the passphrase elsewhere. Whoever loses the passphrase loses the names.</source>
+        <translation>W osobnym pliku, oddzielnie od danych, zaszyfrowane hasłem. Nie ma ich w żadnym eksporcie ani kopii bazy: proszę przechowywać kopię, a hasło w innym miejscu. Kto straci hasło, straci nazwiska.</translation>
+    </message>
+    <message>
+        <source>File of the key</source>
+        <translation>Plik klucza</translation>
+    </message>
+    <message>
+        <source>Passphrase, at least %1 characters</source>
+        <translation>Hasło, co najmniej %1 znaków</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwórz</translation>
+    </message>
+    <message>
+        <source>Make a new key</source>
+        <translation>Utwórz nowy klucz</translation>
+    </message>
+    <message>
+        <source>Making a key</source>
+        <translation>Tworzenie klucza</translation>
+    </message>
+    <message>
+        <source>Opening the key</source>
+        <translation>Otwieranie klucza</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kod</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nazwisko</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Names</source>
+        <translation>Nazwiska</translation>
+    </message>
+    <message>
+        <source>Keep the name</source>
+        <translation>Zapisz nazwisko</translation>
+    </message>
+    <message>
+        <source>Keeping a name</source>
+        <translation>Zapisywanie nazwiska</translation>
+    </message>
+    <message>
+        <source>Hide the names</source>
+        <translation>Ukryj nazwiska</translation>
+    </message>
+</context>
+<context>
+    <name>ProtocolsPage</name>
+    <message>
+        <source>Protocols</source>
+        <translation>Protokoły</translation>
+    </message>
+    <message>
+        <source>Leave without saving?</source>
+        <translation>Wyjść bez zapisania?</translation>
+    </message>
+    <message>
+        <source>The text was changed and neither published nor exported.</source>
+        <translation>Tekst został zmieniony, a nie został ani opublikowany, ani wyeksportowany.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Definition</source>
+        <translation>Definicja</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Nowy</translation>
+    </message>
+    <message>
+        <source>%1, version %2, published</source>
+        <translation>%1, wersja %2, opublikowana</translation>
+    </message>
+    <message>
+        <source>%1, shipped</source>
+        <translation>%1, dostarczony z programem</translation>
+    </message>
+    <message>
+        <source>Opening the definition</source>
+        <translation>Otwieranie definicji</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Kroki</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Pytania</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Dodaj</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>W górę</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>W dół</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>As a file (JSON)</source>
+        <translation>Jako plik (JSON)</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importuj</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksportuj</translation>
+    </message>
+    <message>
+        <source>Text of the definition</source>
+        <translation>Tekst definicji</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Podgląd</translation>
+    </message>
+    <message>
+        <source>Reason of the change</source>
+        <translation>Powód zmiany</translation>
+    </message>
+    <message>
+        <source>Reason of the change, from version 2 on</source>
+        <translation>Powód zmiany, od wersji 2</translation>
+    </message>
+    <message>
+        <source>Publish</source>
+        <translation>Opublikuj</translation>
+    </message>
+    <message>
+        <source>The study itself</source>
+        <translation>Samo badanie</translation>
+    </message>
+    <message>
+        <source>The questionnaire itself</source>
+        <translation>Sam kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Information and consent</source>
+        <translation>Informacja i zgoda</translation>
+    </message>
+    <message>
+        <source>Arms</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>The definition is right.</source>
+        <translation>Definicja jest poprawna.</translation>
+    </message>
+    <message>
+        <source>Publishing</source>
+        <translation>Publikowanie</translation>
+    </message>
+    <message>
+        <source>%1 version %2 is published; it is never changed from now on.</source>
+        <translation>%1, wersja %2 jest opublikowana; odtąd nigdy się nie zmieni.</translation>
+    </message>
+    <message>
+        <source>Import a definition</source>
+        <translation>Import definicji</translation>
+    </message>
+    <message>
+        <source>Importing a definition</source>
+        <translation>Importowanie definicji</translation>
+    </message>
+    <message>
+        <source>Export the definition</source>
+        <translation>Eksport definicji</translation>
+    </message>
+    <message>
+        <source>Exporting the definition</source>
+        <translation>Eksportowanie definicji</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Zapisano: %1</translation>
+    </message>
+</context>
+<context>
+    <name>StudyDataPage</name>
+    <message>
+        <source>Data</source>
+        <translation>Dane</translation>
+    </message>
+    <message>
+        <source>No study has participants yet. Enrol the first one on the page Studies.</source>
+        <translation>Żadne badanie nie ma jeszcze uczestników. Pierwszego proszę włączyć na stronie Badania.</translation>
+    </message>
+    <message>
+        <source>Participants: %1 · complete: %2 · locked: %3 · signed: %4 · differences between entries: %5 · corrections: %6</source>
+        <translation>Uczestnicy: %1 · kompletni: %2 · zablokowani: %3 · podpisani: %4 · różnice między wprowadzeniami: %5 · poprawki: %6</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>otwarty</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>zablokowany</translation>
+    </message>
+    <message>
+        <source>signed: %1, %2, %3</source>
+        <translation>podpisany: %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>CHANGED AFTER THE SIGNATURE</source>
+        <translation>ZMIENIONY PO PODPISANIU</translation>
+    </message>
+    <message>
+        <source>Records</source>
+        <translation>Rekordy</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Kod</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Kroki</translation>
+    </message>
+    <message>
+        <source>Answers</source>
+        <translation>Odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Rekord</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 z %2</translation>
+    </message>
+    <message>
+        <source>Meaning: &quot;reviewed and complete&quot;</source>
+        <translation>Znaczenie: „sprawdzono, kompletne”</translation>
+    </message>
+    <message>
+        <source>Your password, again</source>
+        <translation>Hasło, ponownie</translation>
+    </message>
+    <message>
+        <source>Reason for unlocking</source>
+        <translation>Powód odblokowania</translation>
+    </message>
+    <message>
+        <source>Sign</source>
+        <translation>Podpisz</translation>
+    </message>
+    <message>
+        <source>Signing the record</source>
+        <translation>Podpisywanie rekordu</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Odblokuj</translation>
+    </message>
+    <message>
+        <source>Unlocking the record</source>
+        <translation>Odblokowywanie rekordu</translation>
+    </message>
+    <message>
+        <source>Lock</source>
+        <translation>Zablokuj</translation>
+    </message>
+    <message>
+        <source>Locking the record</source>
+        <translation>Blokowanie rekordu</translation>
+    </message>
+    <message>
+        <source>Entry from paper</source>
+        <translation>Wprowadzanie z papieru</translation>
+    </message>
+    <message>
+        <source>Type a sheet twice, best by two people: Placode lists where the entries differ.</source>
+        <translation>Arkusz należy wpisać dwa razy, najlepiej przez dwie osoby: Placode wymieni różnice.</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Enter from paper</source>
+        <translation>Wpisz z papieru</translation>
+    </message>
+    <message>
+        <source>Enter a second time</source>
+        <translation>Wpisz drugi raz</translation>
+    </message>
+    <message>
+        <source>There are no open differences.</source>
+        <translation>Nie ma otwartych różnic.</translation>
+    </message>
+    <message>
+        <source>Reason: &quot;looked at the sheet&quot;</source>
+        <translation>Powód: „sprawdzono na arkuszu”</translation>
+    </message>
+    <message>
+        <source>The first is right</source>
+        <translation>Pierwsze jest prawidłowe</translation>
+    </message>
+    <message>
+        <source>The second is right</source>
+        <translation>Drugie jest prawidłowe</translation>
+    </message>
+    <message>
+        <source>There is no first entry.</source>
+        <translation>Nie ma pierwszego wprowadzenia.</translation>
+    </message>
+    <message>
+        <source>%1 has no answers to %2; enter the sheet from paper first.</source>
+        <translation>%1 nie ma odpowiedzi na %2; najpierw proszę wpisać arkusz z papieru.</translation>
+    </message>
+    <message>
+        <source>Item</source>
+        <translation>Pytanie</translation>
+    </message>
+    <message>
+        <source>First entry</source>
+        <translation>Pierwsze wprowadzenie</translation>
+    </message>
+    <message>
+        <source>Second entry</source>
+        <translation>Drugie wprowadzenie</translation>
+    </message>
+    <message>
+        <source>Typed by</source>
+        <translation>Wpisał(a)</translation>
+    </message>
+    <message>
+        <source>Differences between entries</source>
+        <translation>Różnice między wprowadzeniami</translation>
+    </message>
+    <message>
+        <source>Deciding a difference</source>
+        <translation>Rozstrzyganie różnicy</translation>
+    </message>
+    <message>
+        <source>Corrections</source>
+        <translation>Poprawki</translation>
+    </message>
+    <message>
+        <source>An answer is changed for a reason; the old one stays readable here.</source>
+        <translation>Odpowiedź zmienia się z podaniem powodu; poprzednia pozostaje tu czytelna.</translation>
+    </message>
+    <message>
+        <source>Answers of</source>
+        <translation>Odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Item, e.g. A</source>
+        <translation>Pytanie, np. A</translation>
+    </message>
+    <message>
+        <source>New answer; empty takes it away</source>
+        <translation>Nowa odpowiedź; puste usuwa</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>Correct</source>
+        <translation>Popraw</translation>
+    </message>
+    <message>
+        <source>Correcting an answer</source>
+        <translation>Poprawianie odpowiedzi</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Kiedy</translation>
+    </message>
+    <message>
+        <source>By</source>
+        <translation>Kto</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Przed</translation>
+    </message>
+    <message>
+        <source>After</source>
+        <translation>Po</translation>
+    </message>
+</context>
+<context>
+    <name>StudyParts</name>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+</context>
+<context>
+    <name>StudyResultsPage</name>
+    <message>
+        <source>Figures</source>
+        <translation>Ryciny</translation>
+    </message>
+    <message>
+        <source>Construct validity</source>
+        <translation>Trafność teoretyczna</translation>
+    </message>
+    <message>
+        <source>Test-retest</source>
+        <translation>Test-retest</translation>
+    </message>
+    <message>
+        <source>Learning curves</source>
+        <translation>Krzywe uczenia się</translation>
+    </message>
+    <message>
+        <source>Raters</source>
+        <translation>Oceniający</translation>
+    </message>
+    <message>
+        <source>No study has participants yet. Enrol the first one on the page Studies.</source>
+        <translation>Żadne badanie nie ma jeszcze uczestników. Pierwszego proszę włączyć na stronie Badania.</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Wyniki</translation>
+    </message>
+    <message>
+        <source>Save figures and tables</source>
+        <translation>Zapisz ryciny i tabele</translation>
+    </message>
+    <message>
+        <source>What this sample can carry</source>
+        <translation>Co ta próba może udźwignąć</translation>
+    </message>
+    <message>
+        <source>Levels by</source>
+        <translation>Poziomy według</translation>
+    </message>
+    <message>
+        <source>Save into this folder</source>
+        <translation>Zapisz w tym folderze</translation>
+    </message>
+    <message>
+        <source>Saving figures and tables</source>
+        <translation>Zapisywanie rycin i tabel</translation>
+    </message>
+    <message>
+        <source>Saving: %1</source>
+        <translation>Zapisywanie: %1</translation>
+    </message>
+    <message>
+        <source>%1 files written: %2</source>
+        <translation>Zapisane pliki: %1, w %2</translation>
     </message>
 </context>
 </TS>

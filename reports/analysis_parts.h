@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the analyses share. Private to reports.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/rank_tests.h"
+#include "assessment/reliability.h"
+#include "reports/dataset.h"
+
+namespace placode::reports {
+
+/// The score and every metric: the fields of attempts that measure performance.
+[[nodiscard]] std::vector<const Field*> metric_fields(const Form& attempts);
+[[nodiscard]] std::string metric_label(const Field& field);  ///< With its unit.
+[[nodiscard]] std::optional<double> value_of(const Row& row, const std::string& field);
+/// Nothing where the scores do not vary.
+[[nodiscard]] std::optional<assessment::Icc> icc_of(const assessment::Scores& scores);
+/// Three significant digits, '.' decimals.
+[[nodiscard]] std::string rounded(double value);
+[[nodiscard]] std::string whole(double value);
+[[nodiscard]] std::string p_words(double p);  ///< "0.012", "< 0.001"
+[[nodiscard]] std::string interval_words(const std::optional<assessment::Interval>& interval);
+
+}  // namespace placode::reports

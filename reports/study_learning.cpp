@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Learning curves with CUSUM, agreement of raters, and the parts that all analyses share.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <set>
+
+#include "assessment/learning_curve.h"
+#include "assessment/reliability.h"
+#include "assessment/standard_setting.h"
+#include "assessment/statistics.h"
+#include "reports/analysis_parts.h"
+#include "reports/study_analysis.h"
+#include "reports/text.h"
+
+namespace placode::reports {
+
+std::vector<const Field*> metric_fields(const Form& attempts) {
+    std::vector<const Field*> fields;
+    for (const Field& field : attempts.fields) {
+        const bool told = field.id == "attempt_id" || field.id.ends_with("_version");
+        if (field.kind == FieldKind::kDecimal && !told) fields.push_back(&field);
+    }
+    return fields;
+}
+
+std::string metric_label(const Field& field) {
+    return field.label + (field.unit.empty() ? "" : " [" + field.unit + "]");
+}
+
+std::optional<double> value_of(const Row& row, const std::string& field) {
+    const auto found = row.values.find(field);
+    return found == row.values.end() ? std::nullopt : curriculum::answer_number(found->second);
+}
+
+std::optional<assessment::Icc> icc_of(const assessment::Scores& scores) {
+    try {
+        const auto icc = assessment::intraclass_correlation(scores);
+        return std::isfinite(icc.icc2.icc) ? std::optional(icc) : std::nullopt;
+    } catch (const std::invalid_argument&) {
+        return std::nullopt;  // Nothing varies: there is nothing to agree on.
+    }
+}
+
+std::string whole(double value) { return shortest_text(value); }
+
+std::string rounded(double value) {
+    if (!std::isfinite(value)) return "-";
+    const double size = std::abs(value);
+    const int decimals = size >= 100 ? 0 : size >= 10 ? 1 : 2;
+    return number(value, decimals).toStdString();
+}
+
+std::string p_words(double p) { return p < 0.001 ? "< 0.001" : number(p, 3).toStdString(); }
+
+std::string interval_words(const std::optional<assessment::Interval>& interval) {
+    if (!interval || !std::isfinite(interval->low) || !std::isfinite(interval->high)) return "-";
+    return rounded(interval->low) + " to " + rounded(interval->high);
+}
+
+namespace {
+
+constexpr double kPass = 70;
+
+struct Learner {
+    std::vector<double> points;
+    std::vector<bool> failed;
+};
+
+std::map<std::string, Learner> learners_of(const Form& attempts) {
+    std::map<std::string, Learner> learners;
+    for (const Row& row : attempts.rows) {
+        const auto points = value_of(row, "points");
+        const auto verdict = row.values.find("verdict");
+        if (!points || verdict == row.values.end()) continue;
+        Learner& learner = learners[row.participant];
+        learner.points.push_back(*points);
+        learner.failed.push_back(verdict->second != "Passed");
+    }
+    return learners;
+}
+
+std::string cusum_words(const assessment::Cusum& cusum) {
+    if (cusum.first_below_h0 > 0 &&
+        (cusum.first_above_h1 == 0 || cusum.first_below_h0 < cusum.first_above_h1))
+        return "acceptable from attempt " + std::to_string(cusum.first_below_h0);
+    if (cusum.first_above_h1 > 0)
+        return "unacceptable from attempt " + std::to_string(cusum.first_above_h1);
+    return "undecided";
+}
+
+}  // namespace
+
+Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
+    Analysis analysis;
+    analysis.id = "learning_curves";
+    analysis.title = "Learning curves";
+    const Form* attempts = report.data.form("attempts");
+    const auto learners =
+        attempts == nullptr ? std::map<std::string, Learner>{} : learners_of(*attempts);
+    if (learners.empty()) {
+        analysis.problem = "There are no attempts yet.";
+        return analysis;
+    }
+    const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);
+    analysis.method =
+        "Scores over attempts; y = a - b exp(-(x - 1) / tau) by least squares from 5 attempts on, "
+        "plateau where 95 % of the gain is reached and the slope of the last 10 contains 0. CUSUM "
+        "with p0 0.05, p1 0.10, alpha 0.05, beta 0.20 (limits h0 " +
+        rounded(limits.h0_lower) + ", h1 " + rounded(limits.h1_upper) +
+        "); an attempt that did not pass is a failure.";
+    analysis.head = {"participant", "attempts", "first",           "last", "best", "failures",
+                     "plateau a",   "tau",      "plateau reached", "CUSUM"};
+    std::vector<LearningLine> lines;
+    for (const auto& [code, learner] : learners) {
+        lines.push_back({code, learner.points, learner.failed});
+        const auto curve = assessment::learning_curve(learner.points);
+        const auto chart = assessment::cusum(learner.failed, limits);
+        const auto cell = [](double value) { return AnalysisCell{rounded(value), value}; };
+        const bool fitted = curve.exponential && curve.exponential->converged;
+        const auto n = static_cast<double>(learner.points.size());
+        analysis.rows.push_back(
+            {{code, {}},
+             {std::to_string(learner.points.size()), n},
+             cell(learner.points.front()),
+             cell(learner.points.back()),
+             cell(*std::max_element(learner.points.begin(), learner.points.end())),
+             {std::to_string(chart.failures), chart.failures},
+             fitted ? cell(curve.exponential->asymptote) : AnalysisCell{"-", {}},
+             fitted ? cell(curve.exponential->tau_trials) : AnalysisCell{"-", {}},
+             {curve.exponential ? (curve.plateau ? "yes" : "no") : "too few attempts", {}},
+             {cusum_words(chart), {}}});
+    }
+    analysis.figures.push_back(learning_figure("learning_curves", "Scores and CUSUM over attempts",
+                                               lines, kPass, limits, style));
+    return analysis;
+}
+
+namespace {
+
+/// Attempts by raters of one value: the raters that judged most, and the attempts they all judged.
+struct Block {
+    assessment::Scores scores;
+    int raters = 0;
+};
+
+Block complete_block(const std::map<int64_t, std::map<int64_t, double>>& by_attempt) {
+    std::map<int64_t, int> judged;
+    for (const auto& [attempt, raters] : by_attempt)
+        for (const auto& [rater, value] : raters) ++judged[rater];
+    std::vector<std::pair<int, int64_t>> order;
+    for (const auto& [rater, count] : judged) order.emplace_back(-count, rater);
+    std::sort(order.begin(), order.end());
+    Block best;
+    for (size_t k = 2; k <= order.size(); ++k) {
+        Block block;
+        block.raters = static_cast<int>(k);
+        for (const auto& [attempt, raters] : by_attempt) {
+            std::vector<double> line;
+            for (size_t r = 0; r < k; ++r)
+                if (const auto found = raters.find(order[r].second); found != raters.end())
+                    line.push_back(found->second);
+            if (line.size() == k) block.scores.push_back(line);
+        }
+        if (block.scores.size() >= 3 &&
+            block.scores.size() * k > best.scores.size() * static_cast<size_t>(best.raters))
+            best = std::move(block);
+    }
+    return best;
+}
+
+}  // namespace
+
+Analysis rater_agreement(const StudyReport& report, const std::vector<db::RatingRecord>& ratings,
+                         const curriculum::Questionnaire& form, const ChartStyle& style) {
+    Analysis analysis;
+    analysis.id = "rater_agreement";
+    analysis.title = "Agreement of raters";
+    std::set<int64_t> own;
+    for (const auto& attempt : report.data.attempts) own.insert(attempt.record.id);
+    struct Judged {
+        std::string label;
+        std::map<int64_t, std::map<int64_t, double>> values;
+    };
+    std::vector<Judged> judged;
+    for (const auto& scale : form.scales) judged.push_back({scale.title.en, {}});
+    for (const auto& item : form.items)
+        if (item.kind == curriculum::ItemKind::kLikert) judged.push_back({item.text.en, {}});
+    int count = 0, blinded = 0;
+    for (const db::RatingRecord& rating : ratings) {
+        if (!own.contains(rating.attempt_id)) continue;
+        ++count;
+        blinded += rating.blinded ? 1 : 0;
+        size_t at = 0;
+        for (const auto& score : curriculum::scale_scores(form, rating.answers)) {
+            if (score.value) judged[at].values[rating.attempt_id][rating.rater_id] = *score.value;
+            ++at;
+        }
+        for (const auto& item : form.items) {
+            if (item.kind != curriculum::ItemKind::kLikert) continue;
+            const auto answer = rating.answers.find(item.id);
+            const auto value = answer == rating.answers.end()
+                                   ? std::nullopt
+                                   : curriculum::answer_number(answer->second);
+            if (value) judged[at].values[rating.attempt_id][rating.rater_id] = *value;
+            ++at;
+        }
+    }
+    analysis.method = form.title.en + ": " + std::to_string(count) +
+                      " ratings of this study's "
+                      "attempts, " +
+                      std::to_string(blinded) +
+                      " of them blinded. The largest block that the same raters have judged "
+                      "completely; ICC of Shrout & Fleiss with 95 % intervals: (2,1) and (2,k) "
+                      "absolute agreement, (3,1) consistency; SEM in points of the scale.";
+    analysis.head = {"rated",         "attempts", "raters",   "ICC(2,1)",
+                     "95 % interval", "ICC(2,k)", "ICC(3,1)", "SEM"};
+    std::vector<ForestRow> forest;
+    for (const Judged& each : judged) {
+        const Block block = complete_block(each.values);
+        if (block.scores.empty()) continue;
+        const auto found = icc_of(block.scores);
+        if (!found) continue;
+        const assessment::Icc& icc = *found;
+        const auto cell = [](double value) { return AnalysisCell{rounded(value), value}; };
+        analysis.rows.push_back({{each.label, {}},
+                                 {std::to_string(icc.subjects), icc.subjects},
+                                 {std::to_string(icc.raters), icc.raters},
+                                 cell(icc.icc2.icc),
+                                 {interval_words(icc.icc2.ci95), {}},
+                                 cell(icc.icc2k.icc),
+                                 cell(icc.icc3.icc),
+                                 cell(icc.sem_agreement)});
+        forest.push_back({each.label, std::clamp(icc.icc2.icc, -1.0, 1.0),
+                          std::clamp(icc.icc2.ci95.low, -1.0, 1.0),
+                          std::clamp(icc.icc2.ci95.high, -1.0, 1.0),
+                          std::to_string(icc.raters) + " raters, n " + std::to_string(icc.subjects),
+                          !std::isfinite(icc.icc2.ci95.low)});
+    }
+    if (analysis.rows.empty())
+        analysis.problem =
+            "At least three attempts of this study that the same two raters have judged are "
+            "needed; "
+            "there are " +
+            std::to_string(count) +
+            " ratings. Raters find their queue on the page "
+            "Ratings.";
+    else
+        analysis.figures.push_back(forest_figure("rater_agreement", "Agreement of raters",
+                                                 "ICC(2,1), absolute agreement", forest, -1, 1,
+                                                 style));
+    return analysis;
+}
+
+}  // namespace placode::reports

@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/names_card.h"
+
+#include <QComboBox>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <memory>
+
+#include "db/participant_key.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+class NamesCard : public QFrame {
+    Q_DECLARE_TR_FUNCTIONS(NamesCard)
+ public:
+    NamesCard(AppContext& context, Page& page, std::string study, QStringList codes)
+        : context_(context), page_(page), study_(std::move(study)), codes_(std::move(codes)) {
+        auto* outer = new QVBoxLayout(this);
+        outer->setContentsMargins(0, 0, 0, 0);
+        layout_ = new QVBoxLayout;
+        layout_->setSpacing(kSpace12);
+        layout_->addWidget(make_label(tr("Names behind the codes"), "heading"));
+        layout_->addWidget(make_label(
+            tr("In a file of its own, apart from the data, encrypted under a passphrase. It is in "
+               "no export and no backup of the store: keep a copy, and the passphrase elsewhere. "
+               "Whoever loses the passphrase loses the names."),
+            "muted"));
+        addLocked();
+        outer->addWidget(make_card(layout_));
+    }
+
+ private:
+    QLineEdit* line(const char* name, const QString& words, bool secret = false) {
+        auto* edit = new QLineEdit;
+        edit->setObjectName(name);
+        edit->setAccessibleName(words);
+        edit->setPlaceholderText(words);
+        if (secret) edit->setEchoMode(QLineEdit::Password);
+        return edit;
+    }
+
+    void addLocked() {
+        auto* grid = new QGridLayout;
+        grid->setHorizontalSpacing(kSpace8);
+        grid->setVerticalSpacing(kSpace8);
+        path_ = line("key_path", tr("File of the key"));
+        const QString kept = context_.settings().value("key/" + qstr(study_)).toString();
+        path_->setText(kept.isEmpty() ? qstr(db::default_key_path(context_.storeUrl(), study_))
+                                      : kept);
+        passphrase_ =
+            line("key_passphrase",
+                 tr("Passphrase, at least %1 characters").arg(db::kLeastPassphraseLength), true);
+        open_ = make_button(context_, tr("Open"), "secondary", "key");
+        open_->setObjectName("open_key");
+        connect(open_, &QPushButton::clicked, this, [this] { unlock(false); });
+        make_ = make_button(context_, tr("Make a new key"), "secondary", "plus");
+        make_->setObjectName("make_key");
+        connect(make_, &QPushButton::clicked, this, [this] { unlock(true); });
+        grid->addWidget(path_, 0, 0, 1, 3);
+        grid->addWidget(passphrase_, 1, 0);
+        grid->addWidget(open_, 1, 1);
+        grid->addWidget(make_, 1, 2);
+        layout_->addLayout(grid);
+        shown_ = new QVBoxLayout;
+        layout_->addLayout(shown_);
+    }
+
+    void unlock(bool make) {
+        context_.guard(make ? tr("Making a key") : tr("Opening the key"), [&] {
+            context_.require(db::Action::kRunQuestionnaire);
+            const std::string path = path_->text().trimmed().toStdString();
+            const std::string phrase = passphrase_->text().toStdString();
+            auto key = make ? db::ParticipantKey::create(path, study_, phrase)
+                            : db::ParticipantKey::open(path, phrase);
+            if (key.study_id() != study_)
+                throw db::StoreError(
+                    db::StoreError::Kind::kRefused,
+                    "participant key " + path + ": belongs to the study " + key.study_id());
+            key_ = std::make_unique<db::ParticipantKey>(std::move(key));
+            context_.settings().setValue("key/" + qstr(study_), path_->text().trimmed());
+            context_.audit(make ? "study.key.make" : "study.key.open", qstr(study_),
+                           path_->text().trimmed());
+            passphrase_->clear();
+            showNames();
+        });
+    }
+
+    void showNames() {
+        while (QLayoutItem* item = shown_->takeAt(0)) {
+            if (QWidget* widget = item->widget()) {
+                widget->hide();
+                widget->deleteLater();
+            }
+            delete item;
+        }
+        auto* box = new QWidget;
+        auto* inside = new QVBoxLayout(box);
+        inside->setContentsMargins(0, 0, 0, 0);
+        inside->setSpacing(kSpace8);
+        QTableWidget* table =
+            make_table({tr("Code"), tr("Name"), tr("Contact"), tr("Remark")}, tr("Names"));
+        table->setObjectName("names_table");
+        table->setRowCount(0);
+        table->setSortingEnabled(false);
+        for (const db::PersonEntry& each : key_->entries()) {
+            const int row = table->rowCount();
+            table->insertRow(row);
+            int column = 0;
+            for (const std::string& text : {each.code, each.name, each.contact, each.remark})
+                table->setItem(row, column++, make_cell(qstr(text)));
+        }
+        fit_columns(table, 1);
+        table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
+        inside->addWidget(table);
+        inside->addLayout(addRow());
+        shown_->addWidget(box);
+    }
+
+    QLayout* addRow() {
+        auto* grid = new QGridLayout;
+        grid->setHorizontalSpacing(kSpace8);
+        auto* code = new QComboBox;
+        code->setObjectName("name_code");
+        code->setAccessibleName(tr("Code"));
+        code->addItems(codes_);
+        auto* name = line("name_name", tr("Name"));
+        auto* contact = line("name_contact", tr("Contact"));
+        auto* remark = line("name_remark", tr("Remark"));
+        QPushButton* save = make_button(context_, tr("Keep the name"), "primary", "check");
+        save->setObjectName("name_save");
+        connect(save, &QPushButton::clicked, this, [this, code, name, contact, remark] {
+            context_.guard(tr("Keeping a name"), [&] {
+                key_->put({code->currentText().toStdString(),
+                           name->text().trimmed().toStdString(),
+                           contact->text().trimmed().toStdString(),
+                           remark->text().trimmed().toStdString(),
+                           {}});
+                context_.audit("study.key.name", qstr(study_) + " " + code->currentText());
+                // Queued: the button is among what is shown anew.
+                QMetaObject::invokeMethod(
+                    this, [this] { showNames(); }, Qt::QueuedConnection);
+            });
+        });
+        QPushButton* hide = make_button(context_, tr("Hide the names"), "quiet", "lock");
+        hide->setObjectName("name_hide");
+        connect(hide, &QPushButton::clicked, this, [this] {
+            key_.reset();
+            Q_EMIT page_.go({PageId::kStudyData, 0, {}, {{"study", qstr(study_)}}});
+        });
+        grid->addWidget(code, 0, 0);
+        grid->addWidget(name, 0, 1);
+        grid->addWidget(contact, 0, 2);
+        grid->addWidget(remark, 1, 0, 1, 2);
+        grid->addWidget(save, 1, 2);
+        grid->addWidget(hide, 2, 2);
+        return grid;
+    }
+
+    AppContext& context_;
+    Page& page_;
+    std::string study_;
+    QStringList codes_;
+    std::unique_ptr<db::ParticipantKey> key_;
+    QVBoxLayout *layout_ = nullptr, *shown_ = nullptr;
+    QLineEdit *path_ = nullptr, *passphrase_ = nullptr;
+    QPushButton *open_ = nullptr, *make_ = nullptr;
+};
+
+}  // namespace
+
+QWidget* make_names_card(AppContext& context, Page& page, const std::string& study,
+                         const QStringList& codes) {
+    return new NamesCard(context, page, study, codes);
+}
+
+}  // namespace placode::ui

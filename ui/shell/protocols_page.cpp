@@ -1,0 +1,427 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Protocols: build studies and questionnaires, checked while they are written, seen as participants
+// will see them, published for good, imported and exported as files.
+
+#include <QComboBox>
+#include <QFile>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+#include "reports/export.h"
+#include "ui/shell/definition_fields.h"
+#include "ui/shell/definition_form.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/study_preview.h"
+
+namespace placode::ui {
+namespace {
+
+class ProtocolsPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(ProtocolsPage)
+ public:
+    ProtocolsPage(AppContext& context, const Place& place)
+        : Page(context), kind_(place.state.value("kind", "study").toString()) {
+        context.require(db::Action::kRunQuestionnaire);
+        QVBoxLayout* column = make_column(this, 1280);
+        column->addLayout(head());
+        status_ = make_label({}, "good");
+        status_->setObjectName("definition_status");
+        column->addWidget(status_);
+        auto* body = new QHBoxLayout;
+        body->setSpacing(kSpace16);
+        body->addWidget(elementsCard(), 2);
+        body->addWidget(formCard(), 3);
+        column->addLayout(body);
+        column->addWidget(jsonCard());
+        column->addWidget(publishCard());
+        preview_ = new QVBoxLayout;
+        column->addLayout(preview_);
+        column->addStretch();
+        const QString text = place.state.value("text").toString();
+        setText(text.isEmpty() ? firstText() : text);
+        unsaved_ = place.state.value("unsaved").toBool();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Protocols"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"kind", kind_}, {"text", json_->toPlainText()}, {"unsaved", unsaved_}};
+    }
+    [[nodiscard]] bool mayLeave() override {
+        if (!unsaved_ || leaving_) return true;
+        return confirm(this, tr("Leave without saving?"),
+                       tr("The text was changed and neither published nor exported."), tr("Leave"));
+    }
+
+ private:
+    [[nodiscard]] bool isStudy() const { return kind_ == "study"; }
+    [[nodiscard]] const char* listKey() const { return isStudy() ? "steps" : "items"; }
+    [[nodiscard]] std::string kindText() const { return kind_.toStdString(); }
+
+    QLayout* head() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        row->addWidget(make_label(tr("Protocols"), "display"), 1);
+        auto* kinds = new QComboBox;
+        kinds->setObjectName("definition_kind");
+        kinds->setAccessibleName(tr("Kind"));
+        kinds->addItem(tr("Study"), "study");
+        kinds->addItem(tr("Questionnaire"), "questionnaire");
+        kinds->setCurrentIndex(isStudy() ? 0 : 1);
+        connect(kinds, &QComboBox::activated, this, [this, kinds] {
+            Q_EMIT go({PageId::kProtocols, 0, {}, {{"kind", kinds->currentData().toString()}}});
+        });
+        row->addWidget(kinds);
+        chooser_ = new QComboBox;
+        chooser_->setObjectName("definition_id");
+        chooser_->setAccessibleName(tr("Definition"));
+        fillChooser();
+        connect(chooser_, &QComboBox::activated, this, [this] {
+            if (!mayLeave()) return;
+            setText(textOf(chooser_->currentData().toString()));
+        });
+        row->addWidget(chooser_);
+        row->addWidget(button(tr("New"), "quiet", "plus", "definition_new",
+                              [this] { setText(empty_definition(isStudy())); }));
+        return row;
+    }
+
+    QPushButton* button(const QString& text, const char* role, const QString& icon,
+                        const char* name, const std::function<void()>& work) {
+        QPushButton* made = make_button(context_, text, role, icon);
+        made->setObjectName(name);
+        connect(made, &QPushButton::clicked, this, work);
+        return made;
+    }
+
+    /// Every published version, then what is shipped.
+    void fillChooser() {
+        for (const auto& each : context_.store().definitions(kindText()))
+            chooser_->addItem(tr("%1, version %2, published").arg(qstr(each.id)).arg(each.version),
+                              qstr(each.id) + "/" + QString::number(each.version));
+        const std::string folder = isStudy() ? "studies" : "questionnaires";
+        for (const std::string& id : curriculum::list_definitions(folder))
+            chooser_->addItem(tr("%1, shipped").arg(qstr(id)), qstr(id));
+    }
+
+    [[nodiscard]] QString textOf(const QString& name) const {
+        QString text;
+        context_.guard(tr("Opening the definition"), [&] {
+            const std::string id = name.section('/', 0, 0).toStdString();
+            if (name.contains('/'))
+                text = qstr(context_.store()
+                                .definition(kindText(), id, name.section('/', 1).toInt())
+                                ->json);
+            else
+                text = qstr(isStudy() ? curriculum::load_study(id).json
+                                      : curriculum::load_questionnaire(id).json);
+        });
+        return text;
+    }
+    [[nodiscard]] QString firstText() const {
+        const QString name = chooser_->currentData().toString();
+        return name.isEmpty() ? empty_definition(isStudy()) : textOf(name);
+    }
+
+    QWidget* elementsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(isStudy() ? tr("Steps") : tr("Questions"), "heading"));
+        list_ = new QListWidget;
+        list_->setObjectName("elements");
+        list_->setAccessibleName(isStudy() ? tr("Steps") : tr("Questions"));
+        list_->setMinimumHeight(320);
+        connect(list_, &QListWidget::currentRowChanged, this, [this] { showForm(); });
+        layout->addWidget(list_);
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace4);
+        row->addWidget(button(tr("Add"), "secondary", "plus", "element_add", [this] { add(); }));
+        row->addWidget(button(tr("Up"), "quiet", {}, "element_up", [this] { move(-1); }));
+        row->addWidget(button(tr("Down"), "quiet", {}, "element_down", [this] { move(1); }));
+        row->addWidget(
+            button(tr("Remove"), "quiet", "close", "element_remove", [this] { removeElement(); }));
+        layout->addLayout(row);
+        return make_card(layout);
+    }
+
+    QWidget* formCard() {
+        auto* layout = new QVBoxLayout;
+        form_ = new DefinitionForm;
+        form_->changed = [this] { formChanged(); };
+        layout->addWidget(form_);
+        return make_card(layout);
+    }
+
+    QWidget* jsonCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        auto* row = new QHBoxLayout;
+        row->addWidget(make_label(tr("As a file (JSON)"), "heading"), 1);
+        row->addWidget(
+            button(tr("Import"), "quiet", "plus", "definition_import", [this] { importFile(); }));
+        row->addWidget(button(tr("Export"), "quiet", "download", "definition_export",
+                              [this] { exportFile(); }));
+        layout->addLayout(row);
+        json_ = new QPlainTextEdit;
+        json_->setObjectName("definition_json");
+        json_->setAccessibleName(tr("Text of the definition"));
+        json_->setLineWrapMode(QPlainTextEdit::NoWrap);
+        json_->setTabChangesFocus(true);
+        json_->setMinimumHeight(260);
+        json_->setStyleSheet("font-family: 'DejaVu Sans Mono', monospace;");
+        // While it is typed: a moment after the last key.
+        timer_ = new QTimer(this);
+        timer_->setSingleShot(true);
+        timer_->setInterval(250);
+        connect(timer_, &QTimer::timeout, this, [this] { jsonChanged(); });
+        connect(json_, &QPlainTextEdit::textChanged, this, [this] {
+            if (filling_) return;
+            unsaved_ = true;
+            timer_->start();
+        });
+        layout->addWidget(json_);
+        return make_card(layout);
+    }
+
+    QWidget* publishCard() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        row->addWidget(button(tr("Preview"), "secondary", "play", "definition_preview",
+                              [this] { preview(); }));
+        reason_ = new QLineEdit;
+        reason_->setObjectName("publish_reason");
+        reason_->setAccessibleName(tr("Reason of the change"));
+        reason_->setPlaceholderText(tr("Reason of the change, from version 2 on"));
+        row->addWidget(reason_, 1);
+        publish_ =
+            button(tr("Publish"), "primary", "check", "definition_publish", [this] { publish(); });
+        row->addWidget(publish_);
+        return make_card(row);
+    }
+
+    void setText(const QString& text) {
+        timer_->stop();
+        filling_ = true;
+        json_->setPlainText(text);
+        filling_ = false;
+        unsaved_ = false;
+        jsonChanged();
+    }
+
+    /// The text leads: list and form follow where it can be read.
+    void jsonChanged() {
+        const auto read = OrderedJson::parse(json_->toPlainText().toStdString(), nullptr, false);
+        check();
+        if (read.is_discarded() || !read.is_object()) return;
+        definition_ = read;
+        consent_ = read.value("consent", OrderedJson::object());
+        arms_ = read.value("arms", OrderedJson::object());
+        fillList(std::max(0, list_->currentRow()));
+    }
+
+    /// The form leads: the text follows.
+    void formChanged() {
+        unsaved_ = true;
+        takePart("consent", consent_);
+        takePart("arms", arms_);
+        filling_ = true;
+        json_->setPlainText(qstr(definition_.dump(2)));
+        filling_ = false;
+        if (const int row = list_->currentRow(); row >= firstRow())
+            list_->currentItem()->setText(
+                element_name(elements()[static_cast<size_t>(row - firstRow())]));
+        check();
+    }
+
+    /// Consent and arms are edited apart: an empty one must not stand in the text.
+    void takePart(const char* key, const OrderedJson& part) {
+        if (!isStudy()) return;
+        if (part.empty())
+            definition_.erase(key);
+        else
+            definition_[key] = part;
+    }
+
+    /// Rows of the list above the first element.
+    [[nodiscard]] int firstRow() const { return isStudy() ? 3 : 1; }
+
+    [[nodiscard]] OrderedJson& elements() {
+        OrderedJson& list = definition_[listKey()];
+        if (!list.is_array()) list = OrderedJson::array();
+        return list;
+    }
+
+    /// First row: the definition itself.
+    void fillList(int row) {
+        const QSignalBlocker quiet(list_);
+        list_->clear();
+        list_->addItem(isStudy() ? tr("The study itself") : tr("The questionnaire itself"));
+        if (isStudy()) list_->addItems({tr("Information and consent"), tr("Arms")});
+        for (const auto& each : elements()) list_->addItem(element_name(each));
+        list_->setCurrentRow(std::min(row, list_->count() - 1));
+        showForm();
+    }
+
+    void showForm() {
+        const int row = list_->currentRow();
+        if (row < 0) return;
+        if (row == 0)
+            form_->showObject(&definition_, isStudy() ? study_fields() : questionnaire_fields());
+        else if (row < firstRow())
+            form_->showObject(row == 1 ? &consent_ : &arms_,
+                              row == 1 ? consent_fields() : arms_fields());
+        else {
+            OrderedJson& element = elements()[static_cast<size_t>(row - firstRow())];
+            if (!element.is_object()) element = OrderedJson::object();
+            form_->showObject(&element, isStudy() ? step_fields() : item_fields());
+        }
+    }
+
+    void listChanged(int row) {
+        fillList(row);
+        formChanged();
+    }
+
+    void add() {
+        elements().push_back(new_element(isStudy(), elements().size() + 1));
+        listChanged(static_cast<int>(elements().size()) + firstRow() - 1);
+    }
+
+    void move(int by) {
+        const int row = list_->currentRow(), to = row + by;
+        if (row < firstRow() || to < firstRow() || to >= list_->count()) return;
+        std::swap(elements()[static_cast<size_t>(row - firstRow())],
+                  elements()[static_cast<size_t>(to - firstRow())]);
+        listChanged(to);
+    }
+
+    void removeElement() {
+        const int row = list_->currentRow();
+        if (row < firstRow()) return;
+        elements().erase(static_cast<size_t>(row - firstRow()));
+        listChanged(row - 1);
+    }
+
+    /// Empty when the text can be published.
+    [[nodiscard]] QString problem() const {
+        const std::string text = json_->toPlainText().toStdString();
+        try {
+            if (isStudy())
+                check_study_questionnaires(context_, curriculum::load_study_text(text, kindText()));
+            else
+                (void)curriculum::load_questionnaire_text(text, kindText());
+            return {};
+        } catch (const std::exception& error) {
+            return QString::fromUtf8(error.what());
+        }
+    }
+
+    void check() {
+        const QString found = problem();
+        status_->setText(found.isEmpty() ? tr("The definition is right.") : found);
+        status_->setProperty("role", found.isEmpty() ? "good" : "critical");
+        status_->style()->unpolish(status_);
+        status_->style()->polish(status_);
+        publish_->setEnabled(found.isEmpty());
+    }
+
+    void preview() {
+        if (!problem().isEmpty()) return check();
+        leaving_ = true;
+        const std::string text = json_->toPlainText().toStdString();
+        if (!isStudy()) {
+            Q_EMIT go({PageId::kParticipant, 0, {}, {{"preview", json_->toPlainText()}}});
+            return;
+        }
+        while (QLayoutItem* item = preview_->takeAt(0)) {
+            if (item->widget() != nullptr) item->widget()->deleteLater();
+            delete item;
+        }
+        leaving_ = false;
+        preview_->addWidget(
+            make_study_preview(context_, curriculum::load_study_text(text, kindText())));
+    }
+
+    void publish() {
+        timer_->stop();
+        context_.guard(tr("Publishing"), [&] {
+            context_.require(db::Action::kRunQuestionnaire);
+            db::DefinitionRecord record;
+            record.kind = kindText();
+            record.json = json_->toPlainText().toStdString();
+            record.reason = reason_->text().trimmed().toStdString();
+            if (isStudy()) {
+                const auto study = curriculum::load_study_text(record.json, kindText());
+                publish_questionnaires(context_, study);
+                record.id = study.id, record.version = study.version;
+            } else {
+                const auto read = curriculum::load_questionnaire_text(record.json, kindText());
+                record.id = read.id, record.version = read.version;
+            }
+            context_.store().publish(record);
+            unsaved_ = false;
+            chooser_->clear();
+            fillChooser();
+            chooser_->setCurrentIndex(
+                chooser_->findData(qstr(record.id) + "/" + QString::number(record.version)));
+            Q_EMIT notice(tr("%1 version %2 is published; it is never changed from now on.")
+                              .arg(qstr(record.id))
+                              .arg(record.version));
+        });
+    }
+
+    void importFile() {
+        if (!mayLeave()) return;
+        const QString path =
+            context_.askSaveFile(this, tr("Import a definition"), {}, "JSON (*.json)");
+        if (path.isEmpty()) return;
+        context_.guard(tr("Importing a definition"), [&] {
+            setText(qstr(reports::read_file(path.toStdString())));
+            unsaved_ = true;
+        });
+    }
+
+    void exportFile() {
+        const QString proposal =
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/" +
+            qstr(definition_.value("id", std::string("definition"))) + ".json";
+        const QString path =
+            context_.askSaveFile(this, tr("Export the definition"), proposal, "JSON (*.json)");
+        if (path.isEmpty()) return;
+        context_.guard(tr("Exporting the definition"), [&] {
+            reports::save_file(path.toStdString(), json_->toPlainText().toStdString());
+            unsaved_ = false;
+            Q_EMIT notice(tr("Written: %1").arg(path));
+        });
+    }
+
+    QString kind_;
+    OrderedJson definition_, consent_, arms_;
+    QComboBox* chooser_ = nullptr;
+    QListWidget* list_ = nullptr;
+    DefinitionForm* form_ = nullptr;
+    QPlainTextEdit* json_ = nullptr;
+    QLineEdit* reason_ = nullptr;
+    QPushButton* publish_ = nullptr;
+    QLabel* status_ = nullptr;
+    QVBoxLayout* preview_ = nullptr;
+    QTimer* timer_ = nullptr;
+    bool filling_ = false, unsaved_ = false, leaving_ = false;
+};
+
+}  // namespace
+
+Page* make_protocols_page(AppContext& context, const Place& place) {
+    return new ProtocolsPage(context, place);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A field to sign in with finger, pen or mouse. Nothing but the lines is kept.
+
+#include <QPointF>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+namespace placode::ui {
+
+class SignaturePad : public QWidget {
+ public:
+    /// @param ink colour of the line, @param rule of the line to sign on.
+    SignaturePad(const QColor& ink, const QColor& rule);
+
+    /// Path of an SVG in pixels of the field, "M10 20 L11 22 ..."; empty until more than a dot was
+    /// drawn.
+    [[nodiscard]] QString path() const;
+    void clear();
+    std::function<void()> changed;  ///< After every stroke, and when it was cleared.
+
+ protected:
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+    QColor ink_, rule_;
+    std::vector<std::vector<QPointF>> strokes_;
+};
+
+}  // namespace placode::ui

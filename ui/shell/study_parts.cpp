@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/study_parts.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "db/study_conduct.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+struct StudyParts {
+    Q_DECLARE_TR_FUNCTIONS(StudyParts)
+};
+
+constexpr const char* kSetting = "study";
+
+}  // namespace
+
+QString study_title(AppContext& context, const std::string& study) {
+    const auto protocol = db::published_study(context.store(), study);
+    const QString title = protocol ? context.in(protocol->title) : QString();
+    return title.isEmpty() ? qstr(study) : title;
+}
+
+std::string chosen_study(AppContext& context, const std::vector<std::string>& ids,
+                         const QString& wanted) {
+    const auto there = [&](const QString& id) {
+        return std::find(ids.begin(), ids.end(), id.toStdString()) != ids.end();
+    };
+    const QString last = context.settings().value(kSetting).toString();
+    const QString chosen = there(wanted) ? wanted
+                           : there(last) ? last
+                           : ids.empty() ? QString()
+                                         : qstr(ids.front());
+    if (!chosen.isEmpty()) context.settings().setValue(kSetting, chosen);
+    return chosen.toStdString();
+}
+
+QComboBox* make_study_chooser(AppContext& context, const std::vector<std::string>& ids,
+                              const std::string& chosen) {
+    if (ids.size() < 2) return nullptr;
+    auto* chooser = new QComboBox;
+    chooser->setObjectName("study_chooser");
+    chooser->setAccessibleName(StudyParts::tr("Study"));
+    chooser->setMaximumWidth(420);
+    for (const std::string& id : ids) chooser->addItem(study_title(context, id), qstr(id));
+    chooser->setCurrentIndex(std::max(0, chooser->findData(qstr(chosen))));
+    return chooser;
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/study_preview.h"
+
+#include <QCoreApplication>
+
+#include "db/study_conduct.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+struct StudyPreview {
+    Q_DECLARE_TR_FUNCTIONS(StudyPreview)
+};
+using curriculum::StepKind;
+
+void add_consent(AppContext& context, QVBoxLayout* layout, const curriculum::Consent& consent) {
+    for (const auto& text : consent.information) layout->addWidget(make_label(context.in(text)));
+    for (const auto& statement : consent.statements)
+        layout->addWidget(make_label("☐  " + context.in(statement.text)));
+    layout->addWidget(make_label(StudyPreview::tr("Signature on the screen or on paper"), "small"));
+}
+
+void add_questions(AppContext& context, QVBoxLayout* layout, const std::string& id) {
+    const auto questionnaire = newest_questionnaire(context, id);
+    layout->addWidget(make_label(context.in(questionnaire.introduction), "muted"));
+    for (const auto& item : questionnaire.items) {
+        QString text = qstr(item.id) + "  " + context.in(item.text);
+        if (item.kind == curriculum::ItemKind::kLikert)
+            text += QString("   [%1 %2 … %3 %4]")
+                        .arg(item.scale_min)
+                        .arg(context.in(item.anchor_low))
+                        .arg(item.scale_max)
+                        .arg(context.in(item.anchor_high));
+        QStringList choices;
+        for (const auto& choice : item.choices) choices << context.in(choice);
+        if (!choices.isEmpty()) text += "   [" + choices.join(" / ") + "]";
+        layout->addWidget(make_label(text, "small"));
+    }
+}
+
+}  // namespace
+
+curriculum::Questionnaire newest_questionnaire(AppContext& context, const std::string& id) {
+    if (const auto published = context.store().definition("questionnaire", id))
+        return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
+    return curriculum::load_questionnaire(id);
+}
+
+void check_study_questionnaires(AppContext& context, const curriculum::StudyProtocol& study) {
+    for (size_t i = 0; i < study.steps.size(); ++i) {
+        const auto& step = study.steps[i];
+        const std::string pointer = "/steps/" + std::to_string(i);
+        const bool asks = !step.questionnaire.empty();
+        try {
+            if (asks) (void)newest_questionnaire(context, step.questionnaire);
+            if (!step.task.empty()) (void)curriculum::load_task(step.task);
+        } catch (const curriculum::DefinitionError& error) {
+            throw curriculum::DefinitionError(
+                "study " + study.id, pointer + (asks ? "/questionnaire" : "/task"), error.what());
+        }
+    }
+}
+
+void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study) {
+    for (const auto& step : study.steps)
+        if (!step.questionnaire.empty() &&
+            !context.store().definition("questionnaire", step.questionnaire))
+            db::publish_on_first_use(context.store(),
+                                     curriculum::load_questionnaire(step.questionnaire));
+}
+
+QWidget* make_study_preview(AppContext& context, const curriculum::StudyProtocol& study) {
+    auto* layout = new QVBoxLayout;
+    layout->setSpacing(kSpace8);
+    layout->addWidget(
+        make_badge(StudyPreview::tr("Preview: what participants go through"), "accent"));
+    layout->addWidget(make_label(context.in(study.title), "title"));
+    layout->addWidget(make_label(context.in(study.description), "muted"));
+    if (study.visits > 1)
+        layout->addWidget(make_label(StudyPreview::tr("Visits: %1").arg(study.visits)));
+    int number = 0;
+    for (const auto& step : study.steps) {
+        layout->addWidget(make_rule());
+        QString title = context.in(step.title);
+        if (title.isEmpty()) title = qstr(step.id);
+        layout->addWidget(make_label(QString("%1  %2").arg(++number).arg(title), "heading"));
+        QStringList arms;
+        for (const int arm : step.arms)
+            if (study.arms) arms << context.in(study.arms->names.at(static_cast<size_t>(arm)));
+        if (!arms.isEmpty())
+            layout->addWidget(
+                make_label(StudyPreview::tr("Only: %1").arg(arms.join(", ")), "small"));
+        if (step.kind == StepKind::kConsent) add_consent(context, layout, study.consent);
+        for (const auto& text : step.text) layout->addWidget(make_label(context.in(text)));
+        if (!step.questionnaire.empty()) add_questions(context, layout, step.questionnaire);
+        if (step.task.empty()) continue;
+        const double limit = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
+        layout->addWidget(
+            make_label(task_title(context, step.task) + ", " +
+                           (limit > 0 ? StudyPreview::tr("at most %1").arg(format_duration(limit))
+                                      : StudyPreview::tr("no time limit of the study")),
+                       "muted"));
+    }
+    QFrame* card = make_card(layout);
+    card->setObjectName("study_preview");
+    return card;
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A study as participants will go through it, and the questionnaires it needs.
+
+#include "curriculum/questionnaire.h"
+#include "curriculum/study.h"
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+/// Consent, and every step with its texts and questions, one below the other.
+[[nodiscard]] QWidget* make_study_preview(AppContext& context,
+                                          const curriculum::StudyProtocol& study);
+
+/// The newest published version, else the shipped one. Throws DefinitionError.
+[[nodiscard]] curriculum::Questionnaire newest_questionnaire(AppContext& context,
+                                                             const std::string& id);
+/// Throws DefinitionError naming the step whose questionnaire or task is not there.
+void check_study_questionnaires(AppContext& context, const curriculum::StudyProtocol& study);
+/// Keeps the texts of the questionnaires a study asks for.
+void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study);
+
+}  // namespace placode::ui

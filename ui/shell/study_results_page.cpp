@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results of a study: the figures of the report, construct validity, test-retest, learning curves
+// and agreement of raters. The same drawings and numbers as on paper.
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QStandardPaths>
+#include <array>
+#include <memory>
+
+#include "reports/study_analysis.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr const char* kRatersForm = "osats";
+
+struct View {
+    const char *id, *title;
+};
+constexpr std::array kViews{
+    View{"figures", QT_TRANSLATE_NOOP("StudyResultsPage", "Figures")},
+    View{"construct_validity", QT_TRANSLATE_NOOP("StudyResultsPage", "Construct validity")},
+    View{"test_retest", QT_TRANSLATE_NOOP("StudyResultsPage", "Test-retest")},
+    View{"learning_curves", QT_TRANSLATE_NOOP("StudyResultsPage", "Learning curves")},
+    View{"rater_agreement", QT_TRANSLATE_NOOP("StudyResultsPage", "Raters")}};
+
+class StudyResultsPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(StudyResultsPage)
+ public:
+    StudyResultsPage(AppContext& context, const Place& place)
+        : Page(context),
+          view_(place.state.value("view", "figures").toString()),
+          by_(place.state.value("by").toString()) {
+        context.require(db::Action::kExportStudy);
+        for (const std::string& id : context.store().study_ids())
+            if (!context.store().participants(id).empty()) ids_.push_back(id);
+        study_ = chosen_study(context, ids_, place.state.value("study").toString());
+        QVBoxLayout* column = make_column(this);
+        column->addLayout(head());
+        if (study_.empty()) {
+            column->addWidget(make_label(
+                tr("No study has participants yet. Enrol the first one on the page Studies."),
+                "muted"));
+            column->addStretch();
+            return;
+        }
+        report_ =
+            reports::read_study_report(context.store(), study_, context.language().toStdString());
+        column->addWidget(make_label(study_title(context, study_), "heading"));
+        if (report_.data.demonstration) column->addWidget(make_demonstration_badge());
+        column->addLayout(views());
+        if (view_ == "figures")
+            addFigures(column);
+        else
+            addAnalysis(column);
+        column->addStretch();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Results"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"study", qstr(study_)}, {"view", view_}, {"by", by_}};
+    }
+
+ private:
+    QLayout* head() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        row->addWidget(make_label(tr("Results"), "display"), 1);
+        if (QComboBox* chooser = make_study_chooser(context_, ids_, study_)) {
+            connect(chooser, &QComboBox::activated, this, [this, chooser] {
+                study_ = chooser->currentData().toString().toStdString();
+                by_.clear();
+                open(view_);
+            });
+            row->addWidget(chooser);
+        }
+        if (study_.empty()) return row;
+        QPushButton* save =
+            make_button(context_, tr("Save figures and tables"), "secondary", "download");
+        save->setObjectName("save_results");
+        connect(save, &QPushButton::clicked, this, [this] { this->save(); });
+        row->addWidget(save);
+        return row;
+    }
+
+    QLayout* views() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        for (const View& view : kViews) {
+            QPushButton* button =
+                make_button(context_, tr(view.title), view_ == view.id ? "primary" : "quiet");
+            button->setObjectName(QString("view_") + view.id);
+            connect(button, &QPushButton::clicked, this, [this, id = view.id] { open(id); });
+            row->addWidget(button);
+        }
+        row->addStretch();
+        return row;
+    }
+
+    void open(const QString& view) {
+        Q_EMIT go(
+            {PageId::kStudyResults, 0, {}, {{"study", qstr(study_)}, {"view", view}, {"by", by_}}});
+    }
+
+    [[nodiscard]] reports::ChartStyle style() const { return chart_style(context_.theme(), 12); }
+
+    void addFigure(QVBoxLayout* column, const reports::Figure& figure) {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(qstr(figure.title), "heading"));
+        // The drawing has a fixed size in pixels; a wider window leaves air at its right.
+        const QSize size(static_cast<int>(figure.width) + 60, static_cast<int>(figure.height) + 8);
+        const double width = figure.width + 60, height = figure.height;
+        QWidget* picture = make_picture(
+            [draw = figure.draw, width, height](QPainter& painter, const QRectF& where) {
+                draw(painter, QRectF(where.left(), where.top(),
+                                     std::min(where.width(), width + 240), height));
+            },
+            size, qstr(figure.title), qstr(figure.caption));
+        picture->setObjectName("figure_" + qstr(figure.id));
+        picture->setFixedHeight(size.height());
+        layout->addWidget(picture);
+        layout->addWidget(make_label(qstr(figure.caption), "small"));
+        column->addWidget(make_card(layout));
+    }
+
+    void addFigures(QVBoxLayout* column) {
+        const auto numbers = reports::study_numbers(report_.data, report_.instruments);
+        for (const auto& figure : reports::study_figures(report_, numbers, style()))
+            addFigure(column, figure);
+        if (numbers.cautions.empty()) return;
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("What this sample can carry"), "heading"));
+        for (const std::string& each : numbers.cautions)
+            layout->addWidget(make_label("• " + qstr(each), "small"));
+        column->addWidget(make_card(layout));
+    }
+
+    [[nodiscard]] reports::Analysis analysis(const QString& view) const {
+        if (view == "construct_validity")
+            return reports::construct_validity(report_, by_.toStdString(), style());
+        if (view == "test_retest") return reports::test_retest(report_, style());
+        if (view == "learning_curves") return reports::learning_curves(report_, style());
+        return reports::rater_agreement(report_, context_.store().ratings(kRatersForm),
+                                        curriculum::load_questionnaire(kRatersForm), style());
+    }
+
+    void addAnalysis(QVBoxLayout* column) {
+        if (view_ == "construct_validity") addGrouping(column);
+        const reports::Analysis found = analysis(view_);
+        if (!found.problem.empty()) {
+            QLabel* label =
+                make_label(QCoreApplication::translate("Analysis", found.problem.c_str()), "muted");
+            label->setObjectName("analysis_problem");
+            column->addWidget(label);
+            return;
+        }
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(
+            make_label(QCoreApplication::translate("Analysis", found.title.c_str()), "heading"));
+        layout->addWidget(tableOf(found));
+        layout->addWidget(make_label(qstr(found.method), "small"));
+        column->addWidget(make_card(layout));
+        for (const auto& figure : found.figures) addFigure(column, figure);
+    }
+
+    void addGrouping(QVBoxLayout* column) {
+        const auto groupings = reports::possible_groupings(report_.data);
+        if (groupings.size() < 2) return;
+        auto* chooser = new QComboBox;
+        chooser->setObjectName("grouping");
+        for (const auto& each : groupings) chooser->addItem(qstr(each.label), qstr(each.id));
+        chooser->setCurrentIndex(std::max(0, chooser->findData(by_)));
+        connect(chooser, &QComboBox::activated, this, [this, chooser] {
+            by_ = chooser->currentData().toString();
+            open(view_);
+        });
+        column->addLayout(make_field(tr("Levels by"), chooser));
+    }
+
+    static QTableWidget* tableOf(const reports::Analysis& found) {
+        QStringList head;
+        for (const std::string& each : found.head)
+            head << QCoreApplication::translate("Analysis", each.c_str());
+        QTableWidget* table = make_table(head, qstr(found.title));
+        table->setObjectName("analysis_table");
+        table->setSortingEnabled(false);
+        table->setRowCount(static_cast<int>(found.rows.size()));
+        for (int row = 0; row < table->rowCount(); ++row) {
+            const auto& cells = found.rows[static_cast<size_t>(row)];
+            for (size_t c = 0; c < cells.size(); ++c)
+                table->setItem(row, static_cast<int>(c),
+                               cells[c].value
+                                   ? make_number_cell(qstr(cells[c].text), *cells[c].value)
+                                   : make_cell(qstr(cells[c].text)));
+        }
+        fit_columns(table, 0);
+        table->horizontalHeader()->setMinimumSectionSize(64);
+        table->setColumnWidth(0, 240);
+        table->setSortingEnabled(true);
+        table->setMinimumHeight(std::min(10, table->rowCount() + 1) * kTouchTarget + 10);
+        return table;
+    }
+
+    /// Figures as SVG, PNG and data, numbers.csv, and every analysis that has a table.
+    void save() {
+        const QString folder =
+            context_.askFolder(this, tr("Save into this folder"),
+                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        if (folder.isEmpty()) return;
+        auto count = std::make_shared<size_t>(0);
+        AppContext* context = &context_;
+        context_.background(
+            this, tr("Saving figures and tables"),
+            [=, report = report_, by = by_.toStdString()](db::Store& store) {
+                const auto tell = [context](const QString& what) {
+                    Q_EMIT context->busyChanged(tr("Saving: %1").arg(what));
+                };
+                const std::string path = folder.toStdString();
+                tell(tr("Figures"));
+                *count = reports::write_study_figures(report, path).size();
+                for (const reports::Analysis& each :
+                     {reports::construct_validity(report, by), reports::test_retest(report),
+                      reports::learning_curves(report),
+                      reports::rater_agreement(report, store.ratings(kRatersForm),
+                                               curriculum::load_questionnaire(kRatersForm))}) {
+                    if (!each.problem.empty()) continue;
+                    tell(qstr(each.title));
+                    *count += reports::write_analysis(each, path, report.data.demonstration).size();
+                }
+            },
+            [this, folder, count](bool done) {
+                if (!done) return;
+                context_.audit("report.figures", "study " + qstr(study_), folder);
+                Q_EMIT notice(tr("%1 files written: %2").arg(*count).arg(folder));
+            });
+    }
+
+    std::vector<std::string> ids_;
+    std::string study_;
+    QString view_, by_;
+    reports::StudyReport report_;
+};
+
+}  // namespace
+
+Page* make_study_results_page(AppContext& context, const Place& place) {
+    return new StudyResultsPage(context, place);
+}
+
+}  // namespace placode::ui
