@@ -19,7 +19,7 @@ void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double wid
                       double unit) {
     hits_.clear();
     if (!panel.shown) return;
-    const double w = 19 * unit, row = 2.1 * unit, pad = 1.0 * unit, button = 1.9 * unit;
+    const double w = 21 * unit, row = 2.1 * unit, pad = 1.0 * unit, button = 1.9 * unit;
     const std::vector<std::string> foot = paint.wrapped(panel.foot, TextSize::kSmall, w - 2 * pad);
     const double foot_h =
         static_cast<double>(foot.size()) * paint.line_height(TextSize::kSmall) + 0.8 * unit;
@@ -48,7 +48,7 @@ void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double wid
             paint.text(x + 0.5 * w, base, r.label, TextSize::kSmall, kText, Align::kCentre);
         } else {
             paint.text(x + pad, base, r.label, TextSize::kSmall, selected ? kText : kMuted);
-            const double more = x + w - pad - button, less = more - button - 5.4 * unit;
+            const double more = x + w - pad - button, less = more - button - 7.6 * unit;
             for (const auto& [at, sign, part] :
                  {std::tuple{less, "\xE2\x88\x92", kTuningLess}, {more, "+", kTuningMore}}) {
                 paint.box(at, y, button, row - 0.3 * unit, kLine);

@@ -89,6 +89,8 @@ class GlfwWindow final : public GlContext {
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
         glfwSetWindowUserPointer(window_, this);
+        // A click that begins and ends between two polls (a slow picture) still counts.
+        glfwSetInputMode(window_, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
         glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
             self(w).on_key(key, action);
         });
