@@ -50,6 +50,15 @@ class ShellDevicesTest : public QObject {
     }
     /// Moves the first arm up or down (the device's z) until it is there, in small steps.
     [[nodiscard]] bool lower(double to_m);
+    /// True when nothing of the page is squeezed any more: arms come when the device answers.
+    [[nodiscard]] bool settles() {
+        return waits([&] {
+            const QWidget* card = shell_->find<QWidget>("trial_card");
+            const auto* area = shell_->window().page()->findChild<QScrollArea*>();
+            return card != nullptr && card->height() >= card->minimumSizeHint().height() &&
+                   area->widget()->height() >= area->widget()->minimumSizeHint().height();
+        });
+    }
     /// Both themes, with the trial running.
     void shots(const QString& name);
 
@@ -96,7 +105,7 @@ void ShellDevicesTest::shots(const QString& name) {
         shell_->context().setTheme(theme);
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         QVERIFY(saysIn("arm_status_0", "ready"));
-        QTest::qWait(120);  // Lets layouts settle; nothing depends on it.
+        QVERIFY(settles());
         auto* inside = shell_->window().page()->findChild<QScrollArea*>()->widget();
         inside->grab().save(
             shell_->shotFile(name + (theme == ThemeKind::kDark ? "_dark" : "_light")));
@@ -253,7 +262,7 @@ void ShellDevicesTest::pageIsInPolishAndFits() {
     QVERIFY(shell_->arrives(PageId::kDevices));
     QVERIFY(saysIn("arm_status_0", "gotowe"));
     QVERIFY(shell_->text("force_text").contains("0,5 N"));
-    QTest::qWait(120);
+    QVERIFY(settles());
     shell_->window().page()->findChild<QScrollArea*>()->widget()->grab().save(
         shell_->shotFile("94_devices_polish"));
     shell_->context().setLanguage("en");
