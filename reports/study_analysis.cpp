@@ -185,12 +185,15 @@ std::vector<Grouping> possible_groupings(const Dataset& data) {
             if (group.size() < kLeastPeople) return;
         list.push_back({id, field.label});
     };
-    for (const Form& form : data.forms)
-        for (const Field& field : form.fields)
-            if ((field.kind == FieldKind::kCode && form.id != "attempts" &&
-                 (form.id != "participants" || field.id == "arm")) ||
-                (form.id == "attempts" && (field.id == "device" || field.id == "task_id")))
-                add(form, field);
+    // Who people are before what they think.
+    for (const bool opinion : {false, true})
+        for (const Form& form : data.forms)
+            for (const Field& field : form.fields)
+                if (field.ordinal == opinion &&
+                    ((field.kind == FieldKind::kCode && form.id != "attempts" &&
+                      (form.id != "participants" || field.id == "arm")) ||
+                     (form.id == "attempts" && (field.id == "device" || field.id == "task_id"))))
+                    add(form, field);
     return list;
 }
 

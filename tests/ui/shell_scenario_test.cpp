@@ -329,6 +329,7 @@ void ShellScenarioTest::theKeyHoldsTheNames() {
             return names != nullptr && names->rowCount() == 1;
         },
         20000));
+    QTest::qWait(100);  // Lets the new table appear; nothing depends on it.
     shell.scrollTo("name_save");
     shell.window().grab().save(shell.shotFile("84_scenario_names"));
     for (const QString& file : {path, shell.path("demo.db"), shell.path("demo.db-wal")}) {

@@ -89,11 +89,13 @@ class AnswerFields {
             ends->addWidget(low);
             ends->addWidget(high);
         }
-        row->addLayout(grid);
+        auto* points = new QVBoxLayout;  // The words above stand over the ends of the points.
+        if (!few) points->addLayout(ends);
+        points->addLayout(grid);
+        row->addLayout(points);
         if (few) row->addWidget(high);
         row->addStretch();
         auto* column = new QVBoxLayout;
-        if (!few) column->addLayout(ends);
         column->addLayout(row);
         if (item_.not_applicable) column->addWidget(doesNotApplyPoint(group), 0, Qt::AlignLeft);
         return column;

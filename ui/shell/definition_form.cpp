@@ -200,6 +200,7 @@ void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
             polish->setObjectName(name + "_pl");
             row->addLayout(make_field(field.label + " (EN)", english));
             row->addLayout(make_field(field.label + " (PL)", polish));
+            for (QLineEdit* edit : {english, polish}) edit->setCursorPosition(0);
             for (QLineEdit* edit : {english, polish})
                 connect(edit, &QLineEdit::textEdited, this, [this, key, english, polish] {
                     set(key, local(english->text(), polish->text()));
@@ -214,6 +215,7 @@ void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
             return;
         default: {
             auto* edit = new QLineEdit(shown(value, field.kind));
+            edit->setCursorPosition(0);  // The beginning of a long text, not its end.
             edit->setObjectName(name);
             connect(edit, &QLineEdit::textEdited, this,
                     [this, key, kind = field.kind, edit] { set(key, read(edit->text(), kind)); });

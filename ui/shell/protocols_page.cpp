@@ -140,6 +140,7 @@ class ProtocolsPage : public Page {
         list_->setObjectName("elements");
         list_->setAccessibleName(isStudy() ? tr("Steps") : tr("Questions"));
         list_->setMinimumHeight(320);
+        list_->setStyleSheet("QListWidget::item { min-height: 40px; }");  // for a finger
         connect(list_, &QListWidget::currentRowChanged, this, [this] { showForm(); });
         layout->addWidget(list_);
         auto* row = new QHBoxLayout;

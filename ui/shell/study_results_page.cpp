@@ -205,6 +205,7 @@ class StudyResultsPage : public Page {
         fit_columns(table, 0);
         table->horizontalHeader()->setMinimumSectionSize(64);
         table->setColumnWidth(0, 240);
+        table->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // as computed
         table->setSortingEnabled(true);
         table->setMinimumHeight(std::min(10, table->rowCount() + 1) * kTouchTarget + 10);
         return table;
