@@ -3,6 +3,7 @@
 #include "assessment/cohort.h"
 
 #include <algorithm>
+#include <array>
 
 namespace placode::assessment {
 namespace {
@@ -29,12 +30,21 @@ bool is_stuck(std::span<const TrialOutcome> outcomes) {
 
 }  // namespace
 
+const char* standing_name(Standing standing) {
+    constexpr std::array<const char*, 5> kNames{"not tried", "learning", "passing", "regressed",
+                                                "stuck"};
+    return kNames[static_cast<size_t>(standing)];
+}
+
 CohortCell judge_standing(std::span<const TrialOutcome> outcomes) {
     CohortCell cell;
     cell.attempts = static_cast<int>(outcomes.size());
     if (outcomes.empty()) return cell;
     cell.last = outcomes.back().points;
     cell.best = best_of(outcomes);
+    const auto recent = outcomes.last(std::min<size_t>(kRecentTrials, outcomes.size()));
+    for (const TrialOutcome& each : recent)
+        cell.recent += each.points / static_cast<double>(recent.size());
     for (auto each = outcomes.rbegin(); each != outcomes.rend() && each->passed; ++each)
         ++cell.streak;
     cell.standing = Standing::kLearning;

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where a person stands with a task, from the outcomes of all attempts: who is stuck, who
-// regressed.
+// regressed. The one rule for pages, reports and command line; it points at people to look at and
+// does not judge them.
 
 #include <cstdint>
 #include <span>
@@ -28,11 +29,17 @@ enum class Standing : uint8_t {
 inline constexpr int kStuckTrials = 5;
 inline constexpr double kProgressPoints = 3;
 
+inline constexpr int kRecentTrials = 3;
+
+/// "not tried", "learning", "passing", "regressed", "stuck".
+[[nodiscard]] const char* standing_name(Standing standing);
+
 struct CohortCell {
     Standing standing = Standing::kNotTried;
     int attempts = 0;
     int streak = 0;  ///< Passed in a row, up to now.
     double last = 0, best = 0;
+    double recent = 0;  ///< Mean of the last kRecentTrials (of all while there are fewer).
 };
 /// `outcomes` oldest first.
 [[nodiscard]] CohortCell judge_standing(std::span<const TrialOutcome> outcomes);

@@ -14,347 +14,310 @@
 namespace placode::reports {
 namespace {
 
-using assessment::TrendKind;
+using assessment::Standing;
 
-constexpr size_t kRowsAPiece =
-    36; // Of a table: one page holds about that many.
-constexpr size_t kMostCurves = 40; // More of them only make a picture black.
+constexpr size_t kRowsAPiece = 36;  // Of a table: one page holds about that many.
+constexpr size_t kMostCurves = 40;  // More of them only make a picture black.
 
-QString safe(const std::string &text) {
-  return QString::fromStdString(text).toHtmlEscaped();
-}
-QString day(const std::string &utc) { return safe(utc.substr(0, 10)); }
+QString safe(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+QString day(const std::string& utc) { return safe(utc.substr(0, 10)); }
 
-std::string name_of(const PersonInTask &one) {
-  return one.standing.user_name.empty()
-             ? "number " + std::to_string(one.standing.user_id)
-             : one.standing.user_name;
+std::string name_of(const PersonInTask& one) {
+    return one.standing.user_name.empty() ? "number " + std::to_string(one.standing.user_id)
+                                          : one.standing.user_name;
 }
 
-QString table(const QStringList &head, const std::vector<QStringList> &rows,
-              size_t from, size_t to) {
-  QString html = "<table cellspacing='0' cellpadding='2' width='100%'><tr>";
-  for (const QString &cell : head)
-    html += "<th align='left' style='font-size:11px'>" + cell + "</th>";
-  html += "</tr>";
-  for (size_t i = from; i < to; ++i) {
-    html += "<tr>";
-    for (const QString &cell : rows[i])
-      html += "<td style='font-size:11px'>" + cell + "</td>";
+QString table(const QStringList& head, const std::vector<QStringList>& rows, size_t from,
+              size_t to) {
+    QString html = "<table cellspacing='0' cellpadding='2' width='100%'><tr>";
+    for (const QString& cell : head)
+        html += "<th align='left' style='font-size:11px'>" + cell + "</th>";
     html += "</tr>";
-  }
-  return html + "</table>";
+    for (size_t i = from; i < to; ++i) {
+        html += "<tr>";
+        for (const QString& cell : rows[i]) html += "<td style='font-size:11px'>" + cell + "</td>";
+        html += "</tr>";
+    }
+    return html + "</table>";
 }
 
 /// In pieces of a page: laying out one long table again for every row would
 /// take minutes.
-void write_rows(Paper &paper, const QStringList &head,
-                const std::vector<QStringList> &rows) {
-  for (size_t at = 0; at < rows.size(); at += kRowsAPiece)
-    paper.html(table(head, rows, at, std::min(rows.size(), at + kRowsAPiece)));
+void write_rows(Paper& paper, const QStringList& head, const std::vector<QStringList>& rows) {
+    for (size_t at = 0; at < rows.size(); at += kRowsAPiece)
+        paper.html(table(head, rows, at, std::min(rows.size(), at + kRowsAPiece)));
 }
 
-QStringList row_of(const PersonInTask &one) {
-  const auto &s = one.standing;
-  return {safe(name_of(one)),
-          safe(s.task_id),
-          QString::number(s.attempts),
-          number(s.last_points, 1),
-          number(one.trend.recent, 1),
-          number(s.best_points, 1),
-          QString::number(s.failed),
-          QString::fromLatin1(assessment::trend_name(one.trend.kind)),
-          day(s.last_utc)};
+QStringList row_of(const PersonInTask& one) {
+    const auto& s = one.standing;
+    return {safe(name_of(one)),
+            safe(s.task_id),
+            QString::number(s.attempts),
+            number(s.last_points, 1),
+            number(one.standing_now.recent, 1),
+            number(s.best_points, 1),
+            QString::number(s.failed),
+            QString::fromLatin1(assessment::standing_name(one.standing_now.standing)),
+            day(s.last_utc)};
 }
 
-const QStringList &row_head() {
-  static const QStringList head{"person", "task",   "attempts",
-                                "last",   "last 3", "best",
-                                "failed", "trend",  "on"};
-  return head;
+const QStringList& row_head() {
+    static const QStringList head{"person", "task",   "attempts", "last", "last 3",
+                                  "best",   "failed", "standing", "on"};
+    return head;
 }
 
-void write_list(Paper &paper, const CohortReport &report, TrendKind kind,
-                const char *title, const char *none) {
-  paper.heading(QString::fromLatin1(title));
-  std::vector<QStringList> rows;
-  for (const PersonInTask &one : report.people)
-    if (one.trend.kind == kind)
-      rows.push_back(row_of(one));
-  if (rows.empty())
-    paper.html(QString("<p>%1</p>").arg(QString::fromLatin1(none)));
-  else
-    write_rows(paper, row_head(), rows);
+void write_list(Paper& paper, const CohortReport& report, Standing kind, const char* title,
+                const char* none) {
+    paper.heading(QString::fromLatin1(title));
+    std::vector<QStringList> rows;
+    for (const PersonInTask& one : report.people)
+        if (one.standing_now.standing == kind) rows.push_back(row_of(one));
+    if (rows.empty())
+        paper.html(QString("<p>%1</p>").arg(QString::fromLatin1(none)));
+    else
+        write_rows(paper, row_head(), rows);
 }
 
-std::map<std::string, std::vector<const PersonInTask *>>
-by_task(const std::vector<PersonInTask> &people) {
-  std::map<std::string, std::vector<const PersonInTask *>> tasks;
-  for (const PersonInTask &one : people)
-    tasks[one.standing.task_id].push_back(&one);
-  return tasks;
+std::map<std::string, std::vector<const PersonInTask*>> by_task(
+    const std::vector<PersonInTask>& people) {
+    std::map<std::string, std::vector<const PersonInTask*>> tasks;
+    for (const PersonInTask& one : people) tasks[one.standing.task_id].push_back(&one);
+    return tasks;
 }
 
-Figure curves(const std::string &task,
-              const std::vector<const PersonInTask *> &people,
+Figure curves(const std::string& task, const std::vector<const PersonInTask*>& people,
               double benchmark) {
-  // Evenly over the list where there are more than a picture can show.
-  std::vector<LearningLine> lines;
-  const size_t shown = std::min(kMostCurves, people.size());
-  for (size_t i = 0; i < shown; ++i) {
-    const PersonInTask &one = *people[i * people.size() / shown];
-    lines.push_back({name_of(one), one.points, one.failed});
-  }
-  Figure figure = learning_figure(
-      "learning_" + task, "Learning curves, " + task, lines, benchmark,
-      assessment::cusum_limits(0.05, 0.10, 0.05, 0.20), ChartStyle{});
-  if (people.size() > shown)
-    figure.caption += " " + std::to_string(shown) + " of " +
-                      std::to_string(people.size()) +
-                      " people are drawn, evenly over the list.";
-  return figure;
+    // Evenly over the list where there are more than a picture can show.
+    std::vector<LearningLine> lines;
+    const size_t shown = std::min(kMostCurves, people.size());
+    for (size_t i = 0; i < shown; ++i) {
+        const PersonInTask& one = *people[i * people.size() / shown];
+        lines.push_back({name_of(one), one.points, one.failed});
+    }
+    Figure figure =
+        learning_figure("learning_" + task, "Learning curves, " + task, lines, benchmark,
+                        assessment::cusum_limits(0.05, 0.10, 0.05, 0.20), ChartStyle{});
+    if (people.size() > shown)
+        figure.caption += " " + std::to_string(shown) + " of " + std::to_string(people.size()) +
+                          " people are drawn, evenly over the list.";
+    return figure;
 }
 
-Figure spread(const std::vector<PersonInTask> &people) {
-  std::vector<StripGroup> groups;
-  for (const auto &[task, in_task] : by_task(people)) {
-    StripGroup group{task, {}};
-    for (const PersonInTask *one : in_task)
-      group.values.push_back(one->trend.recent);
-    groups.push_back(std::move(group));
-  }
-  return strip_figure("spread",
-                      "Mean of the last three attempts of each person",
-                      "points of 100", groups, ChartStyle{});
+Figure spread(const std::vector<PersonInTask>& people) {
+    std::vector<StripGroup> groups;
+    for (const auto& [task, in_task] : by_task(people)) {
+        StripGroup group{task, {}};
+        for (const PersonInTask* one : in_task) group.values.push_back(one->standing_now.recent);
+        groups.push_back(std::move(group));
+    }
+    return strip_figure("spread", "Mean of the last three attempts of each person", "points of 100",
+                        groups, ChartStyle{});
+}
+
+/// By the rule of the cohort page. @pre points and failed are filled.
+void judge(PersonInTask& one) {
+    std::vector<assessment::TrialOutcome> outcomes;
+    for (size_t i = 0; i < one.points.size(); ++i)
+        outcomes.push_back({one.points[i], !one.failed[i]});
+    one.standing_now = assessment::judge_standing(outcomes);
 }
 
 /// Joins sums and curves of the same people.
-std::vector<PersonInTask>
-people_in_tasks(const std::vector<db::TaskStanding> &standings,
-                const std::vector<db::AttemptPoint> &points, double benchmark) {
-  std::map<std::pair<int64_t, std::string>, size_t> places;
-  std::vector<PersonInTask> people;
-  for (const db::TaskStanding &standing : standings) {
-    places[{standing.user_id, standing.task_id}] = people.size();
-    people.push_back({standing, {}, {}, {}});
-  }
-  for (const db::AttemptPoint &point : points) {
-    const auto place = places.find({point.user_id, point.task_id});
-    if (place == places.end())
-      continue;
-    people[place->second].points.push_back(point.points);
-    people[place->second].failed.push_back(point.verdict !=
-                                           assessment::Verdict::kPassed);
-  }
-  for (PersonInTask &one : people)
-    one.trend = assessment::trend(one.points, benchmark);
-  return people;
+std::vector<PersonInTask> people_in_tasks(const std::vector<db::TaskStanding>& standings,
+                                          const std::vector<db::AttemptPoint>& points) {
+    std::map<std::pair<int64_t, std::string>, size_t> places;
+    std::vector<PersonInTask> people;
+    for (const db::TaskStanding& standing : standings) {
+        places[{standing.user_id, standing.task_id}] = people.size();
+        people.push_back({standing, {}, {}, {}});
+    }
+    for (const db::AttemptPoint& point : points) {
+        const auto place = places.find({point.user_id, point.task_id});
+        if (place == places.end()) continue;
+        people[place->second].points.push_back(point.points);
+        people[place->second].failed.push_back(point.verdict != assessment::Verdict::kPassed);
+    }
+    for (PersonInTask& one : people) judge(one);
+    return people;
 }
 
-} // namespace
+}  // namespace
 
-CohortReport read_cohort_report(db::Store &store, int64_t group_id,
-                                const std::string &now_utc) {
-  CohortReport report;
-  report.made_utc = now_utc;
-  report.group = "everybody";
-  if (group_id != 0) {
-    report.group.clear();
-    for (const db::GroupRecord &group : store.groups())
-      if (group.id == group_id)
-        report.group = group.name;
-    if (report.group.empty())
-      throw db::StoreError(db::StoreError::Kind::kNotFound,
-                           "there is no group " + std::to_string(group_id));
-  }
-  report.people =
-      people_in_tasks(store.task_standings(group_id),
-                      store.attempt_points(group_id), report.benchmark_points);
-  std::set<int64_t> demonstrators;
-  for (const db::UserRecord &user : store.users())
+CohortReport read_cohort_report(db::Store& store, int64_t group_id, const std::string& now_utc) {
+    CohortReport report;
+    report.made_utc = now_utc;
+    report.group = "everybody";
+    if (group_id != 0) {
+        report.group.clear();
+        for (const db::GroupRecord& group : store.groups())
+            if (group.id == group_id) report.group = group.name;
+        if (report.group.empty())
+            throw db::StoreError(db::StoreError::Kind::kNotFound,
+                                 "there is no group " + std::to_string(group_id));
+    }
+    report.people = people_in_tasks(store.task_standings(group_id), store.attempt_points(group_id));
+    std::set<int64_t> demonstrators;
+    for (const db::UserRecord& user : store.users())
+        if (user.demonstration) demonstrators.insert(user.id);
+    report.demonstration = std::any_of(
+        report.people.begin(), report.people.end(),
+        [&](const PersonInTask& one) { return demonstrators.contains(one.standing.user_id); });
+    return report;
+}
+
+void write_cohort_pdf(const CohortReport& report, const std::string& path) {
+    const QString mark = report.demonstration ? " - DEMONSTRATION" : "";
+    Paper paper(path, "Placode cohort " + QString::fromStdString(report.group), "Placode",
+                "Placode cohort " + QString::fromStdString(report.group) + mark);
+    std::set<int64_t> persons;
+    int attempts = 0;
+    for (const PersonInTask& one : report.people) {
+        persons.insert(one.standing.user_id);
+        attempts += one.standing.attempts;
+    }
+    if (report.demonstration)
+        paper.html(
+            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
+            "- attempts of "
+            "simulated operators are among these.</p>");
+    paper.html("<p style='font-size:22px'><b>" + safe(report.group) + "</b></p><p>" +
+               QString::number(persons.size()) + " people with attempts, " +
+               QString::number(attempts) + " finished attempts, " + safe(report.made_utc) +
+               " UTC. Stuck: none of the last " + QString::number(assessment::kStuckTrials) +
+               " attempts passed and no gain of " + number(assessment::kProgressPoints, 0) +
+               " points. Regressed: passed before, but neither of the last two attempts.</p>");
+    write_list(paper, report, Standing::kRegressed, "Regressed", "Nobody.");
+    write_list(paper, report, Standing::kStuck, "Stuck", "Nobody.");
+    if (!report.people.empty()) {
+        paper.heading("Distribution");
+        paper.figure(spread(report.people));
+        for (const auto& [task, people] : by_task(report.people))
+            paper.figure(curves(task, people, report.benchmark_points));
+        paper.heading("Everybody");
+        std::vector<QStringList> rows;
+        for (const PersonInTask& one : report.people) rows.push_back(row_of(one));
+        write_rows(paper, row_head(), rows);
+    }
+    paper.finish();
+}
+
+TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
+                                  const std::string& now_utc) {
+    TraineeReport report;
+    report.user = user;
+    report.made_utc = now_utc;
+    report.courses = db::course_standings(store, user.id, now_utc);
+    report.attempts = store.attempts(user.id);
+    std::map<std::string, PersonInTask> tasks;
+    for (const db::AttemptRecord& attempt : report.attempts) {
+        if (attempt.end == sim::EndReason::kInterrupted) continue;
+        PersonInTask& one = tasks[attempt.task_id];
+        auto& s = one.standing;
+        s.user_id = user.id;
+        s.user_name = user.display_name;
+        s.task_id = attempt.task_id;
+        s.last_points = attempt.points;
+        s.last_utc = attempt.started_utc;
+        s.best_points =
+            one.points.empty() ? attempt.points : std::max(s.best_points, attempt.points);
+        s.mean_points = (s.mean_points * s.attempts + attempt.points) / (s.attempts + 1);
+        ++s.attempts;
+        s.failed += attempt.verdict == assessment::Verdict::kFailed ? 1 : 0;
+        one.points.push_back(attempt.points);
+        one.failed.push_back(attempt.verdict != assessment::Verdict::kPassed);
+    }
+    for (auto& [task, one] : tasks) {
+        judge(one);
+        report.tasks.push_back(std::move(one));
+    }
+    return report;
+}
+
+void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
+    const QString name = QString::fromStdString(report.user.display_name);
+    const QString mark = report.user.demonstration ? " - DEMONSTRATION" : "";
+    Paper paper(path, "Placode trainee " + name, "Placode", "Placode trainee " + name + mark);
+    if (report.user.demonstration)
+        paper.html(
+            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
+            "- a demonstration "
+            "account.</p>");
+    paper.html("<p style='font-size:22px'><b>" + name.toHtmlEscaped() + "</b></p><p>" +
+               QString::number(report.attempts.size()) + " attempts, " + safe(report.made_utc) +
+               " UTC.</p>");
+    paper.heading("Courses");
+    if (report.courses.empty()) paper.html("<p>No course is assigned.</p>");
+    for (const db::CourseStanding& course : report.courses) {
+        int mastered = 0;
+        for (const auto& stage : course.progress.stages)
+            mastered += stage.status == curriculum::StageStatus::kMastered ? 1 : 0;
+        paper.html(
+            "<p><b>" + safe(course.course.title.en) + "</b> - " + QString::number(mastered) +
+            " of " + QString::number(course.course.stages.size()) + " stages mastered" +
+            (course.certificate ? ", certificate " + safe(course.certificate->code) : QString()) +
+            ".<br/>Next: " + safe(course.next.reason.en) + "</p>");
+    }
+    if (!report.tasks.empty()) {
+        paper.heading("Tasks");
+        std::vector<QStringList> rows;
+        for (const PersonInTask& one : report.tasks) rows.push_back(row_of(one));
+        write_rows(paper, row_head(), rows);
+        for (const PersonInTask& one : report.tasks)
+            paper.figure(curves(one.standing.task_id, {&one}, report.benchmark_points));
+        paper.heading("History");
+        std::vector<QStringList> attempts;
+        for (const db::AttemptRecord& each : report.attempts)
+            attempts.push_back({QString::number(each.id), safe(each.started_utc),
+                                safe(each.task_id), number(each.points, 1),
+                                verdict_word(each.verdict), end_word(each.end), safe(each.device),
+                                safe(each.exam.stage_id)});
+        write_rows(
+            paper,
+            {"attempt", "started (UTC)", "task", "points", "verdict", "end", "device", "exam"},
+            attempts);
+    }
+    paper.finish();
+}
+
+void write_certificate_pdf(const db::CertificateRecord& certificate, const db::UserRecord& user,
+                           const curriculum::Course& course, const std::string& path) {
+    const QString name = safe(user.display_name);
+    Paper paper(path, "Placode certificate " + QString::fromStdString(certificate.code), "Placode",
+                "Placode certificate " + QString::fromStdString(certificate.code) +
+                    (user.demonstration ? " - DEMONSTRATION" : ""));
     if (user.demonstration)
-      demonstrators.insert(user.id);
-  report.demonstration = std::any_of(
-      report.people.begin(), report.people.end(), [&](const PersonInTask &one) {
-        return demonstrators.contains(one.standing.user_id);
-      });
-  return report;
-}
-
-void write_cohort_pdf(const CohortReport &report, const std::string &path) {
-  const QString mark = report.demonstration ? " - DEMONSTRATION" : "";
-  Paper paper(path, "Placode cohort " + QString::fromStdString(report.group),
-              "Placode",
-              "Placode cohort " + QString::fromStdString(report.group) + mark);
-  std::set<int64_t> persons;
-  int attempts = 0;
-  for (const PersonInTask &one : report.people) {
-    persons.insert(one.standing.user_id);
-    attempts += one.standing.attempts;
-  }
-  if (report.demonstration)
-    paper.html("<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
-               "- attempts of "
-               "simulated operators are among these.</p>");
-  paper.html(
-      "<p style='font-size:22px'><b>" + safe(report.group) + "</b></p><p>" +
-      QString::number(persons.size()) + " people with attempts, " +
-      QString::number(attempts) + " finished attempts, " +
-      safe(report.made_utc) + " UTC. Stuck: below " +
-      number(report.benchmark_points, 0) +
-      " points and the last three attempts less than " +
-      number(assessment::kTrendGain, 0) +
-      " points above the three before. Regressed: the last three at least " +
-      number(assessment::kTrendDrop, 0) + " points below the best three.</p>");
-  write_list(paper, report, TrendKind::kRegressed, "Regressed", "Nobody.");
-  write_list(paper, report, TrendKind::kStuck, "Stuck", "Nobody.");
-  if (!report.people.empty()) {
-    paper.heading("Distribution");
-    paper.figure(spread(report.people));
-    for (const auto &[task, people] : by_task(report.people))
-      paper.figure(curves(task, people, report.benchmark_points));
-    paper.heading("Everybody");
-    std::vector<QStringList> rows;
-    for (const PersonInTask &one : report.people)
-      rows.push_back(row_of(one));
-    write_rows(paper, row_head(), rows);
-  }
-  paper.finish();
-}
-
-TraineeReport read_trainee_report(db::Store &store, const db::UserRecord &user,
-                                  const std::string &now_utc) {
-  TraineeReport report;
-  report.user = user;
-  report.made_utc = now_utc;
-  report.courses = db::course_standings(store, user.id, now_utc);
-  report.attempts = store.attempts(user.id);
-  std::map<std::string, PersonInTask> tasks;
-  for (const db::AttemptRecord &attempt : report.attempts) {
-    if (attempt.end == sim::EndReason::kInterrupted)
-      continue;
-    PersonInTask &one = tasks[attempt.task_id];
-    auto &s = one.standing;
-    s.user_id = user.id;
-    s.user_name = user.display_name;
-    s.task_id = attempt.task_id;
-    s.last_points = attempt.points;
-    s.last_utc = attempt.started_utc;
-    s.best_points = one.points.empty()
-                        ? attempt.points
-                        : std::max(s.best_points, attempt.points);
-    s.mean_points =
-        (s.mean_points * s.attempts + attempt.points) / (s.attempts + 1);
-    ++s.attempts;
-    s.failed += attempt.verdict == assessment::Verdict::kFailed ? 1 : 0;
-    one.points.push_back(attempt.points);
-    one.failed.push_back(attempt.verdict != assessment::Verdict::kPassed);
-  }
-  for (auto &[task, one] : tasks) {
-    one.trend = assessment::trend(one.points, report.benchmark_points);
-    report.tasks.push_back(std::move(one));
-  }
-  return report;
-}
-
-void write_trainee_pdf(const TraineeReport &report, const std::string &path) {
-  const QString name = QString::fromStdString(report.user.display_name);
-  const QString mark = report.user.demonstration ? " - DEMONSTRATION" : "";
-  Paper paper(path, "Placode trainee " + name, "Placode",
-              "Placode trainee " + name + mark);
-  if (report.user.demonstration)
-    paper.html("<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
-               "- a demonstration "
-               "account.</p>");
-  paper.html("<p style='font-size:22px'><b>" + name.toHtmlEscaped() +
-             "</b></p><p>" + QString::number(report.attempts.size()) +
-             " attempts, " + safe(report.made_utc) + " UTC.</p>");
-  paper.heading("Courses");
-  if (report.courses.empty())
-    paper.html("<p>No course is assigned.</p>");
-  for (const db::CourseStanding &course : report.courses) {
-    int mastered = 0;
-    for (const auto &stage : course.progress.stages)
-      mastered += stage.status == curriculum::StageStatus::kMastered ? 1 : 0;
+        paper.html(
+            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
+            "- not a person's "
+            "certificate.</p>");
+    const auto half = [&](const QString& title, const QString& says, const QString& course_title,
+                          const QString& what, const QString& code) {
+        paper.html("<p align='center' style='font-size:30px'><b>" + title + "</b></p>" +
+                   "<p align='center' style='font-size:15px'>" + says + "</p>" +
+                   "<p align='center' style='font-size:24px'><b>" + name + "</b></p>" +
+                   "<p align='center' style='font-size:15px'>" + what + "</p>" +
+                   "<p align='center' style='font-size:18px'><b>" + course_title + "</b></p>" +
+                   "<p align='center' style='color:#5f666e'>" + code + "</p><p>&nbsp;</p>");
+    };
+    const QString version = QString::number(certificate.course_version);
+    half("Certificate", "This is to certify that", safe(course.title.in("en")),
+         "has mastered all " + QString::number(course.stages.size()) + " stages of the course",
+         "version " + version + ", mastered on " + day(certificate.mastered_utc) + ", issued on " +
+             day(certificate.issued_utc) + ", code " + safe(certificate.code));
+    half(QString::fromUtf8("Zaświadczenie"), QString::fromUtf8("Niniejszym zaświadcza się, że"),
+         safe(course.title.in("pl")),
+         QString::fromUtf8("zalicza wszystkie etapy kursu (") +
+             QString::number(course.stages.size()) + ")",
+         "wersja " + version + ", zaliczono " + day(certificate.mastered_utc) + ", wydano " +
+             day(certificate.issued_utc) + ", kod " + safe(certificate.code));
     paper.html(
-        "<p><b>" + safe(course.course.title.en) + "</b> - " +
-        QString::number(mastered) + " of " +
-        QString::number(course.course.stages.size()) + " stages mastered" +
-        (course.certificate ? ", certificate " + safe(course.certificate->code)
-                            : QString()) +
-        ".<br/>Next: " + safe(course.next.reason.en) + "</p>");
-  }
-  if (!report.tasks.empty()) {
-    paper.heading("Tasks");
-    std::vector<QStringList> rows;
-    for (const PersonInTask &one : report.tasks)
-      rows.push_back(row_of(one));
-    write_rows(paper, row_head(), rows);
-    for (const PersonInTask &one : report.tasks)
-      paper.figure(
-          curves(one.standing.task_id, {&one}, report.benchmark_points));
-    paper.heading("History");
-    std::vector<QStringList> attempts;
-    for (const db::AttemptRecord &each : report.attempts)
-      attempts.push_back({QString::number(each.id), safe(each.started_utc),
-                          safe(each.task_id), number(each.points, 1),
-                          verdict_word(each.verdict), end_word(each.end),
-                          safe(each.device), safe(each.exam.stage_id)});
-    write_rows(paper,
-               {"attempt", "started (UTC)", "task", "points", "verdict", "end",
-                "device", "exam"},
-               attempts);
-  }
-  paper.finish();
+        QString::fromUtf8("<p style='color:#5f666e'>Mastery in simulation "
+                          "by the rules of this course version; "
+                          "not a licence to operate. / Zaliczenie w "
+                          "symulacji według zasad tej wersji kursu; "
+                          "nie jest uprawnieniem do operowania.</p>"));
+    paper.finish();
 }
 
-void write_certificate_pdf(const db::CertificateRecord &certificate,
-                           const db::UserRecord &user,
-                           const curriculum::Course &course,
-                           const std::string &path) {
-  const QString name = safe(user.display_name);
-  Paper paper(
-      path, "Placode certificate " + QString::fromStdString(certificate.code),
-      "Placode",
-      "Placode certificate " + QString::fromStdString(certificate.code) +
-          (user.demonstration ? " - DEMONSTRATION" : ""));
-  if (user.demonstration)
-    paper.html("<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> "
-               "- not a person's "
-               "certificate.</p>");
-  const auto half = [&](const QString &title, const QString &says,
-                        const QString &course_title, const QString &what,
-                        const QString &code) {
-    paper.html("<p align='center' style='font-size:30px'><b>" + title +
-               "</b></p>" + "<p align='center' style='font-size:15px'>" + says +
-               "</p>" + "<p align='center' style='font-size:24px'><b>" + name +
-               "</b></p>" + "<p align='center' style='font-size:15px'>" + what +
-               "</p>" + "<p align='center' style='font-size:18px'><b>" +
-               course_title + "</b></p>" +
-               "<p align='center' style='color:#5f666e'>" + code +
-               "</p><p>&nbsp;</p>");
-  };
-  const QString version = QString::number(certificate.course_version);
-  half("Certificate", "This is to certify that", safe(course.title.in("en")),
-       "has mastered all " + QString::number(course.stages.size()) +
-           " stages of the course",
-       "version " + version + ", mastered on " + day(certificate.mastered_utc) +
-           ", issued on " + day(certificate.issued_utc) + ", code " +
-           safe(certificate.code));
-  half(QString::fromUtf8("Zaświadczenie"),
-       QString::fromUtf8("Niniejszym zaświadcza się, że"),
-       safe(course.title.in("pl")),
-       QString::fromUtf8("zalicza wszystkie etapy kursu (") +
-           QString::number(course.stages.size()) + ")",
-       "wersja " + version + ", zaliczono " + day(certificate.mastered_utc) +
-           ", wydano " + day(certificate.issued_utc) + ", kod " +
-           safe(certificate.code));
-  paper.html(QString::fromUtf8("<p style='color:#5f666e'>Mastery in simulation "
-                               "by the rules of this course version; "
-                               "not a licence to operate. / Zaliczenie w "
-                               "symulacji według zasad tej wersji kursu; "
-                               "nie jest uprawnieniem do operowania.</p>"));
-  paper.finish();
-}
-
-} // namespace placode::reports
+}  // namespace placode::reports

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "assessment/trend.h"
+#include "assessment/cohort.h"
 #include "db/course_conduct.h"
 #include "db/store.h"
 
@@ -15,8 +15,8 @@ namespace placode::reports {
 /// One person in one task.
 struct PersonInTask {
     db::TaskStanding standing;
-    assessment::Trend trend;
-    std::vector<double> points;  ///< Oldest first.
+    assessment::CohortCell standing_now;  ///< Stuck, regressed ..: the rule of the pages.
+    std::vector<double> points;           ///< Oldest first.
     std::vector<bool> failed;
 };
 

@@ -33,6 +33,15 @@ TEST(Cohort, OneBadDayIsNoRegression) {
     EXPECT_EQ(judge({80, 60, 60, 75}).standing, Standing::kPassing);
 }
 
+TEST(Cohort, MeansTheLastThreeAndNamesTheStanding) {
+    EXPECT_DOUBLE_EQ(judge({}).recent, 0);
+    EXPECT_DOUBLE_EQ(judge({50, 60}).recent, 55);
+    EXPECT_DOUBLE_EQ(judge({10, 70, 80, 90}).recent, 80);
+    EXPECT_STREQ(standing_name(judge({80, 60, 60}).standing), "regressed");
+    EXPECT_STREQ(standing_name(judge({40, 40, 40, 40, 40}).standing), "stuck");
+    EXPECT_STREQ(standing_name(judge({}).standing), "not tried");
+}
+
 TEST(Cohort, CountsTheStreakUpToNow) {
     const CohortCell cell = judge({80, 60, 75, 90});
     EXPECT_EQ(cell.streak, 2);

@@ -93,12 +93,13 @@ int report_cohort(const Context& context, const Options& options) {
               {"demonstration", report.demonstration},
               {"people", Json::array()}};
     for (const auto& one : report.people)
-        json["people"].push_back({{"user_id", one.standing.user_id},
-                                  {"task", one.standing.task_id},
-                                  {"attempts", one.standing.attempts},
-                                  {"best_points", one.standing.best_points},
-                                  {"recent_points", one.trend.recent},
-                                  {"trend", assessment::trend_name(one.trend.kind)}});
+        json["people"].push_back(
+            {{"user_id", one.standing.user_id},
+             {"task", one.standing.task_id},
+             {"attempts", one.standing.attempts},
+             {"best_points", one.standing.best_points},
+             {"recent_points", one.standing_now.recent},
+             {"standing", assessment::standing_name(one.standing_now.standing)}});
     print(context, json,
           "wrote " + options.out + ": " + std::to_string(report.people.size()) +
               " rows (person and task)");

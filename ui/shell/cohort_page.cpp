@@ -93,11 +93,17 @@ class CohortPage : public Page {
     void read() {
         std::map<int64_t, Person> people;
         std::map<int64_t, std::map<std::string, std::vector<assessment::TrialOutcome>>> outcomes;
-        for (const db::AttemptRecord& each : context_.store().attempts(0)) {
-            if (each.end == sim::EndReason::kInterrupted) continue;
+        std::map<int64_t, QString> names;
+        for (const db::UserRecord& user : context_.store().users())
+            names[user.id] = qstr(user.display_name);
+        for (const db::AttemptPoint& each : context_.store().attempt_points(0)) {
             Person& person = people[each.user_id];
             person.id = each.user_id;
-            person.name = qstr(each.user_name);
+            if (person.name.isEmpty()) {
+                const auto name = names.find(each.user_id);
+                person.name =
+                    name == names.end() ? tr("number %1").arg(each.user_id) : name->second;
+            }
             person.last_utc = std::max(person.last_utc, each.started_utc);
             person.points[each.task_id].push_back(each.points);
             outcomes[each.user_id][each.task_id].push_back(
