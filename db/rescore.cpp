@@ -8,6 +8,7 @@
 
 #include "assessment/signal.h"
 #include "db/recording_file.h"
+#include "db/standards.h"
 
 namespace placode::db {
 namespace {
@@ -88,7 +89,8 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
         RescoreRecord record;
         record.attempt_id = attempt.id;
         record.metrics = assessment::compute_metrics(recording);
-        record.score = assessment::score_attempt(task.rubric, record.metrics, recording);
+        record.score = assessment::score_attempt(rubric_at(store, task, attempt.started_utc),
+                                                 record.metrics, recording);
         record.preprocessing_version = assessment::kPreprocessingVersion;
         outcome.new_points = record.score.points;
         outcome.new_verdict = record.score.verdict;

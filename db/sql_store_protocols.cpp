@@ -8,6 +8,7 @@
 #include <array>
 
 #include "curriculum/course.h"
+#include "curriculum/standard.h"
 #include "curriculum/study.h"
 #include "db/packing.h"
 #include "db/sql_store.h"
@@ -19,7 +20,8 @@ using Kind = StoreError::Kind;
 namespace {
 
 constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
-constexpr std::array<std::string_view, 4> kKinds{"questionnaire", "study", "course", "rubric"};
+constexpr std::array<std::string_view, 5> kKinds{"questionnaire", "study", "course", "rubric",
+                                                 "standard"};
 constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 
 /// Throws DefinitionError: only what can be read again is published.
@@ -36,6 +38,9 @@ void check_content(const DefinitionRecord& definition) {
     } else if (definition.kind == "rubric") {
         const auto read = curriculum::load_rubric_text(definition.json, origin);
         id = definition.id.substr(0, definition.id.find('/') + 1) + read.id, version = read.version;
+    } else if (definition.kind == "standard") {
+        const auto read = curriculum::load_standard_text(definition.json, origin);
+        id = read.task_id, version = read.version;
     } else {
         const auto read = curriculum::load_study_text(definition.json, origin);
         id = read.id, version = read.version;
@@ -55,7 +60,8 @@ void SqlStore::publish(const DefinitionRecord& definition) {
     connection_.begin_operation("publish " + name + " in");
     if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
         connection_.fail(Kind::kRefused,
-                         "only questionnaires, studies, courses and rubrics are published");
+                         "only questionnaires, studies, courses, rubrics and standards are "
+                         "published");
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");

@@ -341,8 +341,33 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
     EXPECT_EQ(as("carl", "report trainee anna --out d.pdf").status, 1);
     const Outcome cohort = as("ewa", "--json report cohort all --out g.pdf");
     EXPECT_EQ(cohort.status, 0) << cohort.err;
-    EXPECT_THAT(cohort.out, HasSubstr("\"trend\": \"too few\""));
+    EXPECT_THAT(cohort.out, HasSubstr("\"standing\": \"learning\""));
     EXPECT_EQ(as("anna", "report cohort all --out d.pdf").status, 1);
+    // A pass mark from two groups, by an educator only.
+    {
+        const auto direct = db::open_store("sqlite:" + store, cheap());
+        int n = 0;
+        for (const double points : {40, 50, 80, 90}) {
+            const std::string login = "p" + std::to_string(++n);
+            const int64_t id = direct->create_user({login, login, "quiet river 7", 1, false});
+            db::AttemptResult result;
+            result.header.task_id = "diathermy_ring_small";
+            result.end.reason = sim::EndReason::kFinished;
+            result.score.points = points;
+            direct->save_attempt(id, result);
+        }
+    }
+    const std::string mark = "standard set --task diathermy_ring_small --novice p1,p2 --expert ";
+    EXPECT_EQ(as("anna", mark + "p3,p4").status, 1);
+    EXPECT_EQ(as("ewa", mark + "p3").status, 2) << "one person is no group";
+    const Outcome set = as("ewa", "--json " + mark + "p3,p4");
+    EXPECT_EQ(set.status, 0) << set.err;
+    EXPECT_THAT(set.out, HasSubstr("\"pass_points\": 65.0"));  // Halfway: equal spreads.
+    EXPECT_EQ(as("ewa", mark + "p3,p4").status, 2) << "the second one needs a reason";
+    EXPECT_EQ(as("ewa", mark + "p3,p4 --reason again").status, 0);
+    const Outcome holds = as("anna", "--json standard show --task diathermy_ring_small");
+    EXPECT_THAT(holds.out, HasSubstr("\"version\": 2"));
+    EXPECT_THAT(holds.out, HasSubstr("\"set_by\": \"ewa\""));
     EXPECT_EQ(as("ewa", "report cohort none --out d.pdf").status, 2);
     for (const char* name : {"c.pdf", "t.pdf", "g.pdf"})
         EXPECT_THAT(read_text(file(name)), testing::StartsWith("%PDF-")) << name;

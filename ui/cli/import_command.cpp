@@ -8,6 +8,7 @@
 #include "curriculum/task.h"
 #include "db/course_conduct.h"
 #include "db/recording_file.h"
+#include "db/standards.h"
 #include "ui/cli/people.h"
 #include "ui/cli/save_recording.h"
 
@@ -23,7 +24,9 @@ SavedAttempt save_recording(Session& session, int64_t user_id, const std::string
     result.end = recording.end;
     result.events = recording.events;
     result.metrics = assessment::compute_metrics(recording);
-    result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
+    result.score = assessment::score_attempt(
+        db::rubric_at(session.store(), task, recording.header.started_utc), result.metrics,
+        recording);
     result.recording_file = file;
     result.exam = exam;
     return {session.store().save_attempt(user_id, result), result.score, result.end.duration_s};

@@ -84,6 +84,7 @@ int main(int argc, char** argv) {
     cli::add_people_commands(app, context);
     cli::add_course_commands(app, context);
     cli::add_group_commands(app, context);
+    cli::add_standard_commands(app, context);
     cli::add_rescore_commands(app, context);
     cli::add_norms_commands(app, context);
     cli::add_bench_commands(app, context);

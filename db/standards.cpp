@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/standards.h"
+
+#include <algorithm>
+#include <span>
+
+#include "assessment/standard_setting.h"
+#include "assessment/statistics.h"
+
+namespace placode::db {
+namespace {
+
+constexpr const char* kKind = "standard";
+
+}  // namespace
+
+std::optional<StandardRecord> standard_at(Store& store, const std::string& task_id,
+                                          const std::string& at_utc) {
+    auto found = store.definition(kKind, task_id);
+    while (found && !at_utc.empty() && found->published_utc > at_utc)
+        found = found->version > 1 ? store.definition(kKind, task_id, found->version - 1)
+                                   : std::nullopt;
+    if (!found) return std::nullopt;
+    return StandardRecord{curriculum::load_standard_text(found->json, "standard of " + task_id),
+                          found->reason, found->published_by, found->published_utc};
+}
+
+int set_standard(Store& store, curriculum::PassStandard standard, const std::string& reason) {
+    const auto newest = store.definition(kKind, standard.task_id);
+    standard.version = newest ? newest->version + 1 : 1;
+    DefinitionRecord definition;
+    definition.kind = kKind;
+    definition.id = standard.task_id;
+    definition.version = standard.version;
+    definition.json = curriculum::standard_json(standard);
+    definition.reason = reason;
+    store.publish(definition);
+    return standard.version;
+}
+
+assessment::Rubric rubric_at(Store& store, const curriculum::Task& task,
+                             const std::string& at_utc) {
+    assessment::Rubric rubric = task.rubric;
+    if (const auto set = standard_at(store, task.id, at_utc))
+        rubric.pass_points = set->standard.pass_points;
+    return rubric;
+}
+
+std::vector<double> person_means(Store& store, const std::string& task_id,
+                                 const std::vector<int64_t>& people, int last) {
+    std::vector<double> means;
+    for (const int64_t person : people) {
+        std::vector<double> points;
+        for (const AttemptRecord& each : store.attempts(person, task_id))
+            if (each.end != sim::EndReason::kInterrupted) points.push_back(each.points);
+        const size_t n = std::min(static_cast<size_t>(last), points.size());
+        if (const auto mean = assessment::mean_of(std::span(points).last(n)))
+            means.push_back(*mean);
+    }
+    return means;
+}
+
+curriculum::PassStandard standard_of_groups(const std::string& task_id,
+                                            const std::vector<double>& novices,
+                                            const std::vector<double>& experts, int last) {
+    const auto result = assessment::contrasting_groups(novices, experts);
+    curriculum::PassStandard standard;
+    standard.task_id = task_id;
+    standard.pass_points = result.cut_score;
+    standard.mean_of_last_attempts = last;
+    standard.novice = {result.n_novice, result.mean_novice, result.sd_novice,
+                       result.theoretical_false_positive, result.observed_false_positive};
+    standard.expert = {result.n_expert, result.mean_expert, result.sd_expert,
+                       result.theoretical_false_negative, result.observed_false_negative};
+    return standard;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl standard show|set: the pass mark of a task, from two groups of people.
+
+#include <memory>
+#include <stdexcept>
+
+#include "db/standards.h"
+#include "ui/cli/people.h"
+#include "ui/cli/session.h"
+
+namespace placode::cli {
+namespace {
+
+using db::Action;
+using db::Scope;
+
+struct Options {
+    std::string task, reason;
+    std::vector<std::string> novices, experts;
+    int last = 3;
+    bool dry_run = false;
+};
+
+Json group_json(const curriculum::StandardGroup& group) {
+    return {{"n", group.n},
+            {"mean_points", group.mean_points},
+            {"sd_points", group.sd_points},
+            {"theoretical_wrong", group.theoretical_wrong},
+            {"observed_wrong", group.observed_wrong}};
+}
+
+Json standard_json(const curriculum::PassStandard& standard) {
+    return {{"task", standard.task_id},
+            {"version", standard.version},
+            {"pass_points", standard.pass_points},
+            {"method", standard.method},
+            {"mean_of_last_attempts", standard.mean_of_last_attempts},
+            {"novice", group_json(standard.novice)},
+            {"expert", group_json(standard.expert)}};
+}
+
+std::string standard_text(const curriculum::PassStandard& standard) {
+    return "pass mark " + fixed(standard.pass_points, 1) + " points (" + standard.method + ", " +
+           std::to_string(standard.novice.n) + " novices, " + std::to_string(standard.expert.n) +
+           " experts); novices who pass " + fixed(100 * standard.novice.theoretical_wrong, 0) +
+           " % by the curves, " + fixed(100 * standard.novice.observed_wrong, 0) + " % observed";
+}
+
+int show(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kViewAttempts, Scope::kOwn);
+    const curriculum::Task task = curriculum::load_task(options.task);
+    const auto set = db::standard_at(session.store(), task.id);
+    Json json{{"task", task.id}, {"set", set.has_value()}};
+    if (!set) {
+        json["pass_points"] = task.rubric.pass_points;
+        print(context, json,
+              "none was set; the task's own pass mark of " + fixed(task.rubric.pass_points, 1) +
+                  " points holds");
+        return 0;
+    }
+    json = standard_json(set->standard);
+    json["set"] = true;
+    json["set_by"] = set->set_by;
+    json["set_utc"] = set->set_utc;
+    json["reason"] = set->reason;
+    print(context, json,
+          standard_text(set->standard) + ", version " + std::to_string(set->standard.version) +
+              ", by " + set->set_by + " on " + set->set_utc);
+    return 0;
+}
+
+std::vector<double> values(Session& session, const Options& options,
+                           const std::vector<std::string>& logins) {
+    std::vector<int64_t> people;
+    for (const std::string& login : logins) people.push_back(session.find_user(login).id);
+    return db::person_means(session.store(), options.task, people, options.last);
+}
+
+int set(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kSetStandards, Scope::kOther);
+    const curriculum::Task task = curriculum::load_task(options.task);
+    curriculum::PassStandard standard;
+    try {
+        standard = db::standard_of_groups(task.id, values(session, options, options.novices),
+                                          values(session, options, options.experts), options.last);
+    } catch (const std::invalid_argument& error) {
+        throw InputError("standard set: these groups give no pass mark: " +
+                         std::string(error.what()));
+    }
+    if (!options.dry_run) {
+        try {
+            standard.version = db::set_standard(session.store(), standard, options.reason);
+        } catch (const db::StoreError& error) {
+            if (error.kind() == db::StoreError::Kind::kRefused) throw InputError(error.what());
+            throw;
+        }
+    }
+    Json json = standard_json(standard);
+    json["dry_run"] = options.dry_run;
+    print(context, json, standard_text(standard));
+    return 0;
+}
+
+}  // namespace
+
+void add_standard_commands(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* standard = app.add_subcommand("standard", "Pass marks of tasks from two groups");
+    standard->require_subcommand(1);
+    const auto command = [&](const char* name, const char* help, auto work) {
+        CLI::App* added = standard->add_subcommand(name, help);
+        added->add_option("--task", options->task, "Id")->required();
+        added->callback([&context, options, work] {
+            context.run = [&context, options, work] { return work(context, *options); };
+        });
+        return added;
+    };
+    command("show", "What holds, and since when", show);
+    CLI::App* made = command("set", "Contrasting groups: keeps the mark as the next version", set);
+    made->add_option("--novice", options->novices, "Logins or numbers")->required()->delimiter(',');
+    made->add_option("--expert", options->experts, "Logins or numbers")->required()->delimiter(',');
+    made->add_option("--last", options->last, "Attempts of which a person's mean is taken")
+        ->check(CLI::Range(1, 100));
+    made->add_option("--reason", options->reason, "Needed from the second version on");
+    made->add_flag("--dry-run", options->dry_run, "Computes only");
+}
+
+}  // namespace placode::cli
