@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/access.h"
 
+#include <algorithm>
 #include <array>
+#include <set>
 
 #include "db/store.h"
 
@@ -83,6 +85,30 @@ bool allowed(Roles roles, Action action, Scope scope) noexcept {
 Scope scope_between(Store& store, int64_t actor, int64_t subject) {
     if (actor == subject) return Scope::kOwn;
     return store.in_reach(actor, subject) ? Scope::kGroup : Scope::kOther;
+}
+
+Scope scope_of_group(const GroupRecord& group, int64_t actor) {
+    const auto& all = group.educators;
+    const bool teaches = std::find(all.begin(), all.end(), actor) != all.end();
+    return teaches || all.empty() ? Scope::kGroup : Scope::kOther;
+}
+
+std::vector<int64_t> reached_people(Store& store, int64_t actor) {
+    std::set<int64_t> grouped, taught;
+    for (const GroupRecord& group : store.groups()) {
+        const bool teaches = std::find(group.educators.begin(), group.educators.end(), actor) !=
+                             group.educators.end();
+        for (const auto* list : {&group.members, &group.educators})
+            for (const int64_t id : *list) {
+                grouped.insert(id);
+                if (teaches) taught.insert(id);
+            }
+    }
+    std::vector<int64_t> reached;
+    for (const UserRecord& user : store.users())
+        if (user.id == actor || !grouped.contains(user.id) || taught.contains(user.id))
+            reached.push_back(user.id);
+    return reached;
 }
 
 std::string refusal(Action action) {

@@ -39,6 +39,13 @@ enum class Scope : uint8_t { kOwn, kOther, kGroup };
 /// kGroup when `subject` is in no group, or in one that `actor` teaches. Throws StoreError.
 [[nodiscard]] Scope scope_between(Store& store, int64_t actor, int64_t subject);
 
+/// kGroup for its own educators, and for everybody while it has none.
+[[nodiscard]] Scope scope_of_group(const GroupRecord& group, int64_t actor);
+
+/// Ids of the people whom `actor` reaches: oneself, who is in no group, and who is in one that
+/// `actor` teaches. One look at the groups for all of them; agrees with Store::in_reach().
+[[nodiscard]] std::vector<int64_t> reached_people(Store& store, int64_t actor);
+
 /// Reason in plain words for a refusal, naming the role that could.
 [[nodiscard]] std::string refusal(Action action);
 

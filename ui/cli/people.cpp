@@ -48,10 +48,8 @@ db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
 }
 
 void need_for_group(const Session& session, db::Action action, const db::GroupRecord& group) {
-    const bool teaches = session.user() && std::find(group.educators.begin(), group.educators.end(),
-                                                     session.user()->id) != group.educators.end();
-    session.need(action,
-                 teaches || group.educators.empty() ? db::Scope::kGroup : db::Scope::kOther);
+    session.need(
+        action, session.user() ? db::scope_of_group(group, session.user()->id) : db::Scope::kOther);
 }
 
 int64_t named_or_self(Session& session, const std::string& login_or_id) {

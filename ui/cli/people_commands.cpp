@@ -6,14 +6,11 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <memory>
-#include <set>
 #include <sstream>
 
-#include "db/password.h"
-#include "reports/csv_table.h"
+#include "reports/people_file.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -31,75 +28,32 @@ struct Options {
 // --- import
 // ------------------------------------------------------------------------------------
 
-struct Line {
-    db::NewUser user;
-    int64_t group = 0;
-};
-
-std::vector<std::string> split(const std::string& text) {
-    std::vector<std::string> words;
-    std::istringstream in(text);
-    for (std::string word; std::getline(in, word, ';');) words.push_back(word);
-    return words;
+/// A list that cannot be used is bad input.
+template <class Work>
+auto as_list(Work&& work) {
+    try {
+        return work();
+    } catch (const reports::PeopleFileError& error) {
+        throw InputError(error.what());
+    }
 }
 
-size_t column(const std::vector<std::string>& head, const std::string& name) {
-    return static_cast<size_t>(std::find(head.begin(), head.end(), name) - head.begin());
-}
-
-/// Everything is checked before the first account is made.
-std::vector<Line> read_people(Session& session, const std::string& path) {
+std::string whole_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
     std::ostringstream text;
     text << in.rdbuf();
-    const auto rows = reports::parse_csv(text.str());
-    if (rows.empty() || column(rows[0], "login") == rows[0].size() ||
-        column(rows[0], "name") == rows[0].size())
-        throw InputError(path + ":1: expected the columns login,name[,roles][,group][,password]");
-    for (const std::string& name : rows[0])
-        if (name != "login" && name != "name" && name != "roles" && name != "group" &&
-            name != "password")
-            throw InputError(path + ":1: found the column \"" + name +
-                             "\"; expected login, name, roles, group or password");
-    std::set<std::string> logins;
-    std::vector<Line> people;
-    for (size_t i = 1; i < rows.size(); ++i) {
-        const std::string place = path + ":" + std::to_string(i + 1) + ": ";
-        if (rows[i].size() != rows[0].size())
-            throw InputError(place + "found " + std::to_string(rows[i].size()) +
-                             " columns; expected " + std::to_string(rows[0].size()));
-        const auto cell = [&](const char* name) {
-            const size_t at = column(rows[0], name);
-            return at == rows[0].size() ? std::string() : rows[i][at];
-        };
-        Line line;
-        line.user.login = cell("login");
-        line.user.display_name = cell("name");
-        line.user.password = cell("password");
-        try {
-            line.user.roles = cell("roles").empty() ? static_cast<db::Roles>(db::Role::kTrainee)
-                                                    : roles_of(split(cell("roles")));
-            if (!cell("group").empty()) line.group = find_group(session, cell("group")).id;
-        } catch (const InputError& error) {
-            throw InputError(place + error.what());
-        }
-        if (line.user.login.empty() || line.user.display_name.empty())
-            throw InputError(place + "login and name must not be empty");
-        if (!logins.insert(line.user.login).second ||
-            session.store().user_by_login(line.user.login))
-            throw InputError(place + "the login \"" + line.user.login + "\" is taken");
-        people.push_back(std::move(line));
-    }
-    return people;
+    return text.str();
 }
 
 int import_people(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
-    auto people = read_people(session, options.file);
+    auto people = as_list([&] {
+        return reports::read_people(session.store(), whole_file(options.file), options.file);
+    });
     const bool need_file = std::any_of(people.begin(), people.end(),
-                                       [](const Line& line) { return line.user.password.empty(); });
+                                       [](const auto& line) { return line.user.password.empty(); });
     if (need_file && options.out.empty() && !options.dry_run)
         throw InputError(options.file +
                          ": some people have no password; give "
@@ -110,14 +64,8 @@ int import_people(const Context& context, const Options& options) {
         print(context, json, std::to_string(people.size()) + " people would be added");
         return 0;
     }
-    std::string passwords = reports::csv_line({"login", "password"});
-    // Written before the first account is made: a password that nobody knows
-    // helps nobody.
-    for (Line& line : people) {
-        if (!line.user.password.empty()) continue;
-        line.user.password = db::new_password();
-        passwords += reports::csv_line({reports::harmless(line.user.login), line.user.password});
-    }
+    // Written before the first account is made: a password that nobody knows helps nobody.
+    const std::string passwords = reports::make_passwords(people);
     if (need_file) {
         std::ofstream out(options.out, std::ios::binary | std::ios::trunc);
         ::chmod(options.out.c_str(), S_IRUSR | S_IWUSR);
@@ -125,18 +73,8 @@ int import_people(const Context& context, const Options& options) {
         out.flush();
         if (!out) throw InputError("--out " + options.out + ": cannot be written");
     }
-    size_t added = 0;
-    for (const Line& line : people) {
-        try {
-            const int64_t id = session.store().create_user(line.user);
-            if (line.group != 0)
-                session.store().set_group_role(line.group, id, db::GroupRole::kMember);
-            ++added;
-        } catch (const db::StoreError& error) {
-            throw InputError(options.file + ":" + std::to_string(added + 2) + ": " + error.what() +
-                             " (" + std::to_string(added) + " people before it were added)");
-        }
-    }
+    const size_t added =
+        as_list([&] { return reports::make_accounts(session.store(), people, options.file); });
     json["added"] = added;
     print(context, json,
           "added " + std::to_string(added) + " people" +
@@ -219,81 +157,17 @@ int pin(const Context& context, const Options& options) {
 // --- own data, erasure
 // -------------------------------------------------------------------------
 
-Json attempt_json(db::Store& store, const db::AttemptRecord& record) {
-    const db::AttemptDetail detail = store.attempt(record.id);
-    Json json{{"id", record.id},
-              {"task", record.task_id},
-              {"started_utc", record.started_utc},
-              {"duration_s", record.duration_s},
-              {"device", record.device},
-              {"points", record.points},
-              {"rubric", record.rubric_id},
-              {"rubric_version", record.rubric_version},
-              {"metrics", Json::object()},
-              {"reasons", Json::array()},
-              {"further_scores", Json::array()}};
-    for (const auto& metric : detail.metrics.values) json["metrics"][metric.id] = metric.value;
-    for (const auto& reason : detail.score.reasons)
-        json["reasons"].push_back({{"text", reason.text}, {"points", reason.points}});
-    for (const auto& further : store.rescores(record.id))
-        json["further_scores"].push_back({{"points", further.score.points},
-                                          {"rubric", further.score.rubric_id},
-                                          {"rubric_version", further.score.rubric_version},
-                                          {"scored_utc", further.scored_utc}});
-    return json;
-}
-
 int data(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     session.need_for(Action::kExportPersonalData, id);
-    db::Store& store = session.store();
-    const db::UserRecord user = *store.user(id);
-    Json json{{"id", user.id},
-              {"login", user.login},
-              {"name", user.display_name},
-              {"roles", role_names(user.roles)},
-              {"created_utc", user.created_utc},
-              {"has_pin", store.has_pin(id)},
-              {"groups", Json::array()},
-              {"assignments", Json::array()},
-              {"certificates", Json::array()},
-              {"attempts", Json::array()}};
-    for (const auto& group : store.groups())
-        for (const auto* list : {&group.members, &group.educators})
-            if (std::find(list->begin(), list->end(), id) != list->end())
-                json["groups"].push_back(group.name);
-    for (const auto& each : store.assignments(id))
-        json["assignments"].push_back({{"course", each.course_id}, {"due_utc", each.due_utc}});
-    for (const auto& each : store.certificates(id))
-        json["certificates"].push_back({{"course", each.course_id},
-                                        {"version", each.course_version},
-                                        {"mastered_utc", each.mastered_utc},
-                                        {"code", each.code}});
-    const auto attempts = store.attempts(id);
-    for (const auto& record : attempts) json["attempts"].push_back(attempt_json(store, record));
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    std::ofstream out(options.out + "/my_data.json", std::ios::binary | std::ios::trunc);
-    out << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
-    out.flush();
-    if (!out) throw InputError("--out " + options.out + ": cannot be written");
-    int recordings = 0;
-    for (const auto& record : attempts) {
-        if (!options.recordings) break;
-        try {
-            store.extract_recording(
-                record.id, options.out + "/attempt_" + std::to_string(record.id) + ".placode");
-            ++recordings;
-        } catch (const db::StoreError& problem) {
-            if (problem.kind() != db::StoreError::Kind::kNotFound) throw;
-        }
-    }
-    store.audit(session.actor(), "user.data", "user " + std::to_string(id), options.out);
-    print(context,
-          {{"path", options.out}, {"attempts", attempts.size()}, {"recordings", recordings}},
-          "wrote " + options.out + "/my_data.json with " + std::to_string(attempts.size()) +
-              " attempts and " + std::to_string(recordings) + " recordings");
+    const reports::OwnData written =
+        reports::write_own_data(session.store(), id, options.out, options.recordings);
+    print(
+        context,
+        {{"path", options.out}, {"attempts", written.attempts}, {"recordings", written.recordings}},
+        "wrote " + options.out + "/my_data.json with " + std::to_string(written.attempts) +
+            " attempts and " + std::to_string(written.recordings) + " recordings");
     return 0;
 }
 

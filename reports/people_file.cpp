@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/people_file.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <array>
+#include <set>
+#include <sstream>
+
+#include "db/password.h"
+#include "reports/csv_table.h"
+#include "reports/export.h"
+
+namespace placode::reports {
+namespace {
+
+constexpr std::array<std::pair<const char*, db::Role>, 4> kRoles{
+    {{"trainee", db::Role::kTrainee},
+     {"educator", db::Role::kEducator},
+     {"coordinator", db::Role::kCoordinator},
+     {"administrator", db::Role::kAdministrator}}};
+constexpr std::array<const char*, 5> kColumns{"login", "name", "roles", "group", "password"};
+
+using CsvRow = std::vector<std::string>;
+
+size_t column(const CsvRow& head, const std::string& name) {
+    return static_cast<size_t>(std::find(head.begin(), head.end(), name) - head.begin());
+}
+
+void check_head(const CsvRow& head, const std::string& origin) {
+    if (column(head, "login") == head.size() || column(head, "name") == head.size())
+        throw PeopleFileError(origin +
+                              ":1: expected the columns login,name[,roles][,group][,password]");
+    for (const std::string& name : head)
+        if (std::find(kColumns.begin(), kColumns.end(), name) == kColumns.end())
+            throw PeopleFileError(origin + ":1: found the column \"" + name +
+                                  "\"; expected login, name, roles, group or password");
+}
+
+int64_t group_of(db::Store& store, const std::string& name) {
+    for (const db::GroupRecord& group : store.groups())
+        if (group.name == name || std::to_string(group.id) == name) return group.id;
+    throw PeopleFileError("there is no group \"" + name + "\" in " + store.url());
+}
+
+PersonLine read_line(db::Store& store, const CsvRow& head, const CsvRow& row,
+                     const std::string& place) {
+    if (row.size() != head.size())
+        throw PeopleFileError(place + "found " + std::to_string(row.size()) +
+                              " columns; expected " + std::to_string(head.size()));
+    const auto cell = [&](const char* name) {
+        const size_t at = column(head, name);
+        return at == head.size() ? std::string() : row[at];
+    };
+    PersonLine line;
+    line.user.login = cell("login");
+    line.user.display_name = cell("name");
+    line.user.password = cell("password");
+    try {
+        if (!cell("roles").empty()) line.user.roles = roles_of_text(cell("roles"));
+        if (!cell("group").empty()) line.group_id = group_of(store, cell("group"));
+    } catch (const PeopleFileError& error) {
+        throw PeopleFileError(place + error.what());
+    }
+    if (line.user.login.empty() || line.user.display_name.empty())
+        throw PeopleFileError(place + "login and name must not be empty");
+    return line;
+}
+
+QString text(const std::string& value) { return QString::fromStdString(value); }
+
+QJsonObject attempt_json(db::Store& store, const db::AttemptRecord& record) {
+    const db::AttemptDetail detail = store.attempt(record.id);
+    QJsonObject metrics;
+    for (const auto& metric : detail.metrics.values)
+        metrics[text(std::string(metric.id))] = metric.value;
+    QJsonArray reasons, further;
+    for (const auto& reason : detail.score.reasons)
+        reasons.append(QJsonObject{{"text", text(reason.text)}, {"points", reason.points}});
+    for (const auto& each : store.rescores(record.id))
+        further.append(QJsonObject{{"points", each.score.points},
+                                   {"rubric", text(each.score.rubric_id)},
+                                   {"rubric_version", each.score.rubric_version},
+                                   {"scored_utc", text(each.scored_utc)}});
+    QJsonArray remarks;
+    for (const db::CommentRecord& each : store.comments(record.id))
+        remarks.append(QJsonObject{{"time_s", each.time_s}, {"text", text(each.text)}});
+    return {{"id", static_cast<qint64>(record.id)},
+            {"task", text(record.task_id)},
+            {"started_utc", text(record.started_utc)},
+            {"duration_s", record.duration_s},
+            {"device", text(record.device)},
+            {"points", record.points},
+            {"rubric", text(record.rubric_id)},
+            {"rubric_version", record.rubric_version},
+            {"exam_of_course", text(record.exam.course_id)},
+            {"metrics", metrics},
+            {"reasons", reasons},
+            {"remarks", remarks},
+            {"further_scores", further}};
+}
+
+QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
+    QJsonArray roles, groups, assignments, certificates;
+    for (const auto& [name, role] : kRoles)
+        if (db::has_role(user.roles, role)) roles.append(name);
+    for (const db::GroupRecord& group : store.groups())
+        for (const auto* list : {&group.members, &group.educators})
+            if (std::find(list->begin(), list->end(), user.id) != list->end())
+                groups.append(text(group.name));
+    for (const auto& each : store.assignments(user.id))
+        assignments.append(
+            QJsonObject{{"course", text(each.course_id)}, {"due_utc", text(each.due_utc)}});
+    for (const auto& each : store.certificates(user.id))
+        certificates.append(QJsonObject{{"course", text(each.course_id)},
+                                        {"version", each.course_version},
+                                        {"mastered_utc", text(each.mastered_utc)},
+                                        {"code", text(each.code)}});
+    return {{"id", static_cast<qint64>(user.id)},
+            {"login", text(user.login)},
+            {"name", text(user.display_name)},
+            {"roles", roles},
+            {"created_utc", text(user.created_utc)},
+            {"has_pin", store.has_pin(user.id)},
+            {"groups", groups},
+            {"assignments", assignments},
+            {"certificates", certificates}};
+}
+
+}  // namespace
+
+db::Roles roles_of_text(const std::string& text) {
+    db::Roles roles = 0;
+    std::istringstream in(text);
+    for (std::string word; std::getline(in, word, ';');) {
+        db::Roles found = 0;
+        for (const auto& [known, role] : kRoles)
+            if (word == known) found = static_cast<db::Roles>(role);
+        if (found == 0)
+            throw PeopleFileError("found the role \"" + word +
+                                  "\"; expected trainee, educator, coordinator or administrator");
+        roles |= found;
+    }
+    return roles;
+}
+
+std::vector<PersonLine> read_people(db::Store& store, const std::string& csv,
+                                    const std::string& origin) {
+    const auto rows = parse_csv(csv);
+    check_head(rows.empty() ? CsvRow{} : rows[0], origin);
+    std::set<std::string> logins;
+    std::vector<PersonLine> people;
+    for (size_t i = 1; i < rows.size(); ++i) {
+        const std::string place = origin + ":" + std::to_string(i + 1) + ": ";
+        PersonLine line = read_line(store, rows[0], rows[i], place);
+        line.line = static_cast<int>(i) + 1;
+        if (!logins.insert(line.user.login).second || store.user_by_login(line.user.login))
+            throw PeopleFileError(place + "the login \"" + line.user.login + "\" is taken");
+        people.push_back(std::move(line));
+    }
+    return people;
+}
+
+std::string make_passwords(std::vector<PersonLine>& people) {
+    std::string csv;
+    for (PersonLine& person : people) {
+        if (!person.user.password.empty()) continue;
+        if (csv.empty()) csv = csv_line({"login", "password"});
+        person.user.password = db::new_password();
+        csv += csv_line({harmless(person.user.login), person.user.password});
+    }
+    return csv;
+}
+
+size_t make_accounts(db::Store& store, const std::vector<PersonLine>& people,
+                     const std::string& origin) {
+    size_t made = 0;
+    for (const PersonLine& person : people) {
+        try {
+            const int64_t id = store.create_user(person.user);
+            if (person.group_id != 0)
+                store.set_group_role(person.group_id, id, db::GroupRole::kMember);
+            ++made;
+        } catch (const db::StoreError& error) {
+            throw PeopleFileError(origin + ":" + std::to_string(person.line) + ": " + error.what() +
+                                  " (" + std::to_string(made) + " people before it were added)");
+        }
+    }
+    return made;
+}
+
+OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& folder,
+                       bool with_recordings) {
+    const auto user = store.user(user_id);
+    if (!user)
+        throw db::StoreError(db::StoreError::Kind::kNotFound,
+                             "there is no person with the number " + std::to_string(user_id));
+    OwnData written;
+    QJsonObject json = person_json(store, *user);
+    QJsonArray list;
+    const auto attempts = store.attempts(user_id);
+    for (const db::AttemptRecord& record : attempts) list.append(attempt_json(store, record));
+    json["attempts"] = list;
+    written.attempts = static_cast<int>(attempts.size());
+    QDir().mkpath(QString::fromStdString(folder));
+    save_file(folder + "/my_data.json", QJsonDocument(json).toJson().toStdString());
+    for (const db::AttemptRecord& record : attempts) {
+        if (!with_recordings) break;
+        try {
+            store.extract_recording(record.id,
+                                    folder + "/attempt_" + std::to_string(record.id) + ".placode");
+            ++written.recordings;
+        } catch (const db::StoreError& problem) {
+            // A score from elsewhere has no recording; everything else is told.
+            if (problem.kind() != db::StoreError::Kind::kNotFound) throw;
+        }
+    }
+    store.audit(user->login, "user.data", "user " + std::to_string(user_id), folder);
+    return written;
+}
+
+}  // namespace placode::reports

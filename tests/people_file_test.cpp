@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/people_file.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "store_fixture.h"
+
+namespace placode::reports {
+namespace {
+
+using testing::HasSubstr;
+
+class PeopleFile : public testing::Test {
+ protected:
+    PeopleFile() {
+        db::StoreOptions options;
+        options.cheap_passwords = true;
+        store_ = db::open_store("sqlite:" + folder_.file("a.db"), options);
+    }
+    [[nodiscard]] std::string problem(const std::string& csv) {
+        try {
+            (void)read_people(*store_, csv, "list.csv");
+            return {};
+        } catch (const PeopleFileError& error) {
+            return error.what();
+        }
+    }
+    test::TemporaryFolder folder_;
+    std::unique_ptr<db::Store> store_;
+};
+
+TEST_F(PeopleFile, NamesTheLineAndWhatIsExpected) {
+    EXPECT_THAT(problem(""), HasSubstr("list.csv:1: expected the columns login,name"));
+    EXPECT_THAT(problem("login,nom\n"), HasSubstr("expected the columns"));
+    EXPECT_THAT(problem("login,name,role\n"), HasSubstr("found the column \"role\""));
+    EXPECT_THAT(problem("login,name\na\n"), HasSubstr("list.csv:2: found 1 columns; expected 2"));
+    EXPECT_THAT(problem("login,name\na,A\n,B\n"), HasSubstr("list.csv:3: login and name"));
+    EXPECT_THAT(problem("login,name,roles\na,A,boss\n"), HasSubstr("found the role \"boss\""));
+    EXPECT_THAT(problem("login,name,group\na,A,none\n"), HasSubstr("there is no group \"none\""));
+    EXPECT_THAT(problem("login,name\na,A\na,B\n"),
+                HasSubstr("list.csv:3: the login \"a\" is taken"));
+}
+
+TEST_F(PeopleFile, MakesAccountsWithRolesGroupsAndPasswords) {
+    const int64_t group = store_->create_group("Autumn");
+    auto people = read_people(*store_,
+                              "login,name,roles,group,password\n"
+                              "anna,Anna A,trainee;educator,Autumn,\n"
+                              "bert,Bert B,,,quiet river 7\n",
+                              "list.csv");
+    const std::string passwords = make_passwords(people);
+    EXPECT_THAT(passwords, HasSubstr("login,password"));
+    EXPECT_THAT(passwords, HasSubstr("anna,"));
+    EXPECT_THAT(passwords, testing::Not(HasSubstr("bert")));
+    EXPECT_EQ(make_accounts(*store_, people, "list.csv"), 2u);
+    const auto anna = store_->user_by_login("anna");
+    ASSERT_TRUE(anna.has_value());
+    EXPECT_TRUE(db::has_role(anna->roles, db::Role::kEducator));
+    EXPECT_EQ(store_->groups()[0].id, group);
+    EXPECT_THAT(store_->groups()[0].members, testing::ElementsAre(anna->id));
+    EXPECT_EQ(store_->sign_in("anna", people[0].user.password).outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(store_->sign_in("bert", "quiet river 7").outcome, db::SignInOutcome::kOk);
+}
+
+TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
+    std::vector<PersonLine> people = read_people(
+        *store_, "login,name,password\nanna,Anna A,quiet river 7\nbert,Bert B,quiet river 8\n",
+        "list.csv");
+    make_accounts(*store_, people, "list.csv");
+    const int64_t anna = store_->user_by_login("anna")->id;
+    db::AttemptResult result;
+    result.header.task_id = "ring";
+    result.end.reason = sim::EndReason::kFinished;
+    result.score.points = 81;
+    result.score.reasons = {{"burn", "The needle rested.", 4, 2, false}};
+    store_->save_attempt(anna, result);
+    const OwnData written = write_own_data(*store_, anna, folder_.file("mine"), true);
+    EXPECT_EQ(written.attempts, 1);
+    EXPECT_EQ(written.recordings, 0);
+    std::ifstream in(folder_.file("mine/my_data.json"));
+    std::ostringstream text;
+    text << in.rdbuf();
+    EXPECT_THAT(text.str(), HasSubstr("Anna A"));
+    EXPECT_THAT(text.str(), HasSubstr("The needle rested."));
+    EXPECT_THAT(text.str(), testing::Not(HasSubstr("Bert")));
+    EXPECT_EQ(store_->audit_trail(1)[0].action, "user.data");
+}
+
+}  // namespace
+}  // namespace placode::reports
