@@ -10,6 +10,7 @@
 
 #include "assessment/standard_setting.h"
 #include "curriculum/questionnaire.h"
+#include "db/standards.h"
 #include "shell_harness.h"
 
 namespace placode::ui {
@@ -144,6 +145,24 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
         QVERIFY(shell.fits());
         shell.whole(QString("82_standards_%1").arg(size.width()));
     }
+    // It becomes the task's standard, with who and why in the audit; what holds stands above.
+    QVERIFY(shell.text("standard_now").contains("None was set"));
+    QVERIFY(shell.click("set_standard"));
+    QVERIFY(shell.bannerSays("The standard is set (version 1)"));
+    const auto set = db::standard_at(shell.context().store(), kTask);
+    QVERIFY(set.has_value());
+    QCOMPARE(set->standard.pass_points, expected.cut_score);
+    QCOMPARE(set->standard.novice.n, 2);
+    QCOMPARE(set->set_by, std::string("demo.educator"));
+    QVERIFY(shell.text("standard_now").contains("version 1, set by demo.educator"));
+    QCOMPARE(shell.context().store().audit_trail(1)[0].action, std::string("standard.publish"));
+    QVERIFY(shell.click("set_standard"));
+    QVERIFY(shell.bannerSays("reason"));  // The second one says why.
+    // Two people are too few for norms.
+    QVERIFY(shell.type("centre_name", "Gdansk"));
+    QVERIFY(shell.click("make_norms"));
+    QVERIFY(shell.bannerSays("at least"));
+    shell.whole("82_standard_set");
     // Groups are kept when the theme was changed for the pictures; the wrong way round says why
     // not.
     QVERIFY(shell.find<QLabel>("cut_score") != nullptr);

@@ -43,9 +43,15 @@ class ShellHarness {
         options.settings_file = path("settings.ini");
         options.launch.program = PLACODE_BIN_DIR "/placode-sim";
         options.launch.more_arguments = QStringList{"--headless", "--fast"};
+        options.launch.hands = hands;
+        options.launch.more_arguments << more_arguments;
+        options.lock_after_s = lock_after_s;
         options.launch.replay_arguments = QStringList{"--headless"};
         options.ask_save_file = [this](QWidget*, const QString&, const QString&, const QString&) {
             return save_as;
+        };
+        options.ask_open_file = [this](QWidget*, const QString&, const QString&, const QString&) {
+            return open_this;
         };
         context_ = std::make_unique<AppContext>(options);
         window_ = std::make_unique<MainWindow>(*context_);
@@ -187,7 +193,11 @@ class ShellHarness {
         return click("create_administrator") && arrives(PageId::kLogin);
     }
 
-    QString save_as;  ///< Answer to the next file dialog.
+    QString save_as;             ///< Answer to the next file dialog.
+    QString hands;               ///< Of the next start(): who operates, whatever device is chosen.
+    QStringList more_arguments;  ///< Of the next start(), for the simulator.
+    int lock_after_s = 0;        ///< Of the next start().
+    QString open_this;           ///< Answer to the next dialog for a file to read.
 
  private:
     void pressInDialog(const QString& name) {

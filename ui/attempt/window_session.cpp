@@ -38,7 +38,7 @@ class WindowSession {
                                     double value) { runner.tune(p, tissue, value); }}),
           sound_(sound_settings(arguments)) {
         // Until the first key, so that nobody starts in the dark; steps say it themselves.
-        overlay_.show_help = overlay_.practice.steps.empty();
+        overlay_.show_help = overlay_.practice.steps.empty() && !arguments.exam;
     }
 
     void run() {
@@ -156,8 +156,9 @@ class WindowSession {
             before_ = input_;
             return;
         }
-        if (pressed(Key::kF3)) overlay_.show_performance = !overlay_.show_performance;
-        if (pressed(Key::kF5)) overlay_.show_guide = !overlay_.show_guide;
+        const bool aids = !overlay_.exam;  // An exam has none.
+        if (aids && pressed(Key::kF3)) overlay_.show_performance = !overlay_.show_performance;
+        if (aids && pressed(Key::kF5)) overlay_.show_guide = !overlay_.show_guide;
         if (pressed(Key::kF12)) screenshot_asked_ = true;
         if (overlay_.menu) {
             handle_menu();
@@ -165,7 +166,7 @@ class WindowSession {
             open_menu(true);
         } else if (pressed(Key::kEnter)) {
             runner_.request_finish(sim::EndReason::kFinished);
-        } else if (pressed(Key::kF1)) {
+        } else if (aids && pressed(Key::kF1)) {
             overlay_.show_help = !overlay_.show_help;
             help_seen_ = true;
         } else if (!help_seen_ && (input_.left || input_.right || moved())) {

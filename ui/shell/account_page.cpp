@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// My account: who I am here, and a new password.
+// My account: who I am here, a new password, a PIN for a quick return, my data, and erasure.
 
+#include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QStandardPaths>
 
+#include "reports/people_file.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -33,6 +36,9 @@ class AccountPage : public Page {
             make_label(tr("Since: %1").arg(format_when(context.user().created_utc)), "muted"));
         column->addWidget(make_card(layout));
         column->addWidget(passwordCard());
+        column->addWidget(pinCard());
+        column->addWidget(dataCard());
+        column->addWidget(erasureCard());
         column->addStretch();
     }
 
@@ -80,13 +86,149 @@ class AccountPage : public Page {
         });
     }
 
+    QWidget* pinCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("PIN for a quick return"), "heading"));
+        layout->addWidget(make_label(
+            tr("At a station where you signed in with your password within the last %1 hours, the "
+               "PIN is enough to come back. Four to twelve digits; after three wrong ones the "
+               "password is needed.")
+                .arg(AppContext::kPinHours),
+            "muted"));
+        pin_ = new QLineEdit;
+        pin_->setObjectName("new_pin");
+        pin_->setEchoMode(QLineEdit::Password);
+        pin_->setInputMethodHints(Qt::ImhDigitsOnly);
+        pin_->setMaxLength(12);
+        layout->addLayout(make_field(tr("New PIN"), pin_));
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        QPushButton* set = make_button(context_, tr("Set the PIN"), "secondary", "key");
+        set->setObjectName("set_pin");
+        remove_pin_ = make_button(context_, tr("Remove the PIN"), "quiet");
+        remove_pin_->setObjectName("remove_pin");
+        remove_pin_->setVisible(context_.store().has_pin(context_.user().id));
+        row->addWidget(set);
+        row->addWidget(remove_pin_);
+        row->addStretch();
+        layout->addLayout(row);
+        connect(set, &QPushButton::clicked, this, [this] { setPin(pin_->text()); });
+        connect(remove_pin_, &QPushButton::clicked, this, [this] { setPin({}); });
+        return make_card(layout);
+    }
+
+    void setPin(const QString& pin) {
+        context_.guard(tr("Setting the PIN"), [&] {
+            using db::StoreError;
+            if (pin.isEmpty() && sender() != remove_pin_)
+                throw StoreError(StoreError::Kind::kRefused,
+                                 tr("Type four to twelve digits.").toStdString());
+            context_.store().set_pin(context_.user().id, pin.toStdString());
+            pin_->clear();
+            remove_pin_->setVisible(!pin.isEmpty());
+            Q_EMIT notice(pin.isEmpty() ? tr("The PIN is gone.") : tr("The PIN is set."));
+        });
+    }
+
+    QWidget* dataCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("My data"), "heading"));
+        layout->addWidget(make_label(
+            tr("Everything that is kept about you, as a file that any program can read: account, "
+               "groups, courses, certificates, attempts with metrics, reasons and remarks."),
+            "muted"));
+        recordings_ = new QCheckBox(tr("With the recordings of all attempts"));
+        recordings_->setObjectName("data_recordings");
+        layout->addWidget(recordings_);
+        QPushButton* save = make_button(context_, tr("Save my data"), "secondary", "download");
+        save->setObjectName("save_my_data");
+        connect(save, &QPushButton::clicked, this, [this] { saveData(); });
+        layout->addWidget(save, 0, Qt::AlignLeft);
+        return make_card(layout);
+    }
+
+    void saveData() {
+        const QString folder =
+            context_.askFolder(this, tr("Save my data"),
+                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        if (folder.isEmpty()) return;
+        context_.require(db::Action::kExportPersonalData);
+        const auto written = std::make_shared<reports::OwnData>();
+        context_.background(
+            this, tr("Saving my data"),
+            [written, folder, id = context_.user().id,
+             recordings = recordings_->isChecked()](db::Store& store) {
+                *written = reports::write_own_data(store, id, folder.toStdString(), recordings);
+            },
+            [this, written, folder](bool done) {
+                if (done)
+                    Q_EMIT notice(tr("Your data is in %1: attempts %2, recordings %3.")
+                                      .arg(folder)
+                                      .arg(written->attempts)
+                                      .arg(written->recordings));
+            });
+    }
+
+    QWidget* erasureCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(tr("Erase me"), "heading"));
+        erasure_ = make_label({}, "muted");
+        erasure_->setObjectName("erasure_state");
+        layout->addWidget(erasure_);
+        erasure_fields_ = new QWidget;
+        auto* inside = new QVBoxLayout(erasure_fields_);
+        inside->setContentsMargins(0, 0, 0, 0);
+        reason_ = new QLineEdit;
+        reason_->setObjectName("erasure_reason");
+        inside->addLayout(make_field(tr("Reason, if you like"), reason_));
+        QPushButton* ask = make_button(context_, tr("Ask to be erased"), "danger");
+        ask->setObjectName("ask_erasure");
+        connect(ask, &QPushButton::clicked, this, [this] { askErasure(); });
+        inside->addWidget(ask, 0, Qt::AlignLeft);
+        layout->addWidget(erasure_fields_);
+        showErasure();
+        return make_card(layout);
+    }
+
+    void showErasure() {
+        QString asked;
+        for (const db::ErasureRecord& each : context_.store().erasure_requests())
+            if (each.user_id == context_.user().id && each.done_utc.empty())
+                asked = format_when(each.asked_utc);
+        erasure_->setText(asked.isEmpty()
+                              ? tr("An administrator then removes your name, log-in, groups and "
+                                   "certificates. Save your data before.")
+                              : tr("You asked on %1. An administrator carries it out.").arg(asked));
+        erasure_fields_->setVisible(asked.isEmpty());
+    }
+
+    void askErasure() {
+        if (!confirm(this, tr("Ask to be erased?"),
+                     tr("Once an administrator has done it, it cannot be undone."),
+                     tr("Ask to be erased")))
+            return;
+        context_.guard(tr("Asking to be erased"), [this] {
+            context_.require(db::Action::kRequestErasure);
+            context_.store().request_erasure(context_.user().id,
+                                             reason_->text().trimmed().toStdString());
+            showErasure();
+        });
+    }
+
     void say(const QString& text) {
         message_->setText(text);
         message_->show();
     }
 
     QLineEdit *old_ = nullptr, *new_ = nullptr, *again_ = nullptr;
-    QLabel* message_ = nullptr;
+    QLabel *message_ = nullptr, *erasure_ = nullptr;
+    QLineEdit *pin_ = nullptr, *reason_ = nullptr;
+    QPushButton* remove_pin_ = nullptr;
+    QCheckBox* recordings_ = nullptr;
+    QWidget* erasure_fields_ = nullptr;
 };
 
 }  // namespace

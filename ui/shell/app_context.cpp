@@ -83,6 +83,8 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
         !options.theme.isEmpty() ? options.theme : settings_->value("theme", "light").toString();
     theme_ = theme == "dark" ? ThemeKind::kDark : ThemeKind::kLight;
     ask_save_file_ = options.ask_save_file;
+    ask_open_file_ = options.ask_open_file;
+    lock_after_s_ = options.lock_after_s;
     options.launch.language = language_;
     launcher_ = std::make_unique<AttemptLauncher>(options.launch);
     installTranslators();
@@ -117,6 +119,16 @@ void AppContext::signOut() {
 
 bool AppContext::may(db::Action action, db::Scope scope) const {
     return user_ && db::allowed(user_->roles, action, scope);
+}
+
+void AppContext::notePassword(int64_t user_id) {
+    password_given_[user_id] = QDateTime::currentDateTimeUtc();
+}
+
+bool AppContext::knowsPassword(int64_t user_id) const {
+    const auto found = password_given_.find(user_id);
+    return found != password_given_.end() &&
+           found->second.secsTo(QDateTime::currentDateTimeUtc()) < kPinHours * 3600;
 }
 
 void AppContext::require(db::Action action, db::Scope scope) const {
@@ -154,6 +166,12 @@ QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QSt
                                 const QString& filter) const {
     if (ask_save_file_) return ask_save_file_(parent, title, proposal, filter);
     return QFileDialog::getSaveFileName(parent, title, proposal, filter);
+}
+
+QString AppContext::askOpenFile(QWidget* parent, const QString& title,
+                                const QString& filter) const {
+    if (ask_open_file_) return ask_open_file_(parent, title, {}, filter);
+    return QFileDialog::getOpenFileName(parent, title, {}, filter);
 }
 
 QString AppContext::askFolder(QWidget* parent, const QString& title,

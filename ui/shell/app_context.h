@@ -4,10 +4,12 @@
 // What every page is given: the store, who is signed in, language and theme, the attempt that
 // runs. The one place of the shell that catches exceptions and turns them into a banner.
 
+#include <QDateTime>
 #include <QObject>
 #include <QSettings>
 #include <QString>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 
@@ -31,7 +33,9 @@ struct ShellOptions {
     QString theme;          ///< "light", "dark"; empty: as last time.
     QString settings_file;  ///< Empty: the user's settings.
     LaunchOptions launch;
-    AskFile ask_save_file;  ///< Empty: the desktop's file dialog.
+    int lock_after_s = 600;  ///< Without a touch; 0 = never.
+    AskFile ask_save_file;   ///< Empty: the desktop's file dialog.
+    AskFile ask_open_file;   ///< The same for a file to read.
 };
 
 /// Something went wrong: the thing, what was found, and the way out.
@@ -60,6 +64,11 @@ class AppContext : public QObject {
     [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
     void signIn(const db::UserRecord& user);
     void signOut();
+    static constexpr int kPinHours = 12;
+    /// The password was given here: for kPinHours the PIN is enough, until Placode is closed.
+    void notePassword(int64_t user_id);
+    [[nodiscard]] bool knowsPassword(int64_t user_id) const;
+    [[nodiscard]] int lockAfterSeconds() const { return lock_after_s_; }
     [[nodiscard]] bool may(db::Action action, db::Scope scope = db::Scope::kOwn) const;
     /// Throws StoreError(kRefused) with the reason when `may` is false.
     void require(db::Action action, db::Scope scope = db::Scope::kOwn) const;
@@ -76,6 +85,9 @@ class AppContext : public QObject {
 
     [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title,
                                       const QString& proposal, const QString& filter) const;
+    /// A file to read; empty = cancelled.
+    [[nodiscard]] QString askOpenFile(QWidget* parent, const QString& title,
+                                      const QString& filter) const;
     /// A folder to put files into; empty = cancelled.
     [[nodiscard]] QString askFolder(QWidget* parent, const QString& title,
                                     const QString& proposal) const;
@@ -102,10 +114,12 @@ class AppContext : public QObject {
     void installTranslators();
 
     std::string store_url_;
-    AskFile ask_save_file_;
+    AskFile ask_save_file_, ask_open_file_;
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
     std::optional<db::UserRecord> user_;
+    int lock_after_s_ = 600;
+    std::map<int64_t, QDateTime> password_given_;  ///< By user.
     ThemeKind theme_ = ThemeKind::kLight;
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;

@@ -67,10 +67,14 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     status_ = {};
     errors_.clear();
     asked_ = false;
-    QStringList arguments{"--task",   order.task,           "--device", order.device,
+    const QString device = options_.hands.isEmpty() ? order.device : options_.hands;
+    QStringList arguments{"--task",   order.task,           "--device", device,
                           "--record", order.recording_file, "--status"};
     if (order.demonstration) arguments << "--demonstration";
     if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);
+    const bool exam = !order.exam.course_id.empty();
+    if (exam || order.seed > 0) arguments << "--seed" << QString::number(order.seed);
+    if (exam) arguments << "--exam";
     arguments << "--language" << options_.language << options_.more_arguments;
     process_.start(path, arguments);
     if (!process_.waitForStarted(kPatienceMs)) {

@@ -26,6 +26,7 @@ struct LaunchOptions {
     QStringList more_arguments;  ///< E.g. --headless --fast.
     QString language = "en";
     QStringList replay_arguments;  ///< For a replay, e.g. --headless.
+    QString hands;  ///< Tests: who operates in place of the chosen device, e.g. script:expert.
 };
 
 /// Path of the simulator, or empty when it is not there.

@@ -16,6 +16,7 @@
 #include "assessment/metrics.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
+#include "db/standards.h"
 
 namespace placode::ui {
 namespace {
@@ -74,18 +75,25 @@ void write_order(AttemptOrder& order, const QString& folder) {
     const QString stamp = QDateTime::currentDateTimeUtc().toString("yyyyMMdd-HHmmss-zzz");
     order.recording_file =
         QString("%1/attempt-%2-%3.placode").arg(folder, stamp).arg(order.user_id);
-    const QJsonObject json{{"user_id", static_cast<qint64>(order.user_id)},
-                           {"user_name", order.user_name},
-                           {"task", order.task},
-                           {"title", order.title},
-                           {"device", order.device},
-                           {"started_utc", order.started_utc},
-                           {"demonstration", order.demonstration},
-                           {"study", order.study},
-                           {"participant", order.participant},
-                           {"step", order.step},
-                           {"visit", order.visit},
-                           {"duration_s", order.duration_s}};
+    const QJsonObject json{
+        {"user_id", static_cast<qint64>(order.user_id)},
+        {"user_name", order.user_name},
+        {"task", order.task},
+        {"title", order.title},
+        {"device", order.device},
+        {"started_utc", order.started_utc},
+        {"demonstration", order.demonstration},
+        {"study", order.study},
+        {"participant", order.participant},
+        {"step", order.step},
+        {"visit", order.visit},
+        {"duration_s", order.duration_s},
+        {"seed", QString::number(order.seed)},
+        {"exam_course", QString::fromStdString(order.exam.course_id)},
+        {"exam_course_version", order.exam.course_version},
+        {"exam_stage", QString::fromStdString(order.exam.stage_id)},
+        {"proctor", QString::fromStdString(order.exam.proctor)},
+        {"device_certificate", QString::fromStdString(order.exam.device_certificate)}};
     QSaveFile file(order_file(order.recording_file));
     const QByteArray text = QJsonDocument(json).toJson();
     if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit()) {
@@ -113,6 +121,12 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.step = json["step"].toString();
     order.visit = json["visit"].toInt(1);
     order.duration_s = json["duration_s"].toDouble();
+    order.seed = json["seed"].toString().toULongLong();
+    order.exam.course_id = json["exam_course"].toString().toStdString();
+    order.exam.course_version = json["exam_course_version"].toInt();
+    order.exam.stage_id = json["exam_stage"].toString().toStdString();
+    order.exam.proctor = json["proctor"].toString().toStdString();
+    order.exam.device_certificate = json["device_certificate"].toString().toStdString();
     order.recording_file = recording_file;
     return order;
 }
@@ -172,7 +186,12 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     result.header.demonstration = recording.header.demonstration || order.demonstration;
     result.end = recording.end;
     result.metrics = assessment::compute_metrics(recording);
-    result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
+    // Judged by the standard of the day on which it was made.
+    result.score = assessment::score_attempt(
+        db::rubric_at(store, task, recording.header.started_utc), result.metrics, recording);
+    // An exam is what was asked for: this task with this case.
+    if (recording.header.task_id == order.task.toStdString() && recording.header.seed == order.seed)
+        result.exam = order.exam;
     result.events = ledger(recording);
     result.recording_file = file;
     const int64_t id = store.save_attempt(order.user_id, result);

@@ -26,6 +26,8 @@ struct AttemptOrder {
     QString study, participant, step;  ///< Of a study; empty = of a course.
     int visit = 1;
     double duration_s = 0;  ///< 0 = the task's limit.
+    uint64_t seed = 0;      ///< Of anatomy and operator; 0 = the program's own.
+    db::ExamContext exam;   ///< Of an exam stage; no course = practice.
 };
 
 /// A recording that was not saved: crash, power cut, or a store that could not be reached.

@@ -4,8 +4,7 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QLineEdit>
-#include <map>
+#include <algorithm>
 
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/pages.h"
@@ -14,32 +13,47 @@
 namespace placode::ui {
 namespace {
 
+constexpr int kRows = 100;  ///< Of one page of the list.
+
 class AttemptsPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(AttemptsPage)
  public:
     AttemptsPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
-        all_ = context.store().attempts(0);
+        offset_ = place.state.value("offset").toLongLong();
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
         layout->setSpacing(kSpace16);
         layout->addWidget(make_label(tr("Attempts of all trainees"), "display"));
         addFilters(layout, place);
         count_ = make_label({}, "muted");
+        count_->setObjectName("attempts_count");
         layout->addWidget(count_);
-        table_ = make_attempts_table(context, all_, AttemptColumns::kEverybody);
-        table_->setObjectName("attempts_table");
-        connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
-            Q_EMIT go({PageId::kResult, attempt_of_row(table_, row), {}, {}});
-        });
-        layout->addWidget(table_, 1);
-        layout->addWidget(make_label(tr("Enter or double click opens the result."), "small"));
-        filter();
+        list_ = new QVBoxLayout;
+        layout->addLayout(list_, 1);
+        auto* foot = new QHBoxLayout;
+        foot->setSpacing(kSpace8);
+        foot->addWidget(make_label(tr("Enter or double click opens the result."), "small"), 1);
+        newer_ = make_button(context, tr("Newer"), "quiet", "back");
+        newer_->setObjectName("attempts_newer");
+        older_ = make_button(context, tr("Older"), "quiet", "next");
+        older_->setObjectName("attempts_older");
+        for (auto [button, step] : {std::pair{newer_, -kRows}, {older_, kRows}}) {
+            foot->addWidget(button);
+            connect(button, &QPushButton::clicked, this, [this, step = step] {
+                offset_ = std::max<int64_t>(0, offset_ + step);
+                show();
+            });
+        }
+        layout->addLayout(foot);
+        show();
     }
 
     [[nodiscard]] QString title() const override { return tr("Attempts"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"person", person_->currentData()}, {"task", task_->currentData()}};
+        return {{"person", person_->currentData()},
+                {"task", task_->currentData()},
+                {"offset", QVariant::fromValue<qint64>(offset_)}};
     }
 
  private:
@@ -48,18 +62,18 @@ class AttemptsPage : public Page {
         person_->setObjectName("filter_person");
         person_->setMinimumWidth(240);
         person_->addItem(tr("Everybody"), 0);
+        auto people = context_.store().users();
+        std::sort(people.begin(), people.end(), [](const auto& a, const auto& b) {
+            return QString::localeAwareCompare(qstr(a.display_name), qstr(b.display_name)) < 0;
+        });
+        for (const db::UserRecord& each : people)
+            person_->addItem(qstr(each.display_name), QVariant::fromValue<qint64>(each.id));
         task_ = new QComboBox;
         task_->setObjectName("filter_task");
         task_->setMinimumWidth(240);
         task_->addItem(tr("All tasks"), QString());
-        std::map<QString, int64_t> people;
-        for (const db::AttemptRecord& attempt : all_) {
-            people[qstr(attempt.user_name)] = attempt.user_id;
-            const QString id = qstr(attempt.task_id);
-            if (task_->findData(id) < 0) task_->addItem(task_title(context_, attempt.task_id), id);
-        }
-        for (const auto& [name, id] : people)
-            person_->addItem(name, QVariant::fromValue<qint64>(id));
+        for (const std::string& id : curriculum::list_definitions("tasks"))
+            task_->addItem(task_title(context_, id), qstr(id));
         person_->setCurrentIndex(std::max(0, person_->findData(place.state.value("person", 0))));
         task_->setCurrentIndex(std::max(0, task_->findData(place.state.value("task"))));
         auto* row = new QHBoxLayout;
@@ -69,31 +83,49 @@ class AttemptsPage : public Page {
         row->addStretch();
         layout->addLayout(row);
         for (QComboBox* box : {person_, task_})
-            connect(box, &QComboBox::currentIndexChanged, this, [this] { filter(); });
+            connect(box, &QComboBox::currentIndexChanged, this, [this] {
+                offset_ = 0;
+                show();
+            });
     }
 
-    void filter() {
-        std::map<int64_t, const db::AttemptRecord*> by_id;
-        for (const db::AttemptRecord& attempt : all_) by_id[attempt.id] = &attempt;
-        const int64_t person = person_->currentData().toLongLong();
-        const std::string task = task_->currentData().toString().toStdString();
-        int shown = 0;
-        for (int row = 0; row < table_->rowCount(); ++row) {
-            const db::AttemptRecord& attempt = *by_id.at(attempt_of_row(table_, row));
-            const bool fits = (person == 0 || attempt.user_id == person) &&
-                              (task.empty() || attempt.task_id == task);
-            table_->setRowHidden(row, !fits);
-            shown += fits ? 1 : 0;
+    /// One page of the list, counted and cut by the store.
+    void show() {
+        db::AttemptFilter filter;
+        filter.user_id = person_->currentData().toLongLong();
+        filter.task_id = task_->currentData().toString().toStdString();
+        filter.limit = kRows;
+        filter.offset = offset_;
+        const db::AttemptPage page = context_.store().attempt_page(filter);
+        while (QLayoutItem* item = list_->takeAt(0)) {
+            item->widget()->hide();
+            item->widget()->deleteLater();
+            delete item;
         }
-        count_->setText(all_.empty()
-                            ? tr("Nobody has made an attempt yet. Once a trainee has, it shows up "
-                                 "here.")
-                            : tr("Shown: %1 of %2").arg(shown).arg(all_.size()));
+        table_ = make_attempts_table(context_, page.rows, AttemptColumns::kEverybody);
+        table_->setObjectName("attempts_table");
+        connect(table_, &QTableWidget::cellActivated, this, [this](int row, int) {
+            Q_EMIT go({PageId::kResult, attempt_of_row(table_, row), {}, {}});
+        });
+        list_->addWidget(table_);
+        const auto rows = static_cast<int64_t>(page.rows.size());
+        const bool none = page.total == 0 && filter.user_id == 0 && filter.task_id.empty();
+        count_->setText(
+            none ? tr("Nobody has made an attempt yet. Once a trainee has, it shows up "
+                      "here.")
+            : page.total == 0
+                ? tr("There is no such attempt.")
+                : tr("Shown: %1 to %2 of %3").arg(offset_ + 1).arg(offset_ + rows).arg(page.total));
+        newer_->setEnabled(offset_ > 0);
+        older_->setEnabled(offset_ + rows < page.total);
+        for (QPushButton* button : {newer_, older_}) button->setVisible(page.total > kRows);
     }
 
-    std::vector<db::AttemptRecord> all_;
+    int64_t offset_ = 0;
     QComboBox *person_ = nullptr, *task_ = nullptr;
     QLabel* count_ = nullptr;
+    QVBoxLayout* list_ = nullptr;
+    QPushButton *newer_ = nullptr, *older_ = nullptr;
     QTableWidget* table_ = nullptr;
 };
 

@@ -7,6 +7,8 @@
 #include <QPainter>
 
 #include "db/course_conduct.h"
+#include "reports/cohort_report.h"
+#include "ui/shell/course_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -81,12 +83,57 @@ class CoursePage : public Page {
         path->setSpacing(0);
         for (size_t i = 0; i < training_.stages.size(); ++i) path->addLayout(stageRow(i));
         column->addLayout(path);
+        addCertificate(column);
         column->addStretch();
     }
 
     [[nodiscard]] QString title() const override { return tr("Course"); }
 
  private:
+    /// A mastered course has its certificate: issued here, written as a PDF.
+    void addCertificate(QVBoxLayout* column) {
+        if (!training_.mastered) return;
+        auto* layout = new QHBoxLayout;
+        layout->setSpacing(kSpace16);
+        auto* text = new QVBoxLayout;
+        text->addWidget(make_label(tr("The course is mastered"), "heading"));
+        QLabel* code = make_label(training_.certificate
+                                      ? tr("Certificate %1, mastered on %2")
+                                            .arg(qstr(training_.certificate->code),
+                                                 format_when(training_.certificate->mastered_utc))
+                                      : tr("Your certificate is ready to be issued."),
+                                  "muted");
+        code->setObjectName("certificate_code");
+        text->addWidget(code);
+        layout->addLayout(text, 1);
+        QPushButton* write = make_button(context_, tr("Certificate"), "primary", "report");
+        write->setObjectName("certificate");
+        connect(write, &QPushButton::clicked, this, [this] { writeCertificate(); });
+        layout->addWidget(write);
+        QFrame* card = make_card(layout);
+        card->setProperty("tone", "accent");
+        column->addWidget(card);
+    }
+
+    void writeCertificate() {
+        const QString path = context_.askSaveFile(this, tr("Write the certificate"),
+                                                  "placode-" + qstr(training_.course.id) + ".pdf",
+                                                  tr("PDF (*.pdf)"));
+        if (path.isEmpty()) return;
+        context_.guard(tr("Writing the certificate"), [&] {
+            context_.require(db::Action::kIssueCertificate);
+            const auto issued = db::issue_certificate(
+                context_.store(), context_.user().id, training_.course.id,
+                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString());
+            reports::write_certificate_pdf(issued, context_.user(), training_.course,
+                                           path.toStdString());
+            findChild<QLabel*>("certificate_code")
+                ->setText(tr("Certificate %1, mastered on %2")
+                              .arg(qstr(issued.code), format_when(issued.mastered_utc)));
+            Q_EMIT notice(tr("Certificate written: %1").arg(path));
+        });
+    }
+
     void addChooser(QHBoxLayout* head) {
         const std::vector<std::string> ids = course_ids(context_);
         if (ids.size() < 2) return;
@@ -124,9 +171,11 @@ class CoursePage : public Page {
                             next ? "primary" : "secondary", "play");
             open->setObjectName("open_" + id);
             open->setAccessibleName(tr("Open task %1").arg(title));
-            connect(open, &QPushButton::clicked, this, [this, id] {
-                Q_EMIT go({PageId::kTask, 0, id, {}});
-            });
+            const bool exam = stage.rule.mode == curriculum::StageMode::kExam;
+            if (exam) open->setObjectName("open_exam_" + qstr(stage.rule.id));
+            if (exam) open->setText(tr("To the exam"));
+            connect(open, &QPushButton::clicked, this,
+                    [this, place = placeOf(stage)] { Q_EMIT go(place); });
             content->addWidget(open, 0, Qt::AlignVCenter);
         }
         QFrame* card = make_card(content);
@@ -138,6 +187,10 @@ class CoursePage : public Page {
         return row;
     }
 
+    [[nodiscard]] Place placeOf(const TrainingStage& stage) const {
+        return {PageId::kTask, 0, qstr(stage.task_id), task_state(training_.course, stage.rule)};
+    }
+
     QVBoxLayout* stageText(const TrainingStage& stage, bool next) {
         auto* text = new QVBoxLayout;
         text->setSpacing(kSpace4);
@@ -147,6 +200,10 @@ class CoursePage : public Page {
         name->setWordWrap(false);
         head->addWidget(name);
         head->addWidget(statusBadge(stage, next));
+        if (stage.rule.mode != curriculum::StageMode::kPractice)
+            head->addWidget(
+                make_badge(mode_word(stage.rule.mode),
+                           stage.rule.mode == curriculum::StageMode::kExam ? "warn" : ""));
         head->addStretch();
         text->addLayout(head);
         if (stage.task) text->addWidget(make_label(context_.in(stage.task->goal), "muted"));
@@ -165,6 +222,8 @@ class CoursePage : public Page {
                 return make_badge(tr("Mastered"), "good");
             case StageStatus::kLocked:
                 return make_badge(tr("Locked"));
+            case StageStatus::kExhausted:
+                return make_badge(tr("All attempts used"), "critical");
             default:
                 return next ? make_badge(tr("Next"), "accent") : make_badge(tr("Open"), "accent");
         }
@@ -177,9 +236,9 @@ class CoursePage : public Page {
                 missing << training_.taskTitle(context_, id);
             return tr("Opens when mastered: %1").arg(missing.join(", "));
         }
-        const QString rule = tr("Benchmark %1 points, %2 times in a row")
-                                 .arg(format_points(stage.rule.benchmark_points))
-                                 .arg(stage.rule.consecutive);
+        QString rule = stage_rule_words(stage.rule);
+        if (stage.progress.attempts_left >= 0)
+            rule += tr(" · left: %1").arg(stage.progress.attempts_left);
         if (stage.progress.attempts == 0) return rule + tr(" · not tried yet");
         return rule + tr(" · streak %1 · best %2 · attempts %3")
                           .arg(stage.progress.streak)

@@ -6,6 +6,10 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 
+#include "assessment/learning_curve.h"
+#include "assessment/standard_setting.h"
+#include "db/standards.h"
+#include "reports/figure.h"
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -13,6 +17,8 @@
 
 namespace placode::ui {
 namespace {
+
+constexpr size_t kCurveFrom = 5;  ///< Attempts below which no curve is fitted.
 
 class HistoryPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(HistoryPage)
@@ -78,7 +84,8 @@ class HistoryPage : public Page {
             if (attempt.end != sim::EndReason::kInterrupted) counted.push_back(attempt);
         }
         double pass = 70;
-        (void)context_.problemOf([&] { pass = curriculum::load_task(id).rubric.pass_points; });
+        (void)context_.problemOf(
+            [&] { pass = db::rubric_at(context_.store(), curriculum::load_task(id)).pass_points; });
         auto* layout = new QVBoxLayout;
         layout->addWidget(make_label(tr("Score over attempts"), "heading"));
         const reports::ChartStyle style = chart_style(context_.theme());
@@ -91,6 +98,7 @@ class HistoryPage : public Page {
         chart->setObjectName("history_chart");
         layout->addWidget(chart);
         body_->addWidget(make_card(layout));
+        if (counted.size() >= kCurveFrom) body_->addWidget(curveCard(counted, pass));
         QTableWidget* table = make_attempts_table(context_, shown, AttemptColumns::kOwn);
         table->setObjectName("history_table");
         table->setMinimumHeight(260);
@@ -99,6 +107,45 @@ class HistoryPage : public Page {
         });
         body_->addWidget(table, 1);
         body_->addWidget(make_label(tr("Enter or double click opens the result."), "small"));
+    }
+
+    /// What the fitted curve says in words, and the CUSUM with its limits.
+    QWidget* curveCard(const std::vector<db::AttemptRecord>& counted, double pass) {
+        reports::LearningLine line{context_.user().display_name, {}, {}};
+        for (const db::AttemptRecord& attempt : counted) {
+            line.points.push_back(attempt.points);
+            line.failed.push_back(attempt.verdict != assessment::Verdict::kPassed);
+        }
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        layout->addWidget(make_label(tr("Learning curve"), "heading"));
+        const assessment::LearningCurve curve = assessment::learning_curve(line.points);
+        QLabel* words = make_label(
+            curve.exponential && curve.exponential->converged
+                ? tr("The curve approaches %1 points; 95 % of the gain is reached after about %2 "
+                     "attempts. %3")
+                      .arg(format_points(curve.exponential->asymptote),
+                           format_number(curve.exponential->trial_to_95pct_of_gain, 0),
+                           curve.plateau ? tr("You are on the plateau.")
+                                         : tr("There is still gain to come."))
+                : tr("No curve fits yet: the scores go up and down without a trend."),
+            "muted");
+        words->setObjectName("learning_words");
+        layout->addWidget(words);
+        const reports::Figure figure = reports::learning_figure(
+            "learning", {}, {line}, pass, assessment::cusum_limits(0.05, 0.10, 0.05, 0.20),
+            chart_style(context_.theme()));
+        QWidget* picture = make_picture(
+            [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
+            QSize(320, static_cast<int>(figure.height)), tr("Learning curve and CUSUM"),
+            words->text());
+        picture->setFixedHeight(static_cast<int>(figure.height));
+        layout->addWidget(picture);
+        layout->addWidget(make_label(
+            tr("Below: CUSUM of attempts that were not passed. Above the upper limit performance "
+               "is not acceptable, below the lower one it is (Bolsin and Colson 2000)."),
+            "small"));
+        return make_card(layout);
     }
 
     std::vector<db::AttemptRecord> all_;

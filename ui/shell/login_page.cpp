@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -19,8 +20,8 @@ class LoginPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(LoginPage)
  public:
     LoginPage(AppContext& context, const Place& place) : Page(context) {
-        auto* outer = new QVBoxLayout(this);
-        outer->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
+        // Scrolls where the screen is small or its scale is large.
+        QVBoxLayout* outer = make_column(this, 520);
         outer->addStretch(2);
         outer->addWidget(buildCard(), 0, Qt::AlignHCenter);
         outer->addStretch(3);
@@ -31,6 +32,9 @@ class LoginPage : public Page {
         login_->setText(login);
         const QString said = place.state.value("message").toString();
         if (!said.isEmpty()) say(said);
+        note_->setText(place.state.value("note").toString());
+        note_->setVisible(!note_->text().isEmpty());
+        showPinHint();
         QTimer::singleShot(0, this, [this] {
             (login_->text().isEmpty() ? login_ : password_)->setFocus(Qt::OtherFocusReason);
         });
@@ -39,6 +43,7 @@ class LoginPage : public Page {
     [[nodiscard]] QString title() const override { return tr("Sign in"); }
     [[nodiscard]] QVariantMap state() const override {
         return {{"login", login_->text()},
+                {"note", note_->text()},
                 {"message", message_->isHidden() ? QString() : message_->text()}};
     }
 
@@ -55,6 +60,9 @@ class LoginPage : public Page {
         layout->addLayout(head);
         layout->addWidget(
             make_label(tr("Fetoscopic spina bifida repair: practise, see, repeat."), "muted"));
+        note_ = make_label({}, "warn");
+        note_->setObjectName("login_note");
+        layout->addWidget(note_);
         addPeople(layout);
         login_ = new QLineEdit;
         login_->setObjectName("login");
@@ -63,6 +71,11 @@ class LoginPage : public Page {
         password_->setEchoMode(QLineEdit::Password);
         layout->addLayout(make_field(tr("Name"), login_));
         layout->addLayout(make_field(tr("Password"), password_));
+        pin_hint_ = make_label(tr("Your PIN is enough here: you signed in not long ago."), "small");
+        pin_hint_->setObjectName("pin_hint");
+        pin_hint_->hide();
+        layout->addWidget(pin_hint_);
+        connect(login_, &QLineEdit::textChanged, this, [this] { showPinHint(); });
         message_ = make_label({}, "critical");
         message_->setObjectName("login_message");
         message_->hide();
@@ -72,6 +85,12 @@ class LoginPage : public Page {
         button_->setLayoutDirection(Qt::RightToLeft);
         button_->setProperty("scale", "large");
         layout->addWidget(button_);
+        QPushButton* join = make_button(context_, tr("I have an invitation"), "quiet");
+        join->setObjectName("open_join");
+        layout->addWidget(join, 0, Qt::AlignHCenter);
+        connect(join, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kJoin, 0, {}, {}});
+        });
         connect(button_, &QPushButton::clicked, this, [this] { signIn(); });
         connect(login_, &QLineEdit::returnPressed, this,
                 [this] { password_->text().isEmpty() ? password_->setFocus() : signIn(); });
@@ -110,10 +129,40 @@ class LoginPage : public Page {
             return;
         }
         context_.guard(tr("Signing in"), [this] {
-            const db::SignIn result = context_.store().sign_in(
-                login_->text().trimmed().toStdString(), password_->text().toStdString());
+            const std::string typed = password_->text().toStdString();
+            if (const int64_t id = pinUser(); id != 0 && looksLikePin(password_->text())) {
+                const db::SignIn result = context_.store().unlock(id, typed);
+                if (result.outcome == db::SignInOutcome::kWrong) {
+                    password_->clear();
+                    showPinHint();
+                    return say(pinUser() != 0
+                                   ? tr("The PIN is wrong. Try again, or type your password.")
+                                   : tr("Three wrong PINs: type your password."));
+                }
+                return answer(result);
+            }
+            const db::SignIn result =
+                context_.store().sign_in(login_->text().trimmed().toStdString(), typed);
+            if (result.outcome == db::SignInOutcome::kOk) context_.notePassword(result.user->id);
             answer(result);
         });
+    }
+
+    /// Who may come back with the PIN: has one, and gave the password here not long ago; else 0.
+    [[nodiscard]] int64_t pinUser() const {
+        const auto user = context_.store().user_by_login(login_->text().trimmed().toStdString());
+        return user && context_.knowsPassword(user->id) && context_.store().has_pin(user->id)
+                   ? user->id
+                   : 0;
+    }
+    [[nodiscard]] static bool looksLikePin(const QString& typed) {
+        return typed.size() >= 4 && typed.size() <= 12 &&
+               std::all_of(typed.begin(), typed.end(), [](QChar c) { return c.isDigit(); });
+    }
+    void showPinHint() {
+        bool may = false;
+        (void)context_.problemOf([&] { may = pinUser() != 0; });
+        pin_hint_->setVisible(may);
     }
 
     void answer(const db::SignIn& result) {
@@ -162,7 +211,7 @@ class LoginPage : public Page {
 
     QLineEdit* login_ = nullptr;
     QLineEdit* password_ = nullptr;
-    QLabel* message_ = nullptr;
+    QLabel *message_ = nullptr, *pin_hint_ = nullptr, *note_ = nullptr;
     QPushButton* button_ = nullptr;
     QTimer timer_;
     int wait_s_ = 0;

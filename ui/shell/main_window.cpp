@@ -16,7 +16,7 @@ namespace placode::ui {
 MainWindow::MainWindow(AppContext& context) : context_(context) {
     setWindowTitle("Placode");
     setWindowIcon(line_icon("placode", context.colors().accent));
-    setMinimumSize(1024, 680);
+    setMinimumSize(940, 520);  // 1920 x 1080 at 200 %.
     resize(1366, 768);
     buildFrame();
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
@@ -31,6 +31,9 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
     connect(&context.launcher(), &AttemptLauncher::started, this, &MainWindow::updateFrame);
+    idle_.setSingleShot(true);
+    connect(&idle_, &QTimer::timeout, this, &MainWindow::lock);
+    qApp->installEventFilter(this);
 }
 
 void MainWindow::begin() {
@@ -68,8 +71,47 @@ void MainWindow::rebuild() {
 void MainWindow::onUserChanged() {
     trail_.clear();
     buildFrame();
-    showPlace(context_.signedIn() ? lastPlace() : Place{PageId::kLogin, 0, {}, {}});
-    if (context_.signedIn()) offerLeftovers();
+    if (!context_.signedIn()) {
+        const QString note =
+            locked_user_ != 0 ? tr("Locked after a time without a touch. Come back where you were.")
+                              : QString();
+        return showPlace({PageId::kLogin, 0, {}, {{"note", note}}});
+    }
+    const bool back = context_.user().id == locked_user_;
+    locked_user_ = 0;
+    showPlace(back ? locked_place_ : lastPlace());
+    offerLeftovers();
+}
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::KeyPress:
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseMove:
+        case QEvent::Wheel:
+        case QEvent::TouchBegin:
+            if (context_.signedIn() && context_.lockAfterSeconds() > 0)
+                idle_.start(context_.lockAfterSeconds() * 1000);
+            break;
+        default:
+            break;
+    }
+    return QMainWindow::eventFilter(object, event);
+}
+
+void MainWindow::lock() {
+    if (!context_.signedIn()) return;
+    if (context_.launcher().running() || (page_ && page_->alone()) ||
+        QApplication::activeModalWidget() != nullptr) {
+        idle_.start(context_.lockAfterSeconds() * 1000);
+        return;
+    }
+    locked_place_ = place_;
+    if (page_) locked_place_.state = page_->state();
+    locked_user_ = context_.user().id;
+    context_.settings().setValue("last_login", qstr(context_.user().login));
+    context_.audit("session.lock", qstr(context_.user().login));
+    context_.signOut();
 }
 
 Place MainWindow::home() const {
@@ -152,7 +194,7 @@ void MainWindow::showRetry(const QString& text, const std::function<void()>& aga
 void MainWindow::updateFrame() {
     const bool alone = page_ && page_->alone();
     rail_->setVisible(context_.signedIn() && !alone);
-    for (const char* name : {"user_menu", "search"})
+    for (const char* name : {"user_menu", "search", "switch_user"})
         if (auto* button = bar_->findChild<QToolButton*>(name))
             button->setVisible(context_.signedIn() && !alone);
     running_->setVisible(context_.launcher().running() && place_.page != PageId::kRunning);
@@ -163,6 +205,11 @@ void MainWindow::updateFrame() {
         const QString icon = button->objectName().mid(5);
         button->setIcon(line_icon(icon, here ? context_.colors().accent : context_.colors().muted));
     }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    narrowRail();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -5,6 +5,7 @@
 
 #include <QMainWindow>
 #include <QPointer>
+#include <QTimer>
 #include <vector>
 
 #include "ui/shell/banner.h"
@@ -33,12 +34,17 @@ class MainWindow : public QMainWindow {
 
  protected:
     void closeEvent(QCloseEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    /// Every touch of keyboard or pointer begins the time to the lock anew.
+    bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
     void buildFrame();
     [[nodiscard]] QWidget* buildRail();
     [[nodiscard]] QWidget* buildTopBar();
     void addUserMenu(QHBoxLayout* bar);
+    void addSwitch(QHBoxLayout* bar);
+    void switchUser();
     void rebuild();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
@@ -48,6 +54,9 @@ class MainWindow : public QMainWindow {
     void saveAttempt(const AttemptEnding& ending);
     void offerLeftovers();
     void openSearch();
+    /// Back to log-in; who comes back as the same person is where he was. Not while an attempt
+    /// runs, nor while a participant is at the screen.
+    void lock();
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.
     [[nodiscard]] Place lastPlace() const;
@@ -55,6 +64,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] static Place placeOf(const AttemptOrder& order);
     [[nodiscard]] Place home() const;
     void updateFrame();
+    /// A narrow window (or a large scale) has icons only in the rail; the words are tool tips.
+    void narrowRail();
 
     AppContext& context_;
     Place place_;
@@ -69,6 +80,9 @@ class MainWindow : public QMainWindow {
     QToolButton* running_ = nullptr;
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
+    QTimer idle_;
+    Place locked_place_;
+    int64_t locked_user_ = 0;
 };
 
 }  // namespace placode::ui

@@ -6,12 +6,32 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QToolButton>
 
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
+
+namespace {
+
+constexpr int kRailWidth = 216, kNarrowRail = 72;
+constexpr int kNarrowWindow = 1100;  ///< [px], of the screen's own scale.
+
+/// Who has every role has more pages than a small screen is high.
+QWidget* scrolling(QWidget* rail) {
+    auto* area = new QScrollArea;
+    area->setWidget(rail);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFixedWidth(kRailWidth);
+    return area;
+}
+
+}  // namespace
 
 void MainWindow::buildFrame() {
     auto* frame = new QWidget;
@@ -48,12 +68,27 @@ void MainWindow::buildFrame() {
     right->addLayout(content_, 1);
     row->addLayout(right, 1);
     setCentralWidget(frame);
+    narrowRail();
+}
+
+void MainWindow::narrowRail() {
+    if (rail_ == nullptr) return;
+    const bool narrow = width() < kNarrowWindow;
+    rail_->setFixedWidth(narrow ? kNarrowRail : kRailWidth);
+    if (auto* inside = rail_->findChild<QFrame*>("rail"))
+        inside->setFixedWidth(narrow ? kNarrowRail : kRailWidth);
+    if (auto* name = rail_->findChild<QLabel*>("rail_mark")) name->setVisible(!narrow);
+    for (const auto& [button, page] : rail_buttons_) {
+        button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+        button->setToolTip(narrow ? button->accessibleName() : QString());
+    }
 }
 
 QWidget* MainWindow::buildRail() {
     auto* rail = new QFrame;
     rail->setProperty("role", "rail");
-    rail->setFixedWidth(216);
+    rail->setObjectName("rail");
+    rail->setFixedWidth(kRailWidth);
     rail->setAccessibleName(tr("Pages"));
     auto* layout = new QVBoxLayout(rail);
     layout->setContentsMargins(kSpace12, kSpace16, kSpace12, kSpace16);
@@ -64,7 +99,9 @@ QWidget* MainWindow::buildRail() {
     picture->setPixmap(line_icon("placode", context_.colors().accent).pixmap(28, 28));
     mark->addWidget(picture);
     mark->addSpacing(kSpace8);
-    mark->addWidget(make_label("Placode", "title"), 1);
+    QLabel* name = make_label("Placode", "title");
+    name->setObjectName("rail_mark");
+    mark->addWidget(name, 1);
     layout->addLayout(mark);
     rail_buttons_.clear();
     const auto add = [&](PageId page, const QString& text, const QString& icon, bool wanted) {
@@ -102,6 +139,11 @@ QWidget* MainWindow::buildRail() {
     add(PageId::kCohort, tr("Cohort"), "cohort", teaches);
     add(PageId::kRatings, tr("Ratings"), "ratings", teaches);
     add(PageId::kStandards, tr("Standards"), "standards", teaches);
+    add(PageId::kCourses, tr("Courses"), "courses",
+        context_.may(Action::kManageCourses, Scope::kOther));
+    add(PageId::kGroups, tr("Groups"), "groups",
+        context_.may(Action::kManageGroups, Scope::kGroup));
+    add(PageId::kNorms, tr("Norms"), "norms", context_.may(Action::kSetStandards, Scope::kOther));
     const bool studies = context_.may(Action::kRunQuestionnaire);
     add(PageId::kStudies, tr("Studies"), "studies", studies);
     add(PageId::kStudyData, tr("Data"), "data", studies);
@@ -113,7 +155,7 @@ QWidget* MainWindow::buildRail() {
     add(PageId::kHealth, tr("Health"), "health", context_.may(Action::kBackup, Scope::kOther));
     add(PageId::kAudit, tr("Audit"), "audit", context_.may(Action::kViewAudit, Scope::kOther));
     layout->addStretch();
-    return rail;
+    return scrolling(rail);
 }
 
 QWidget* MainWindow::buildTopBar() {
@@ -169,7 +211,29 @@ QWidget* MainWindow::buildTopBar() {
     row->addWidget(language);
     row->addWidget(theme);
     addUserMenu(row);
+    addSwitch(row);
     return bar;
+}
+
+/// One touch at a shared station: the next person signs in.
+void MainWindow::addSwitch(QHBoxLayout* bar) {
+    if (!context_.signedIn()) return;
+    auto* change = new QToolButton;
+    change->setObjectName("switch_user");
+    change->setIcon(line_icon("switch", context_.colors().text));
+    change->setIconSize(QSize(20, 20));
+    change->setToolTip(tr("Switch user"));
+    change->setAccessibleName(tr("Switch user"));
+    change->setFocusPolicy(Qt::StrongFocus);
+    connect(change, &QToolButton::clicked, this, &MainWindow::switchUser);
+    bar->addWidget(change);
+}
+
+void MainWindow::switchUser() {
+    if (page_ && !page_->mayLeave()) return;
+    // Switching keeps nobody's name in the field; signing out proposes the same person again.
+    context_.settings().remove("last_login");
+    context_.signOut();
 }
 
 void MainWindow::addUserMenu(QHBoxLayout* bar) {
@@ -198,12 +262,7 @@ void MainWindow::addUserMenu(QHBoxLayout* bar) {
     out->setObjectName("action_sign_out");
     connect(account, &QAction::triggered, this, [this] { open({PageId::kAccount, 0, {}, {}}); });
     connect(recovery, &QAction::triggered, this, [this] { open({PageId::kRecovery, 0, {}, {}}); });
-    // Switching keeps nobody's name in the field; signing out proposes the same person again.
-    connect(change, &QAction::triggered, this, [this] {
-        if (page_ && !page_->mayLeave()) return;
-        context_.settings().remove("last_login");
-        context_.signOut();
-    });
+    connect(change, &QAction::triggered, this, &MainWindow::switchUser);
     connect(out, &QAction::triggered, this, [this] {
         if (page_ && !page_->mayLeave()) return;
         context_.signOut();

@@ -58,6 +58,20 @@ Page* make_page(AppContext& context, const Place& place) {
             return make_study_results_page(context, place);
         case PageId::kProtocols:
             return make_protocols_page(context, place);
+        case PageId::kCourses:
+            return make_courses_page(context, place);
+        case PageId::kCourseEditor:
+            return make_course_editor_page(context, place);
+        case PageId::kGroups:
+            return make_groups_page(context, place);
+        case PageId::kJoin:
+            return make_join_page(context, place);
+        case PageId::kAdmissions:
+            return make_admissions_page(context, place);
+        case PageId::kNorms:
+            return make_norms_page(context, place);
+        case PageId::kCompare:
+            return make_compare_page(context, place);
     }
     return make_login_page(context, place);
 }

@@ -37,6 +37,13 @@ enum class PageId : uint8_t {
     kStudyData,
     kStudyResults,
     kProtocols,
+    kCourses,
+    kCourseEditor,
+    kGroups,
+    kJoin,
+    kAdmissions,
+    kNorms,
+    kCompare,
 };
 
 /// Where to go: a page and what it shows.
@@ -94,6 +101,13 @@ class Page : public QWidget {
 [[nodiscard]] Page* make_study_data_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_study_results_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_protocols_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_courses_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_course_editor_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_groups_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_join_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_admissions_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_norms_page(AppContext& context, const Place& place);
+[[nodiscard]] Page* make_compare_page(AppContext& context, const Place& place);
 [[nodiscard]] Page* make_page(AppContext& context, const Place& place);
 
 }  // namespace placode::ui

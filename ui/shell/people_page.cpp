@@ -23,7 +23,22 @@ class PeoplePage : public Page {
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
         layout->setSpacing(kSpace16);
-        layout->addWidget(make_label(tr("People"), "display"));
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(tr("People"), "display"), 1);
+        int waiting = 0;
+        for (const db::ErasureRecord& each : context.store().erasure_requests())
+            waiting += each.done_utc.empty() ? 1 : 0;
+        QPushButton* more =
+            make_button(context,
+                        waiting == 0 ? tr("Invitations, lists, requests")
+                                     : tr("Invitations, lists, requests (%1 waiting)").arg(waiting),
+                        "secondary", "people");
+        more->setObjectName("open_admissions");
+        connect(more, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kAdmissions, 0, {}, {}});
+        });
+        head->addWidget(more);
+        layout->addLayout(head);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         auto* left = new QVBoxLayout;

@@ -22,6 +22,7 @@ namespace placode::ui {
 namespace {
 
 constexpr const char* kForm = "osats";
+constexpr int kQueued = 500;
 
 class RatingsPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(RatingsPage)
@@ -30,7 +31,14 @@ class RatingsPage : public Page {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
         form_ = curriculum::load_questionnaire(kForm);
         ratings_ = context.store().ratings(kForm);
-        for (const db::AttemptRecord& each : context.store().attempts(0)) attempts_[each.id] = each;
+        // The newest wait for a rating; what was rated is looked up one by one.
+        db::AttemptFilter newest;
+        newest.limit = kQueued;
+        for (const db::AttemptRecord& each : context.store().attempt_page(newest).rows)
+            attempts_[each.id] = each;
+        for (const db::RatingRecord& each : ratings_)
+            if (!attempts_.contains(each.attempt_id))
+                attempts_[each.attempt_id] = context.store().attempt(each.attempt_id).record;
         QVBoxLayout* column = make_column(this);
         column->addWidget(make_label(tr("Ratings"), "display"));
         column->addWidget(make_label(

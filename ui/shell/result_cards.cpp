@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/themes.h"
+#include "db/norms.h"
 #include "reports/words.h"
 #include "ui/shell/ledger_view.h"
 
@@ -105,6 +106,7 @@ ResultData read_result(db::Store& store, int64_t attempt_id) {
     const size_t from = before.size() > kBandAttempts ? before.size() - kBandAttempts : 0;
     for (size_t i = from; i < before.size(); ++i) data.earlier.push_back(store.attempt(before[i]));
     data.comments = store.comments(attempt_id);
+    data.norms = db::norms_in_use(store, record.task_id);
     return data;
 }
 

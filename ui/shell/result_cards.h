@@ -23,6 +23,7 @@ struct ResultData {
     std::vector<db::AttemptRecord> history;   ///< Of the person at this task, oldest first.
     std::vector<db::AttemptDetail> earlier;   ///< The last ones before this attempt, oldest first.
     std::vector<db::CommentRecord> comments;  ///< By time.
+    std::optional<db::NormPackRecord> norms;  ///< In use for the task.
 };
 /// Reads all of it. Throws StoreError.
 [[nodiscard]] ResultData read_result(db::Store& store, int64_t attempt_id);

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <cmath>
 #include <set>
 
 #include "reports/attempt_figures.h"
@@ -16,7 +17,7 @@ struct Metrics {
     Q_DECLARE_TR_FUNCTIONS(ResultPage)
 };
 
-constexpr int kStripWidth = 150;
+constexpr int kStripWidth = 150, kNarrowStrip = 104;
 
 /// What the rubric looks at, and what everybody asks for first.
 std::set<std::string> metrics_that_count(AppContext& context, const std::string& task_id) {
@@ -49,8 +50,8 @@ QWidget* strip(const AppContext& context, const reports::Band& band, double valu
         [band, value, style](QPainter& painter, const QRectF& where) {
             reports::draw_band(painter, where, band, value, style);
         },
-        QSize(kStripWidth, kTouchTarget - 8), Metrics::tr("Own band of %1").arg(name), {});
-    const QString words = Metrics::tr("earlier: mean %1, SD %2, from %3 to %4, n = %5")
+        QSize(kNarrowStrip, kTouchTarget - 8), name, {});
+    const QString words = Metrics::tr("mean %1, SD %2, from %3 to %4, n = %5")
                               .arg(format_value(band.mean), format_value(band.sd),
                                    format_value(band.low), format_value(band.high))
                               .arg(band.n);
@@ -59,19 +60,49 @@ QWidget* strip(const AppContext& context, const reports::Band& band, double valu
     return picture;
 }
 
+/// A band of a norm pack as it is drawn. Of a logarithmic one: the values it stands for.
+reports::Band band_of_norm(const assessment::Benchmark& norm) {
+    const auto value = [&](double x) { return norm.log ? std::exp(x) : x; };
+    reports::Band band;
+    band.mean = value(norm.mean);
+    band.low = std::min(norm.q25, value(norm.mean - norm.sd));
+    band.high = std::max(norm.q75, value(norm.mean + norm.sd));
+    band.sd = (value(norm.mean + norm.sd) - value(norm.mean - norm.sd)) / 2;
+    band.n = norm.n;
+    return band;
+}
+
+/// Experts first, then one other group: there is no room for more.
+std::vector<const curriculum::NormGroup*> shown_groups(const ResultData& data) {
+    std::vector<const curriculum::NormGroup*> groups;
+    if (!data.norms) return groups;
+    if (const auto* experts = data.norms->pack.group("expert")) groups.push_back(experts);
+    for (const curriculum::NormGroup& each : data.norms->pack.groups)
+        if (each.level != "expert" && groups.size() < 2) groups.push_back(&each);
+    return groups;
+}
+
+QString band_name(const curriculum::NormGroup& group) {
+    if (group.level == "expert") return Metrics::tr("Expert band");
+    if (group.level == "novice") return Metrics::tr("Novice band");
+    return Metrics::tr("Band: %1").arg(qstr(group.level));
+}
+
 class MetricsTable {
  public:
-    MetricsTable(AppContext& context, const ResultData& data) : context_(context), data_(data) {
-        table_ =
-            make_table({Metrics::tr("Measure"), Metrics::tr("Value"), Metrics::tr("Unit"),
-                        Metrics::tr("Own last"), Metrics::tr("Change"), Metrics::tr("Own band")},
-                       Metrics::tr("Measures"));
+    MetricsTable(AppContext& context, const ResultData& data)
+        : context_(context), data_(data), groups_(shown_groups(data)) {
+        QStringList head{Metrics::tr("Measure"),  Metrics::tr("Value"),  Metrics::tr("Unit"),
+                         Metrics::tr("Own last"), Metrics::tr("Change"), Metrics::tr("Own band")};
+        for (const curriculum::NormGroup* group : groups_) head << band_name(*group);
+        table_ = make_table(head, Metrics::tr("Measures"));
         table_->setObjectName("metrics");
         table_->setSortingEnabled(false);
         for (const assessment::MetricDefinition& each : assessment::metric_definitions())
             if (const auto value = data.detail.metrics.find(each.id)) add(each, *value);
         fit_columns(table_, 0);
-        table_->setColumnWidth(5, kStripWidth + 16);
+        for (int c = 5; c < table_->columnCount(); ++c)
+            table_->setColumnWidth(c, (groups_.empty() ? kStripWidth : kNarrowStrip) + 16);
         table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     }
     [[nodiscard]] QTableWidget* widget() const { return table_; }
@@ -97,11 +128,25 @@ class MetricsTable {
             if (const auto found = each.metrics.find(definition.id)) values.push_back(*found);
         const auto band = reports::band_of(values);
         table_->setItem(row, 5, make_cell(band ? QString() : "–"));
-        if (band) table_->setCellWidget(row, 5, strip(context_, *band, value, name->text()));
+        if (band)
+            table_->setCellWidget(
+                row, 5,
+                strip(context_, *band, value, Metrics::tr("Own band of %1").arg(name->text())));
+        for (size_t g = 0; g < groups_.size(); ++g) {
+            const int column = 6 + static_cast<int>(g);
+            const curriculum::NormMetric* norm = groups_[g]->metric(definition.id);
+            table_->setItem(row, column, make_cell(norm ? QString() : "–"));
+            if (norm)
+                table_->setCellWidget(
+                    row, column,
+                    strip(context_, band_of_norm(norm->band), value,
+                          QString("%1: %2").arg(band_name(*groups_[g]), name->text())));
+        }
     }
 
     AppContext& context_;
     const ResultData& data_;
+    std::vector<const curriculum::NormGroup*> groups_;
     QTableWidget* table_ = nullptr;
 };
 
@@ -122,6 +167,11 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
                                    "before this one; the dot is this attempt.")
                            .arg(data.earlier.size()),
                        "small"));
+    if (data.norms)
+        layout->addWidget(make_label(
+            Metrics::tr("Bands of experts and novices: norm pack of %1, %2.")
+                .arg(qstr(data.norms->pack.centre), qstr(data.norms->pack.made_utc).left(10)),
+            "small"));
     QTableWidget* table = MetricsTable(context, data).widget();
     layout->addWidget(table);
     const auto show = [table, all,

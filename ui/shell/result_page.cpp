@@ -58,6 +58,7 @@ class ResultPage : public Page {
         QLabel* verdict = make_badge(verdict_word(record), verdict_tone(record));
         verdict->setObjectName("result_verdict");
         line->addWidget(verdict);
+        if (!record.exam.course_id.empty()) line->addWidget(make_badge(tr("Exam"), "warn"));
         if (record.demonstration) line->addWidget(make_demonstration_badge());
         line->addStretch();
         addButtons(line, own);
@@ -97,6 +98,13 @@ class ResultPage : public Page {
         watch->setToolTip(tr("See this attempt again in the simulator's window"));
         connect(watch, &QPushButton::clicked, this, [this] { this->watch(0); });
         line->addWidget(watch);
+        QPushButton* compare = make_button(context_, tr("Compare"), "secondary");
+        compare->setObjectName("compare");
+        compare->setToolTip(tr("See this attempt beside another one"));
+        connect(compare, &QPushButton::clicked, this, [this] {
+            Q_EMIT go({PageId::kCompare, data_.detail.record.id, {}, {}});
+        });
+        line->addWidget(compare);
         QPushButton* report = make_button(context_, tr("Report"), "secondary", "report");
         report->setObjectName("report_pdf");
         report->setToolTip(tr("Write a PDF of this attempt"));

@@ -25,6 +25,10 @@ class RunningPage : public Page {
         head->addWidget(name);
         if (launcher.order().demonstration || launcher.order().device.startsWith("script"))
             head->addWidget(make_demonstration_badge());
+        if (!launcher.order().exam.course_id.empty()) {
+            head->addWidget(make_badge(tr("Exam"), "warn"));
+            head->addWidget(make_badge(tr("Proctor: %1").arg(qstr(launcher.order().exam.proctor))));
+        }
         head->addStretch();
         column->addLayout(head);
         state_ = make_label({}, "muted");
@@ -118,6 +122,10 @@ class RunningPage : public Page {
                                       .arg(device_name(launcher.order().device.toStdString()))
                                 : tr("The fetoscope's window is opening."));
         time_->setText(begun ? format_duration(live.time_s) : "–");
+        // An exam has no read-outs but the time, here neither.
+        const bool exam = !launcher.order().exam.course_id.empty();
+        for (QWidget* part : std::initializer_list<QWidget*>{phase_, physics_, ring_, bar_})
+            part->setVisible(!exam);
         phase_->setText(phaseName(live.phase));
         physics_->setText(live.physics_hz > 0 ? tr("%1 Hz").arg(format_number(live.physics_hz, 0))
                                               : "–");

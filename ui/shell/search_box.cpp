@@ -128,21 +128,24 @@ void SearchBox::readAttempts() {
     auto attempts = std::make_shared<std::vector<db::AttemptRecord>>();
     context_.background(
         this, tr("Reading the attempts"),
-        [attempts, user](db::Store& store) { *attempts = store.attempts(user); },
+        [attempts, user](db::Store& store) {
+            db::AttemptFilter newest;
+            newest.user_id = user;
+            newest.limit = static_cast<int>(kAttempts);
+            *attempts = store.attempt_page(newest).rows;
+        },
         [this, attempts, everybody](bool) {
             reading_ = false;
             std::map<std::string, QString> titles;
-            size_t taken = 0;
-            for (auto each = attempts->rbegin(); each != attempts->rend() && taken < kAttempts;
-                 ++each, ++taken) {
-                QString& title = titles[each->task_id];
-                if (title.isEmpty()) title = task_title(context_, each->task_id);
-                QStringList facts{format_when(each->started_utc), verdict_word(*each),
-                                  tr("%1 points").arg(format_points(each->points)),
-                                  tr("attempt %1").arg(each->id)};
-                if (everybody) facts.prepend(qstr(each->user_name));
+            for (const db::AttemptRecord& each : *attempts) {
+                QString& title = titles[each.task_id];
+                if (title.isEmpty()) title = task_title(context_, each.task_id);
+                QStringList facts{format_when(each.started_utc), verdict_word(each),
+                                  tr("%1 points").arg(format_points(each.points)),
+                                  tr("attempt %1").arg(each.id)};
+                if (everybody) facts.prepend(qstr(each.user_name));
                 all_.push_back(findable(Findable::Kind::kAttempt, title, facts.join(" · "),
-                                        {PageId::kResult, each->id, {}, {}}));
+                                        {PageId::kResult, each.id, {}, {}}));
             }
             refill();
         });

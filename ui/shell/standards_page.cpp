@@ -13,6 +13,8 @@
 
 #include "assessment/standard_setting.h"
 #include "assessment/statistics.h"
+#include "db/norms.h"
+#include "db/standards.h"
 #include "reports/attempt_figures.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -24,11 +26,14 @@ namespace {
 /// Fewer in a group carry no standard.
 constexpr int kFewInGroup = 10;
 constexpr size_t kLastAttempts = 3;
+/// Of one task that are looked at, oldest first: more than any centre has.
+constexpr int kMostAttempts = 100000;
 
 /// Whose score counts once: a person, or a scripted operator that a person had play.
 struct Operator {
     QString name;
     std::vector<double> points;  ///< Oldest first.
+    int64_t user_id = 0;         ///< 0 = a scripted operator: nobody's skill.
     bool demonstration = false;
     /// Mean of the last attempts.
     [[nodiscard]] double value() const {
@@ -42,7 +47,9 @@ class StandardsPage : public Page {
  public:
     StandardsPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
-        all_ = context.store().attempts(0);
+        for (const db::TaskStanding& each : context.store().task_standings(0))
+            if (std::find(known_.begin(), known_.end(), each.task_id) == known_.end())
+                known_.push_back(each.task_id);
         groups_ = place.state.value("groups").toMap();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
@@ -50,9 +57,8 @@ class StandardsPage : public Page {
         tasks_ = new QComboBox;
         tasks_->setObjectName("standard_task");
         tasks_->setAccessibleName(tr("Task"));
-        for (const db::AttemptRecord& each : all_)
-            if (tasks_->findData(qstr(each.task_id)) < 0)
-                tasks_->addItem(task_title(context, each.task_id), qstr(each.task_id));
+        for (const std::string& task : known_)
+            tasks_->addItem(task_title(context, task), qstr(task));
         tasks_->setCurrentIndex(std::max(0, tasks_->findData(place.state.value("task"))));
         head->addWidget(tasks_);
         column->addLayout(head);
@@ -61,7 +67,7 @@ class StandardsPage : public Page {
                "task. Each person counts once, with the mean of the last %1 attempts.")
                 .arg(kLastAttempts),
             "muted"));
-        if (all_.empty()) {
+        if (known_.empty()) {
             column->addWidget(make_label(tr("There are no attempts yet."), "muted"));
             column->addStretch();
             return;
@@ -87,12 +93,18 @@ class StandardsPage : public Page {
         operators_.clear();
         std::map<QString, Operator> found;
         const std::string task = tasks_->currentData().toString().toStdString();
-        for (const db::AttemptRecord& each : all_) {
-            if (each.task_id != task || each.end == sim::EndReason::kInterrupted) continue;
+        db::AttemptFilter filter;
+        filter.task_id = task;
+        filter.newest_first = false;
+        filter.limit = kMostAttempts;
+        for (const db::AttemptRecord& each : context_.store().attempt_page(filter).rows) {
+            if (each.end == sim::EndReason::kInterrupted) continue;
             QString name = qstr(each.user_name);
-            if (each.device.rfind("script:", 0) == 0) name += " · " + device_name(each.device);
+            const bool script = each.device.rfind("script:", 0) == 0;
+            if (script) name += " · " + device_name(each.device);
             Operator& one = found[name];
             one.name = name;
+            one.user_id = script ? 0 : each.user_id;
             one.points.push_back(each.points);
             one.demonstration = one.demonstration || each.demonstration;
         }
@@ -105,6 +117,7 @@ class StandardsPage : public Page {
             if (item->widget()) item->widget()->deleteLater();
             delete item;
         }
+        body_->addWidget(presentCard());
         body_->addWidget(groupsCard());
         result_ = new QVBoxLayout;
         auto* holder = new QWidget;
@@ -112,6 +125,106 @@ class StandardsPage : public Page {
         result_->setContentsMargins(0, 0, 0, 0);
         body_->addWidget(holder);
         showResult();
+    }
+
+    /// What holds today, and since when.
+    QWidget* presentCard() {
+        const std::string task = tasks_->currentData().toString().toStdString();
+        const auto set = db::standard_at(context_.store(), task);
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace4);
+        layout->addWidget(make_label(tr("The standard that holds"), "heading"));
+        QLabel* mark = make_label({});
+        mark->setObjectName("standard_now");
+        layout->addWidget(mark);
+        if (set) {
+            mark->setText(tr("Pass mark %1 points, version %2, set by %3 on %4")
+                              .arg(format_number(set->standard.pass_points, 1))
+                              .arg(set->standard.version)
+                              .arg(qstr(set->set_by), format_when(set->set_utc)));
+            layout->addWidget(make_label(
+                tr("From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 "
+                   "observed. %5")
+                    .arg(set->standard.novice.n)
+                    .arg(set->standard.expert.n)
+                    .arg(percent(set->standard.novice.theoretical_wrong),
+                         percent(set->standard.novice.observed_wrong), qstr(set->reason)),
+                "small"));
+        } else {
+            double pass = 0;
+            const auto problem =
+                context_.problemOf([&] { pass = curriculum::load_task(task).rubric.pass_points; });
+            mark->setText(problem ? problem->title
+                                  : tr("None was set: the task's own pass mark of %1 points holds.")
+                                        .arg(format_points(pass)));
+        }
+        return make_card(layout);
+    }
+
+    [[nodiscard]] static QString percent(double share) {
+        return format_number(100 * share, 0) + " %";
+    }
+
+    /// The mark becomes the task's standard: attempts from now on are judged by it.
+    void addSaving(QVBoxLayout* layout) {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace16);
+        reason_ = new QLineEdit;
+        reason_->setObjectName("standard_reason");
+        row->addLayout(make_field(tr("Reason (needed from the second one on)"), reason_), 1);
+        QPushButton* save = make_button(context_, tr("Set as the standard"), "primary", "check");
+        save->setObjectName("set_standard");
+        connect(save, &QPushButton::clicked, this, [this] { this->save(); });
+        row->addWidget(save, 0, Qt::AlignBottom);
+        layout->addLayout(row);
+        auto* norms = new QHBoxLayout;
+        norms->setSpacing(kSpace16);
+        centre_ = new QLineEdit(context_.settings().value("centre").toString());
+        centre_->setObjectName("centre_name");
+        norms->addLayout(make_field(tr("Name of this centre"), centre_), 1);
+        QPushButton* make =
+            make_button(context_, tr("Make a norm pack of these groups"), "secondary", "norms");
+        make->setObjectName("make_norms");
+        connect(make, &QPushButton::clicked, this, [this] { makeNorms(); });
+        norms->addWidget(make, 0, Qt::AlignBottom);
+        layout->addLayout(norms);
+    }
+
+    void save() {
+        context_.guard(tr("Setting the standard"), [this] {
+            context_.require(db::Action::kSetStandards, db::Scope::kOther);
+            const int version = db::set_standard(
+                context_.store(),
+                db::standard_of_groups(tasks_->currentData().toString().toStdString(), values(1),
+                                       values(2), static_cast<int>(kLastAttempts)),
+                reason_->text().trimmed().toStdString());
+            showTask();
+            Q_EMIT notice(tr("The standard is set (version %1). Attempts from now on are judged by "
+                             "it; earlier ones keep their verdict.")
+                              .arg(version));
+        });
+    }
+
+    void makeNorms() {
+        context_.guard(tr("Making the norm pack"), [this] {
+            context_.require(db::Action::kSetStandards, db::Scope::kOther);
+            std::map<std::string, std::vector<int64_t>> people;
+            for (const Operator& one : operators_) {
+                const int group = groups_.value(one.name).toInt();
+                if (one.user_id != 0 && group > 0)
+                    people[group == 1 ? "novice" : "expert"].push_back(one.user_id);
+            }
+            db::Store& store = context_.store();
+            const std::string task = tasks_->currentData().toString().toStdString();
+            const std::string centre = centre_->text().trimmed().toStdString();
+            context_.settings().setValue("centre", centre_->text().trimmed());
+            db::keep_own_norms(
+                store,
+                db::make_norms(db::level_attempts(store, task, people), centre,
+                               QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(),
+                               curriculum::kLeastNormGroup));
+            Q_EMIT notice(tr("The norm pack is made and signed. It stands on the page Norms."));
+        });
     }
 
     QWidget* groupsCard() {
@@ -202,7 +315,6 @@ class StandardsPage : public Page {
         picture->setObjectName("groups_picture");
         picture->setFixedHeight(290);
         layout->addWidget(picture);
-        const auto percent = [](double share) { return format_number(100 * share, 0) + " %"; };
         QTableWidget* table = make_table({tr("What"), tr("From the curves"), tr("Observed")},
                                          tr("What the pass mark costs"));
         table->setSortingEnabled(false);
@@ -228,13 +340,15 @@ class StandardsPage : public Page {
                 tr("Fewer than %1 people in a group: a first orientation, not a standard.")
                     .arg(kFewInGroup),
                 "warn"));
+        if (context_.may(db::Action::kSetStandards, db::Scope::kOther)) addSaving(layout);
     }
 
-    std::vector<db::AttemptRecord> all_;
+    std::vector<std::string> known_;  ///< Tasks with attempts.
     std::vector<Operator> operators_;
     QVariantMap groups_;  ///< Name of the operator to 0 neither, 1 novice, 2 expert.
     QComboBox* tasks_ = nullptr;
     QVBoxLayout *body_ = nullptr, *result_ = nullptr;
+    QLineEdit *reason_ = nullptr, *centre_ = nullptr;
 };
 
 }  // namespace

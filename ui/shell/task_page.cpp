@@ -6,12 +6,17 @@
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPixmap>
 #include <map>
+#include <set>
 
 #include "curriculum/definitions.h"
+#include "db/course_conduct.h"
+#include "db/standards.h"
 #include "haptics/device.h"
+#include "ui/shell/course_words.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -19,6 +24,12 @@
 
 namespace placode::ui {
 namespace {
+
+/// Arms that push back; the others have no loop that could be certified.
+bool is_haptic(const std::string& device) {
+    return device == "openhaptics" || device == "haply" || device == "avatar" ||
+           device == "forcedimension";
+}
 
 class TaskPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(TaskPage)
@@ -30,6 +41,7 @@ class TaskPage : public Page {
         column->addWidget(make_label(context.in(task_.title), "display"));
         QLabel* goal = make_label(context.in(task_.goal), "muted");
         column->addWidget(goal);
+        readExam(place);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         auto* left = new QVBoxLayout;
@@ -39,6 +51,7 @@ class TaskPage : public Page {
         left->addStretch();
         auto* right = new QVBoxLayout;
         right->setSpacing(kSpace16);
+        if (exam_) right->addWidget(examCard());
         right->addWidget(startCard());
         right->addWidget(controlsCard());
         right->addStretch();
@@ -55,10 +68,98 @@ class TaskPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Task"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"device", devices_->currentData()}};
+        return {{"device", devices_->currentData()},
+                {"exam_course", qstr(course_)},
+                {"exam_stage", exam_ ? qstr(exam_->id) : QString()}};
     }
 
  private:
+    /// Asked for as an exam of a course: the rules stand on the page, the store decides at Start.
+    void readExam(const Place& place) {
+        course_ = place.state.value("exam_course").toString().toStdString();
+        if (course_.empty()) return;
+        standing_ = db::course_standing(context_.store(), context_.user().id, course_, nowUtc());
+        const curriculum::CourseStage* stage =
+            standing_.course.stage(place.state.value("exam_stage").toString().toStdString());
+        if (stage == nullptr || stage->mode != curriculum::StageMode::kExam) return course_.clear();
+        exam_ = *stage;
+        const auto at = static_cast<size_t>(stage - standing_.course.stages.data());
+        left_ = standing_.progress.stages[at].attempts_left;
+    }
+
+    [[nodiscard]] static std::string nowUtc() {
+        return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    }
+
+    QWidget* examCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        auto* head = new QHBoxLayout;
+        head->addWidget(make_label(tr("Exam"), "heading"));
+        head->addWidget(make_badge(context_.in(standing_.course.title), "warn"));
+        head->addStretch();
+        layout->addLayout(head);
+        QLabel* rules = make_label(exam_words(exam_->exam));
+        rules->setObjectName("exam_rules");
+        layout->addWidget(rules);
+        layout->addWidget(make_label(stage_rule_words(*exam_), "small"));
+        if (left_ >= 0) layout->addWidget(make_label(tr("Attempts left: %1").arg(left_), "warn"));
+        if (exam_->exam.proctor) {
+            proctor_ = new QLineEdit;
+            proctor_->setObjectName("proctor_login");
+            proctor_password_ = new QLineEdit;
+            proctor_password_->setObjectName("proctor_password");
+            proctor_password_->setEchoMode(QLineEdit::Password);
+            layout->addLayout(make_field(tr("Proctor: log-in name"), proctor_));
+            layout->addLayout(make_field(tr("Proctor: password"), proctor_password_));
+            layout->addWidget(make_label(
+                tr("An educator or administrator who is present confirms that it may begin."),
+                "small"));
+        }
+        QFrame* card = make_card(layout);
+        card->setObjectName("exam_card");
+        return card;
+    }
+
+    /// Who is present confirms with the own password. Throws kRefused.
+    [[nodiscard]] QString confirmedProctor() {
+        if (proctor_ == nullptr) return {};
+        using db::StoreError;
+        const auto refuse = [](const QString& why) {
+            throw StoreError(StoreError::Kind::kRefused, why.toStdString());
+        };
+        if (proctor_->text().trimmed().isEmpty() || proctor_password_->text().isEmpty())
+            refuse(tr("The exam begins when a proctor has typed name and password."));
+        const db::SignIn found = context_.store().sign_in(proctor_->text().trimmed().toStdString(),
+                                                          proctor_password_->text().toStdString());
+        context_.store().act_as(context_.user().login);  // The trainee is still signed in.
+        proctor_password_->clear();
+        if (found.outcome == db::SignInOutcome::kThrottled)
+            refuse(tr("Too many wrong passwords. Try again in %1 s.").arg(found.wait_s));
+        if (found.outcome != db::SignInOutcome::kOk)
+            refuse(tr("The proctor's name or password is wrong."));
+        if (found.user->id == context_.user().id)
+            refuse(tr("Nobody is the own proctor; ask somebody who is present."));
+        if (!db::has_role(found.user->roles, db::Role::kEducator) &&
+            !db::has_role(found.user->roles, db::Role::kAdministrator))
+            refuse(tr("%1 is neither educator nor administrator and cannot be the proctor.")
+                       .arg(qstr(found.user->display_name)));
+        return qstr(found.user->display_name);
+    }
+
+    void makeExam(AttemptOrder& order) {
+        const std::string device = order.device.toStdString();
+        // The loop of a force device is judged when the attempt is saved; anything else has none.
+        const bool haptic = haptic_.count(order.device) > 0;
+        const db::ExamOrder ready = db::prepare_exam(context_.store(), context_.user().id, course_,
+                                                     exam_->id, confirmedProctor().toStdString(),
+                                                     haptic ? device : std::string(), nowUtc());
+        order.exam = ready.context;
+        order.seed = ready.seed;
+        context_.audit("exam.begin", qstr(course_ + "/" + exam_->id),
+                       tr("proctor %1").arg(qstr(ready.context.proctor)));
+    }
+
     QWidget* stepsCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
@@ -87,10 +188,11 @@ class TaskPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("What is scored"), "heading"));
-        layout->addWidget(make_label(tr("You start with %1 points and pass with %2.")
-                                         .arg(format_points(task_.rubric.start_points))
-                                         .arg(format_points(task_.rubric.pass_points)),
-                                     "muted"));
+        layout->addWidget(
+            make_label(tr("You start with %1 points and pass with %2.")
+                           .arg(format_points(task_.rubric.start_points))
+                           .arg(format_points(db::rubric_at(context_.store(), task_).pass_points)),
+                       "muted"));
         for (const assessment::RubricItem& item : task_.rubric.items) {
             layout->addWidget(make_rule());
             auto* line = new QHBoxLayout;
@@ -147,6 +249,7 @@ class TaskPage : public Page {
             details_[device.name] =
                 QCoreApplication::translate("Device", device.detail.toUtf8().constData());
             devices_->addItem(device_name(device.name.toStdString()), device.name);
+            if (is_haptic(device.name.toStdString())) haptic_.insert(device.name);
             if (device.name == wanted_) devices_->setCurrentIndex(devices_->count() - 1);
         });
         if (!context_.user().demonstration &&
@@ -161,6 +264,7 @@ class TaskPage : public Page {
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Controls"), "heading"));
         controls_ = make_label({});
+        controls_->setObjectName("controls");
         layout->addWidget(controls_);
         return make_card(layout);
     }
@@ -196,6 +300,7 @@ class TaskPage : public Page {
             order.device = devices_->currentData().toString();
             order.started_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
             order.demonstration = context_.user().demonstration;
+            if (exam_) makeExam(order);
             context_.settings().setValue("device", order.device);
             context_.launcher().start(order, context_.recordingsFolder());
             Q_EMIT go({PageId::kRunning, 0, {}, {}});
@@ -203,6 +308,12 @@ class TaskPage : public Page {
     }
 
     curriculum::Task task_;
+    std::string course_;  ///< Of the exam; empty = practice.
+    db::CourseStanding standing_;
+    std::optional<curriculum::CourseStage> exam_;
+    int left_ = -1;
+    std::set<QString> haptic_;
+    QLineEdit *proctor_ = nullptr, *proctor_password_ = nullptr;
     std::map<QString, QString> details_;
     QString wanted_;  // the device of last time, until somebody chooses
     QComboBox* devices_ = nullptr;

@@ -47,8 +47,8 @@ Tokens make_tokens(ThemeKind theme) {
         t.surface = "#FAFAF8", t.raised = "#FFFFFF", t.line = "#E3E2DC";
         t.text = "#1C1E21", t.muted = "#5F666E";
         t.accent = "#0B6E77", t.on_accent = "#FFFFFF", t.accent_soft = "#E4F0F1";
-        t.good = "#2F7D4F", t.good_soft = "#E6F2EA";
-        t.warn = "#A86400", t.warn_soft = "#FBF1DF";
+        t.good = "#2C774B", t.good_soft = "#E6F2EA";
+        t.warn = "#9C5D00", t.warn_soft = "#FBF1DF";
         t.critical = "#B3261E", t.critical_soft = "#FBE9E7";
         t.hover = "#F2F2EE", t.field = "#8C9097";
         return t;
@@ -114,12 +114,12 @@ QPushButton[role="quiet"]:hover, QToolButton:hover { background: @hover@; }
 QToolButton[role="rail"] { text-align: left; padding: 0 12px; color: @muted@; }
 QToolButton[role="rail"]:checked { background: @accent_soft@; color: @accent@; }
 QToolButton::menu-indicator { image: none; }
-QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QPlainTextEdit { background: @raised@; border: 1px solid @field@; border-radius: 8px; padding: 0 12px; min-height: 42px; selection-background-color: @accent@; selection-color: @on_accent@; }
-QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QPlainTextEdit:focus { border: 2px solid @accent@; padding: 0 11px; }
+QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QDateEdit, QPlainTextEdit { background: @raised@; border: 1px solid @field@; border-radius: 8px; padding: 0 12px; min-height: 42px; selection-background-color: @accent@; selection-color: @on_accent@; }
+QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QDateEdit:focus, QPlainTextEdit:focus { border: 2px solid @accent@; padding: 0 11px; }
 QLineEdit:disabled, QComboBox:disabled { color: @muted@; background: @surface@; }
 QLineEdit[tone="critical"] { border: 2px solid @critical@; }
-QComboBox::drop-down { border: none; width: 32px; }
-QComboBox::down-arrow { image: url(@chevron@); width: 16px; height: 16px; }
+QComboBox::drop-down, QDateEdit::drop-down { border: none; width: 32px; }
+QComboBox::down-arrow, QDateEdit::down-arrow { image: url(@chevron@); width: 16px; height: 16px; }
 QComboBox QAbstractItemView { background: @raised@; border: 1px solid @line@; selection-background-color: @accent_soft@; selection-color: @text@; padding: 4px; }
 QComboBox QAbstractItemView::item { min-height: 36px; padding: 0 8px; }
 QCheckBox, QRadioButton { spacing: 8px; min-height: 44px; background: transparent; }

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 
+#include "db/standards.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -60,8 +61,9 @@ class TodayPage : public Page {
             layout->addWidget(make_label(training_.taskTitle(context_, stage->task_id), "title"));
             layout->addWidget(make_label(context_.in(training_.next.reason), "muted"));
             open = make_button(context_, tr("Open the task"), "primary", "play");
-            connect(open, &QPushButton::clicked, this, [this, id] {
-                Q_EMIT go({PageId::kTask, 0, id, {}});
+            const QVariantMap state = task_state(training_.course, stage->rule);
+            connect(open, &QPushButton::clicked, this, [this, id, state] {
+                Q_EMIT go({PageId::kTask, 0, id, state});
             });
         }
         open->setObjectName("open_next");
@@ -144,7 +146,8 @@ class TodayPage : public Page {
         }
         double pass = 70;
         for (const TrainingStage& stage : training_.stages) {
-            if (stage.task_id == task && stage.task) pass = stage.task->rubric.pass_points;
+            if (stage.task_id == task && stage.task)
+                pass = db::rubric_at(context_.store(), *stage.task).pass_points;
         }
         auto* layout = new QVBoxLayout;
         const QString name = tr("Scores of %1").arg(training_.taskTitle(context_, task));

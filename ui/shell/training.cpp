@@ -43,6 +43,8 @@ Training load_training(AppContext& context) {
     training.next = std::move(standing.next);
     training.next_stage = training.next.stage;
     const curriculum::CourseProgress& progress = standing.progress;
+    training.mastered = progress.mastered;
+    training.certificate = standing.certificate;
     for (size_t i = 0; i < training.course.stages.size(); ++i) {
         TrainingStage stage;
         stage.rule = training.course.stages[i];
@@ -55,10 +57,16 @@ Training load_training(AppContext& context) {
     return training;
 }
 
+QVariantMap task_state(const curriculum::Course& course, const curriculum::CourseStage& stage) {
+    if (stage.mode != curriculum::StageMode::kExam) return {};
+    return {{"exam_course", QString::fromStdString(course.id)},
+            {"exam_stage", QString::fromStdString(stage.id)}};
+}
+
 QString task_title(AppContext& context, const std::string& task_id) {
     QString title = QString::fromStdString(task_id);
     // A history may hold tasks that no longer ship: their id is title enough.
-    (void)context.problemOf([&] { title = context.in(curriculum::load_task(task_id).title); });
+    (void)context.problemOf([&] { title = context.in(curriculum::load_task_title(task_id)); });
     return title;
 }
 

@@ -4,6 +4,7 @@
 // Where a trainee stands: the course, what the attempts so far have opened, and what is next.
 // Read by the pages Today, Course and Task.
 
+#include <QVariantMap>
 #include <optional>
 #include <vector>
 
@@ -26,16 +27,23 @@ struct Training {
     std::vector<TrainingStage> stages;
     int next_stage = -1;        ///< -1 = nothing to do now; `next` says why.
     curriculum::NextStep next;  ///< What is next and why.
+    bool mastered = false;      ///< Every stage.
+    std::optional<db::CertificateRecord> certificate;
     std::vector<db::AttemptRecord> attempts;  ///< Own, oldest first.
     /// Title of a task in the user's language; its id when the task cannot be loaded.
     [[nodiscard]] QString taskTitle(const AppContext& context, const std::string& task_id) const;
 };
 
-/// Courses by id, the one chosen last first, then assigned ones by due date, then all others. Throws DefinitionError when there is none.
+/// Courses by id, the one chosen last first, then assigned ones by due date, then all others.
+/// Throws DefinitionError when there is none.
 [[nodiscard]] std::vector<std::string> course_ids(AppContext& context);
 
 /// Throws DefinitionError (course) and StoreError.
 [[nodiscard]] Training load_training(AppContext& context);
+
+/// What the task page must know to open this stage: an exam is asked for as one.
+[[nodiscard]] QVariantMap task_state(const curriculum::Course& course,
+                                     const curriculum::CourseStage& stage);
 
 /// Title of any task, also outside the course.
 [[nodiscard]] QString task_title(AppContext& context, const std::string& task_id);

@@ -55,6 +55,98 @@
         <source>The password was changed.</source>
         <translation>Hasło zostało zmienione.</translation>
     </message>
+    <message>
+        <source>PIN for a quick return</source>
+        <translation>PIN do szybkiego powrotu</translation>
+    </message>
+    <message>
+        <source>At a station where you signed in with your password within the last %1 hours, the PIN is enough to come back. Four to twelve digits; after three wrong ones the password is needed.</source>
+        <translation>Na stanowisku, na którym w ciągu ostatnich %1 godzin zalogowano się hasłem, do powrotu wystarczy PIN. Od czterech do dwunastu cyfr; po trzech błędnych potrzebne jest hasło.</translation>
+    </message>
+    <message>
+        <source>New PIN</source>
+        <translation>Nowy PIN</translation>
+    </message>
+    <message>
+        <source>Set the PIN</source>
+        <translation>Ustaw PIN</translation>
+    </message>
+    <message>
+        <source>Remove the PIN</source>
+        <translation>Usuń PIN</translation>
+    </message>
+    <message>
+        <source>Setting the PIN</source>
+        <translation>Ustawianie kodu PIN</translation>
+    </message>
+    <message>
+        <source>Type four to twelve digits.</source>
+        <translation>Wpisz od czterech do dwunastu cyfr.</translation>
+    </message>
+    <message>
+        <source>The PIN is gone.</source>
+        <translation>PIN został usunięty.</translation>
+    </message>
+    <message>
+        <source>The PIN is set.</source>
+        <translation>PIN jest ustawiony.</translation>
+    </message>
+    <message>
+        <source>My data</source>
+        <translation>Moje dane</translation>
+    </message>
+    <message>
+        <source>Everything that is kept about you, as a file that any program can read: account, groups, courses, certificates, attempts with metrics, reasons and remarks.</source>
+        <translation>Wszystko, co jest o Tobie przechowywane, jako plik czytelny dla każdego programu: konto, grupy, kursy, certyfikaty, próby z miarami, uzasadnieniami i uwagami.</translation>
+    </message>
+    <message>
+        <source>With the recordings of all attempts</source>
+        <translation>Z nagraniami wszystkich prób</translation>
+    </message>
+    <message>
+        <source>Save my data</source>
+        <translation>Zapisz moje dane</translation>
+    </message>
+    <message>
+        <source>Saving my data</source>
+        <translation>Zapisywanie moich danych</translation>
+    </message>
+    <message>
+        <source>Your data is in %1: attempts %2, recordings %3.</source>
+        <translation>Twoje dane są w %1: próby %2, nagrania %3.</translation>
+    </message>
+    <message>
+        <source>Erase me</source>
+        <translation>Usuń mnie</translation>
+    </message>
+    <message>
+        <source>Reason, if you like</source>
+        <translation>Powód, jeśli chcesz</translation>
+    </message>
+    <message>
+        <source>Ask to be erased</source>
+        <translation>Poproś o usunięcie</translation>
+    </message>
+    <message>
+        <source>An administrator then removes your name, log-in, groups and certificates. Save your data before.</source>
+        <translation>Administrator usunie wtedy imię i nazwisko, login, grupy i certyfikaty. Najpierw zapisz swoje dane.</translation>
+    </message>
+    <message>
+        <source>You asked on %1. An administrator carries it out.</source>
+        <translation>Prośba z %1. Wykona ją administrator.</translation>
+    </message>
+    <message>
+        <source>Ask to be erased?</source>
+        <translation>Poprosić o usunięcie?</translation>
+    </message>
+    <message>
+        <source>Once an administrator has done it, it cannot be undone.</source>
+        <translation>Gdy administrator to wykona, nie będzie można tego cofnąć.</translation>
+    </message>
+    <message>
+        <source>Asking to be erased</source>
+        <translation>Prośba o usunięcie</translation>
+    </message>
 </context>
 <context>
     <name>AttemptsPage</name>
@@ -93,6 +185,22 @@
     <message>
         <source>Shown: %1 of %2</source>
         <translation>Pokazano: %1 z %2</translation>
+    </message>
+    <message>
+        <source>Newer</source>
+        <translation>Nowsze</translation>
+    </message>
+    <message>
+        <source>Older</source>
+        <translation>Starsze</translation>
+    </message>
+    <message>
+        <source>There is no such attempt.</source>
+        <translation>Nie ma takiej próby.</translation>
+    </message>
+    <message>
+        <source>Shown: %1 to %2 of %3</source>
+        <translation>Pokazano: %1 do %2 z %3</translation>
     </message>
 </context>
 <context>
@@ -306,6 +414,10 @@
     <message>
         <source>Cohort written: %1</source>
         <translation>Zapisano grupę: %1</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numer %1</translation>
     </message>
 </context>
 <context>
@@ -591,6 +703,50 @@
     <message>
         <source>Begin</source>
         <translation>Rozpocznij</translation>
+    </message>
+    <message>
+        <source>The course is mastered</source>
+        <translation>Kurs jest zaliczony</translation>
+    </message>
+    <message>
+        <source>Certificate %1, mastered on %2</source>
+        <translation>Certyfikat %1, zaliczono %2</translation>
+    </message>
+    <message>
+        <source>Your certificate is ready to be issued.</source>
+        <translation>Certyfikat jest gotowy do wydania.</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Certyfikat</translation>
+    </message>
+    <message>
+        <source>Write the certificate</source>
+        <translation>Zapisz certyfikat</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Writing the certificate</source>
+        <translation>Zapisywanie certyfikatu</translation>
+    </message>
+    <message>
+        <source>Certificate written: %1</source>
+        <translation>Zapisano certyfikat: %1</translation>
+    </message>
+    <message>
+        <source>To the exam</source>
+        <translation>Do egzaminu</translation>
+    </message>
+    <message>
+        <source>All attempts used</source>
+        <translation>Wykorzystano wszystkie próby</translation>
+    </message>
+    <message>
+        <source> · left: %1</source>
+        <translation> · pozostało: %1</translation>
     </message>
 </context>
 <context>
@@ -928,6 +1084,34 @@
         <source>Enter or double click opens the result.</source>
         <translation>Enter lub dwukrotne kliknięcie otwiera wynik.</translation>
     </message>
+    <message>
+        <source>Learning curve</source>
+        <translation>Krzywa uczenia</translation>
+    </message>
+    <message>
+        <source>The curve approaches %1 points; 95 % of the gain is reached after about %2 attempts. %3</source>
+        <translation>Krzywa zbliża się do %1 pkt; 95 % postępu zostaje osiągnięte po około %2 próbach. %3</translation>
+    </message>
+    <message>
+        <source>You are on the plateau.</source>
+        <translation>Osiągnięto plateau.</translation>
+    </message>
+    <message>
+        <source>There is still gain to come.</source>
+        <translation>Możliwy jest dalszy postęp.</translation>
+    </message>
+    <message>
+        <source>No curve fits yet: the scores go up and down without a trend.</source>
+        <translation>Żadna krzywa jeszcze nie pasuje: wyniki rosną i spadają bez trendu.</translation>
+    </message>
+    <message>
+        <source>Learning curve and CUSUM</source>
+        <translation>Krzywa uczenia i CUSUM</translation>
+    </message>
+    <message>
+        <source>Below: CUSUM of attempts that were not passed. Above the upper limit performance is not acceptable, below the lower one it is (Bolsin and Colson 2000).</source>
+        <translation>Poniżej: CUSUM niezaliczonych prób. Powyżej górnej granicy poziom jest nieakceptowalny, poniżej dolnej akceptowalny (Bolsin i Colson 2000).</translation>
+    </message>
 </context>
 <context>
     <name>Ledger</name>
@@ -1072,6 +1256,22 @@
     <message>
         <source>Too many wrong passwords. Try again in %1 s.</source>
         <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
+    </message>
+    <message>
+        <source>Your PIN is enough here: you signed in not long ago.</source>
+        <translation>Tu wystarczy PIN: logowanie było niedawno.</translation>
+    </message>
+    <message>
+        <source>I have an invitation</source>
+        <translation>Mam zaproszenie</translation>
+    </message>
+    <message>
+        <source>The PIN is wrong. Try again, or type your password.</source>
+        <translation>PIN jest błędny. Spróbuj ponownie lub wpisz hasło.</translation>
+    </message>
+    <message>
+        <source>Three wrong PINs: type your password.</source>
+        <translation>Trzy błędne kody PIN: wpisz hasło.</translation>
     </message>
 </context>
 <context>
@@ -1752,6 +1952,14 @@
     <message>
         <source>Changing the account</source>
         <translation>Zmiana konta</translation>
+    </message>
+    <message>
+        <source>Invitations, lists, requests</source>
+        <translation>Zaproszenia, listy, prośby</translation>
+    </message>
+    <message>
+        <source>Invitations, lists, requests (%1 waiting)</source>
+        <translation>Zaproszenia, listy, prośby (czeka: %1)</translation>
     </message>
 </context>
 <context>
@@ -2556,6 +2764,38 @@
         <source>Haptic certificate: sound.</source>
         <translation>Certyfikat haptyczny: w porządku.</translation>
     </message>
+    <message>
+        <source>mean %1, SD %2, from %3 to %4, n = %5</source>
+        <translation>średnia %1, SD %2, od %3 do %4, n = %5</translation>
+    </message>
+    <message>
+        <source>Expert band</source>
+        <translation>Pasmo ekspertów</translation>
+    </message>
+    <message>
+        <source>Novice band</source>
+        <translation>Pasmo nowicjuszy</translation>
+    </message>
+    <message>
+        <source>Band: %1</source>
+        <translation>Pasmo: %1</translation>
+    </message>
+    <message>
+        <source>Bands of experts and novices: norm pack of %1, %2.</source>
+        <translation>Pasma ekspertów i nowicjuszy: pakiet norm %1, %2.</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Porównaj</translation>
+    </message>
+    <message>
+        <source>See this attempt beside another one</source>
+        <translation>Zobacz tę próbę obok innej</translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
@@ -2638,6 +2878,14 @@
     <message>
         <source>The recording lost entries: %1.</source>
         <translation>Nagranie straciło wpisy: %1.</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Proctor: %1</source>
+        <translation>Nadzór: %1</translation>
     </message>
 </context>
 <context>
@@ -2832,6 +3080,54 @@
     <message>
         <source>Fewer than %1 people in a group: a first orientation, not a standard.</source>
         <translation>Mniej osób w grupie niż %1: wstępna orientacja, nie próg.</translation>
+    </message>
+    <message>
+        <source>The standard that holds</source>
+        <translation>Obowiązujący standard</translation>
+    </message>
+    <message>
+        <source>Pass mark %1 points, version %2, set by %3 on %4</source>
+        <translation>Próg zaliczenia %1 pkt, wersja %2, ustalił(a) %3, %4</translation>
+    </message>
+    <message>
+        <source>From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 observed. %5</source>
+        <translation>Z %1 nowicjuszy i %2 ekspertów; nowicjusze powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
+    </message>
+    <message>
+        <source>None was set: the task&apos;s own pass mark of %1 points holds.</source>
+        <translation>Nie ustalono: obowiązuje własny próg zadania, %1 pkt.</translation>
+    </message>
+    <message>
+        <source>Reason (needed from the second one on)</source>
+        <translation>Powód (wymagany od drugiego)</translation>
+    </message>
+    <message>
+        <source>Set as the standard</source>
+        <translation>Ustal jako standard</translation>
+    </message>
+    <message>
+        <source>Name of this centre</source>
+        <translation>Nazwa tego ośrodka</translation>
+    </message>
+    <message>
+        <source>Make a norm pack of these groups</source>
+        <translation>Utwórz pakiet norm z tych grup</translation>
+    </message>
+    <message>
+        <source>Setting the standard</source>
+        <translation>Ustalanie standardu</translation>
+    </message>
+    <message>
+        <source>The standard is set (version %1). Attempts from now on are judged by it; earlier ones keep their verdict.</source>
+        <translation>Standard ustalony (wersja %1). Według niego oceniane są próby od teraz; wcześniejsze zachowują ocenę.</translation>
+    </message>
+    <message>
+        <source>Making the norm pack</source>
+        <translation>Tworzenie pakietu norm</translation>
+    </message>
+    <message>
+        <source>The norm pack is made and signed. It stands on the page Norms.</source>
+        <translation>Pakiet norm utworzono i podpisano. Jest na stronie Normy.</translation>
     </message>
 </context>
 <context>
@@ -3109,6 +3405,50 @@
     <message>
         <source>F1 in the window shows them again, Escape pauses.</source>
         <translation>F1 w oknie pokazuje je ponownie, Escape wstrzymuje.</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Attempts left: %1</source>
+        <translation>Pozostało prób: %1</translation>
+    </message>
+    <message>
+        <source>Proctor: log-in name</source>
+        <translation>Nadzór: login</translation>
+    </message>
+    <message>
+        <source>Proctor: password</source>
+        <translation>Nadzór: hasło</translation>
+    </message>
+    <message>
+        <source>An educator or administrator who is present confirms that it may begin.</source>
+        <translation>Obecny edukator lub administrator potwierdza rozpoczęcie.</translation>
+    </message>
+    <message>
+        <source>The exam begins when a proctor has typed name and password.</source>
+        <translation>Egzamin zaczyna się, gdy osoba nadzorująca wpisze login i hasło.</translation>
+    </message>
+    <message>
+        <source>Too many wrong passwords. Try again in %1 s.</source>
+        <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
+    </message>
+    <message>
+        <source>The proctor&apos;s name or password is wrong.</source>
+        <translation>Login lub hasło osoby nadzorującej jest błędne.</translation>
+    </message>
+    <message>
+        <source>Nobody is the own proctor; ask somebody who is present.</source>
+        <translation>Nikt nie nadzoruje sam siebie; poproś kogoś obecnego.</translation>
+    </message>
+    <message>
+        <source>%1 is neither educator nor administrator and cannot be the proctor.</source>
+        <translation>%1 nie jest edukatorem ani administratorem i nie może nadzorować.</translation>
+    </message>
+    <message>
+        <source>proctor %1</source>
+        <translation>nadzór %1</translation>
     </message>
 </context>
 <context>
@@ -3651,6 +3991,22 @@
     <message>
         <source>Protocols</source>
         <translation>Protokoły</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kursy</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>Norms</source>
+        <translation>Normy</translation>
+    </message>
+    <message>
+        <source>Locked after a time without a touch. Come back where you were.</source>
+        <translation>Zablokowano po czasie bezczynności. Wrócisz tam, gdzie praca została przerwana.</translation>
     </message>
 </context>
 <context>
@@ -4941,6 +5297,1000 @@
     <message>
         <source>%1 files written: %2</source>
         <translation>Zapisane pliki: %1, w %2</translation>
+    </message>
+</context>
+<context>
+    <name>AdmissionsPage</name>
+    <message>
+        <source>Invitations and requests</source>
+        <translation>Zaproszenia i prośby</translation>
+    </message>
+    <message>
+        <source>Invite somebody</source>
+        <translation>Zaproś kogoś</translation>
+    </message>
+    <message>
+        <source>For whom</source>
+        <translation>Dla kogo</translation>
+    </message>
+    <message>
+        <source>As</source>
+        <translation>Jako</translation>
+    </message>
+    <message>
+        <source>no group</source>
+        <translation>bez grupy</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Last day</source>
+        <translation>Ostatni dzień</translation>
+    </message>
+    <message>
+        <source>Make a code</source>
+        <translation>Utwórz kod</translation>
+    </message>
+    <message>
+        <source>Code of the invitation</source>
+        <translation>Kod zaproszenia</translation>
+    </message>
+    <message>
+        <source>The code is shown once: hand it over now. It works once, until its last day.</source>
+        <translation>Kod jest pokazywany tylko raz: przekaż go teraz. Działa jeden raz, do ostatniego dnia.</translation>
+    </message>
+    <message>
+        <source>Made by</source>
+        <translation>Utworzył</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Użyto</translation>
+    </message>
+    <message>
+        <source>Invitations</source>
+        <translation>Zaproszenia</translation>
+    </message>
+    <message>
+        <source>Inviting somebody</source>
+        <translation>Zapraszanie</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>jeszcze nie</translation>
+    </message>
+    <message>
+        <source>Take in a list</source>
+        <translation>Wczytaj listę</translation>
+    </message>
+    <message>
+        <source>A CSV file with the columns login, name and, if wanted, roles (separated by ;), group and password. The whole file is checked before the first account is made. Passwords that are missing are made and written into a file of your choice.</source>
+        <translation>Plik CSV z kolumnami login, name oraz opcjonalnie roles (rozdzielone znakiem ;), group i password. Cały plik jest sprawdzany, zanim powstanie pierwsze konto. Brakujące hasła są tworzone i zapisywane w wybranym pliku.</translation>
+    </message>
+    <message>
+        <source>Choose the file</source>
+        <translation>Wybierz plik</translation>
+    </message>
+    <message>
+        <source>Taking in the list</source>
+        <translation>Wczytywanie listy</translation>
+    </message>
+    <message>
+        <source>Passwords that were made</source>
+        <translation>Utworzone hasła</translation>
+    </message>
+    <message>
+        <source>Added people: %1.</source>
+        <translation>Dodane osoby: %1.</translation>
+    </message>
+    <message>
+        <source>Who asks to be erased</source>
+        <translation>Kto prosi o usunięcie</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Asked</source>
+        <translation>Prośba z</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>The attempts go as well (else they stay, nameless)</source>
+        <translation>Usuń także próby (inaczej zostają bez nazwiska)</translation>
+    </message>
+    <message>
+        <source>Nobody has asked.</source>
+        <translation>Nikt nie prosił.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numer %1</translation>
+    </message>
+    <message>
+        <source>waits</source>
+        <translation>czeka</translation>
+    </message>
+    <message>
+        <source>erased %1</source>
+        <translation>usunięto %1</translation>
+    </message>
+    <message>
+        <source>Erase</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Erase %1</source>
+        <translation>Usuń: %1</translation>
+    </message>
+    <message>
+        <source>Erase %1 for good?</source>
+        <translation>Usunąć na zawsze: %1?</translation>
+    </message>
+    <message>
+        <source>Name, log-in, groups, certificates and all attempts go. This cannot be undone.</source>
+        <translation>Znikną imię i nazwisko, login, grupy, certyfikaty i wszystkie próby. Nie można tego cofnąć.</translation>
+    </message>
+    <message>
+        <source>Name, log-in, groups and certificates go; attempts stay without a name. This cannot be undone.</source>
+        <translation>Znikną imię i nazwisko, login, grupy i certyfikaty; próby zostaną bez nazwiska. Nie można tego cofnąć.</translation>
+    </message>
+    <message>
+        <source>Erasing the person</source>
+        <translation>Usuwanie osoby</translation>
+    </message>
+    <message>
+        <source>%1 was erased.</source>
+        <translation>Usunięto: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>AssignCard</name>
+    <message>
+        <source>Assignments</source>
+        <translation>Przydziały</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Komu</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Od</translation>
+    </message>
+    <message>
+        <source>Due</source>
+        <translation>Do</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Nobody has this course yet. Choose a person or a group above.</source>
+        <translation>Nikt jeszcze nie ma tego kursu. Wybierz powyżej osobę lub grupę.</translation>
+    </message>
+    <message>
+        <source>Person or group</source>
+        <translation>Osoba lub grupa</translation>
+    </message>
+    <message>
+        <source>has an end</source>
+        <translation>ma koniec</translation>
+    </message>
+    <message>
+        <source>Assign</source>
+        <translation>Przydziel</translation>
+    </message>
+    <message>
+        <source>Group %1</source>
+        <translation>Grupa %1</translation>
+    </message>
+    <message>
+        <source>Assigning the course</source>
+        <translation>Przydzielanie kursu</translation>
+    </message>
+    <message>
+        <source>There is nobody called &quot;%1&quot; whom you may assign a course; choose one of the list.</source>
+        <translation>Nie ma nikogo o nazwie „%1”, komu możesz przydzielić kurs; wybierz z listy.</translation>
+    </message>
+    <message>
+        <source>Assigned to %1.</source>
+        <translation>Przydzielono: %1.</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>obowiązuje</translation>
+    </message>
+    <message>
+        <source>ended %1</source>
+        <translation>zakończony %1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Zakończ</translation>
+    </message>
+    <message>
+        <source>End the assignment to %1</source>
+        <translation>Zakończ przydział: %1</translation>
+    </message>
+    <message>
+        <source>End the assignment?</source>
+        <translation>Zakończyć przydział?</translation>
+    </message>
+    <message>
+        <source>%1 is no longer asked to do the course. Attempts and certificates stay.</source>
+        <translation>%1: kurs nie będzie już wymagany. Próby i certyfikaty zostają.</translation>
+    </message>
+    <message>
+        <source>Ending the assignment</source>
+        <translation>Kończenie przydziału</translation>
+    </message>
+    <message>
+        <source>The assignment has ended.</source>
+        <translation>Przydział został zakończony.</translation>
+    </message>
+</context>
+<context>
+    <name>ComparePage</name>
+    <message>
+        <source>Compare</source>
+        <translation>Porównaj</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Porównaj z</translation>
+    </message>
+    <message>
+        <source>Back to the result</source>
+        <translation>Wróć do wyniku</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 points</source>
+        <translation>%1 · %2 · %3 pkt</translation>
+    </message>
+    <message>
+        <source>There is no other attempt at this task yet. After the next one they can be compared.</source>
+        <translation>Nie ma jeszcze innej próby tego zadania. Po następnej będzie można je porównać.</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 pkt</translation>
+    </message>
+    <message>
+        <source>No points were lost</source>
+        <translation>Nie stracono punktów</translation>
+    </message>
+    <message>
+        <source>Measures</source>
+        <translation>Miary</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Miara</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Jednostka</translation>
+    </message>
+    <message>
+        <source>This one</source>
+        <translation>Ta próba</translation>
+    </message>
+    <message>
+        <source>The other</source>
+        <translation>Druga</translation>
+    </message>
+    <message>
+        <source>Better</source>
+        <translation>Lepsza</translation>
+    </message>
+    <message>
+        <source>◀ this one</source>
+        <translation>◀ ta próba</translation>
+    </message>
+    <message>
+        <source>the other ▶</source>
+        <translation>druga ▶</translation>
+    </message>
+    <message>
+        <source>Reading the recordings …</source>
+        <translation>Czytanie nagrań …</translation>
+    </message>
+    <message>
+        <source>Reading the recordings</source>
+        <translation>Czytanie nagrań</translation>
+    </message>
+    <message>
+        <source>A recording cannot be shown.</source>
+        <translation>Nagrania nie można pokazać.</translation>
+    </message>
+    <message>
+        <source>Way of the instruments from above</source>
+        <translation>Tor narzędzi z góry</translation>
+    </message>
+    <message>
+        <source>Time lines, and ways from above</source>
+        <translation>Osie czasu i tory z góry</translation>
+    </message>
+    <message>
+        <source>Watch both</source>
+        <translation>Obejrzyj obie</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>As operated</source>
+        <translation>Jak operowano</translation>
+    </message>
+    <message>
+        <source>From above</source>
+        <translation>Z góry</translation>
+    </message>
+    <message>
+        <source>From the left</source>
+        <translation>Z lewej</translation>
+    </message>
+    <message>
+        <source>From the feet</source>
+        <translation>Od stóp</translation>
+    </message>
+    <message>
+        <source>Near the tip</source>
+        <translation>Przy końcówce</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Prędkość</translation>
+    </message>
+    <message>
+        <source>Speed %1×</source>
+        <translation>Prędkość %1×</translation>
+    </message>
+    <message>
+        <source>Close the windows</source>
+        <translation>Zamknij okna</translation>
+    </message>
+    <message>
+        <source>Moment of this one</source>
+        <translation>Chwila tej próby</translation>
+    </message>
+    <message>
+        <source>Moment of the other</source>
+        <translation>Chwila drugiej</translation>
+    </message>
+    <message>
+        <source>Both are simulated again exactly, each in a window of its own; camera, speed, pause and jumps on either time line act on both.</source>
+        <translation>Obie są dokładnie symulowane od nowa, każda w swoim oknie; kamera, prędkość, pauza i skoki na każdej z osi czasu działają na obie.</translation>
+    </message>
+    <message>
+        <source>A replay ended with a problem.</source>
+        <translation>Odtwarzanie zakończyło się problemem.</translation>
+    </message>
+    <message>
+        <source>The recording and its score are untouched.</source>
+        <translation>Nagranie i wynik pozostały nienaruszone.</translation>
+    </message>
+    <message>
+        <source>Starting the replays</source>
+        <translation>Uruchamianie odtwarzania</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pauza</translation>
+    </message>
+</context>
+<context>
+    <name>CourseEditorPage</name>
+    <message>
+        <source>Course editor</source>
+        <translation>Edytor kursu</translation>
+    </message>
+    <message>
+        <source>Leave the course unpublished?</source>
+        <translation>Zostawić kurs nieopublikowany?</translation>
+    </message>
+    <message>
+        <source>What you changed since it was opened or exported is lost.</source>
+        <translation>Zmiany od otwarcia lub eksportu zostaną utracone.</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Wyjdź</translation>
+    </message>
+    <message>
+        <source>New course</source>
+        <translation>Nowy kurs</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Cofnij</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Ponów</translation>
+    </message>
+    <message>
+        <source>Export as a file</source>
+        <translation>Eksportuj do pliku</translation>
+    </message>
+    <message>
+        <source>Title, English</source>
+        <translation>Tytuł, angielski</translation>
+    </message>
+    <message>
+        <source>Title, Polish</source>
+        <translation>Tytuł, polski</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identyfikator</translation>
+    </message>
+    <message>
+        <source>Description, English</source>
+        <translation>Opis, angielski</translation>
+    </message>
+    <message>
+        <source>Description, Polish</source>
+        <translation>Opis, polski</translation>
+    </message>
+    <message>
+        <source>Stages in order</source>
+        <translation>Etapy po kolei</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Dodaj</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>W górę</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>W dół</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Usuń</translation>
+    </message>
+    <message>
+        <source>Preview: the first day of a trainee</source>
+        <translation>Podgląd: pierwszy dzień kursanta</translation>
+    </message>
+    <message>
+        <source>What changed, and why</source>
+        <translation>Co się zmieniło i dlaczego</translation>
+    </message>
+    <message>
+        <source>Reason (needed from version 2 on)</source>
+        <translation>Powód (wymagany od wersji 2)</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>otwarty</translation>
+    </message>
+    <message>
+        <source>opens when mastered: %1</source>
+        <translation>otwiera się po zaliczeniu: %1</translation>
+    </message>
+    <message>
+        <source>Publish version %1</source>
+        <translation>Opublikuj wersję %1</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Jeszcze nie: %1</translation>
+    </message>
+    <message>
+        <source>Not yet: give the reason of the change.</source>
+        <translation>Jeszcze nie: podaj powód zmiany.</translation>
+    </message>
+    <message>
+        <source>Sound. A published version is never changed; a change is the next one.</source>
+        <translation>Poprawny. Opublikowana wersja nigdy się nie zmienia; zmiana to następna wersja.</translation>
+    </message>
+    <message>
+        <source>stage %1: %2</source>
+        <translation>etap %1: %2</translation>
+    </message>
+    <message>
+        <source>Publishing the course</source>
+        <translation>Publikowanie kursu</translation>
+    </message>
+    <message>
+        <source>%1, version %2, is published. Assign it to people or groups.</source>
+        <translation>%1, wersja %2: opublikowano. Przydziel kurs osobom lub grupom.</translation>
+    </message>
+    <message>
+        <source>Export the course</source>
+        <translation>Eksport kursu</translation>
+    </message>
+    <message>
+        <source>Exporting the course</source>
+        <translation>Eksportowanie kursu</translation>
+    </message>
+    <message>
+        <source>Course written: %1</source>
+        <translation>Zapisano kurs: %1</translation>
+    </message>
+</context>
+<context>
+    <name>CourseWords</name>
+    <message>
+        <source>Familiarisation</source>
+        <translation>Zapoznanie</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Counts whatever the score</source>
+        <translation>Liczy się niezależnie od wyniku</translation>
+    </message>
+    <message>
+        <source>Benchmark %1 points, %2 times in a row</source>
+        <translation>Próg %1 pkt, %2 razy z rzędu</translation>
+    </message>
+    <message>
+        <source>attempts at most: %1</source>
+        <translation>najwyżej prób: %1</translation>
+    </message>
+    <message>
+        <source>to be refreshed after %1 days</source>
+        <translation>do odświeżenia po %1 dniach</translation>
+    </message>
+    <message>
+        <source>No help, no planned line, no read-outs but the time</source>
+        <translation>Bez pomocy, bez planowanej linii, bez wskaźników poza czasem</translation>
+    </message>
+    <message>
+        <source>fixed cases, one after the other: %1</source>
+        <translation>ustalone przypadki, jeden po drugim: %1</translation>
+    </message>
+    <message>
+        <source>a proctor confirms that the exam may begin</source>
+        <translation>osoba nadzorująca potwierdza rozpoczęcie</translation>
+    </message>
+    <message>
+        <source>only on a haptic device, whose loop must stay sound</source>
+        <translation>tylko na urządzeniu haptycznym, którego pętla musi pozostać sprawna</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no id: use letters, digits, _ . and - only.</source>
+        <translation>„%1” nie jest identyfikatorem: używaj tylko liter, cyfr, _ . i -.</translation>
+    </message>
+    <message>
+        <source>The English title is missing.</source>
+        <translation>Brakuje angielskiego tytułu.</translation>
+    </message>
+    <message>
+        <source>A course has 1 to 100 stages. Add one.</source>
+        <translation>Kurs ma od 1 do 100 etapów. Dodaj etap.</translation>
+    </message>
+    <message>
+        <source>There is no task &quot;%1&quot;. Choose one of the list.</source>
+        <translation>Nie ma zadania „%1”. Wybierz z listy.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the id of another stage already.</source>
+        <translation>„%1” jest już identyfikatorem innego etapu.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an earlier stage.</source>
+        <translation>„%1” nie jest wcześniejszym etapem.</translation>
+    </message>
+    <message>
+        <source>A benchmark is 0 to 100 points.</source>
+        <translation>Próg to od 0 do 100 punktów.</translation>
+    </message>
+    <message>
+        <source>In a row: 1 to 20 times.</source>
+        <translation>Z rzędu: od 1 do 20 razy.</translation>
+    </message>
+    <message>
+        <source>%1 attempts are fewer than what is wanted in a row: it could never be mastered.</source>
+        <translation>Prób: %1, czyli mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</translation>
+    </message>
+    <message>
+        <source>0 to 3650 days.</source>
+        <translation>Od 0 do 3650 dni.</translation>
+    </message>
+    <message>
+        <source>An exam needs its list of cases: 1 to 100 whole numbers.</source>
+        <translation>Egzamin wymaga listy przypadków: od 1 do 100 liczb całkowitych.</translation>
+    </message>
+    <message>
+        <source>%1 stands twice in the list.</source>
+        <translation>%1 występuje na liście dwa razy.</translation>
+    </message>
+</context>
+<context>
+    <name>CoursesPage</name>
+    <message>
+        <source>Courses of the centre</source>
+        <translation>Kursy ośrodka</translation>
+    </message>
+    <message>
+        <source>Import a file</source>
+        <translation>Importuj plik</translation>
+    </message>
+    <message>
+        <source>New course</source>
+        <translation>Nowy kurs</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Kurs</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Identyfikator</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Wersja</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Etapy</translation>
+    </message>
+    <message>
+        <source>Published</source>
+        <translation>Opublikowano</translation>
+    </message>
+    <message>
+        <source>Courses</source>
+        <translation>Kursy</translation>
+    </message>
+    <message>
+        <source>came with the program</source>
+        <translation>dostarczony z programem</translation>
+    </message>
+    <message>
+        <source>Reading the course</source>
+        <translation>Czytanie kursu</translation>
+    </message>
+    <message>
+        <source>Change into the next version</source>
+        <translation>Zmień w następną wersję</translation>
+    </message>
+    <message>
+        <source>Import a course</source>
+        <translation>Import kursu</translation>
+    </message>
+    <message>
+        <source>Importing the course</source>
+        <translation>Importowanie kursu</translation>
+    </message>
+</context>
+<context>
+    <name>GroupsPage</name>
+    <message>
+        <source>Groups</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>New group</source>
+        <translation>Nowa grupa</translation>
+    </message>
+    <message>
+        <source>Add the group</source>
+        <translation>Dodaj grupę</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Grupa</translation>
+    </message>
+    <message>
+        <source>Adding the group</source>
+        <translation>Dodawanie grupy</translation>
+    </message>
+    <message>
+        <source>There are no groups yet. Give one a name above; courses can then be assigned to all of it at once, and its educators see who is stuck.</source>
+        <translation>Nie ma jeszcze grup. Nadaj powyżej nazwę; kursy można wtedy przydzielać całej grupie naraz, a jej edukatorzy widzą, kto utknął.</translation>
+    </message>
+    <message>
+        <source>Only an educator of this group or an administrator may change it.</source>
+        <translation>Zmienić ją może tylko edukator tej grupy lub administrator.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>członek</translation>
+    </message>
+    <message>
+        <source>educator</source>
+        <translation>edukator</translation>
+    </message>
+    <message>
+        <source>As</source>
+        <translation>Jako</translation>
+    </message>
+    <message>
+        <source>Put into the group</source>
+        <translation>Dodaj do grupy</translation>
+    </message>
+    <message>
+        <source>There is nobody called &quot;%1&quot;.</source>
+        <translation>Nie ma nikogo o nazwie „%1”.</translation>
+    </message>
+    <message>
+        <source>Choose one of the list.</source>
+        <translation>Wybierz z listy.</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>In the group</source>
+        <translation>W grupie</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Wyłącz</translation>
+    </message>
+    <message>
+        <source>Take %1 out</source>
+        <translation>Wyłącz: %1</translation>
+    </message>
+    <message>
+        <source>Changing the group</source>
+        <translation>Zmienianie grupy</translation>
+    </message>
+    <message>
+        <source>%1 has not the role educator; an administrator can give it.</source>
+        <translation>%1 nie ma roli edukatora; może ją nadać administrator.</translation>
+    </message>
+</context>
+<context>
+    <name>JoinPage</name>
+    <message>
+        <source>Make your account</source>
+        <translation>Załóż konto</translation>
+    </message>
+    <message>
+        <source>Type the code that you were given. Name and password are yours to choose.</source>
+        <translation>Wpisz otrzymany kod. Nazwę i hasło wybierasz samodzielnie.</translation>
+    </message>
+    <message>
+        <source>Make the account</source>
+        <translation>Załóż konto</translation>
+    </message>
+    <message>
+        <source>Back to sign in</source>
+        <translation>Wróć do logowania</translation>
+    </message>
+    <message>
+        <source>Code of the invitation</source>
+        <translation>Kod zaproszenia</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Imię i nazwisko</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Hasło</translation>
+    </message>
+    <message>
+        <source>Password again</source>
+        <translation>Hasło ponownie</translation>
+    </message>
+    <message>
+        <source>Give the code, your name and a log-in name.</source>
+        <translation>Podaj kod, imię i nazwisko oraz login.</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type them again.</source>
+        <translation>Hasła się różnią. Wpisz je ponownie.</translation>
+    </message>
+    <message>
+        <source>Making the account</source>
+        <translation>Zakładanie konta</translation>
+    </message>
+    <message>
+        <source>Your account is made. Sign in with it.</source>
+        <translation>Konto jest gotowe. Zaloguj się.</translation>
+    </message>
+</context>
+<context>
+    <name>NormsPage</name>
+    <message>
+        <source>Norms</source>
+        <translation>Normy</translation>
+    </message>
+    <message>
+        <source>Import a pack</source>
+        <translation>Importuj pakiet</translation>
+    </message>
+    <message>
+        <source>A pack holds bands of a task (means and spreads of people, never of fewer than %1 and never a single attempt), signed by its centre. The pack in use is shown behind every attempt of the task. Packs of this centre are made on the page Standards.</source>
+        <translation>Pakiet zawiera pasma zadania (średnie i rozrzuty osób, nigdy mniej niż %1 i nigdy pojedynczej próby) podpisane przez ośrodek. Używany pakiet jest pokazywany za każdą próbą zadania. Pakiety tego ośrodka powstają na stronie Standardy.</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Ośrodek</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Utworzono</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Grupy</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Klucz</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Użycie</translation>
+    </message>
+    <message>
+        <source>There are no packs yet. Import one of another centre, or make one from two groups on the page Standards.</source>
+        <translation>Nie ma jeszcze pakietów. Zaimportuj pakiet innego ośrodka lub utwórz własny z dwóch grup na stronie Standardy.</translation>
+    </message>
+    <message>
+        <source>Use for its task</source>
+        <translation>Używaj dla zadania</translation>
+    </message>
+    <message>
+        <source>Export the pack</source>
+        <translation>Eksportuj pakiet</translation>
+    </message>
+    <message>
+        <source>%1 (people: %2)</source>
+        <translation>%1 (osoby: %2)</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
+    </message>
+    <message>
+        <source>in use</source>
+        <translation>w użyciu</translation>
+    </message>
+    <message>
+        <source>Using the pack</source>
+        <translation>Używanie pakietu</translation>
+    </message>
+    <message>
+        <source>Exporting the pack</source>
+        <translation>Eksportowanie pakietu</translation>
+    </message>
+    <message>
+        <source>Pack written: %1</source>
+        <translation>Zapisano pakiet: %1</translation>
+    </message>
+    <message>
+        <source>Importing the pack</source>
+        <translation>Importowanie pakietu</translation>
+    </message>
+    <message>
+        <source>%1: the signature is wrong: the pack was changed after it was signed. Ask the centre for it again.</source>
+        <translation>%1: podpis jest błędny: pakiet zmieniono po podpisaniu. Poproś ośrodek o ponowne przysłanie.</translation>
+    </message>
+    <message>
+        <source>Trust %1?</source>
+        <translation>Zaufać: %1?</translation>
+    </message>
+    <message>
+        <source>Its key is %1. Compare it with the centre by telephone before you trust it.</source>
+        <translation>Jego klucz to %1. Zanim zaufasz, porównaj go z ośrodkiem przez telefon.</translation>
+    </message>
+    <message>
+        <source>Trust this key</source>
+        <translation>Zaufaj kluczowi</translation>
+    </message>
+    <message>
+        <source>The pack of %1 was imported.</source>
+        <translation>Zaimportowano pakiet: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>StageWords</name>
+    <message>
+        <source>Stage</source>
+        <translation>Etap</translation>
+    </message>
+    <message>
+        <source>Task</source>
+        <translation>Zadanie</translation>
+    </message>
+    <message>
+        <source>Id of the stage</source>
+        <translation>Identyfikator etapu</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Tryb</translation>
+    </message>
+    <message>
+        <source>Benchmark [points]</source>
+        <translation>Próg [pkt]</translation>
+    </message>
+    <message>
+        <source>Times in a row</source>
+        <translation>Razy z rzędu</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>bez limitu</translation>
+    </message>
+    <message>
+        <source>Attempts at most</source>
+        <translation>Najwyżej prób</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nigdy</translation>
+    </message>
+    <message>
+        <source>Refresh after [days]</source>
+        <translation>Odświeżyć po [dni]</translation>
+    </message>
+    <message>
+        <source>Opens when these are mastered</source>
+        <translation>Otwiera się po zaliczeniu</translation>
+    </message>
+    <message>
+        <source>Cases of the exam (seeds, used in this order)</source>
+        <translation>Przypadki egzaminu (ziarna, w tej kolejności)</translation>
+    </message>
+    <message>
+        <source>A proctor confirms that it may begin</source>
+        <translation>Osoba nadzorująca potwierdza rozpoczęcie</translation>
+    </message>
+    <message>
+        <source>Only on a certified haptic device</source>
+        <translation>Tylko na certyfikowanym urządzeniu haptycznym</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no whole number; write them with commas.</source>
+        <translation>„%1” nie jest liczbą całkowitą; rozdziel liczby przecinkami.</translation>
+    </message>
+    <message>
+        <source>The first stage is open from the start.</source>
+        <translation>Pierwszy etap jest otwarty od początku.</translation>
     </message>
 </context>
 </TS>

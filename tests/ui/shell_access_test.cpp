@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What everybody needs to use the shell: contrast, size of what is touched, names for screen
+// readers, no traps for the keyboard, and room at twice the scale.
+
+#include <QAbstractSpinBox>
+#include <cmath>
+
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+
+double linear(double share) {
+    return share <= 0.03928 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+}
+double luminance(const QColor& c) {
+    return 0.2126 * linear(c.redF()) + 0.7152 * linear(c.greenF()) + 0.0722 * linear(c.blueF());
+}
+/// Source: WCAG 2.1, 1.4.3.
+double contrast(const QColor& a, const QColor& b) {
+    const double x = luminance(a), y = luminance(b);
+    return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+struct Visit {
+    const char* login;
+    PageId page;
+    const char* name;
+};
+constexpr const char* kPassword = "placode-demo";
+const std::vector<Visit> kVisits{
+    {"demo.trainee", PageId::kToday, "today"},
+    {"demo.trainee", PageId::kCourse, "course"},
+    {"demo.trainee", PageId::kHistory, "history"},
+    {"demo.trainee", PageId::kAccount, "account"},
+    {"demo.educator", PageId::kCohort, "cohort"},
+    {"demo.educator", PageId::kCourses, "courses"},
+    {"demo.educator", PageId::kCourseEditor, "course_editor"},
+    {"demo.educator", PageId::kGroups, "groups"},
+    {"demo.educator", PageId::kStandards, "standards"},
+    {"demo.educator", PageId::kNorms, "norms"},
+    {"demo.educator", PageId::kAttempts, "attempts"},
+    {"demo.educator", PageId::kRatings, "ratings"},
+    {"ada", PageId::kPeople, "people"},
+    {"ada", PageId::kAdmissions, "admissions"},
+    {"ada", PageId::kHealth, "health"},
+    {"ada", PageId::kAudit, "audit"},
+};
+
+}  // namespace
+
+class ShellAccessTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+    void textStandsOutInBothThemes();
+    void everythingIsNamedAndLargeEnough();
+    void tabGoesThroughThePageAndOutAgain();
+
+ private:
+    [[nodiscard]] bool visit(const Visit& visit);
+    std::unique_ptr<ShellHarness> shell_;
+};
+
+bool ShellAccessTest::visit(const Visit& visit) {
+    const bool there =
+        shell_->context().signedIn() && shell_->context().user().login == visit.login;
+    const QString password = QString(visit.login) == "ada" ? "correct horse" : kPassword;
+    if (!there && !shell_->signIn(visit.login, password)) return false;
+    shell_->window().open({visit.page, 0, {}, {}});
+    return shell_->arrives(visit.page);
+}
+
+void ShellAccessTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+}
+
+void ShellAccessTest::textStandsOutInBothThemes() {
+    for (const ThemeKind theme : {ThemeKind::kLight, ThemeKind::kDark}) {
+        const Tokens& t = tokens(theme);
+        for (const QColor& ground : {t.surface, t.raised})
+            for (const QColor& text : {t.text, t.muted, t.accent, t.good, t.warn, t.critical})
+                QVERIFY2(contrast(text, ground) >= 4.5,
+                         qPrintable(QString("%1 on %2: %3")
+                                        .arg(text.name(), ground.name())
+                                        .arg(contrast(text, ground))));
+        const std::pair<QColor, QColor> pairs[]{
+            {t.on_accent, t.accent},       {t.good, t.good_soft},     {t.warn, t.warn_soft},
+            {t.critical, t.critical_soft}, {t.accent, t.accent_soft}, {t.text, t.hover}};
+        for (const auto& [text, ground] : pairs)
+            QVERIFY2(contrast(text, ground) >= 4.5, qPrintable(QString("%1 on %2: %3")
+                                                                   .arg(text.name(), ground.name())
+                                                                   .arg(contrast(text, ground))));
+        // The edge of a field: WCAG 1.4.11.
+        QVERIFY2(contrast(t.field, t.raised) >= 3, qPrintable(t.field.name()));
+    }
+}
+
+void ShellAccessTest::everythingIsNamedAndLargeEnough() {
+    QStringList wrong;
+    for (const Visit& each : kVisits) {
+        QVERIFY2(visit(each), each.name);
+        // 1920 x 1080 at 200 %, and a small station.
+        for (const QSize size : {QSize(960, 540), QSize(1366, 768)}) {
+            shell_->window().resize(size);
+            QTest::qWait(40);
+            if (!shell_->fits())
+                wrong << QString("%1: cut off at %2").arg(each.name).arg(size.width());
+        }
+        shell_->whole(QString("90_%1_960").arg(each.name));
+        for (const QWidget* widget : shell_->window().findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !widget->isEnabled() ||
+                (widget->focusPolicy() & Qt::TabFocus) == 0)
+                continue;
+            const auto* button = qobject_cast<const QAbstractButton*>(widget);
+            const bool field = qobject_cast<const QLineEdit*>(widget) != nullptr ||
+                               qobject_cast<const QComboBox*>(widget) != nullptr ||
+                               qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+            const bool table = qobject_cast<const QTableWidget*>(widget) != nullptr;
+            if (button == nullptr && !field && !table) continue;
+            // Inside a spin box or an editable list stands a line without a name of its own.
+            const QWidget* above = widget->parentWidget();
+            if (qobject_cast<const QAbstractSpinBox*>(above) != nullptr ||
+                qobject_cast<const QComboBox*>(above) != nullptr)
+                continue;
+            const QString said = !widget->accessibleName().isEmpty() ? widget->accessibleName()
+                                 : button != nullptr                 ? button->text()
+                                                                     : QString();
+            const QString what =
+                QString("%1: %2 %3")
+                    .arg(each.name, widget->metaObject()->className(), widget->objectName());
+            if (said.trimmed().isEmpty()) wrong << what + " has no name";
+            if (!table && widget->height() < 40)
+                wrong << what + QString(" is %1 px high").arg(widget->height());
+        }
+    }
+    wrong.removeDuplicates();
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join("\n")));
+}
+
+void ShellAccessTest::tabGoesThroughThePageAndOutAgain() {
+    QVERIFY(visit({"demo.educator", PageId::kCourseEditor, ""}));
+    QWidget* first = shell_->find<QLineEdit>("title_en");
+    first->setFocus();
+    QSet<QString> seen;
+    for (int i = 0; i < 60; ++i) {
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+        QVERIFY(QApplication::focusWidget() != nullptr);
+        seen << QApplication::focusWidget()->objectName();
+    }
+    for (const char* name : {"title_en", "course_id", "add_stage", "stage_list", "publish_reason",
+                             "rail_courses", "switch_user"})
+        QVERIFY2(seen.contains(name), name);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellAccessTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_access_test.moc"

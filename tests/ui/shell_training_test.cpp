@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the invitation to the certificate, through the real windows: an administrator invites, a
+// trainee registers, is told the controls, practises and sits an exam with a scripted operator as
+// hands; an educator builds and assigns the course, reviews, remarks and compares.
+
+#include <QCheckBox>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QSpinBox>
+
+#include "db/course_conduct.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+constexpr int kAttemptSeconds =
+    240;  ///< Waits for a simulated attempt; 10 s where nothing else runs.
+constexpr const char* kTask = "grasp_and_lift";
+}  // namespace
+
+class ShellTrainingTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void administratorInvitesAndTakesInAList();
+    void traineeRegistersWithTheCode();
+    void educatorBuildsAndAssignsTheCourse();
+    void traineeIsToldTheControlsAndPractises();
+    void examNeedsItsProctor();
+    void masteredCourseGivesTheCertificate();
+    void educatorReviewsAndRemarks();
+    void attemptsAreSeenSideBySide();
+    void pinBringsBackToThePageThatWasLocked();
+    void ownDataAreSavedAndErasureIsAskedAndDone();
+
+ private:
+    [[nodiscard]] int64_t idOf(const std::string& login) {
+        return shell_->context().store().user_by_login(login)->id;
+    }
+    void sizes(const QString& name) {
+        for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
+            shell_->window().resize(size);
+            QTest::qWait(80);
+            QVERIFY2(shell_->fits(), qPrintable(name));
+            shell_->whole(QString("%1_%2").arg(name).arg(size.width()));
+        }
+    }
+    [[nodiscard]] bool runAttempt() {
+        return shell_->click("start_attempt") && shell_->arrives(PageId::kRunning) &&
+               shell_->arrives(PageId::kResult, kAttemptSeconds);
+    }
+
+    std::unique_ptr<ShellHarness> shell_;
+    QString code_;
+};
+
+void ShellTrainingTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    shell_->hands = "script:expert";
+    shell_->start();
+    QVERIFY(shell_->setUpWithDemonstration());
+}
+
+void ShellTrainingTest::administratorInvitesAndTakesInAList() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(shell.click("rail_people"));
+    QVERIFY(shell.arrives(PageId::kPeople));
+    QVERIFY(shell.click("open_admissions"));
+    QVERIFY(shell.arrives(PageId::kAdmissions));
+    QVERIFY(shell.type("invite_note", "Nina Nowak"));
+    QVERIFY(shell.click("invite"));
+    code_ = shell.find<QLineEdit>("invitation_code")->text();
+    QVERIFY(code_.size() >= 8);
+    QCOMPARE(shell.find<QTableWidget>("invitations_table")->rowCount(), 1);
+    shell.open_this = shell.path("people.csv");
+    QFile list(shell.open_this);
+    QVERIFY(list.open(QIODevice::WriteOnly));
+    list.write(
+        "login,name,roles,password\nolga,Olga Zet,trainee,long enough here\n"
+        "piotr,Piotr Be,trainee;educator,\nolga,Twice,,\n");
+    list.close();
+    QVERIFY(shell.click("import_people"));
+    QVERIFY(shell.bannerSays("people.csv:4"));
+    QVERIFY(!shell.context().store().user_by_login("olga").has_value());  // All or none.
+    QVERIFY(list.open(QIODevice::WriteOnly | QIODevice::Truncate));
+    list.write(
+        "login,name,roles,password\nolga,Olga Zet,trainee,long enough here\n"
+        "piotr,Piotr Be,trainee;educator,\n");
+    list.close();
+    shell.save_as = shell.path("passwords.csv");
+    QVERIFY(shell.click("import_people"));
+    QVERIFY(shell.bannerSays("Added people: 2"));
+    QVERIFY(
+        db::has_role(shell.context().store().user_by_login("piotr")->roles, db::Role::kEducator));
+    QFile passwords(shell.save_as);
+    QVERIFY(passwords.open(QIODevice::ReadOnly));
+    const QStringList lines = QString::fromUtf8(passwords.readAll()).split('\n');
+    QVERIFY(lines[1].startsWith("piotr,"));
+    sizes("70_admissions");
+    QVERIFY(shell.signIn("piotr", lines[1].mid(6).trimmed()));
+}
+
+void ShellTrainingTest::traineeRegistersWithTheCode() {
+    ShellHarness& shell = *shell_;
+    shell.context().signOut();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.click("open_join"));
+    QVERIFY(shell.arrives(PageId::kJoin));
+    QVERIFY(shell.type("join_code", "wrong-code"));
+    QVERIFY(shell.type("join_name", "Nina Nowak"));
+    QVERIFY(shell.type("join_login", "nina"));
+    QVERIFY(shell.type("join_password", "quiet river 7"));
+    QVERIFY(shell.type("join_again", "quiet river 7"));
+    QVERIFY(shell.click("join"));
+    QVERIFY(shell.bannerSays("refused"));
+    sizes("71_join");
+    QVERIFY(shell.type("join_code", code_));
+    QVERIFY(shell.type("join_password", "quiet river 7"));
+    QVERIFY(shell.type("join_again", "quiet river 7"));
+    QVERIFY(shell.click("join"));
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    QVERIFY(shell.find<QPushButton>("open_next") != nullptr);
+    shell.whole("72_first_day");
+}
+
+void ShellTrainingTest::educatorBuildsAndAssignsTheCourse() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    QVERIFY(shell.click("rail_courses"));
+    QVERIFY(shell.arrives(PageId::kCourses));
+    QVERIFY(shell.click("new_course"));
+    QVERIFY(shell.arrives(PageId::kCourseEditor));
+    QVERIFY(shell.type("title_en", "Lift and exam"));
+    QVERIFY(shell.type("course_id", "lift_exam"));
+    for (int stage = 0; stage < 2; ++stage) {
+        QVERIFY(shell.click("add_stage"));
+        auto* task = shell.find<QComboBox>("stage_task");
+        task->setCurrentIndex(task->findData(QString(kTask)));
+        shell.find<QSpinBox>("stage_consecutive")->setValue(1);
+    }
+    QVERIFY(shell.type("stage_id", "lift_as_exam"));
+    auto* mode = shell.find<QComboBox>("stage_mode");
+    mode->setCurrentIndex(mode->findData(static_cast<int>(curriculum::StageMode::kExam)));
+    QVERIFY(shell.type("stage_seeds", "11, 12"));
+    QVERIFY(shell.click("publish_course"));
+    QVERIFY(shell.arrives(PageId::kCourses));
+    shell.find<QComboBox>("assign_target")->setCurrentText("Nina Nowak (nina)");
+    QVERIFY(shell.click("assign_course"));
+    QVERIFY(shell.bannerSays("Assigned to Nina Nowak"));
+}
+
+void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    QVERIFY(shell.click("rail_today"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    QVERIFY(shell.click("open_next"));
+    QVERIFY(shell.arrives(PageId::kTask));
+    auto* device = shell.find<QComboBox>("device");
+    QVERIFY(QTest::qWaitFor([&] { return device->findData("mouse") >= 0; }, 30000));
+    device->setCurrentIndex(device->findData("mouse"));
+    QVERIFY(shell.text("controls").split('\n').size() > 5);
+    QVERIFY(shell.find<QWidget>("exam_card") == nullptr);
+    shell.whole("73_controls");
+    QVERIFY(runAttempt());
+    QVERIFY(shell.text("result_points").contains("points"));
+    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    QCOMPARE(attempts.size(), size_t{1});
+    QVERIFY(attempts[0].exam.course_id.empty());
+    QVERIFY(attempts[0].points >= 70);
+}
+
+void ShellTrainingTest::examNeedsItsProctor() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_course"));
+    QVERIFY(shell.arrives(PageId::kCourse));
+    shell.whole("74_course");
+    QVERIFY(shell.click("open_exam_lift_as_exam"));
+    QVERIFY(shell.arrives(PageId::kTask));
+    QVERIFY(shell.text("exam_rules").contains("proctor"));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.bannerSays("when a proctor has typed"));
+    QVERIFY(shell.type("proctor_login", "nina"));
+    QVERIFY(shell.type("proctor_password", "quiet river 7"));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.bannerSays("Nobody is the own proctor"));
+    QVERIFY(shell.type("proctor_login", "olga"));
+    QVERIFY(shell.type("proctor_password", "long enough here"));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.bannerSays("cannot be the proctor"));
+    sizes("75_exam");
+    QVERIFY(shell.type("proctor_login", "demo.educator"));
+    QVERIFY(shell.type("proctor_password", "placode-demo"));
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.arrives(PageId::kRunning));
+    QVERIFY(shell.find<QLabel>("live_ring")->isHidden());  // Time only.
+    shell.shot("76_exam_running");
+    QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
+    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    QCOMPARE(attempts.size(), size_t{2});
+    QCOMPARE(attempts[1].exam.course_id, std::string("lift_exam"));
+    QCOMPARE(attempts[1].exam.stage_id, std::string("lift_as_exam"));
+    QCOMPARE(attempts[1].exam.proctor, std::string("Demonstration educator"));
+    QCOMPARE(attempts[1].seed, uint64_t{11});
+    QCOMPARE(shell.context().user().login, std::string("nina"));
+}
+
+void ShellTrainingTest::masteredCourseGivesTheCertificate() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_course"));
+    QVERIFY(shell.arrives(PageId::kCourse));
+    QVERIFY(shell.text("certificate_code").contains("ready"));
+    shell.save_as = shell.path("certificate.pdf");
+    QVERIFY(shell.click("certificate"));
+    QVERIFY(shell.bannerSays("Certificate written"));
+    QFile file(shell.save_as);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.read(5) == "%PDF-");
+    const auto issued = shell.context().store().certificates(idOf("nina"));
+    QCOMPARE(issued.size(), size_t{1});
+    QCOMPARE(issued[0].course_id, std::string("lift_exam"));
+    QVERIFY(shell.text("certificate_code").contains(QString::fromStdString(issued[0].code)));
+    sizes("77_certificate");
+}
+
+void ShellTrainingTest::educatorReviewsAndRemarks() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    QVERIFY(shell.click("rail_attempts"));
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 2 of 2"));
+    auto* table = shell.find<QTableWidget>("attempts_table");
+    QCOMPARE(table->rowCount(), 2);
+    table->setCurrentCell(0, 0);
+    Q_EMIT table->cellActivated(0, 0);
+    QVERIFY(shell.arrives(PageId::kResult));
+    QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
+    QVERIFY(shell.click("comment_add"));
+    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    const auto remarks = shell.context().store().comments(attempts[1].id);
+    QCOMPARE(remarks.size(), size_t{1});
+    QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
+}
+
+void ShellTrainingTest::attemptsAreSeenSideBySide() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("compare"));
+    QVERIFY(shell.arrives(PageId::kCompare));
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 30000));
+    QVERIFY(shell.find<QTableWidget>("compare_metrics")->rowCount() > 10);
+    QVERIFY(shell.text("compare_points_0").contains("points"));
+    sizes("78_compare");
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 30000));
+    shell.find<QComboBox>("compare_speed")->setCurrentIndex(6);
+    QVERIFY(shell.click("compare_play"));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            return shell.text("compare_clock_0") != "0:00" &&
+                   shell.text("compare_clock_1") != "0:00";
+        },
+        90000));
+    QVERIFY(shell.click("compare_play"));  // Both pause.
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.find<QPushButton>("compare_play")->text() == "Go on"; }, 30000));
+    QVERIFY(shell.click("compare_close"));
+    QVERIFY(QTest::qWaitFor([&] { return !shell.find<QPushButton>("compare_close")->isEnabled(); },
+                            30000));
+}
+
+void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
+    ShellHarness& shell = *shell_;
+    shell.lock_after_s = 2;
+    shell.start();
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAccount));
+    QVERIFY(shell.type("new_pin", "1234"));
+    QVERIFY(shell.click("set_pin"));
+    QVERIFY(shell.bannerSays("refused"));  // Too easy.
+    QVERIFY(shell.type("new_pin", "7391"));
+    QVERIFY(shell.click("set_pin"));
+    QVERIFY(shell.context().store().has_pin(idOf("nina")));
+    QVERIFY(shell.arrives(PageId::kLogin, 20));  // Locked by itself.
+    QVERIFY(!shell.context().signedIn());
+    QVERIFY(shell.text("login_note").contains("Locked"));
+    QVERIFY(!shell.find<QLabel>("pin_hint")->isHidden());
+    shell.shot("79_locked");
+    QVERIFY(shell.type("password", "0000"));
+    QVERIFY(shell.click("sign_in"));
+    QVERIFY(shell.text("login_message").contains("PIN is wrong"));
+    QVERIFY(shell.type("password", "7391"));
+    QVERIFY(shell.click("sign_in"));
+    QVERIFY(shell.context().signedIn());
+    QVERIFY(shell.arrives(PageId::kAccount));
+    // After a restart nobody knows the password: the PIN alone is not enough.
+    shell.lock_after_s = 0;
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.type("login", "nina"));
+    QVERIFY(shell.find<QLabel>("pin_hint")->isHidden());
+    QVERIFY(shell.type("password", "7391"));
+    QVERIFY(shell.click("sign_in"));
+    QVERIFY(!shell.context().signedIn());
+}
+
+void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    const int64_t nina = idOf("nina");
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAccount));
+    sizes("79_account");
+    shell.save_as = shell.path("mine");
+    QVERIFY(shell.click("save_my_data"));
+    QVERIFY(shell.bannerSays("Your data is in", 30));
+    QFile file(shell.path("mine/my_data.json"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll();
+    QVERIFY(text.contains("Nina Nowak") && text.contains("lift_exam") &&
+            text.contains("Open the jaws"));
+    shell.confirmNext();
+    QVERIFY(shell.click("ask_erasure"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.text("erasure_state").contains("You asked"); }));
+    // One touch and the next person signs in.
+    QVERIFY(shell.click("switch_user"));
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.signIn("ada", "correct horse"));
+    QVERIFY(shell.click("rail_people"));
+    QVERIFY(shell.arrives(PageId::kPeople));
+    QVERIFY(shell.find<QPushButton>("open_admissions")->text().contains("1 waiting"));
+    QVERIFY(shell.click("open_admissions"));
+    QVERIFY(shell.arrives(PageId::kAdmissions));
+    shell.confirmNext();
+    QVERIFY(shell.click("erase_0"));
+    QVERIFY(shell.bannerSays("was erased"));
+    QVERIFY(!shell.context().store().user_by_login("nina").has_value());
+    QCOMPARE(shell.context().store().attempts(nina).size(), size_t{2});  // Nameless.
+    sizes("79_erased");
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellTrainingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_training_test.moc"

@@ -1,0 +1,401 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compare: two attempts at the same task side by side: score, reasons, measures, time lines, ways,
+// and both replayed at once, steered together.
+
+#include <QComboBox>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QTemporaryDir>
+#include <array>
+#include <memory>
+
+#include "assessment/ledger.h"
+#include "reports/attempt_figures.h"
+#include "reports/words.h"
+#include "ui/shell/ledger_view.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/replay_launcher.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kOffered = 200;  ///< Newest attempts of the task to choose from.
+
+/// One of the two.
+struct Half {
+    db::AttemptDetail detail;
+    std::shared_ptr<sim::Recording> recording;
+    std::shared_ptr<QTemporaryDir> folder;
+    QString file;
+    ReplayLauncher* replay = nullptr;
+    QLabel* clock = nullptr;
+    LedgerView* ledger = nullptr;
+};
+
+class ComparePage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(ComparePage)
+ public:
+    ComparePage(AppContext& context, const Place& place) : Page(context) {
+        halves_[0].detail = readAllowed(place.number);
+        QVBoxLayout* column = make_column(this, 1500);
+        column->addLayout(head());
+        body_ = new QVBoxLayout;
+        body_->setSpacing(kSpace16);
+        column->addLayout(body_);
+        column->addStretch();
+        const qint64 wanted = place.state.value("other").toLongLong();
+        chooser_->setCurrentIndex(wanted == 0 ? bestIndex()
+                                              : std::max(0, chooser_->findData(wanted)));
+        connect(chooser_, &QComboBox::currentIndexChanged, this, [this] { showBoth(); });
+        showBoth();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Compare"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"other", chooser_->currentData()}};
+    }
+
+ private:
+    db::AttemptDetail readAllowed(int64_t id) {
+        db::AttemptDetail detail = context_.store().attempt(id);
+        const bool own = detail.record.user_id == context_.user().id;
+        context_.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+        return detail;
+    }
+
+    /// Attempts of the same task: own ones, for an educator also those of others.
+    QHBoxLayout* head() {
+        const db::AttemptRecord& first = halves_[0].detail.record;
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        row->addWidget(make_label(tr("Compare"), "display"), 1);
+        chooser_ = new QComboBox;
+        chooser_->setObjectName("compare_with");
+        chooser_->setAccessibleName(tr("Compare with"));
+        chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        chooser_->setMinimumWidth(320);
+        db::AttemptFilter filter;
+        filter.task_id = first.task_id;
+        filter.limit = kOffered;
+        filter.user_id =
+            context_.may(db::Action::kViewAttempts, db::Scope::kOther) ? 0 : context_.user().id;
+        for (const db::AttemptRecord& each : context_.store().attempt_page(filter).rows) {
+            if (each.id == first.id) continue;
+            chooser_->addItem(nameOf(each), QVariant::fromValue<qint64>(each.id));
+            points_.push_back(each.user_id == first.user_id ? each.points : -1);
+        }
+        row->addWidget(chooser_);
+        QPushButton* back = make_button(context_, tr("Back to the result"), "quiet", "back");
+        back->setObjectName("back_to_result");
+        connect(back, &QPushButton::clicked, this, [this, id = first.id] {
+            Q_EMIT go({PageId::kResult, id, {}, {}});
+        });
+        row->addWidget(back);
+        return row;
+    }
+
+    [[nodiscard]] static QString nameOf(const db::AttemptRecord& each) {
+        return ComparePage::tr("%1 · %2 · %3 points")
+            .arg(qstr(each.user_name), format_when(each.started_utc), format_points(each.points));
+    }
+
+    /// The person's own best one: what one could do already.
+    [[nodiscard]] int bestIndex() const {
+        const auto best = std::max_element(points_.begin(), points_.end());
+        return best == points_.end() ? -1 : static_cast<int>(best - points_.begin());
+    }
+
+    void showBoth() {
+        while (QLayoutItem* item = body_->takeAt(0)) {
+            if (item->widget()) item->widget()->deleteLater();
+            delete item;
+        }
+        for (Half& half : halves_) {
+            if (half.replay) half.replay->deleteLater();
+            half = Half{half.detail, {}, {}, {}, nullptr, nullptr, nullptr};
+        }
+        if (chooser_->currentIndex() < 0) {
+            body_->addWidget(make_label(
+                tr("There is no other attempt at this task yet. After the next one they can be "
+                   "compared."),
+                "muted"));
+            return;
+        }
+        halves_[1].detail = readAllowed(chooser_->currentData().toLongLong());
+        body_->addWidget(steerCard());
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace16);
+        for (size_t i = 0; i < 2; ++i) row->addWidget(headCard(i), 1);
+        auto* holder = new QWidget;
+        row->setContentsMargins(0, 0, 0, 0);
+        holder->setLayout(row);
+        body_->addWidget(holder);
+        body_->addWidget(metricsCard());
+        readRecordings();
+    }
+
+    QWidget* headCard(size_t i) {
+        const Half& half = halves_[i];
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        auto* line = new QHBoxLayout;
+        QLabel* points =
+            make_label(tr("%1 points").arg(format_points(half.detail.record.points)), "title");
+        points->setObjectName(QString("compare_points_%1").arg(i));
+        line->addWidget(points);
+        line->addWidget(
+            make_badge(verdict_word(half.detail.record), verdict_tone(half.detail.record)));
+        line->addStretch();
+        layout->addLayout(line);
+        layout->addWidget(make_label(nameOf(half.detail.record), "muted"));
+        for (const assessment::Reason& reason : half.detail.score.reasons) {
+            if (&reason - half.detail.score.reasons.data() >= 3) break;
+            layout->addWidget(make_label("−" + format_points(reason.points) + "  " +
+                                         reports::reason_words(reason.text)));
+        }
+        if (half.detail.score.reasons.empty())
+            layout->addWidget(make_label(tr("No points were lost"), "good"));
+        layout->addStretch();
+        QFrame* card = make_card(layout);
+        card->setObjectName(QString("compare_head_%1").arg(i));
+        return card;
+    }
+
+    QWidget* metricsCard() {
+        auto* layout = new QVBoxLayout;
+        layout->addWidget(make_label(tr("Measures"), "heading"));
+        QTableWidget* table =
+            make_table({tr("Measure"), tr("Unit"), tr("This one"), tr("The other"), tr("Better")},
+                       tr("Measures"));
+        table->setObjectName("compare_metrics");
+        table->setSortingEnabled(false);
+        for (const assessment::MetricDefinition& each : assessment::metric_definitions()) {
+            const auto a = halves_[0].detail.metrics.find(each.id);
+            const auto b = halves_[1].detail.metrics.find(each.id);
+            if (!a || !b) continue;
+            const int row = table->rowCount();
+            table->insertRow(row);
+            table->setItem(row, 0, make_cell(metric_name(each.name)));
+            table->item(row, 0)->setToolTip(qstr(std::string(each.definition)));
+            table->setItem(row, 1, make_cell(unit_sign(each.unit)));
+            table->setItem(row, 2, make_number_cell(format_value(*a), *a));
+            table->setItem(row, 3, make_number_cell(format_value(*b), *b));
+            const bool neutral = each.direction == assessment::Direction::kNeutral ||
+                                 format_value(*a) == format_value(*b);
+            const bool first =
+                (each.direction == assessment::Direction::kLowerIsBetter) == (*a < *b);
+            table->setItem(row, 4,
+                           make_cell(neutral ? QStringLiteral("–")
+                                     : first ? tr("◀ this one")
+                                             : tr("the other ▶")));
+        }
+        fit_columns(table, 0);
+        for (const int c : {2, 3, 4}) table->setColumnWidth(c, 140);
+        table->setFixedHeight(std::clamp(table->rowCount(), 1, 8) * kTouchTarget + 50);
+        layout->addWidget(table);
+        return make_card(layout);
+    }
+
+    // --- the recordings
+
+    void readRecordings() {
+        auto* wait = make_label(tr("Reading the recordings …"), "muted");
+        body_->addWidget(wait);
+        std::array<int64_t, 2> ids{};
+        std::array<QString, 2> files;
+        std::array<std::shared_ptr<sim::Recording>, 2> read;
+        for (size_t i = 0; i < 2; ++i) {
+            ids[i] = halves_[i].detail.record.id;
+            halves_[i].folder = std::make_shared<QTemporaryDir>();
+            files[i] = halves_[i].folder->filePath("attempt.placode");
+            read[i] = std::make_shared<sim::Recording>();
+        }
+        context_.background(
+            wait, tr("Reading the recordings"),
+            [ids, files, read](db::Store& store) {
+                for (size_t i = 0; i < 2; ++i) {
+                    store.extract_recording(ids[i], files[i].toStdString());
+                    *read[i] = recording_of_file(files[i]);
+                }
+            },
+            [this, wait, files, read](bool done) {
+                if (!done) return wait->setText(tr("A recording cannot be shown."));
+                wait->hide();
+                for (size_t i = 0; i < 2; ++i) {
+                    halves_[i].recording = read[i];
+                    halves_[i].file = files[i];
+                    makeReplay(halves_[i]);
+                }
+                play_->setEnabled(true);
+                showPictures();
+            });
+    }
+
+    void showPictures() {
+        auto* grid = new QGridLayout;
+        grid->setSpacing(kSpace16);
+        const reports::ChartStyle style = chart_style(context_.theme());
+        for (int i = 0; i < 2; ++i) {
+            Half& half = halves_[static_cast<size_t>(i)];
+            half.ledger =
+                new LedgerView(context_, reports::ledger_picture(half.recording->events,
+                                                                 half.recording->header.geometry,
+                                                                 half.recording->end.duration_s));
+            half.ledger->setObjectName(QString("compare_ledger_%1").arg(i));
+            half.ledger->chosen = [this](double time_s, int) { seek(time_s); };
+            // One below the other: the same moment stands at the same place.
+            grid->addWidget(half.ledger, i, 0, 1, 2);
+            const auto recording = half.recording;
+            QWidget* ways = make_picture(
+                [recording, style](QPainter& painter, const QRectF& where) {
+                    reports::draw_trajectory(painter, where, *recording, reports::Side::kAbove,
+                                             style);
+                },
+                QSize(280, 280), tr("Way of the instruments from above"),
+                nameOf(half.detail.record));
+            ways->setFixedHeight(320);
+            grid->addWidget(ways, 2, i);
+        }
+        auto* holder = new QVBoxLayout;
+        holder->addWidget(make_label(tr("Time lines, and ways from above"), "heading"));
+        holder->addLayout(grid);
+        QFrame* card = make_card(holder);
+        card->setObjectName("compare_pictures");
+        body_->addWidget(card);
+    }
+
+    // --- both replays, steered together
+
+    QWidget* steerCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace8);
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        play_ = make_button(context_, tr("Watch both"), "primary", "play");
+        play_->setObjectName("compare_play");
+        play_->setEnabled(false);
+        connect(play_, &QPushButton::clicked, this, [this] { playOrPause(); });
+        row->addWidget(play_);
+        camera_ = new QComboBox;
+        camera_->setObjectName("compare_camera");
+        camera_->setAccessibleName(tr("Camera"));
+        const std::pair<QString, const char*> cameras[]{{tr("As operated"), "scope"},
+                                                        {tr("From above"), "above"},
+                                                        {tr("From the left"), "left"},
+                                                        {tr("From the feet"), "feet"},
+                                                        {tr("Near the tip"), "near"}};
+        for (const auto& [name, id] : cameras) camera_->addItem(name, id);
+        connect(camera_, &QComboBox::activated, this, [this] {
+            for (Half& half : halves_)
+                if (half.replay) half.replay->setCamera(camera_->currentData().toString());
+        });
+        row->addWidget(camera_);
+        speed_ = new QComboBox;
+        speed_->setObjectName("compare_speed");
+        speed_->setAccessibleName(tr("Speed"));
+        for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
+            speed_->addItem(tr("Speed %1×").arg(QLocale().toString(speed)), speed);
+        speed_->setCurrentIndex(3);
+        connect(speed_, &QComboBox::activated, this, [this] {
+            for (Half& half : halves_)
+                if (half.replay) half.replay->setSpeed(speed_->currentData().toDouble());
+        });
+        row->addWidget(speed_);
+        close_ = make_button(context_, tr("Close the windows"), "secondary", "stop");
+        close_->setObjectName("compare_close");
+        close_->setEnabled(false);
+        connect(close_, &QPushButton::clicked, this, [this] {
+            for (Half& half : halves_)
+                if (half.replay) half.replay->stop();
+        });
+        row->addWidget(close_);
+        row->addStretch();
+        for (size_t i = 0; i < 2; ++i) {
+            halves_[i].clock = make_label("0:00", "heading");
+            halves_[i].clock->setObjectName(QString("compare_clock_%1").arg(i));
+            halves_[i].clock->setAccessibleName(i == 0 ? tr("Moment of this one")
+                                                       : tr("Moment of the other"));
+            halves_[i].clock->setWordWrap(false);
+            row->addWidget(halves_[i].clock);
+        }
+        layout->addLayout(row);
+        layout->addWidget(make_label(
+            tr("Both are simulated again exactly, each in a window of its own; camera, speed, "
+               "pause and jumps on either time line act on both."),
+            "small"));
+        return make_card(layout);
+    }
+
+    void makeReplay(Half& half) {
+        LaunchOptions options = context_.launcher().options();
+        options.language = context_.language();
+        // Half of the screen each.
+        options.replay_arguments << "--size"
+                                 << "900x720";
+        half.replay = new ReplayLauncher(options, this);
+        connect(half.replay, &ReplayLauncher::stateChanged, this, [this] { refresh(); });
+        connect(half.replay, &ReplayLauncher::ended, this, [this](const QString& message) {
+            if (!message.isEmpty())
+                context_.report({tr("A replay ended with a problem."),
+                                 tr("The recording and its score are untouched."), message});
+            refresh();
+        });
+    }
+
+    [[nodiscard]] bool running() const {
+        return std::any_of(halves_.begin(), halves_.end(),
+                           [](const Half& half) { return half.replay && half.replay->running(); });
+    }
+
+    void playOrPause() {
+        if (!running()) return seek(0);
+        const bool pause = !halves_[0].replay->state().paused;
+        for (Half& half : halves_) half.replay->setPaused(pause);
+    }
+
+    void seek(double time_s) {
+        context_.guard(tr("Starting the replays"), [&] {
+            for (Half& half : halves_) {
+                if (!half.replay) return;
+                const double to = std::min(time_s, half.detail.record.duration_s);
+                if (half.replay->running())
+                    half.replay->seek(to);
+                else
+                    half.replay->start(half.file, camera_->currentData().toString(),
+                                       speed_->currentData().toDouble(), to);
+            }
+        });
+        refresh();
+    }
+
+    void refresh() {
+        const bool any = running();
+        close_->setEnabled(any);
+        play_->setText(!any                                ? tr("Watch both")
+                       : halves_[0].replay->state().paused ? tr("Go on")
+                                                           : tr("Pause"));
+        for (Half& half : halves_) {
+            const bool runs = half.replay && half.replay->running();
+            if (half.clock)
+                half.clock->setText(reports::minute_second(runs ? half.replay->state().time_s : 0));
+            if (half.ledger) half.ledger->setCursor_s(runs ? half.replay->state().time_s : -1);
+        }
+    }
+
+    std::array<Half, 2> halves_;
+    std::vector<double> points_;
+    QVBoxLayout* body_ = nullptr;
+    QComboBox *chooser_ = nullptr, *camera_ = nullptr, *speed_ = nullptr;
+    QPushButton *play_ = nullptr, *close_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_compare_page(AppContext& context, const Place& place) {
+    return new ComparePage(context, place);
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Groups (cohorts): who is in them and who teaches them.
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <algorithm>
+#include <map>
+
+#include "db/access.h"
+#include "ui/shell/pages.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+using db::GroupRole;
+
+class GroupsPage : public Page {
+    Q_DECLARE_TR_FUNCTIONS(GroupsPage)
+ public:
+    GroupsPage(AppContext& context, const Place& place) : Page(context) {
+        context.require(db::Action::kManageGroups, db::Scope::kGroup);
+        QVBoxLayout* column = make_column(this, 1000);
+        column->addWidget(make_label(tr("Groups"), "display"));
+        auto* head = new QHBoxLayout;
+        head->setSpacing(kSpace16);
+        name_ = new QLineEdit;
+        name_->setObjectName("new_group");
+        head->addLayout(make_field(tr("New group"), name_), 1);
+        QPushButton* add = make_button(context, tr("Add the group"), "secondary", "plus");
+        add->setObjectName("add_group");
+        connect(add, &QPushButton::clicked, this, [this] { this->add(); });
+        connect(name_, &QLineEdit::returnPressed, this, [this] { this->add(); });
+        head->addWidget(add, 0, Qt::AlignBottom);
+        chooser_ = new QComboBox;
+        chooser_->setObjectName("group");
+        chooser_->setMinimumWidth(200);
+        head->addLayout(make_field(tr("Group"), chooser_), 1);
+        column->addLayout(head);
+        body_ = new QVBoxLayout;
+        column->addLayout(body_);
+        column->addStretch(1);
+        for (const db::UserRecord& user : context.store().users()) people_[user.id] = user;
+        read();
+        chooser_->setCurrentIndex(std::max(0, chooser_->findData(place.state.value("group"))));
+        connect(chooser_, &QComboBox::currentIndexChanged, this, [this] { showGroup(); });
+        showGroup();
+    }
+
+    [[nodiscard]] QString title() const override { return tr("Groups"); }
+    [[nodiscard]] QVariantMap state() const override {
+        return {{"group", chooser_->currentData()}};
+    }
+
+ private:
+    void read() {
+        const QSignalBlocker quiet(chooser_);
+        const QVariant kept = chooser_->currentData();
+        groups_ = context_.store().groups();
+        chooser_->clear();
+        for (const db::GroupRecord& group : groups_)
+            chooser_->addItem(qstr(group.name), QVariant::fromValue<qint64>(group.id));
+        chooser_->setCurrentIndex(std::max(0, chooser_->findData(kept)));
+    }
+
+    [[nodiscard]] const db::GroupRecord* current() const {
+        for (const db::GroupRecord& group : groups_)
+            if (group.id == chooser_->currentData().toLongLong()) return &group;
+        return nullptr;
+    }
+    [[nodiscard]] bool mayChange(const db::GroupRecord& group) const {
+        return context_.may(db::Action::kManageGroups,
+                            db::scope_of_group(group, context_.user().id));
+    }
+
+    void add() {
+        context_.guard(tr("Adding the group"), [this] {
+            context_.require(db::Action::kManageGroups, db::Scope::kGroup);
+            const int64_t id = context_.store().create_group(name_->text().trimmed().toStdString());
+            // Who makes a group teaches it; an administrator's own group waits for its educator.
+            if (db::has_role(context_.user().roles, db::Role::kEducator))
+                context_.store().set_group_role(id, context_.user().id, GroupRole::kEducator);
+            name_->clear();
+            read();
+            chooser_->setCurrentIndex(chooser_->findData(QVariant::fromValue<qint64>(id)));
+            showGroup();
+        });
+    }
+
+    void showGroup() {
+        while (QLayoutItem* item = body_->takeAt(0)) {
+            if (item->widget()) item->widget()->deleteLater();
+            delete item;
+        }
+        const db::GroupRecord* group = current();
+        if (group == nullptr) {
+            body_->addWidget(make_label(
+                tr("There are no groups yet. Give one a name above; courses can then be assigned "
+                   "to all of it at once, and its educators see who is stuck."),
+                "muted"));
+            return;
+        }
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        layout->addWidget(make_label(qstr(group->name), "heading"));
+        if (mayChange(*group)) {
+            layout->addLayout(addRow());
+        } else {
+            layout->addWidget(make_label(
+                tr("Only an educator of this group or an administrator may change it."), "muted"));
+        }
+        layout->addWidget(table(*group));
+        body_->addWidget(make_card(layout));
+    }
+
+    QHBoxLayout* addRow() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace16);
+        person_ = new QComboBox;
+        person_->setObjectName("group_person");
+        person_->setMinimumWidth(180);
+        person_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        person_->setEditable(true);
+        person_->setInsertPolicy(QComboBox::NoInsert);
+        person_->completer()->setCompletionMode(QCompleter::PopupCompletion);
+        person_->completer()->setFilterMode(Qt::MatchContains);
+        for (const auto& [id, user] : people_)
+            if (user.active)
+                person_->addItem(QString("%1 (%2)").arg(qstr(user.display_name), qstr(user.login)),
+                                 QVariant::fromValue<qint64>(id));
+        row->addLayout(make_field(tr("Person"), person_), 1);
+        role_ = new QComboBox;
+        role_->setObjectName("group_role");
+        role_->addItem(tr("member"), static_cast<int>(GroupRole::kMember));
+        role_->addItem(tr("educator"), static_cast<int>(GroupRole::kEducator));
+        row->addLayout(make_field(tr("As"), role_));
+        QPushButton* put = make_button(context_, tr("Put into the group"), "primary", "plus");
+        put->setObjectName("group_add");
+        connect(put, &QPushButton::clicked, this, [this] {
+            const int index = person_->findText(person_->currentText(), Qt::MatchContains);
+            if (index < 0) {
+                context_.report({tr("There is nobody called \"%1\".").arg(person_->currentText()),
+                                 tr("Choose one of the list."),
+                                 {}});
+                return;
+            }
+            set(person_->itemData(index).toLongLong(),
+                static_cast<GroupRole>(role_->currentData().toInt()));
+        });
+        row->addWidget(put, 0, Qt::AlignBottom);
+        return row;
+    }
+
+    QTableWidget* table(const db::GroupRecord& group) {
+        QTableWidget* table =
+            make_table({tr("Person"), tr("Log-in name"), tr("In the group"), {}}, tr("Group"));
+        table->setObjectName("group_table");
+        table->setSortingEnabled(false);
+        const auto add = [&](int64_t id, const QString& role) {
+            const auto found = people_.find(id);
+            if (found == people_.end()) return;
+            const int row = table->rowCount();
+            table->setRowCount(row + 1);
+            table->setItem(row, 0, make_cell(qstr(found->second.display_name)));
+            table->setItem(row, 1, make_cell(qstr(found->second.login)));
+            table->setItem(row, 2, make_cell(role));
+            table->setItem(row, 3, make_cell({}));
+            if (!mayChange(group)) return;
+            QPushButton* out = make_button(context_, tr("Take out"), "quiet");
+            out->setObjectName(QString("group_out_%1").arg(row));
+            out->setAccessibleName(tr("Take %1 out").arg(qstr(found->second.display_name)));
+            connect(
+                out, &QPushButton::clicked, this, [this, id] { set(id, GroupRole::kNone); },
+                Qt::QueuedConnection);
+            table->setCellWidget(row, 3, out);
+        };
+        for (const int64_t id : group.educators) add(id, tr("educator"));
+        for (const int64_t id : group.members) add(id, tr("member"));
+        fit_columns(table, 0);
+        table->setColumnWidth(1, 200);
+        table->setColumnWidth(2, 140);
+        table->setColumnWidth(3, 130);
+        table->setFixedHeight(std::clamp(table->rowCount(), 1, 9) * kTouchTarget + 50);
+        return table;
+    }
+
+    void set(int64_t person, GroupRole role) {
+        context_.guard(tr("Changing the group"), [&] {
+            const db::GroupRecord* group = current();
+            context_.require(db::Action::kManageGroups,
+                             db::scope_of_group(*group, context_.user().id));
+            // Nobody draws people of other groups into the own one.
+            context_.require(db::Action::kManageGroups,
+                             db::scope_between(context_.store(), context_.user().id, person));
+            using db::StoreError;
+            if (role == GroupRole::kEducator &&
+                !db::has_role(people_.at(person).roles, db::Role::kEducator))
+                throw StoreError(StoreError::Kind::kRefused,
+                                 tr("%1 has not the role educator; an administrator can give it.")
+                                     .arg(qstr(people_.at(person).display_name))
+                                     .toStdString());
+            context_.store().set_group_role(group->id, person, role);
+            read();
+            showGroup();
+        });
+    }
+
+    std::vector<db::GroupRecord> groups_;
+    std::map<int64_t, db::UserRecord> people_;
+    QLineEdit* name_ = nullptr;
+    QComboBox *chooser_ = nullptr, *person_ = nullptr, *role_ = nullptr;
+    QVBoxLayout* body_ = nullptr;
+};
+
+}  // namespace
+
+Page* make_groups_page(AppContext& context, const Place& place) {
+    return new GroupsPage(context, place);
+}
+
+}  // namespace placode::ui
