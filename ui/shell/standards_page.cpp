@@ -98,7 +98,7 @@ class StandardsPage : public Page {
         filter.newest_first = false;
         filter.limit = kMostAttempts;
         for (const db::AttemptRecord& each : context_.store().attempt_page(filter).rows) {
-            if (each.end == sim::EndReason::kInterrupted) continue;
+            if (each.end == sim::EndReason::kInterrupted || !each.void_reason.empty()) continue;
             QString name = qstr(each.user_name);
             const bool script = each.device.rfind("script:", 0) == 0;
             if (script) name += " · " + device_name(each.device);
