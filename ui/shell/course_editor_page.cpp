@@ -156,6 +156,7 @@ class CourseEditorPage : public Page {
         list_->setObjectName("stage_list");
         list_->setAccessibleName(tr("Stages in order"));
         list_->setTextElideMode(Qt::ElideRight);
+        list_->setMinimumWidth(200);
         list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         layout->addWidget(list_, 1);
         auto* row = new QHBoxLayout;

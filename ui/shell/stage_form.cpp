@@ -64,6 +64,11 @@ StageForm::StageForm(AppContext& context, Changed changed)
     for (const StageMode mode :
          {StageMode::kFamiliarisation, StageMode::kPractice, StageMode::kExam})
         mode_->addItem(mode_word(mode), static_cast<int>(mode));
+    // Long titles end in dots instead of pushing the page aside.
+    for (QComboBox* box : {task_, mode_}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box->setMinimumContentsLength(8);
+    }
     addField(second, StageWords::tr("Mode"), mode_, "/mode");
     benchmark_ = new QDoubleSpinBox;
     benchmark_->setObjectName("stage_benchmark");
