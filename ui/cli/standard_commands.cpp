@@ -30,7 +30,7 @@ Json group_json(const curriculum::StandardGroup& group) {
             {"observed_wrong", group.observed_wrong}};
 }
 
-Json standard_json(const curriculum::PassStandard& standard) {
+Json json_of(const curriculum::PassStandard& standard) {
     return {{"task", standard.task_id},
             {"version", standard.version},
             {"pass_points", standard.pass_points},
@@ -60,7 +60,7 @@ int show(const Context& context, const Options& options) {
                   " points holds");
         return 0;
     }
-    json = standard_json(set->standard);
+    json = json_of(set->standard);
     json["set"] = true;
     json["set_by"] = set->set_by;
     json["set_utc"] = set->set_utc;
@@ -98,7 +98,7 @@ int set(const Context& context, const Options& options) {
             throw;
         }
     }
-    Json json = standard_json(standard);
+    Json json = json_of(standard);
     json["dry_run"] = options.dry_run;
     print(context, json, standard_text(standard));
     return 0;
