@@ -5,6 +5,7 @@
 // Free motion is minimum jerk (Flash & Hogan 1985), physiological tremor 8 to 12 Hz. Levels differ
 // by behaviour only; nobody tells the score who is at work. Same seed, same bits.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -27,6 +28,8 @@ class OperatorModel {
  public:
     OperatorModel(const OperatorProfile& profile, uint64_t seed, const Vec3& home_tip_m);
     void see(const Perception& perception, const sim::ToolFeedback& own);
+    /// Places given up are tried once more.
+    void forget_tries() noexcept { std::fill(tries_.begin(), tries_.end(), uint8_t{0}); }
     /// It is enough: lift, leave, finish.
     void stop() noexcept { enough_ = true; }
     /// Next wish, `dt_s` after the last one.

@@ -12,7 +12,7 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr double kRoundShare = 0.97;  // of the line is cut: the ring counts as once round
+constexpr double kRoundShare = 0.85;  // of the line is cut: the ring counts as once round
 constexpr double kHoverM = 0.005;     // of free motion over the tissue
 constexpr double kRiseMS = 0.012;     // out of the tissue
 constexpr double kEnterMS = 0.008;    // into it
@@ -64,6 +64,8 @@ void ResectionOperator::see(const Perception& seen) {
                 free_here_[i] = seen.sector_free[sector];
             }
             own.contour_cut = free_here_;
+            if (!looked_again_) ring_->forget_tries();
+            looked_again_ = true;
         }
         ring_->see(own, needle < seen.tools.size() ? seen.tools[needle] : sim::ToolFeedback{});
     }

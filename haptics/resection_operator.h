@@ -78,6 +78,7 @@ class ResectionOperator final : public ScriptedOperator {
     int pieces_out_ = 0;
     sim::ToolFeedback needle_feedback_;
     std::vector<uint8_t> free_here_;  // by point of the planned line
+    bool looked_again_ = false;
     // What is done.
     Right right_ = Right::kWait;
     Left left_ = Left::kLook;

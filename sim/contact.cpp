@@ -294,10 +294,12 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
         if (!tool.engaged) continue;
         const ToolShape& shape = set.shapes[t];
         const Pose to_tool = tool.proxy.inverse();
-        // To the hand, and back if the tissue pushes as hard; near tissue never faster than this.
+        // To the hand and back, and as far as the tissue's last push; near tissue never faster than
+        // kStepOfRadius allows.
         const double to_hand = (tool.hand.p - tool.proxy.p).norm();
+        const double push = tool.substep_force_n.norm() / scene.tools[t].grip_n_m;
         const double way =
-            std::min(2 * to_hand + kTremor,
+            std::min(2 * (to_hand + push) + kTremor,
                      to_hand + kStepOfRadius * shape.parts[0].near_radius_m * state.substeps);
         const double limit = scene.contact.margin_m + std::min(way, kFreeStep) + kTissueReach;
         // A ball around box or triangle: the distance changes by no more than the way.
