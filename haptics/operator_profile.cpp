@@ -34,14 +34,14 @@ OperatorProfile intermediate() {
     p.free_speed_m_s = 0.012;
     p.descend_m_s = 0.004;
     p.cut_speed_m_s = 0.0032;
-    p.wander_inward_m = -4.5e-4;
-    p.lean_out_m = 4e-4;
-    p.lean_up_m = 2e-4;
+    p.wander_inward_m = -3.5e-4;
+    p.lean_out_m = 1.5e-4;
+    p.lean_up_m = 1e-4;
     p.press_m = 4e-4;
     p.press_limit_m = 7e-4;
     p.speed_noise = 0.25;
     p.tremor_m = 1.7e-4;
-    p.wander_m = 2e-4;
+    p.wander_m = 2.5e-4;
     p.watch = 0.6;
     p.wait_s = 0.6;
     p.burst_s = 2;
@@ -50,7 +50,7 @@ OperatorProfile intermediate() {
     p.early_chance = 0.4;
     p.early_s = 0.5;
     p.hesitate_hz = 0.1;
-    p.hesitate_s = {0.2, 0.45};
+    p.hesitate_s = {0.3, 0.6};
     p.skip_per_m = 40;
     p.skip_m = {0.8e-3, 1.4e-3};
     p.submovements = 2;
