@@ -58,8 +58,6 @@ class ResultPage : public Page {
         QLabel* verdict = make_badge(verdict_word(record), verdict_tone(record));
         verdict->setObjectName("result_verdict");
         line->addWidget(verdict);
-        if (!record.exam.course_id.empty()) line->addWidget(make_badge(tr("Exam"), "warn"));
-        if (record.demonstration) line->addWidget(make_demonstration_badge());
         line->addStretch();
         addButtons(line, own);
         layout->addLayout(line);
@@ -67,7 +65,13 @@ class ResultPage : public Page {
                           format_duration(record.duration_s), device_name(record.device),
                           end_word(record.end)};
         if (!own) facts.prepend(qstr(record.user_name));
-        layout->addWidget(make_label(facts.join(" · "), "muted"));
+        // The badges stand beside the facts: the line above is full of buttons at 1280 pixels.
+        auto* below = new QHBoxLayout;
+        below->setSpacing(kSpace12);
+        if (!record.exam.course_id.empty()) below->addWidget(make_badge(tr("Exam"), "warn"));
+        if (record.demonstration) below->addWidget(make_demonstration_badge());
+        below->addWidget(make_label(facts.join(" · "), "muted"), 1);
+        layout->addLayout(below);
         if (record.end == sim::EndReason::kInterrupted) {
             layout->addWidget(make_label(
                 tr("The attempt was interrupted: it is kept, and does not count for the course."),
