@@ -98,6 +98,7 @@ void OperatorModel::watch_sinking(const Perception& seen) {
     if (stage_ != Stage::kWatch || !still) return;
     learn(seen);
     sunk_m_ = 0;
+    has_sunk_ = true;
 }
 
 void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {

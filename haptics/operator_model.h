@@ -28,6 +28,8 @@ class OperatorModel {
  public:
     OperatorModel(const OperatorProfile& profile, uint64_t seed, const Vec3& home_tip_m);
     void see(const Perception& perception, const sim::ToolFeedback& own);
+    /// True once an opened sac has sunk and the line was looked at anew.
+    [[nodiscard]] bool has_sunk() const noexcept { return has_sunk_; }
     /// Places given up are tried once more.
     void forget_tries() noexcept { std::fill(tries_.begin(), tries_.end(), uint8_t{0}); }
     /// It is enough: lift, leave, finish.
@@ -94,7 +96,7 @@ class OperatorModel {
     double press_ = 0, early_lift_m_ = 0;
     int passes_ = 0, slips_left_ = 0;
     double slip_at_m_ = -1, slip_s_ = -1;
-    bool pedal_ = false, enough_ = false;
+    bool pedal_ = false, enough_ = false, has_sunk_ = false;
     std::array<double, 6> tremor_phase_{}, tremor_hz_{};
 };
 

@@ -12,7 +12,7 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr double kRoundShare = 0.6;  // of the line is cut: the ring counts as once round
+constexpr double kRoundShare = 0.6;   // of the line is cut: the ring counts as once round
 constexpr double kHoverM = 0.005;     // of free motion over the tissue
 constexpr double kRiseMS = 0.012;     // out of the tissue
 constexpr double kEnterMS = 0.008;    // into it
@@ -51,12 +51,14 @@ void ResectionOperator::see(const Perception& seen) {
         const auto needle = static_cast<size_t>(tools_.needle);
         Perception own = seen;
         own.in_contact = seen.touches[needle];
-        // Here the ring is a means: a placode that is free all round needs no more energy.
-        if (seen.released >= 1) ring_->stop();
+        // Over an opened sac the ring is a means: a placode that is free all round needs no more
+        // energy.
+        if (ring_->has_sunk() && seen.released >= 1) ring_->stop();
         // Once round, what counts is where the placode still hangs on.
         const size_t points = seen.contour_cut.size();
         const auto cut = std::count(seen.contour_cut.begin(), seen.contour_cut.end(), 1);
-        if (static_cast<double>(cut) > kRoundShare * static_cast<double>(points) &&
+        if (ring_->has_sunk() &&
+            static_cast<double>(cut) > kRoundShare * static_cast<double>(points) &&
             !seen.sector_free.empty()) {
             free_here_.resize(points);
             for (size_t i = 0; i < points && i < seen.contour.size(); ++i) {
