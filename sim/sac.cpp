@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "sim/ledger.h"
-#include "sim/step.h"
+#include "sim/step_scratch.h"
 #include "sim/topology.h"
 
 namespace placode::sim {
@@ -70,7 +70,9 @@ void report_opening(const Scene& scene, State& state) noexcept {
 void leak(const Scene& scene, State& state, double dt_s) noexcept {
     const SacSettings& s = scene.sac.settings;
     SacState& sac = state.sac;
-    if (sac.looked != state.surface.version() || sac.hole_m2 > 0) {
+    // Cuts gape more or less as the wall moves; what is empty loses nothing.
+    const bool gapes = sac.hole_m2 > 0 && sac.pressure_pa > 0;
+    if (sac.looked != state.surface.version() || gapes) {
         sac.looked = state.surface.version();
         sac.hole_m2 = open_area(scene, state);
     }
@@ -84,17 +86,25 @@ void leak(const Scene& scene, State& state, double dt_s) noexcept {
     sac.leaked_m3 += lost;
 }
 
+/// A third of the area vector of each closed triangle, for its corners; zero where it is open.
+void measure_thirds(const Sac& sac, State& state) noexcept {
+    auto& thirds = state.scratch->sac_thirds;
+    for (size_t i = 0; i < sac.triangles.size(); ++i) {
+        thirds[i] = Vec3::Zero();
+        if (!closed(sac, state, i)) continue;
+        const auto& t = sac.triangles[i];
+        const Vec3 a = place(state, t[0]);
+        thirds[i] = (place(state, t[1]) - a).cross(place(state, t[2]) - a) / 6;
+    }
+}
+
 /// Pressure on the triangles around, and the floor below.
 void load(const Scene& scene, State& state, size_t i) noexcept {
     const Sac& sac = scene.sac;
     const int32_t v = sac.vertices[i];
     Vec3 push = Vec3::Zero();
     for (int32_t k = sac.around_start[i]; k < sac.around_start[i + 1]; ++k) {
-        const auto triangle = at(sac.around[at(k)]);
-        if (!closed(sac, state, triangle)) continue;
-        const auto& t = sac.triangles[triangle];
-        const Vec3 a = place(state, t[0]);
-        push += (place(state, t[1]) - a).cross(place(state, t[2]) - a) / 6;
+        push += state.scratch->sac_thirds[at(sac.around[at(k)])];
     }
     const Vec3 x = place(state, v);
     const double floor = sac.floor.at(x.x(), x.y()) + kFilm;
@@ -157,7 +167,8 @@ void update_sac(const Scene& scene, State& state, double dt_s, bool held) noexce
     const Sac& sac = scene.sac;
     if (!sac.present()) return;
     SacState& s = state.sac;
-    if (!held && s.filled != 0 && state.sleep.still() && s.hole_m2 == 0) return;
+    const bool leaks = s.hole_m2 > 0 && s.pressure_pa > 0;
+    if (!held && s.filled != 0 && state.sleep.still() && !leaks) return;
     const double volume = sac_volume(sac, state);
     if (held || s.filled == 0) {
         s.pressure_pa = sac.settings.pressure_pa;
@@ -171,6 +182,7 @@ void update_sac(const Scene& scene, State& state, double dt_s, bool held) noexce
         s.roused_pa = s.pressure_pa;
         rouse_all(state.body);
     }
+    measure_thirds(sac, state);
     for (size_t i = 0; i < sac.vertices.size(); ++i) load(scene, state, i);
 }
 

@@ -21,7 +21,7 @@ constexpr int kVaporisedPerStep = 64;
 constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
 constexpr int kReseedInterval = 256;     // frames between two searches for collapsed tissue
 constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
-constexpr double kFrameMotion = 0.0005;  // of the tissue [m]
+constexpr double kFrameMotion = 0.0005;  // of the tissue in a frame [m]
 constexpr float kSettleDamping = 0.9f;   // of the velocity per substep while settling
 constexpr double kEmbedded = 3e-5;       // deeper than any overlap of mere touch [m]
 constexpr double kThrough = 1.5;         // deeper than this, in radii of the tip, it is through
@@ -81,10 +81,12 @@ void measure_tips(const Scene& scene, State& state) noexcept {
         Vec3 weight = Vec3::Zero();
         state.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
-                // The boxes are those of the frame's start; the tissue has moved a little since.
+                // The boxes are those of the start of this frame or of the one before, see
+                // collect_candidates(); the tissue has moved a little since.
                 double d2 = 0;
                 for (int k = 0; k < 3; ++k) {
-                    const double low = box.low[k] - kFrameMotion, high = box.high[k] + kFrameMotion;
+                    const double low = box.low[k] - 2 * kFrameMotion,
+                                 high = box.high[k] + 2 * kFrameMotion;
                     const double d = std::max({low - centre[k], centre[k] - high, 0.0});
                     d2 += d * d;
                 }
@@ -194,6 +196,7 @@ State::Scratch::Scratch(const Scene& scene)
       tether_alive(scene.body.spec().tethers.size(), 1),
       separation(scene),
       pieces(scene),
+      sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0) {
     const TetMesh& mesh = scene.body.mesh();

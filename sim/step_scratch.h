@@ -23,6 +23,7 @@ struct State::Scratch {
     std::vector<uint8_t> tether_alive;     // before the frame
     SeparationQueue separation;
     PieceSearch pieces;
+    std::vector<Vec3> sac_thirds;       // (triangles of the sac) of this frame
     std::vector<int32_t> sector_stack;  // (T)
     std::vector<uint32_t> tet_seen;     // (T) stamps of a search
     uint32_t stamp = 0;
