@@ -12,7 +12,7 @@ namespace placode::haptics {
 
 namespace {
 
-constexpr double kRoundShare = 0.6;   // of the line is cut: the ring counts as once round
+constexpr double kRoundShare = 0.6;   // of the line is cut: look for where it still hangs on
 constexpr double kHoverM = 0.005;     // of free motion over the tissue
 constexpr double kRiseMS = 0.012;     // out of the tissue
 constexpr double kEnterMS = 0.008;    // into it

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "curriculum/attempt_runner.h"
 #include "curriculum/task.h"
 #include "sim/recording.h"
 
@@ -44,6 +45,19 @@ inline curriculum::Task changed_task(
         json.replace(at, json.find_first_of(",}", at) - at, value);
     }
     return curriculum::load_task_text(json, id);
+}
+
+/// One attempt of a scripted operator ("expert", ...), headless, as fast as one thread can.
+inline sim::Recording scripted_attempt(const curriculum::Task& task, const std::string& level) {
+    curriculum::AttemptOptions options;
+    options.device = "script:" + level;
+    options.fast = true;
+    options.threads = 1;
+    const auto recording = std::make_shared<sim::Recording>();
+    curriculum::AttemptRunner runner(task, 1, options, std::make_unique<MemorySink>(recording));
+    runner.start();
+    runner.wait();
+    return std::move(*recording);
 }
 
 }  // namespace placode::test

@@ -20,16 +20,9 @@ assessment::MetricSet perform(const std::string& level) {
                                                             {"edge_placode_m", "0.0016"},
                                                             {"edge_outer_m", "0.003"},
                                                             {"settle_s", "0.05"}});
-    AttemptOptions options;
-    options.device = "script:" + level;
-    options.fast = true;
-    options.threads = 1;
-    auto recording = std::make_shared<sim::Recording>();
-    AttemptRunner runner(task, 1, options, std::make_unique<test::MemorySink>(recording));
-    runner.start();
-    runner.wait();
-    EXPECT_EQ(recording->end.reason, sim::EndReason::kFinished);
-    return assessment::compute_metrics(*recording);
+    const sim::Recording recording = test::scripted_attempt(task, level);
+    EXPECT_EQ(recording.end.reason, sim::EndReason::kFinished);
+    return assessment::compute_metrics(recording);
 }
 
 TEST(LiftOperator, TheExpertLiftsThreeTimesWithoutHarm) {

@@ -25,17 +25,8 @@ struct Attempt {
 
 Attempt perform(const std::string& level) {
     const curriculum::Task task = curriculum::load_task("diathermy_ring_small");
-    curriculum::AttemptOptions options;
-    options.device = "script:" + level;
-    options.fast = true;
-    options.threads = 1;
-    const auto recording = std::make_shared<sim::Recording>();
-    curriculum::AttemptRunner runner(task, 1, options,
-                                     std::make_unique<test::MemorySink>(recording));
-    runner.start();
-    runner.wait();
     Attempt attempt;
-    attempt.recording = std::move(*recording);
+    attempt.recording = test::scripted_attempt(task, level);
     attempt.metrics = assessment::compute_metrics(attempt.recording);
     attempt.score = assessment::score_attempt(task.rubric, attempt.metrics, attempt.recording);
     return attempt;

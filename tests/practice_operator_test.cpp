@@ -30,16 +30,8 @@ Outcome perform(const std::string& id, const std::string& level) {
                                               {"edge_placode_m", "0.0014"},
                                               {"edge_outer_m", "0.003"},
                                               {"settle_s", "0.05"}});
-    AttemptOptions options;
-    options.device = "script:" + level;
-    options.fast = true;
-    options.threads = 1;
-    const auto recording = std::make_shared<sim::Recording>();
-    AttemptRunner runner(task, 1, options, std::make_unique<test::MemorySink>(recording));
-    runner.start();
-    runner.wait();
     Outcome out;
-    out.recording = std::move(*recording);
+    out.recording = test::scripted_attempt(task, level);
     out.metrics = assessment::compute_metrics(out.recording);
     out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
     out.harm =

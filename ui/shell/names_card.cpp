@@ -10,6 +10,7 @@
 
 #include "db/participant_key.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
 
 namespace placode::ui {
 namespace {
@@ -34,26 +35,17 @@ class NamesCard : public QFrame {
     }
 
  private:
-    QLineEdit* line(const char* name, const QString& words, bool secret = false) {
-        auto* edit = new QLineEdit;
-        edit->setObjectName(name);
-        edit->setAccessibleName(words);
-        edit->setPlaceholderText(words);
-        if (secret) edit->setEchoMode(QLineEdit::Password);
-        return edit;
-    }
-
     void addLocked() {
         auto* grid = new QGridLayout;
         grid->setHorizontalSpacing(kSpace8);
         grid->setVerticalSpacing(kSpace8);
-        path_ = line("key_path", tr("File of the key"));
+        path_ = make_line("key_path", tr("File of the key"));
         const QString kept = context_.settings().value("key/" + qstr(study_)).toString();
         path_->setText(kept.isEmpty() ? qstr(db::default_key_path(context_.storeUrl(), study_))
                                       : kept);
-        passphrase_ =
-            line("key_passphrase",
-                 tr("Passphrase, at least %1 characters").arg(db::kLeastPassphraseLength), true);
+        passphrase_ = make_line(
+            "key_passphrase",
+            tr("Passphrase, at least %1 characters").arg(db::kLeastPassphraseLength), true);
         open_ = make_button(context_, tr("Open"), "secondary", "key");
         open_->setObjectName("open_key");
         connect(open_, &QPushButton::clicked, this, [this] { unlock(false); });
@@ -127,9 +119,9 @@ class NamesCard : public QFrame {
         code->setObjectName("name_code");
         code->setAccessibleName(tr("Code"));
         code->addItems(codes_);
-        auto* name = line("name_name", tr("Name"));
-        auto* contact = line("name_contact", tr("Contact"));
-        auto* remark = line("name_remark", tr("Remark"));
+        auto* name = make_line("name_name", tr("Name"));
+        auto* contact = make_line("name_contact", tr("Contact"));
+        auto* remark = make_line("name_remark", tr("Remark"));
         QPushButton* save = make_button(context_, tr("Keep the name"), "primary", "check");
         save->setObjectName("name_save");
         connect(save, &QPushButton::clicked, this, [this, code, name, contact, remark] {

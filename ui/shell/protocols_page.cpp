@@ -21,6 +21,7 @@
 #include "ui/shell/definition_form.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
 #include "ui/shell/study_preview.h"
 
 namespace placode::ui {
@@ -90,17 +91,9 @@ class ProtocolsPage : public Page {
             setText(textOf(chooser_->currentData().toString()));
         });
         row->addWidget(chooser_);
-        row->addWidget(button(tr("New"), "quiet", "plus", "definition_new",
-                              [this] { setText(empty_definition(isStudy())); }));
+        row->addWidget(make_action(context_, this, tr("New"), "quiet", "plus", "definition_new",
+                                   [this] { setText(empty_definition(isStudy())); }));
         return row;
-    }
-
-    QPushButton* button(const QString& text, const char* role, const QString& icon,
-                        const char* name, const std::function<void()>& work) {
-        QPushButton* made = make_button(context_, text, role, icon);
-        made->setObjectName(name);
-        connect(made, &QPushButton::clicked, this, work);
-        return made;
     }
 
     /// Every published version, then what is shipped.
@@ -145,11 +138,14 @@ class ProtocolsPage : public Page {
         layout->addWidget(list_);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace4);
-        row->addWidget(button(tr("Add"), "secondary", "plus", "element_add", [this] { add(); }));
-        row->addWidget(button(tr("Up"), "quiet", {}, "element_up", [this] { move(-1); }));
-        row->addWidget(button(tr("Down"), "quiet", {}, "element_down", [this] { move(1); }));
+        row->addWidget(make_action(context_, this, tr("Add"), "secondary", "plus", "element_add",
+                                   [this] { add(); }));
         row->addWidget(
-            button(tr("Remove"), "quiet", "close", "element_remove", [this] { removeElement(); }));
+            make_action(context_, this, tr("Up"), "quiet", {}, "element_up", [this] { move(-1); }));
+        row->addWidget(make_action(context_, this, tr("Down"), "quiet", {}, "element_down",
+                                   [this] { move(1); }));
+        row->addWidget(make_action(context_, this, tr("Remove"), "quiet", "close", "element_remove",
+                                   [this] { removeElement(); }));
         layout->addLayout(row);
         return make_card(layout);
     }
@@ -167,10 +163,10 @@ class ProtocolsPage : public Page {
         layout->setSpacing(kSpace8);
         auto* row = new QHBoxLayout;
         row->addWidget(make_label(tr("As a file (JSON)"), "heading"), 1);
-        row->addWidget(
-            button(tr("Import"), "quiet", "plus", "definition_import", [this] { importFile(); }));
-        row->addWidget(button(tr("Export"), "quiet", "download", "definition_export",
-                              [this] { exportFile(); }));
+        row->addWidget(make_action(context_, this, tr("Import"), "quiet", "plus",
+                                   "definition_import", [this] { importFile(); }));
+        row->addWidget(make_action(context_, this, tr("Export"), "quiet", "download",
+                                   "definition_export", [this] { exportFile(); }));
         layout->addLayout(row);
         json_ = new QPlainTextEdit;
         json_->setObjectName("definition_json");
@@ -196,15 +192,15 @@ class ProtocolsPage : public Page {
     QWidget* publishCard() {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
-        row->addWidget(button(tr("Preview"), "secondary", "play", "definition_preview",
-                              [this] { preview(); }));
+        row->addWidget(make_action(context_, this, tr("Preview"), "secondary", "play",
+                                   "definition_preview", [this] { preview(); }));
         reason_ = new QLineEdit;
         reason_->setObjectName("publish_reason");
         reason_->setAccessibleName(tr("Reason of the change"));
         reason_->setPlaceholderText(tr("Reason of the change, from version 2 on"));
         row->addWidget(reason_, 1);
-        publish_ =
-            button(tr("Publish"), "primary", "check", "definition_publish", [this] { publish(); });
+        publish_ = make_action(context_, this, tr("Publish"), "primary", "check",
+                               "definition_publish", [this] { publish(); });
         row->addWidget(publish_);
         return make_card(row);
     }

@@ -142,58 +142,42 @@ class StudyDataPage : public Page {
         return make_card(layout);
     }
 
-    QLineEdit* line(const char* name, const QString& words, bool secret = false) {
-        auto* edit = new QLineEdit;
-        edit->setObjectName(name);
-        edit->setAccessibleName(words);
-        edit->setPlaceholderText(words);
-        if (secret) edit->setEchoMode(QLineEdit::Password);
-        return edit;
-    }
-
-    QPushButton* button(const QString& text, const char* role, const QString& icon,
-                        const char* name, const std::function<void()>& work) {
-        QPushButton* made = make_button(context_, text, role, icon);
-        made->setObjectName(name);
-        connect(made, &QPushButton::clicked, this, work);
-        return made;
-    }
-
     /// Asked again for every signature: whose it is must be beyond doubt.
     QLayout* recordActions() {
         auto* grid = new QGridLayout;
         grid->setHorizontalSpacing(kSpace8);
         grid->setVerticalSpacing(kSpace8);
-        auto* meaning = line("sign_meaning", tr("Meaning: \"reviewed and complete\""));
-        auto* password = line("sign_password", tr("Your password, again"), true);
-        auto* reason = line("unlock_reason", tr("Reason for unlocking"));
+        auto* meaning = make_line("sign_meaning", tr("Meaning: \"reviewed and complete\""));
+        auto* password = make_line("sign_password", tr("Your password, again"), true);
+        auto* reason = make_line("unlock_reason", tr("Reason for unlocking"));
         grid->addWidget(meaning, 0, 0);
         grid->addWidget(password, 0, 1);
-        grid->addWidget(button(tr("Sign"), "secondary", "check", "sign_record",
-                               [this, meaning, password] {
-                                   act(tr("Signing the record"), [&](const std::string& code) {
-                                       context_.store().records().sign_record(
-                                           study_, code, context_.user().login,
-                                           password->text().toStdString(),
-                                           meaning->text().trimmed().toStdString());
-                                   });
-                               }),
+        grid->addWidget(make_action(context_, this, tr("Sign"), "secondary", "check", "sign_record",
+                                    [this, meaning, password] {
+                                        act(tr("Signing the record"), [&](const std::string& code) {
+                                            context_.store().records().sign_record(
+                                                study_, code, context_.user().login,
+                                                password->text().toStdString(),
+                                                meaning->text().trimmed().toStdString());
+                                        });
+                                    }),
                         0, 2);
         grid->addWidget(reason, 1, 0, 1, 2);
-        grid->addWidget(button(tr("Unlock"), "secondary", "again", "unlock_record",
-                               [this, reason] {
-                                   act(tr("Unlocking the record"), [&](const std::string& code) {
-                                       context_.store().records().unlock_record(
-                                           study_, code, reason->text().trimmed().toStdString());
-                                   });
-                               }),
-                        1, 2);
-        grid->addWidget(button(tr("Lock"), "primary", "lock", "lock_record",
-                               [this] {
-                                   act(tr("Locking the record"), [&](const std::string& code) {
-                                       context_.store().records().lock_record(study_, code);
-                                   });
-                               }),
+        grid->addWidget(
+            make_action(context_, this, tr("Unlock"), "secondary", "again", "unlock_record",
+                        [this, reason] {
+                            act(tr("Unlocking the record"), [&](const std::string& code) {
+                                context_.store().records().unlock_record(
+                                    study_, code, reason->text().trimmed().toStdString());
+                            });
+                        }),
+            1, 2);
+        grid->addWidget(make_action(context_, this, tr("Lock"), "primary", "lock", "lock_record",
+                                    [this] {
+                                        act(tr("Locking the record"), [&](const std::string& code) {
+                                            context_.store().records().lock_record(study_, code);
+                                        });
+                                    }),
                         0, 3, 2, 1, Qt::AlignVCenter);
         return grid;
     }
@@ -228,10 +212,12 @@ class StudyDataPage : public Page {
         forms->setAccessibleName(tr("Questionnaire"));
         for (const QString& id : questionnaires()) forms->addItem(id, id);
         row->addWidget(forms, 1);
-        row->addWidget(button(tr("Enter from paper"), "secondary", "plus", "enter_first",
-                              [this, forms] { enter(forms->currentData().toString(), false); }));
-        row->addWidget(button(tr("Enter a second time"), "secondary", "again", "enter_second",
-                              [this, forms] { enter(forms->currentData().toString(), true); }));
+        row->addWidget(
+            make_action(context_, this, tr("Enter from paper"), "secondary", "plus", "enter_first",
+                        [this, forms] { enter(forms->currentData().toString(), false); }));
+        row->addWidget(make_action(
+            context_, this, tr("Enter a second time"), "secondary", "again", "enter_second",
+            [this, forms] { enter(forms->currentData().toString(), true); }));
         layout->addLayout(row);
         if (differences_.empty()) {
             layout->addWidget(make_label(tr("There are no open differences."), "small"));
@@ -240,13 +226,13 @@ class StudyDataPage : public Page {
         layout->addWidget(differencesTable());
         auto* decide = new QHBoxLayout;
         decide->setSpacing(kSpace8);
-        auto* reason = line("decide_reason", tr("Reason: \"looked at the sheet\""));
+        auto* reason = make_line("decide_reason", tr("Reason: \"looked at the sheet\""));
         decide->addWidget(reason, 1);
         for (const int right : {1, 2})
-            decide->addWidget(
-                button(right == 1 ? tr("The first is right") : tr("The second is right"),
-                       "secondary", "check", right == 1 ? "first_is_right" : "second_is_right",
-                       [this, right, reason] { decideDifference(right, reason); }));
+            decide->addWidget(make_action(
+                context_, this, right == 1 ? tr("The first is right") : tr("The second is right"),
+                "secondary", "check", right == 1 ? "first_is_right" : "second_is_right",
+                [this, right, reason] { decideDifference(right, reason); }));
         layout->addLayout(decide);
         return make_card(layout);
     }
@@ -330,26 +316,27 @@ class StudyDataPage : public Page {
         for (const auto& each : answers_)
             sets->addItem(qstr(each.participant + "  " + each.questionnaire_id),
                           QVariant::fromValue<qint64>(each.id));
-        auto* item = line("correct_item", tr("Item, e.g. A"));
-        auto* value = line("correct_value", tr("New answer; empty takes it away"));
-        auto* reason = line("correct_reason", tr("Reason"));
+        auto* item = make_line("correct_item", tr("Item, e.g. A"));
+        auto* value = make_line("correct_value", tr("New answer; empty takes it away"));
+        auto* reason = make_line("correct_reason", tr("Reason"));
         grid->addWidget(sets, 0, 0);
         grid->addWidget(item, 0, 1);
         grid->addWidget(value, 0, 2);
         grid->addWidget(reason, 1, 0, 1, 2);
-        grid->addWidget(button(tr("Correct"), "secondary", "check", "correct_answer",
-                               [this, sets, item, value, reason] {
-                                   context_.guard(tr("Correcting an answer"), [&] {
-                                       context_.require(db::Action::kRunQuestionnaire);
-                                       context_.store().records().correct_answers(
-                                           sets->currentData().toLongLong(), 1,
-                                           {{item->text().trimmed().toStdString(),
-                                             value->text().trimmed().toStdString()}},
-                                           reason->text().trimmed().toStdString());
-                                       again();
-                                   });
-                               }),
-                        1, 2);
+        grid->addWidget(
+            make_action(context_, this, tr("Correct"), "secondary", "check", "correct_answer",
+                        [this, sets, item, value, reason] {
+                            context_.guard(tr("Correcting an answer"), [&] {
+                                context_.require(db::Action::kRunQuestionnaire);
+                                context_.store().records().correct_answers(
+                                    sets->currentData().toLongLong(), 1,
+                                    {{item->text().trimmed().toStdString(),
+                                      value->text().trimmed().toStdString()}},
+                                    reason->text().trimmed().toStdString());
+                                again();
+                            });
+                        }),
+            1, 2);
         layout->addLayout(grid);
         if (!corrections_.empty()) layout->addWidget(correctionsTable());
         return make_card(layout);

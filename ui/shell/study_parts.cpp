@@ -51,4 +51,22 @@ QComboBox* make_study_chooser(AppContext& context, const std::vector<std::string
     return chooser;
 }
 
+QLineEdit* make_line(const char* object_name, const QString& words, bool secret) {
+    auto* edit = new QLineEdit;
+    edit->setObjectName(object_name);
+    edit->setAccessibleName(words);
+    edit->setPlaceholderText(words);
+    if (secret) edit->setEchoMode(QLineEdit::Password);
+    return edit;
+}
+
+QPushButton* make_action(AppContext& context, const QObject* page, const QString& text,
+                         const char* role, const QString& icon, const char* object_name,
+                         const std::function<void()>& work) {
+    QPushButton* made = make_button(context, text, role, icon);
+    made->setObjectName(object_name);
+    QObject::connect(made, &QPushButton::clicked, page, work);
+    return made;
+}
+
 }  // namespace placode::ui

@@ -4,6 +4,9 @@
 // What the pages of studies share: which study, and how it is called.
 
 #include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,5 +26,14 @@ namespace placode::ui {
 [[nodiscard]] QComboBox* make_study_chooser(AppContext& context,
                                             const std::vector<std::string>& ids,
                                             const std::string& chosen);
+
+/// A line without a label beside it: `words` stand in it and are its name for screen readers.
+[[nodiscard]] QLineEdit* make_line(const char* object_name, const QString& words,
+                                   bool secret = false);
+
+/// A button of `page` that does `work`.
+[[nodiscard]] QPushButton* make_action(AppContext& context, const QObject* page,
+                                       const QString& text, const char* role, const QString& icon,
+                                       const char* object_name, const std::function<void()>& work);
 
 }  // namespace placode::ui
