@@ -20,7 +20,6 @@ using sim::EventKind;
 using sim::Vec3;
 
 constexpr double kCutFraction = 0.995, kLiftedM = 0.001, kLiftedS = 1.0;
-constexpr double kPieceShare = 0.3;  // of the marked volume
 constexpr double kNearPlacodeM = 0.001;
 constexpr auto kPublishEvery = std::chrono::milliseconds(16);
 constexpr int64_t kPublishFrames = 16;  // when running faster than real time
@@ -73,12 +72,7 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       frames_per_sample_(std::max<int64_t>(1, std::llround(0.01 / frame_s_))),
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
-      contour_(scene_->contour_anchors.size(), Vec3::Zero()),
-      contour_normal_(scene_->contour_anchors.size(), Vec3::UnitZ()),
-      outline_(scene_->resection.anchors.size(), Vec3::Zero()),
-      outline_normal_(scene_->resection.anchors.size(), Vec3::UnitZ()),
-      grasp_place_(1, Vec3::Zero()),
-      grasp_normal_(1, Vec3::UnitZ()),
+      sight_(*scene_),
       costs_ms_(kCosts, 0.0f),
       sorted_ms_(kCosts, 0.0f) {
     if (scene_->geometry.placode_edge.size() >= 3) placode_.emplace(scene_->geometry.placode_edge);
@@ -140,62 +134,12 @@ void AttemptLoop::record_event(EventKind kind, float value, uint64_t hash) noexc
     record(event);
 }
 
-/// Where points of a line lie now, and the normals there.
-void AttemptLoop::look_at(std::span<const sim::ContourAnchor> anchors, std::vector<Vec3>& points,
-                          std::vector<Vec3>& normals) noexcept {
-    for (size_t i = 0; i < points.size(); ++i) {
-        const auto& v = anchors[i].vertex;
-        const Vec3 a = to_vec3(state_.body.x[static_cast<size_t>(v[0])]);
-        const Vec3 b = to_vec3(state_.body.x[static_cast<size_t>(v[1])]);
-        const Vec3 c = to_vec3(state_.body.x[static_cast<size_t>(v[2])]);
-        const auto& w = anchors[i].weight;
-        points[i] = static_cast<double>(w[0]) * a + static_cast<double>(w[1]) * b +
-                    static_cast<double>(w[2]) * c;
-        const Vec3 normal = (b - a).cross(c - a);
-        if (normal.squaredNorm() > 0) normals[i] = normal.normalized();
-    }
-}
-
-/// What a person would see on the screen, refreshed as often as the screen is.
+/// Shown as often as the screen is refreshed.
 void AttemptLoop::perceive() noexcept {
-    if (state_.frame % frames_per_look_ == 0) {
-        look_at(scene_->contour_anchors, contour_, contour_normal_);
-        look_at(scene_->resection.anchors, outline_, outline_normal_);
-        if (!outline_.empty()) {
-            look_at({&scene_->resection.grasp_anchor, 1}, grasp_place_, grasp_normal_);
-        }
-    }
-    haptics::Perception seen;
-    seen.time_s = state_.time_s;
-    seen.contour = contour_;
-    seen.contour_normal = contour_normal_;
-    seen.contour_cut = state_.progress.cut;
+    if (state_.frame % frames_per_look_ == 0) sight_.look(state_);
+    haptics::Perception seen = sight_.seen(state_);
     seen.tools = {feedback_.data(), scene_->tools.size()};
     seen.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
-    seen.sector_free = state_.release.free;
-    seen.released = static_cast<float>(state_.release.free_count) / sim::kSectors;
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
-        seen.in_contact = state_.tools[i].in_contact != 0;
-        seen.tip_gap_m = state_.tools[i].tip_gap_m;
-        break;
-    }
-    seen.outline = outline_;
-    seen.outline_normal = outline_normal_;
-    seen.outline_cut = state_.resection.cut;
-    seen.grasp_place_m = grasp_place_[0];
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        seen.touches[i] = state_.tools[i].in_contact != 0;
-        seen.holds[i] = state_.grasps[i].count > 0;
-        seen.pull_n[i] = state_.grasps[i].force_n.norm();
-    }
-    for (const sim::Piece& piece : state_.pieces.list) {
-        // A shred between the jaws is not the piece.
-        seen.piece_free =
-            seen.piece_free || (piece.tets > 0 && piece.held_by >= 0 &&
-                                piece.volume_m3 > kPieceShare * scene_->marked_volume_m3);
-    }
-    seen.pieces_out = state_.pieces.out;
     seen.practice = goal_;
     servo_->devices().perceive(seen);
 }

@@ -15,6 +15,7 @@
 #include "assessment/tissue_metrics.h"
 #include "curriculum/attempt_recorder.h"
 #include "curriculum/attempt_runner.h"
+#include "curriculum/operator_sight.h"
 #include "sim/retune.h"
 
 namespace placode::curriculum {
@@ -58,8 +59,6 @@ class AttemptLoop {
 
     void gather_inputs() noexcept;
     void perceive() noexcept;
-    void look_at(std::span<const sim::ContourAnchor> anchors, std::vector<sim::Vec3>& points,
-                 std::vector<sim::Vec3>& normals) noexcept;
     void one_frame() noexcept;
     void hand_out(const sim::StepReport& report) noexcept;
     void take_sample() noexcept;
@@ -101,8 +100,7 @@ class AttemptLoop {
     sim::State state_;
     std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
     std::array<sim::ToolFeedback, sim::kMaxTools> feedback_{};
-    std::vector<sim::Vec3> contour_, contour_normal_;
-    std::vector<sim::Vec3> outline_, outline_normal_, grasp_place_, grasp_normal_;
+    OperatorSight sight_;
     uint32_t sample_flags_ = 0;
     int used_substeps_ = 0;  // of the last frame
     int64_t dropped_ = 0;

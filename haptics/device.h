@@ -82,6 +82,8 @@ struct Perception {
     std::span<const Vec3> outline_normal;  ///< Outward surface normals there.
     std::span<const uint8_t> outline_cut;  ///< 1 = parted there.
     Vec3 grasp_place_m = Vec3::Zero();     ///< Where to take hold of the marked tissue.
+    double marked_left = 1;                ///< Share of the marked tissue that still hangs on.
+    double marked_held = 0;                ///< Share of it that lies loose in the jaws.
     std::array<bool, sim::kMaxTools> touches{}, holds{};  ///< Per tool.
     std::array<double, sim::kMaxTools> pull_n{};          ///< Traction of jaws that hold.
     bool piece_free = false;  ///< What the jaws hold hangs on nothing any more.

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/operator_sight.h"
+
+#include <algorithm>
+
+namespace placode::curriculum {
+
+namespace {
+
+using sim::Vec3;
+
+constexpr double kPieceShare = 0.3;   // of the marked volume: less is a shred, not the piece
+constexpr double kBegunShare = 0.85;  // of the marked volume left: look anew where to take hold
+constexpr double kAboutM = 5e-4;      // around the place to take hold: how high the tissue is there
+
+Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
+
+}  // namespace
+
+OperatorSight::OperatorSight(const sim::Scene& scene)
+    : scene_(scene),
+      contour_(scene.contour_anchors.size(), Vec3::Zero()),
+      contour_normal_(scene.contour_anchors.size(), Vec3::UnitZ()),
+      outline_(scene.resection.anchors.size(), Vec3::Zero()),
+      outline_normal_(scene.resection.anchors.size(), Vec3::UnitZ()),
+      grasp_place_(1, Vec3::Zero()),
+      grasp_normal_(1, Vec3::UnitZ()) {
+    for (size_t t = 0; t < scene.marked.size(); ++t) {
+        if (scene.marked[t]) marked_.push_back(static_cast<int32_t>(t));
+    }
+}
+
+/// Where points of a line lie now, and the normals there.
+void OperatorSight::look_at(const sim::State& state, std::span<const sim::ContourAnchor> anchors,
+                            std::vector<Vec3>& points, std::vector<Vec3>& normals) const noexcept {
+    for (size_t i = 0; i < points.size(); ++i) {
+        const auto& v = anchors[i].vertex;
+        const Vec3 a = to_vec3(state.body.x[static_cast<size_t>(v[0])]);
+        const Vec3 b = to_vec3(state.body.x[static_cast<size_t>(v[1])]);
+        const Vec3 c = to_vec3(state.body.x[static_cast<size_t>(v[2])]);
+        const auto& w = anchors[i].weight;
+        points[i] = static_cast<double>(w[0]) * a + static_cast<double>(w[1]) * b +
+                    static_cast<double>(w[2]) * c;
+        const Vec3 normal = (b - a).cross(c - a);
+        if (normal.squaredNorm() > 0) normals[i] = normal.normalized();
+    }
+}
+
+/// How much of the marked tissue still hangs on, how much lies loose in the jaws, and, once part of
+/// it is gone, where to take hold of the rest: at its middle.
+void OperatorSight::look_at_marked(const sim::State& state) noexcept {
+    if (marked_.empty() || scene_.marked_volume_m3 <= 0) return;
+    double left = 0, held = 0;
+    Vec3 middle = Vec3::Zero();
+    const auto centre = [&](int32_t t) {
+        Vec3 sum = Vec3::Zero();
+        for (const int32_t v : corners(scene_.body, state.body, t)) {
+            sum += to_vec3(state.body.x[static_cast<size_t>(v)]) / 4;
+        }
+        return sum;
+    };
+    const auto hangs_on = [&](int32_t t) {
+        return state.body.tet_alive[static_cast<size_t>(t)] &&
+               state.pieces.of[static_cast<size_t>(t)] < 0;
+    };
+    for (const int32_t t : marked_) {
+        if (!state.body.tet_alive[static_cast<size_t>(t)]) continue;
+        const double volume = static_cast<double>(scene_.body.volume_m3()[static_cast<size_t>(t)]);
+        const int piece = state.pieces.of[static_cast<size_t>(t)];
+        if (piece >= 0) {
+            if (state.pieces.list[piece].held_by >= 0) held += volume;
+            continue;
+        }
+        left += volume;
+        middle += volume * centre(t);
+    }
+    left_share_ = left / scene_.marked_volume_m3;
+    held_share_ = held / scene_.marked_volume_m3;
+    if (left <= 0 || left_share_ > kBegunShare) return;
+    middle /= left;
+    // The tissue nearest to the middle, which may itself lie beside a curved rest, at its surface.
+    double nearest = 1;
+    Vec3 place = middle;
+    for (const int32_t t : marked_) {
+        if (!hangs_on(t)) continue;
+        const Vec3 c = centre(t);
+        const double away = (c - middle).head<2>().norm();
+        if (away < nearest) {
+            nearest = away;
+            place = c;
+        }
+    }
+    for (const int32_t t : marked_) {
+        if (!hangs_on(t)) continue;
+        const Vec3 c = centre(t);
+        if ((c - place).head<2>().norm() < kAboutM) place.z() = std::max(place.z(), c.z());
+    }
+    grasp_place_[0] = place;
+}
+
+void OperatorSight::look(const sim::State& state) noexcept {
+    look_at(state, scene_.contour_anchors, contour_, contour_normal_);
+    look_at(state, scene_.resection.anchors, outline_, outline_normal_);
+    if (outline_.empty()) return;
+    look_at(state, {&scene_.resection.grasp_anchor, 1}, grasp_place_, grasp_normal_);
+    look_at_marked(state);
+}
+
+haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept {
+    haptics::Perception seen;
+    seen.time_s = state.time_s;
+    seen.contour = contour_;
+    seen.contour_normal = contour_normal_;
+    seen.contour_cut = state.progress.cut;
+    seen.sector_free = state.release.free;
+    seen.released = static_cast<float>(state.release.free_count) / sim::kSectors;
+    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
+        seen.in_contact = state.tools[i].in_contact != 0;
+        seen.tip_gap_m = state.tools[i].tip_gap_m;
+        break;
+    }
+    seen.outline = outline_;
+    seen.outline_normal = outline_normal_;
+    seen.outline_cut = state.resection.cut;
+    seen.grasp_place_m = grasp_place_[0];
+    seen.marked_left = left_share_;
+    seen.marked_held = held_share_;
+    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+        seen.touches[i] = state.tools[i].in_contact != 0;
+        seen.holds[i] = state.grasps[i].count > 0;
+        seen.pull_n[i] = state.grasps[i].force_n.norm();
+    }
+    for (const sim::Piece& piece : state.pieces.list) {
+        seen.piece_free =
+            seen.piece_free || (piece.tets > 0 && piece.held_by >= 0 &&
+                                piece.volume_m3 > kPieceShare * scene_.marked_volume_m3);
+    }
+    seen.pieces_out = state.pieces.out;
+    return seen;
+}
+
+}  // namespace placode::curriculum

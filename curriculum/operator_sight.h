@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a scripted operator sees of the tissue: what a person would see on the screen, as often as
+// the screen is refreshed. Allocates in the constructor only.
+
+#include <span>
+#include <vector>
+
+#include "haptics/device.h"
+#include "sim/step.h"
+
+namespace placode::curriculum {
+
+class OperatorSight {
+ public:
+    /// `scene` must outlive it.
+    explicit OperatorSight(const sim::Scene& scene);
+    /// Looks: once per picture.
+    void look(const sim::State& state) noexcept;
+    /// What was seen at the last look, with what hands feel now. Spans live as long as this and
+    /// `state`; tools, cut_fraction and practice are the caller's.
+    [[nodiscard]] haptics::Perception seen(const sim::State& state) const noexcept;
+
+ private:
+    void look_at(const sim::State& state, std::span<const sim::ContourAnchor> anchors,
+                 std::vector<sim::Vec3>& points, std::vector<sim::Vec3>& normals) const noexcept;
+    void look_at_marked(const sim::State& state) noexcept;
+
+    const sim::Scene& scene_;
+    std::vector<sim::Vec3> contour_, contour_normal_, outline_, outline_normal_;
+    std::vector<sim::Vec3> grasp_place_, grasp_normal_;
+    std::vector<int32_t> marked_;  // tets
+    double left_share_ = 1, held_share_ = 0;
+};
+
+}  // namespace placode::curriculum
