@@ -21,6 +21,7 @@ JawHabits intermediate() {
     h.wander_m = 3e-4;
     h.outward_m = 2e-4;
     h.passes = 3;
+    h.leaves = 0.35;
     return h;
 }
 
@@ -39,6 +40,7 @@ JawHabits novice() {
     h.wander_m = 6e-4;
     h.outward_m = 6e-4;
     h.passes = 2;
+    h.leaves = 0.6;
     return h;
 }
 

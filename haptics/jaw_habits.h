@@ -25,6 +25,7 @@ struct JawHabits {
     double wander_m = 1e-4;       ///< Snips beside the line, rms.
     double outward_m = 0;         ///< Mean error away from the marked tissue.
     int passes = 4;               ///< Along what is not parted yet.
+    double leaves = 0.15;         ///< Share of the marked tissue that is left where it is.
     [[nodiscard]] double squeezed_rad() const noexcept { return meet_rad * (1 - squeeze); }
 };
 [[nodiscard]] const JawHabits& jaw_habits(OperatorLevel level) noexcept;

@@ -21,6 +21,7 @@ constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
 constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
 constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac is open.
 constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
+constexpr double kLongAgoS = 1e3;
 constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
@@ -47,6 +48,7 @@ void OperatorModel::remember(const Perception& seen) {
     if (contour_.size() != n) {
         learn(seen);
         tries_.assign(n, 0);
+        heated_s_.assign(n, -kLongAgoS);
         cut_.assign(n, 0);
         arc_.assign(n + 1, 0.0);
     }
@@ -244,9 +246,22 @@ bool OperatorModel::wanted() const noexcept {
     return false;
 }
 
+// Heat goes on spreading for seconds: who goes over a place again lets it cool first.
+bool OperatorModel::cooling() const noexcept {
+    if (passes_ == 0 || !wanted()) return false;
+    const size_t n = contour_.size(), here = index(s_m_);
+    const size_t reach =
+        static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(n))) + 1;
+    for (size_t k = 1; k <= reach; ++k) {
+        const size_t ahead = (here + k) % n;
+        if (cut_[ahead] == 0 && time_s_ - heated_s_[ahead] < profile_.cool_s) return true;
+    }
+    return false;
+}
+
 // Depth by touch: deeper where there is no contact, back where the force is too high.
 void OperatorModel::press(double dt_s) noexcept {
-    if (!wanted())
+    if (!wanted() || cooling())
         press_ = std::max(press_ - 0.004 * dt_s, -2e-4);
     else if (force_n_ > profile_.force_limit_n)
         press_ -= 0.004 * dt_s;
@@ -266,7 +281,7 @@ void OperatorModel::pedal_habits(double dt_s) noexcept {
         burst_s_ = 0;
         return;
     }
-    pedal_ = skip_m_ <= 0 && wanted();
+    pedal_ = skip_m_ <= 0 && wanted() && !cooling();
     burst_s_ += dt_s;
     if (burst_s_ > profile_.burst_s) pause_s_ = profile_.pause_s;
     if (hold_s_ <= 0 && random_.uniform() < profile_.hesitate_hz * dt_s)
@@ -276,7 +291,7 @@ void OperatorModel::pedal_habits(double dt_s) noexcept {
 void OperatorModel::advance(double dt_s) noexcept {
     double goal = profile_.cut_speed_m_s * std::max(0.0, 1 + speed_noise_);
     if (!wanted()) goal = std::max(goal, kSlideMS);
-    if (pause_s_ > 0) goal = 0;
+    if (pause_s_ > 0 || cooling()) goal = 0;
     if (hold_s_ > 0) {
         hold_s_ -= dt_s;
         goal = 0;
@@ -296,6 +311,7 @@ void OperatorModel::advance(double dt_s) noexcept {
     const size_t after = index(s_m_);
     if (after != before) {
         if (pedal_ && tries_[before] < 255) ++tries_[before];
+        if (pedal_) heated_s_[before] = time_s_;
         if (skip_m_ <= 0 && waited_s_ >= profile_.wait_s) waited_s_ = 0;
     }
     skip_m_ -= step;
@@ -335,7 +351,8 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     if (slip_s_ < 0) advance(dt_s);
     const Frame f = frame(s_m_);
     const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
-    const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean;
+    const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean -
+                          (passes_ > 0 ? profile_.second_out_m : 0);
     tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
     if (s_m_ < run_.end_m + kOverrunM) return;
     // End of the piece: the next one may be near enough to go on.

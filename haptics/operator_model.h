@@ -61,6 +61,7 @@ class OperatorModel {
     void do_cut(double dt_s) noexcept;
     void do_lift(double dt_s) noexcept;
     [[nodiscard]] bool wanted() const noexcept;
+    [[nodiscard]] bool cooling() const noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
     void slip(double dt_s) noexcept;
@@ -76,6 +77,7 @@ class OperatorModel {
     std::vector<uint8_t> cut_;
     std::vector<double> arc_;  // of each point; arc_.back() = length of the closed ring
     std::vector<uint8_t> tries_;
+    std::vector<double> heated_s_;  // when the current was last on there
     double sunk_m_ = 0;  // how much lower the whole line lies than remembered
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();

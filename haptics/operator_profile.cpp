@@ -17,14 +17,17 @@ OperatorProfile expert() {
     p.press_m = 4e-4;
     p.press_limit_m = 6e-4;
     p.wander_m = 7e-5;
-    p.wander_inward_m = -4e-4;  // Keeps a little outside the line: heat runs inwards as well.
+    p.wander_inward_m = -2.5e-4;  // Keeps a little outside the line: heat runs inwards as well.
+    p.second_out_m = 1.5e-4;
+    p.cool_s = 12;
+    p.tries = 4;
     p.lean_out_m = 5e-4;
     p.lean_up_m = 3e-4;
     p.watch = 0.55;
     p.wait_s = 0.3;
     p.burst_s = 3;
     p.pause_s = 0.3;
-    p.patience_s = 70;
+    p.patience_s = 100;
     return p;
 }
 
@@ -57,8 +60,9 @@ OperatorProfile intermediate() {
     p.aim_error_m = 1e-3;
     p.notice_gap_m = 6e-4;
     p.second_care = 0.5;
+    p.cool_s = 3;
     p.tries = 4;
-    p.patience_s = 75;
+    p.patience_s = 80;
     return p;
 }
 

@@ -22,7 +22,9 @@ constexpr double kChangeS = 2.0;  // another instrument through the port
 constexpr double kPullM = 0.007;  // how far a piece is lifted before it must be free
 constexpr double kPullMS = 0.004;
 constexpr double kCarryMS = 0.025;  // out through the port
-constexpr double kCarryM = 0.045;
+constexpr double kCarryS = 3;
+constexpr double kSlackN = 0.004;      // of traction: what is held hangs on nothing
+constexpr double kAboutRestM = 0.003;  // where the outline is gone over again
 constexpr int kGrasps = 6;
 constexpr size_t kNormalSpan = 4;
 constexpr double kGiveUpS = 240;
@@ -91,6 +93,9 @@ void ResectionOperator::see(const Perception& seen) {
     touches_ = seen.touches[grasper];
     piece_free_ = seen.piece_free;
     pieces_out_ = seen.pieces_out;
+    marked_left_ = seen.marked_left;
+    marked_held_ = seen.marked_held;
+    pull_n_ = seen.pull_n[grasper];
 }
 
 void ResectionOperator::go(Right next) noexcept {
@@ -103,7 +108,25 @@ void ResectionOperator::go(Left next) noexcept {
 }
 
 bool ResectionOperator::open_at(size_t i) const noexcept {
-    return cut_[i] == 0 && tries_[i] < jaw_habits(level_).passes;
+    // Parted all along and yet not free: only what is near the rest is gone over again.
+    const bool parted = trust_cut_ ? cut_[i] != 0 : (line_[i] - place_).norm() > kAboutRestM;
+    return !parted && tries_[i] < jaw_habits(level_).passes;
+}
+
+/// Worth another grasp.
+bool ResectionOperator::unfinished() const noexcept {
+    return placed_ && marked_left_ > jaw_habits(level_).leaves && grasps_ < kGrasps;
+}
+
+/// Takes hold of what is left and goes round it once more.
+void ResectionOperator::grasp_again() noexcept {
+    std::fill(tries_.begin(), tries_.end(), uint8_t{0});
+    if (std::find(cut_.begin(), cut_.end(), 0) == cut_.end()) trust_cut_ = false;
+    cutting_done_ = false;
+    passes_ = 0;
+    ++grasps_;
+    grasper_.reach(hold_place(kHoverM), Vec3::UnitZ());
+    go(Left::kReach);
 }
 
 /// The next piece of outline that still holds, the least tried first.
@@ -250,6 +273,12 @@ void ResectionOperator::right(double dt_s, std::span<HandAction> hands) noexcept
     hand.opening = along_ - along_.dot(shaft) * shaft;
 }
 
+void ResectionOperator::carry() noexcept {
+    out_before_ = pieces_out_;
+    wanted_ = false;
+    go(Left::kCarry);
+}
+
 void ResectionOperator::left(double dt_s, std::span<HandAction> hands) noexcept {
     const JawHabits& habit = jaw_habits(level_);
     const bool ready = right_ != Right::kRing && right_ != Right::kChange;
@@ -305,10 +334,12 @@ void ResectionOperator::left(double dt_s, std::span<HandAction> hands) noexcept 
             if (!holds_) {
                 go(Left::kOpen);
             } else if (piece_free_ && height_m_ > 0.004) {
-                go(Left::kCarry);
+                carry();
             } else if (height_m_ > kPullM) {
-                // Something still holds it: back, and along the outline again.
-                if (++passes_ < habit.passes) {
+                if (pull_n_ < kSlackN) {  // only part of it came along: out with that
+                    carry();
+                } else if (++passes_ < habit.passes) {
+                    // Something still holds it: back, and along the outline again.
                     std::fill(tries_.begin(), tries_.end(), uint8_t{0});
                     cutting_done_ = false;
                     go(Left::kTension);
@@ -321,17 +352,19 @@ void ResectionOperator::left(double dt_s, std::span<HandAction> hands) noexcept 
         case Left::kCarry: {
             const Vec3 away = (grasper_pivot_ - grasper_.tip_m()).normalized();
             static_cast<void>(grasper_.glide(grasper_.tip_m() + 0.01 * away, kCarryMS, dt_s));
-            if (pieces_out_ > 0 || !holds_ || left_s_ > kCarryM / kCarryMS) go(Left::kOpen);
+            const bool out = pieces_out_ > out_before_ && marked_held_ <= 0;
+            if (out || !holds_ || left_s_ > kCarryS) go(Left::kOpen);
             break;
         }
-        case Left::kOpen: {
+        case Left::kOpen:
             if (!grasper_.jaw(habit.open_rad, 2.0, dt_s)) break;
-            const bool again = pieces_out_ == 0 && grasps_ < kGrasps && placed_;
-            grasper_.reach(again ? hold_place(kHoverM) : grasper_.home_m(), Vec3::UnitZ());
-            go(again ? Left::kReach : Left::kBack);
-            if (again) ++grasps_;
+            if (unfinished()) {
+                grasp_again();
+                break;
+            }
+            grasper_.reach(grasper_.home_m(), Vec3::UnitZ());
+            go(Left::kBack);
             break;
-        }
         case Left::kBack:
             static_cast<void>(grasper_.jaw(0, 1.0, dt_s));
             wanted_ = false;

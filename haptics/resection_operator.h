@@ -60,6 +60,9 @@ class ResectionOperator final : public ScriptedOperator {
     void go(Left next) noexcept;
     [[nodiscard]] bool next_run() noexcept;
     [[nodiscard]] bool open_at(size_t i) const noexcept;
+    [[nodiscard]] bool unfinished() const noexcept;
+    void grasp_again() noexcept;
+    void carry() noexcept;
     void aim() noexcept;
     [[nodiscard]] Vec3 tip_goal(double above_m) const noexcept;
     [[nodiscard]] Vec3 hold_place(double above_m) const noexcept;
@@ -75,6 +78,7 @@ class ResectionOperator final : public ScriptedOperator {
     std::vector<uint8_t> cut_, tries_;
     Vec3 place_ = Vec3::Zero(), place_normal_ = Vec3::UnitZ();
     bool placed_ = false, holds_ = false, touches_ = false, piece_free_ = false;
+    double marked_left_ = 1, marked_held_ = 0, pull_n_ = 0;
     int pieces_out_ = 0;
     sim::ToolFeedback needle_feedback_;
     std::vector<uint8_t> free_here_;  // by point of the planned line
@@ -84,8 +88,8 @@ class ResectionOperator final : public ScriptedOperator {
     Left left_ = Left::kLook;
     double time_s_ = 0, right_s_ = 0, left_s_ = 0, height_m_ = 0, low_m_ = 0, out_m_ = 0;
     size_t at_ = 0, run_left_ = 0;
-    int passes_ = 0, grasps_ = 0;
-    bool cutting_done_ = false, wanted_ = false;
+    int passes_ = 0, grasps_ = 0, out_before_ = 0;
+    bool cutting_done_ = false, wanted_ = false, trust_cut_ = true;
     Vec3 point_ = Vec3::Zero(), up_ = Vec3::UnitZ(), along_ = Vec3::UnitX(), beside_ = Vec3::Zero();
     Vec3 place_error_ = Vec3::Zero();
 };

@@ -204,6 +204,40 @@ TEST(Operator, GivesUpWhereNothingCuts) {
     EXPECT_LT(time, operator_profile(OperatorLevel::kExpert).patience_s + 5);
 }
 
+TEST(Operator, LetsAPlaceCoolBeforeItGoesOverItAgain) {
+    // A tenth of the ring never parts, so that the needle must come back to it.
+    FlatWorld world;
+    OperatorProfile profile = operator_profile(OperatorLevel::kExpert);
+    ASSERT_GT(profile.cool_s, 5);
+    OperatorModel model(profile, 1, Vec3(0, 0, 0.015));
+    OperatorAction action;
+    double last_s = -1, shortest_s = 1e9;
+    int returns = 0;
+    for (double time = 0; time < 150 && !action.finish; time += kFrameS) {
+        Perception seen;
+        seen.contour = world.contour;
+        seen.contour_normal = world.normal;
+        seen.contour_cut = world.cut;
+        seen.in_contact = world.in_contact;
+        model.see(seen, {});
+        action = model.act(kFrameS);
+        world.step(action.tip_m, action.pedals != 0);
+        for (int i = 0; i < kPoints / 10; ++i) world.cut[i] = world.energy[i] = 0;
+        const double angle = std::atan2(action.tip_m.y() / 0.0045, action.tip_m.x() / 0.0095);
+        const bool near = std::abs(angle - 2 * std::numbers::pi * 5 / kPoints) < 0.04;
+        if (action.pedals == 0 || !world.in_contact || !near) continue;
+        if (last_s >= 0 && time - last_s > 1) {
+            ++returns;
+            shortest_s = std::min(shortest_s, time - last_s);
+        }
+        last_s = time;
+    }
+    EXPECT_TRUE(action.finish);
+    EXPECT_GE(returns, 2);
+    // One second less: the near field of the test is wider than a point of the line.
+    EXPECT_GT(shortest_s, profile.cool_s - 1);
+}
+
 TEST(Operator, SurvivesAContourThatIsNotFinite) {
     FlatWorld world;
     for (auto& normal : world.normal) normal.setConstant(std::nan(""));
