@@ -102,7 +102,9 @@ void Overlay::read_outs() {
                      TextSize::kSmall, kMuted);
     }
     y += 1.9 * unit_;
-    paint_->text(margin_, y, say(phase_text(snapshot_->phase)), TextSize::kNormal, kAccent);
+    // The phases are those of the operation; exercises have steps.
+    const char* phase = practising() ? "Practice" : phase_text(snapshot_->phase);
+    paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
     // The goal needs a wide window: it must not run into the picture.
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     if (room > 9 * unit_) {

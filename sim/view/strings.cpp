@@ -14,6 +14,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"Release", "Uwolnienie"},
     {"Resect", "Resekcja"},
     {"Check", "Kontrola"},
+    {"Practice", "Ćwiczenie"},
     {"CUT", "CIĘCIE"},
     {"COAG", "KOAG."},
     {"force", "siła"},
