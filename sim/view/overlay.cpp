@@ -231,12 +231,21 @@ bool Overlay::practising() const {
     return !practice.steps.empty() && practice.goal.count > 0;
 }
 
+// Drawn: not every font has one.
 void Overlay::tick(double x, double y) {
-    const double u = 0.62 * unit_, t = 0.11 * unit_;  // drawn: not every font has one
-    const Vec2 a(x, y), b(x + 0.38 * u, y + 0.38 * u), c(x + 1.1 * u, y - 0.62 * u), d(t, t);
-    const Vec2 e(-t, t);
-    paint_->quad({Vec2(a - e), Vec2(b - e), Vec2(b + e), Vec2(a + e)}, kGood);
-    paint_->quad({Vec2(b - d), Vec2(c - d), Vec2(c + d), Vec2(b + d)}, kGood);
+    const double u = 0.62 * unit_, half = 0.085 * unit_;
+    const Vec2 a(x, y), b(x + 0.38 * u, y + 0.38 * u), c(x + 1.1 * u, y - 0.62 * u);
+    const auto stroke = [&](const Vec2& from, const Vec2& to, double width, const Colour& colour) {
+        const Vec2 along = (to - from).normalized() * width, across(-along.y(), along.x());
+        paint_->quad({Vec2(from - along - across), Vec2(to + along - across),
+                      Vec2(to + along + across), Vec2(from - along + across)},
+                     colour);
+    };
+    // A faint border, because quads have hard edges.
+    for (const auto& [wider, share] : {std::pair{0.9, 0.35F}, {0.45, 0.5F}, {0.0, 1.0F}}) {
+        stroke(a, b, half + wider, kGood.faded(share));
+        stroke(b, c, half + wider, kGood.faded(share));
+    }
 }
 
 // The whole list, each step ticked off when it is done; how to do it stands below the present one.
