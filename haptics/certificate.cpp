@@ -45,6 +45,9 @@ void each_field(Certificate& c, Visit&& visit) {
     visit("least_energy_j", c.least_energy_j);
     visit("peak_force_n", c.peak_force_n);
     visit("rms_force_n", c.rms_force_n);
+    visit("compared_ticks", c.compared);
+    visit("differing_ticks", c.differing);
+    visit("last_error", c.last_error);
 }
 
 std::string quoted(std::string_view text) {
@@ -126,7 +129,7 @@ CertificateVerdict judge(const HapticCertificate& c, const CertificateLimits& li
     check_share("force lowered by motor heat", c.hot, limits.hot_share);
     if (c.faults > limits.faults)
         bad(std::to_string(c.faults) + " device faults (at most " + std::to_string(limits.faults) +
-            ")");
+            ")" + (c.last_error.empty() ? "" : "; the last error was " + c.last_error));
     if (!(c.least_energy_j >= limits.least_energy_j))
         bad("the haptic port gave " + sim::rounded_text(-1e3 * c.least_energy_j, 3) +
             " mJ more than it took (at most " + sim::rounded_text(-1e3 * limits.least_energy_j, 3) +

@@ -37,6 +37,9 @@ struct HapticCertificate {
     uint64_t faults = 0;        ///< Doubts: lost, not calibrated, jumps, numbers that are none.
     double least_energy_j = 0;  ///< Lowest energy that the passivity observer saw.
     double peak_force_n = 0, rms_force_n = 0;
+    uint64_t compared = 0;   ///< Ticks at rest in which the force of the coupling was held against
+    uint64_t differing = 0;  ///< the solver's mean over its substeps; more than 5 % apart.
+    std::string last_error;  ///< What the device or its library reported last.
 };
 
 /// What makes a certificate bad. Chosen so that a bench computer with real-time rights passes and

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kReleaseTimeS = 0.05;
 constexpr double kLeftLagS = 0.001;
+// Cross-check with the solver: from this force on, below this speed, within this share and half a
+// step of a usual encoder.
+constexpr double kCheckedN = 0.05, kAtRestMS = 0.001, kCheckedShare = 0.05, kHalfStepM = 28e-6;
 
 bool finite(const sim::ToolFeedback& feedback) noexcept {
     return feedback.proxy.p.allFinite() && std::isfinite(feedback.time_s);
@@ -95,6 +98,22 @@ Vec3 Coupling::spring(const Vec3& tip_m, const Vec3& tip_velocity, double age_s)
     const Vec3 tool = tool_ + ahead * twist;
     return stiffness * (tool - tip_m - (1 - ramp_) * offset_) +
            settings_.damping_ns_m * (twist - tip_velocity);
+}
+
+// The tool rests where the tissue's force and its holder's, which is as stiff as this spring, are
+// equal: then the hand feels what the solver says of the tissue, the mean of its multipliers over
+// the substeps of the frame. Otherwise one of both is wrong, and what is scored is not what is
+// felt.
+void Coupling::compare(const Vec3& tip_m, const Vec3& solver_n,
+                       CouplingResult& out) const noexcept {
+    const bool at_rest = ramp_ >= 1 && release_ >= 1 && uneven_s_ <= 0 && !out.stale &&
+                         tip_velocity_.value().norm() < kAtRestMS &&
+                         tool_velocity_.value().norm() < kAtRestMS && solver_n.allFinite();
+    const Vec3 felt = settings_.stiffness_n_m * (tool_ - tip_m);
+    const double size = std::max(felt.norm(), solver_n.norm());
+    out.compared = at_rest && size >= kCheckedN;
+    out.differing = out.compared && (felt - solver_n).norm() >
+                                        kCheckedShare * size + kHalfStepM * settings_.stiffness_n_m;
 }
 
 Vec3 Coupling::limit(const Vec3& force, float motor_heat, double dt_s,
@@ -182,6 +201,7 @@ CouplingResult Coupling::tick(int64_t t_ns, const DeviceState& device, const Vec
     const Vec3 wished = trocar.device_force(spring(tip_m, tip_velocity_.value(), age));
     const Vec3 damped = passivity_.correct(wished, velocity_.value(), dt, out.passive);
     sent_ = limit(damped, device.motor_heat, dt, out);
+    compare(tip_m, feedback.force_n, out);
     if (!sent_.allFinite()) {
         go_silent();
         distrust_s_ = settings_.recover_s;

@@ -15,14 +15,16 @@ namespace placode::haptics {
 /// What one tick of the coupling gives.
 struct CouplingResult {
     Vec3 force_n = Vec3::Zero();  ///< For the device, in D.
-    bool trusted = false;  ///< The hand may move the tool; false after a fault or a lost device.
-    bool clamped = false;  ///< The ceiling of the force acted.
-    bool slewed = false;   ///< The limit of its rise acted.
-    bool fault = false;    ///< A doubt began in this tick.
-    bool stale = false;    ///< The tool state is old; the force fades.
-    bool passive = false;  ///< The passivity controller took energy back.
-    bool silent = false;   ///< No force on purpose: a doubt, no tool, or the way back.
-    bool hot = false;      ///< Motor heat has lowered the ceiling.
+    bool trusted = false;    ///< The hand may move the tool; false after a fault or a lost device.
+    bool clamped = false;    ///< The ceiling of the force acted.
+    bool slewed = false;     ///< The limit of its rise acted.
+    bool fault = false;      ///< A doubt began in this tick.
+    bool stale = false;      ///< The tool state is old; the force fades.
+    bool passive = false;    ///< The passivity controller took energy back.
+    bool silent = false;     ///< No force on purpose: a doubt, no tool, or the way back.
+    bool hot = false;        ///< Motor heat has lowered the ceiling.
+    bool compared = false;   ///< At rest: the force was held against the solver's,
+    bool differing = false;  ///< and is more than 5 % from it.
     double tool_age_s = 0;
 };
 
@@ -53,6 +55,7 @@ class Coupling {
     void reanchor(const Vec3& tip_m) noexcept;
     void go_silent() noexcept;
     [[nodiscard]] Vec3 spring(const Vec3& tip_m, const Vec3& tip_velocity, double age_s) noexcept;
+    void compare(const Vec3& tip_m, const Vec3& solver_n, CouplingResult& out) const noexcept;
     [[nodiscard]] Vec3 limit(const Vec3& force, float motor_heat, double dt_s,
                              CouplingResult& out) noexcept;
 

@@ -121,6 +121,9 @@ class DeviceGroup {
     /// answers false when the session is over. Any other group says false.
     using ServoTick = bool (*)(void* context, int64_t t_ns) noexcept;
     [[nodiscard]] virtual bool start(ServoTick, void* /*context*/) { return false; }
+    /// The last error that the device or its library reported, code and words; empty: none yet.
+    /// Any thread.
+    [[nodiscard]] virtual std::string last_error() const { return {}; }
     /// True when the group must run in step with the simulation (scripts, recordings): then
     /// simulated time is its clock and no servo thread is started.
     [[nodiscard]] virtual bool lock_step() const noexcept { return false; }

@@ -48,6 +48,7 @@ class WatchedGroup final : public DeviceGroup {
         return inner_->start(tick, context);
     }
     [[nodiscard]] bool lock_step() const noexcept override { return inner_->lock_step(); }
+    [[nodiscard]] std::string last_error() const override { return inner_->last_error(); }
     void stop() noexcept override { inner_->stop(); }
     void ask() noexcept { ask_.store(true, std::memory_order_relaxed); }
 
@@ -100,6 +101,7 @@ struct DeviceTrial::Impl {
     size_t first = 0, shown = 0;  // which of the hands are arms
     // World thread.
     std::array<double, sim::kMaxTools> floor_m{};
+    double stiffness_n_m = 0;  // of the coupling: what it stands on presses back with the same
     double time_s = 0;
     // Crosses threads.
     std::atomic<bool> running{false}, floor{false}, replace{false};
@@ -126,7 +128,9 @@ void DeviceTrial::Impl::frame() noexcept {
         sim::Pose tip = inputs[i].pose();
         if (anew) floor_m[i] = tip.p.y() - kFloorBelowM;
         height_m[i].store(on ? tip.p.y() - floor_m[i] : 0, std::memory_order_relaxed);
-        if (on) tip.p.y() = std::max(tip.p.y(), floor_m[i]);
+        const double below_m = on ? std::max(0.0, floor_m[i] - tip.p.y()) : 0;
+        tip.p.y() += below_m;
+        feedback[i].force_n = Vec3(0, stiffness_n_m * below_m, 0);
         feedback[i].proxy = tip;
         feedback[i].time_s = time_s;
     }
@@ -165,6 +169,7 @@ DeviceTrial::DeviceTrial(const TrialSettings& settings) : impl_(std::make_unique
     impl_->law = trial_law(settings);
     const std::vector<TrocarSettings> trocars(config.tools.size(), trocar);
     impl_->servo = std::make_unique<Servo>(std::move(group), config.tools, trocars, impl_->law);
+    impl_->stiffness_n_m = impl_->servo->stiffness_n_m(0);
     impl_->infos.resize(config.tools.size());
     // One arm that would take turns with the tools of both hands is shown once.
     const std::vector<DeviceInfo>& infos = impl_->infos;

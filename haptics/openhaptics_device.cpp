@@ -1,148 +1,37 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Touch, Touch X and Omni through the vendor's libHD.so, loaded at run time. The functions and
-// numbers are declared here in our own words after the OpenHaptics reference guide 3.4; no vendor
-// file is needed to build. One scheduler of the vendor's carries both arms: within one tick both
-// frames are begun and read, the force law runs, then both forces are set and the frames ended.
-#include <dlfcn.h>
-
+// Touch, Touch X and Omni through the vendor's libHD.so, loaded at run time. One scheduler of the
+// vendor's carries both arms: within one tick both frames are begun and read, the force law runs,
+// then both forces are set and the frames ended.
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
-#include <cstdlib>
 #include <mutex>
 #include <thread>
 
 #include "haptics/arm_hands.h"
+#include "haptics/openhaptics_library.h"
 #include "haptics/real_time.h"
 
 namespace placode::haptics {
 
 namespace {
 
-using DeviceHandle = unsigned;  // HHD
-struct ErrorInfo {              // HDErrorInfo, returned by value
-    unsigned code;
-    int internal;
-    DeviceHandle device;
-};
-static_assert(sizeof(ErrorInfo) == 12);
+using namespace hd;  // NOLINT: the names of one library, in its one driver
 
-constexpr DeviceHandle kNoHandle = 0xFFFFFFFFu;
-constexpr unsigned kButtons = 0x2000, kInkwell = 0x2002, kPosition = 0x2050, kTransform = 0x2052,
-                   kJointAngles = 0x2100, kGimbalAngles = 0x2150, kModel = 0x2501, kVendor = 0x2503,
-                   kSerial = 0x2504, kMaxForce = 0x2603, kContinuousForce = 0x2604,
-                   kMotorTemperature = 0x2605, kForce = 0x2700, kForceOutput = 0x4000,
-                   kForceRamping = 0x4002;
-constexpr unsigned kCalibrationOk = 0x5000, kCalibrationNeedsUpdate = 0x5001;
-constexpr unsigned kSuccess = 0, kInputType = 0x103, kDeviceFault = 0x300,
-                   kAlreadyInitiated = 0x301, kComm = 0x302, kTimer = 0x304,
-                   kInvalidPriority = 0x500, kSchedulerFull = 0x501, kInvalidLicense = 0x600;
-constexpr unsigned kCallbackDone = 0, kCallbackContinue = 1;
-constexpr unsigned short kMaxPriority = 65535;
-constexpr unsigned long kRateHz = 1000;
 constexpr int kPoll = 100;  // ticks between looks at calibration and motors
 constexpr double kMm = 1e-3;
 constexpr double kDefaultMaxForceN = 3.3, kDefaultContinuousN = 0.88, kMaxStiffnessNM = 400,
                  kMaxDampingNsM = 4;  // of the Touch; the unit of the library's own is not settled
 constexpr auto kRetry = std::chrono::milliseconds(500);
 
-/// The functions that are used.
-struct Library {
-    DeviceHandle (*init_device)(const char*);
-    void (*disable_device)(DeviceHandle);
-    void (*make_current)(DeviceHandle);
-    void (*begin_frame)(DeviceHandle);
-    void (*end_frame)(DeviceHandle);
-    ErrorInfo (*get_error)();
-    const char* (*error_string)(unsigned);
-    void (*enable)(unsigned);
-    void (*disable)(unsigned);
-    void (*get_booleanv)(unsigned, unsigned char*);
-    void (*get_integerv)(unsigned, int*);
-    void (*get_doublev)(unsigned, double*);
-    void (*set_doublev)(unsigned, const double*);
-    const char* (*get_string)(unsigned);
-    unsigned (*check_calibration)();
-    unsigned (*calibration_style)();
-    void (*update_calibration)(unsigned);
-    void (*start_scheduler)();
-    void (*stop_scheduler)();
-    void (*set_rate)(unsigned long);
-    unsigned long (*schedule)(unsigned (*)(void*), void*, unsigned short);
-    void (*unschedule)(unsigned long);
-};
-
-constexpr const char* kHowToInstall =
-    "Install the vendor's OpenHaptics and Touch device driver (3D Systems, \"OpenHaptics for "
-    "Linux\"), and the old ncurses that it needs (libncurses5, libtinfo5); or name the file by "
-    "openhaptics.library in the station file or by PLACODE_LIBHD.";
-
-template <class Function>
-void load(void* library, const char* name, Function& function) {
-    void* symbol = dlsym(library, name);
-    if (symbol == nullptr)
-        throw DeviceError(std::string("openhaptics: the library has no ") + name +
-                          ": it is not the libHD of OpenHaptics 3.4. " + kHowToInstall);
-    function = reinterpret_cast<Function>(symbol);
-}
-
-void* open_library(const Station& station) {
-    std::vector<std::string> names;
-    if (const char* named = std::getenv("PLACODE_LIBHD")) names.emplace_back(named);
-    if (const std::string named = station.text("openhaptics.library"); !named.empty())
-        names.push_back(named);
-    if (names.empty()) names = {"libHD.so.3.4", "libHD.so"};
-    std::string problems;
-    for (const std::string& name : names) {
-        if (void* library = dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL)) return library;
-        const char* why = dlerror();  // as it stands: it names the missing file
-        problems += (problems.empty() ? "" : "; ") + std::string(why != nullptr ? why : name);
-    }
-    throw DeviceError("openhaptics: " + problems + ". " + kHowToInstall);
-}
-
-// The library stays loaded: threads of the vendor's may outlive a session.
-Library load_library(const Station& station) {
-    void* library = open_library(station);
-    Library hd{};
-    load(library, "hdInitDevice", hd.init_device);
-    load(library, "hdDisableDevice", hd.disable_device);
-    load(library, "hdMakeCurrentDevice", hd.make_current);
-    load(library, "hdBeginFrame", hd.begin_frame);
-    load(library, "hdEndFrame", hd.end_frame);
-    load(library, "hdGetError", hd.get_error);
-    load(library, "hdGetErrorString", hd.error_string);
-    load(library, "hdEnable", hd.enable);
-    load(library, "hdDisable", hd.disable);
-    load(library, "hdGetBooleanv", hd.get_booleanv);
-    load(library, "hdGetIntegerv", hd.get_integerv);
-    load(library, "hdGetDoublev", hd.get_doublev);
-    load(library, "hdSetDoublev", hd.set_doublev);
-    load(library, "hdGetString", hd.get_string);
-    load(library, "hdCheckCalibration", hd.check_calibration);
-    load(library, "hdCheckCalibrationStyle", hd.calibration_style);
-    load(library, "hdUpdateCalibration", hd.update_calibration);
-    load(library, "hdStartScheduler", hd.start_scheduler);
-    load(library, "hdStopScheduler", hd.stop_scheduler);
-    load(library, "hdSetSchedulerRate", hd.set_rate);
-    load(library, "hdScheduleAsynchronous", hd.schedule);
-    load(library, "hdUnschedule", hd.unschedule);
-    return hd;
-}
-
-bool ends_session(unsigned code) noexcept {
-    return code == kDeviceFault || (code >= kComm && code <= kTimer) || code == kInvalidPriority ||
-           code == kSchedulerFull || code == kInvalidLicense;
-}
-
 class OpenHapticsDevice final : public ArmHands {
  public:
     OpenHapticsDevice(const DeviceConfig& config, std::vector<sim::Hand> hands,
                       std::vector<std::string> names)
         : ArmHands(config, hands),
-          hd_(load_library(config.station)),
+          hd_(hd::load_library(config.station)),
           arms_(hands.size()),
           clock_ns_(config.clock_ns != nullptr ? config.clock_ns : monotonic_ns) {
         for (size_t i = 0; i < arms_.size(); ++i) {
@@ -177,6 +66,11 @@ class OpenHapticsDevice final : public ArmHands {
         if (watcher_.joinable()) watcher_.join();
         end_session();
         disable_all();
+    }
+
+    [[nodiscard]] std::string last_error() const override {
+        const unsigned code = last_error_.load(std::memory_order_relaxed);
+        return code != kSuccess ? error_words(code) : "";
     }
 
  protected:

@@ -18,7 +18,7 @@ inline constexpr int kPhysicsPriority = 60;  ///< SCHED_FIFO
 void sleep_until(int64_t t_ns) noexcept;
 
 /// Puts the calling thread under SCHED_FIFO, with a fine timer slack and its stack in memory.
-/// False: not permitted; the thread then runs as before.
+/// False: not permitted; the thread then is an ordinary one, at nice -10 where that is allowed.
 [[nodiscard]] bool make_thread_real_time(int priority) noexcept;
 /// Back to the ordinary scheduler.
 void make_thread_ordinary() noexcept;

@@ -29,7 +29,7 @@ void count(Counter& counter, bool happened = true, uint64_t n = 1) noexcept {
 
 struct Counters {
     Counter ticks{0}, missed{0}, late{0}, gaps{0}, tool_states{0}, saturated{0}, slewed{0}, hot{0},
-        stale{0}, silent{0}, passivity{0}, faults{0};
+        stale{0}, silent{0}, passivity{0}, faults{0}, compared{0}, differing{0};
     std::atomic<double> peak_n{0}, rms_n{0}, least_j{0};
     std::atomic<int64_t> first_ns{0}, last_ns{0};
     DurationHistogram periods, ages;
@@ -84,6 +84,8 @@ void Servo::Impl::note(size_t i, const CouplingResult& result,
     count(counters.silent, result.silent);
     count(counters.passivity, result.passive);
     count(counters.faults, result.fault);
+    count(counters.compared, hand.force && result.compared);
+    count(counters.differing, hand.force && result.differing);
     count(counters.tool_states, feedback.time_s != hand.tool_time_s);
     hand.tool_time_s = feedback.time_s;
     if (feedback.time_s > 0) counters.ages.add(std::llround(result.tool_age_s * 1e9));
@@ -305,6 +307,9 @@ HapticCertificate Servo::certificate() const {
     out.least_energy_j = c.least_j;
     out.peak_force_n = c.peak_n;
     out.rms_force_n = c.rms_n;
+    out.compared = c.compared;
+    out.differing = c.differing;
+    out.last_error = impl.devices->last_error();
     return out;
 }
 

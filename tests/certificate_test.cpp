@@ -31,6 +31,8 @@ HapticCertificate sound() {
     c.least_energy_j = -0.0003;
     c.peak_force_n = 2.6;
     c.rms_force_n = 0.41;
+    c.compared = 5'000;
+    c.differing = 3;
     return c;
 }
 
@@ -66,6 +68,11 @@ TEST(Certificate, NamesEveryReasonWithNumberAndLimit) {
     one(with([](auto& c) { c.saturated = 60'000; }), "force at its ceiling in 10 %");
     one(with([](auto& c) { c.hot = 60'000; }), "motor heat");
     one(with([](auto& c) { c.faults = 1; }), "1 device faults (at most 0)");
+    one(with([](auto& c) {
+            c.faults = 2;
+            c.last_error = "0x302 (communication error)";
+        }),
+        "(at most 0); the last error was 0x302 (communication error)");
     one(with([](auto& c) { c.least_energy_j = -0.02; }), "gave 20 mJ");
     one(with([](auto& c) { c.least_energy_j = std::nan(""); }), "haptic port");
     EXPECT_EQ(with([](auto& c) { c.ticks = 0; }).grade, CertificateGrade::kBad);
@@ -84,6 +91,8 @@ TEST(Certificate, ComesBackFromJson) {
     EXPECT_EQ(back.gaps, c.gaps);
     EXPECT_EQ(back.period_max_us, c.period_max_us);
     EXPECT_EQ(back.least_energy_j, c.least_energy_j);
+    EXPECT_EQ(back.compared, c.compared);
+    EXPECT_EQ(back.differing, c.differing);
     EXPECT_EQ(certificate_to_json(back), json);
 }
 

@@ -66,6 +66,33 @@ TEST(Coupling, PullsTheHandToTheToolWithItsStiffness) {
     EXPECT_NEAR(result.force_n.head<2>().norm(), 0, 1e-6);
 }
 
+// The force of the tissue is known twice: from the spring that the hand feels, and from the
+// solver's multipliers, averaged over substeps.
+TEST(Coupling, HoldsItsForceAgainstTheSolversAtRest) {
+    const double right = 300 * 0.002;
+    for (const double told : {right, 1.04 * right, 0.9 * right, 1.1 * right, 0.0, -right}) {
+        Bench bench = pressed();
+        bench.feedback.force_n = Vec3(0, 0, told);
+        const CouplingResult result = bench.tick(Vec3(0, 0, -0.002));
+        EXPECT_TRUE(result.compared) << told;
+        // 5 %, and half a step of an encoder on the spring.
+        EXPECT_EQ(result.differing, std::abs(told - right) > 0.05 * right + 0.0085) << told;
+    }
+    Bench bench = pressed();
+    bench.feedback.force_n = Vec3(0, 0, right);
+    EXPECT_FALSE(bench.tick(Vec3(0, 0, -0.0025)).compared) << "a hand that moves";
+    bench = pressed();
+    bench.feedback.force_n = Vec3(0, 0, right);
+    for (int i = 0; i < 20; ++i) bench.tick(Vec3(0, 0, -0.002), false);
+    EXPECT_FALSE(bench.tick(Vec3(0, 0, -0.002), false).compared) << "an old tool state";
+    bench = Bench();
+    bench.ticks(700, Vec3::Zero());
+    EXPECT_FALSE(bench.tick(Vec3::Zero()).compared) << "nothing is felt";
+    bench = pressed();
+    bench.feedback.force_n.x() = std::nan("");
+    EXPECT_FALSE(bench.tick(Vec3(0, 0, -0.002)).compared);
+}
+
 TEST(Coupling, StartsWithoutForceWhereverTheToolIs) {
     Bench bench;
     bench.feedback.proxy.p = bench.home + Vec3(0, 0, 0.0019);

@@ -1,12 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole path of the servo, from the driver of every vendor's stand-in through trocar, coupling
-// and limits and back, allocates nothing: at work, in contact, and when the device goes and comes.
+// and limits and back, allocates nothing and locks nothing: at work, in contact, and when the
+// device goes and comes.
 #include <dlfcn.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <functional>
+#include <mutex>
 
 #include "haptics/servo.h"
 #include "tests/count_allocations.h"
@@ -27,6 +30,9 @@ std::vector<sim::ToolSpec> two_tools() {
     return tools;
 }
 
+/// Allocations and locks of this thread so far.
+long cost() { return placode::test::allocations + placode::test::locks; }
+
 /// Ticks the whole path 1500 times; at 500 `trouble` begins, at 700 it ends. The tools stay where
 /// they are, so that a hand that moves feels them.
 struct Path {
@@ -39,18 +45,18 @@ struct Path {
     }
     ~Path() { servo.stop(); }
 
-    /// What the ticks allocated; the calls of `trouble` do not count.
+    /// What the ticks allocated and locked; the calls of `trouble` do not count.
     long run(const std::function<void(bool)>& trouble) {
-        long allocated = 0;
+        long spent = 0;
         for (int i = 0; i < 1500; ++i) {
             if (i == 500 || i == 700) trouble(i == 500);
             for (sim::ToolFeedback& tool : feedback) tool.time_s = 1e-3 * (i + 1);
-            const long before = placode::test::allocations;
+            const long before = cost();
             servo.tick(monotonic_ns(), inputs, feedback);
-            allocated += placode::test::allocations - before;
+            spent += cost() - before;
             if (i % 4 == 0) sleep_until(monotonic_ns() + 200'000);
         }
-        return allocated;
+        return spent;
     }
 
     std::array<sim::ToolInput, 2> inputs{};
@@ -58,7 +64,7 @@ struct Path {
     Servo servo;
 };
 
-TEST(ServoPath, AllocatesNothingWithHaply) {
+TEST(ServoPath, AllocatesAndLocksNothingWithHaply) {
     test::HaplyService service;
     DeviceConfig config;
     config.name = "haply";
@@ -73,7 +79,7 @@ TEST(ServoPath, AllocatesNothingWithHaply) {
               0);
 }
 
-TEST(ServoPath, AllocatesNothingWithTheHapticAvatar) {
+TEST(ServoPath, AllocatesAndLocksNothingWithTheHapticAvatar) {
     test::AvatarPort port;
     DeviceConfig config;
     config.name = "avatar";
@@ -86,7 +92,7 @@ TEST(ServoPath, AllocatesNothingWithTheHapticAvatar) {
     EXPECT_EQ(path.run([&](bool on) { port.change([&](auto& p) { p.silent = on; }); }), 0);
 }
 
-TEST(ServoPath, AllocatesNothingWithForceDimension) {
+TEST(ServoPath, AllocatesAndLocksNothingWithForceDimension) {
     void* library = dlopen(PLACODE_DHD_STAND_IN, RTLD_NOW | RTLD_LOCAL);
     ASSERT_NE(library, nullptr);
     const auto reset = reinterpret_cast<void (*)(int)>(dlsym(library, "fakedhd_reset"));
@@ -101,7 +107,7 @@ TEST(ServoPath, AllocatesNothingWithForceDimension) {
     EXPECT_EQ(path.run([&](bool on) { place(0, on ? std::nan("") : 0.0, 0, 0); }), 0);
 }
 
-TEST(ServoPath, AllocatesNothingWithASpaceMouse) {
+TEST(ServoPath, AllocatesAndLocksNothingWithASpaceMouse) {
     test::SpaceDaemon daemon;
     DeviceConfig config;
     config.name = "spacemouse";
@@ -113,7 +119,7 @@ TEST(ServoPath, AllocatesNothingWithASpaceMouse) {
     EXPECT_EQ(path.run([&](bool on) { on ? daemon.quit() : daemon.listen_again(); }), 0);
 }
 
-TEST(ServoPath, AllocatesNothingWithMouseKeyboardAndGamepad) {
+TEST(ServoPath, AllocatesAndLocksNothingWithMouseKeyboardAndGamepad) {
     for (const char* name : {"mouse", "keyboard", "gamepad"}) {
         sim::Latest<sim::WindowInput> window;
         DeviceConfig config;
@@ -135,10 +141,18 @@ TEST(ServoPath, AllocatesNothingWithMouseKeyboardAndGamepad) {
     }
 }
 
-TEST(ServoPath, CountsWhatIsAllocated) {
+TEST(ServoPath, CountsWhatIsAllocatedAndLocked) {
     const long before = placode::test::allocations;
     ::operator delete(::operator new(8));
     EXPECT_EQ(placode::test::allocations, before + 1) << "the interposer works";
+#ifndef PLACODE_ONLY_NEW_IS_COUNTED
+    std::free(::strdup("by the C library"));
+    EXPECT_EQ(placode::test::allocations, before + 2);
+    const long locked = placode::test::locks;
+    std::mutex mutex;
+    { const std::lock_guard lock(mutex); }
+    EXPECT_EQ(placode::test::locks, locked + 1);
+#endif
 }
 
 }  // namespace

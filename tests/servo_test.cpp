@@ -3,7 +3,12 @@
 #include "haptics/servo.h"
 
 #include <gtest/gtest.h>
+#include <linux/capability.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <thread>
@@ -272,6 +277,45 @@ TEST(Servo, RunsInItsOwnThreadAndReportsItsHealth) {
     }
     EXPECT_EQ(bench.script.stops, 1);
     EXPECT_EQ(bench.script.force, Vec3::Zero()) << "released at the end";
+}
+
+// What a plain user has: no right to SCHED_FIFO, none to lock memory. Rights of root are taken from
+// a thread of its own and, with it, from those that it starts.
+TEST(Servo, RunsWithoutRealTimeRightsAndSaysHowToGrantThem) {
+    const auto limit_to = [](auto which, rlim_t soft) {
+        rlimit limit{};
+        getrlimit(which, &limit);
+        const rlim_t before = limit.rlim_cur;
+        limit.rlim_cur = std::min(soft, limit.rlim_max);
+        setrlimit(which, &limit);
+        return before;
+    };
+    const rlim_t priority = limit_to(RLIMIT_RTPRIO, 0), memory = limit_to(RLIMIT_MEMLOCK, 0);
+    ServoHealth health;
+    HapticCertificate certificate;
+    std::thread plain_user([&] {
+        __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+        __user_cap_data_struct none[2]{};
+        ASSERT_EQ(syscall(SYS_capset, &header, none), 0);
+        Bench bench(false);
+        bench.servo.start();
+        const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+        while (bench.servo.health().ticks < 50 && std::chrono::steady_clock::now() < limit)
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        health = bench.servo.health();
+        certificate = bench.servo.certificate();
+        bench.servo.stop();
+    });
+    plain_user.join();
+    limit_to(RLIMIT_RTPRIO, priority);
+    limit_to(RLIMIT_MEMLOCK, memory);
+    EXPECT_GE(health.ticks, 50u) << "it runs";
+    EXPECT_FALSE(health.real_time);
+    EXPECT_FALSE(certificate.real_time);
+    EXPECT_FALSE(certificate.memory_locked);
+    EXPECT_NE(health.remark.find("@placode - rtprio 85"), std::string::npos) << health.remark;
+    EXPECT_NE(health.remark.find("@placode - memlock unlimited"), std::string::npos);
+    EXPECT_NE(health.remark.find("--limits-file"), std::string::npos);
 }
 
 TEST(Servo, RefusesToolsWithoutTrocars) {

@@ -72,6 +72,9 @@ Json report_json(const haptics::TrialReport& report, double time_s) {
             {"gaps", loop.gaps},
             {"faults", loop.faults},
             {"peak_force_n", loop.peak_force_n},
+            {"compared_ticks", loop.compared},
+            {"differing_ticks", loop.differing},
+            {"last_error", loop.last_error},
             {"real_time", loop.real_time}};
 }
 
