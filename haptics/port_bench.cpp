@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
 #include <optional>
-#include <random>
 #include <stdexcept>
 
-#include "haptics/hand_motion.h"
+#include "haptics/port_hand.h"
 #include "haptics/port_tissue.h"
 
 namespace placode::haptics {
@@ -18,87 +16,15 @@ namespace placode::haptics {
 namespace {
 
 constexpr Grip kGrips[] = {{"firm", 800, 3}, {"light", 150, 0.5}, {"fingertip", 60, 0.2}};
-constexpr int kFine = 20;
-constexpr double kTick = 1e-3;
-constexpr double kArmKg = 0.554, kArmNsM = 6.45, kArmNM = 135;
-constexpr double kDeviceKg = 0.045, kDeviceNsM = 0.1, kEncoderM = 55e-6, kCoulombN = 0.26;
+constexpr double kTick = kPortTickS;
 constexpr double kStartS = 0.6;  // after the ramp of the force
 constexpr double kPushS = 0.3, kDisturbS = 2.0, kUnplugS = 0.1;
 constexpr double kEndS = 0.5;  // what is measured at the end
-constexpr double kSweepStartS = 1.5, kSweepS = 20, kSweepFrom = 0.5, kSweepTo = 50;
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);
     return x * x * x * (10 + x * (-15 + 6 * x));
 }
-
-/// Phase of the sweep: its frequency grows by the same factor every second.
-double sweep_phase(double t) noexcept {
-    const double rate = std::log(kSweepTo / kSweepFrom) / kSweepS;
-    const double since = std::clamp(t - kSweepStartS, 0.0, kSweepS);
-    return 2 * std::numbers::pi * kSweepFrom / rate * std::expm1(rate * since);
-}
-
-/// What goes wrong next in a soak, and when.
-class Trouble {
- public:
-    enum class Kind : uint8_t { kNone, kStall, kGap, kBack, kNan, kJump, kUnplug };
-    explicit Trouble(uint64_t seed) noexcept : draw_(seed) {}
-    /// Goes on to tick `i`; true when something begins there.
-    bool step(int i) noexcept {
-        if (i >= until_) now = Kind::kNone;
-        if (i < next_) return false;
-        constexpr int stalls[] = {5, 50, 500};
-        now = static_cast<Kind>(1 + draw_() % 6);
-        int length = 1;
-        if (now == Kind::kStall) length = stalls[draw_() % 3];
-        if (now == Kind::kGap) length = 2 + static_cast<int>(draw_() % 59);
-        if (now == Kind::kUnplug) length = 100;
-        until_ = i + length;
-        next_ = until_ + 800 + static_cast<int>(draw_() % 2500);
-        return true;
-    }
-    Kind now = Kind::kNone;
-
- private:
-    std::minstd_rand draw_;  // its numbers are the same everywhere
-    int next_ = 1500, until_ = 0;
-};
-
-/// Arm, grip and device: three axes alike.
-class Hand {
- public:
-    Hand(const Grip& grip, bool friction) : grip_(grip), friction_(friction) {}
-    /// One tick of 1 ms with the arm aiming at `target` and the motors giving `force`.
-    void step(const Vec3& target_m, const Vec3& force_n) noexcept {
-        const double dt = kTick / kFine;
-        for (int i = 0; i < kFine; ++i) {
-            const Vec3 hold =
-                grip_.stiffness_n_m * (arm_ - device_) + grip_.damping_ns_m * (arm_v_ - device_v_);
-            const Vec3 pull = kArmNM * (target_m - arm_) - kArmNsM * arm_v_ - hold;
-            arm_v_ += dt / kArmKg * pull;
-            arm_ += dt * arm_v_;
-            device_v_ += dt / kDeviceKg * (force_n + hold - kDeviceNsM * device_v_);
-            if (friction_) {
-                const double speed = device_v_.norm(), loss = dt / kDeviceKg * kCoulombN;
-                device_v_ *= speed > loss ? 1 - loss / speed : 0.0;
-            }
-            device_ += dt * device_v_;
-        }
-    }
-    /// A machine moves the device.
-    void place(const Vec3& device_m) noexcept { device_ = device_m; }
-    [[nodiscard]] const Vec3& device_m() const noexcept { return device_; }
-    [[nodiscard]] Vec3 encoder_m() const noexcept {
-        return kEncoderM * (device_ / kEncoderM).array().round().matrix();
-    }
-
- private:
-    Grip grip_;
-    bool friction_;
-    Vec3 arm_ = Vec3::Zero(), arm_v_ = Vec3::Zero();
-    Vec3 device_ = Vec3::Zero(), device_v_ = Vec3::Zero();
-};
 
 /// What the servo sees of it.
 struct Link {
@@ -213,6 +139,7 @@ class Run {
             const double behind = (tip - home_).dot(what_.direction);
             if (what_.world == PortWorld::kWall && behind > 0)
                 pending_.proxy.p -= behind * what_.direction;
+            pending_.force_n = tool_.grip_n_m * (pending_.proxy.p - tip);
         }
         if (what_.prompt) feedback_[0] = pending_;
     }
@@ -279,6 +206,7 @@ class Run {
         if (t >= kDisturbS && force == 0) seen_silent_ = true;
         const double along = hand_.device_m().dot(what_.direction);
         result_.position_m.push_back(static_cast<float>(along));
+        result_.energy_j.push_back(static_cast<float>(energy_j_));
         result_.force_n.push_back(static_cast<float>(-link_.force.dot(what_.direction)));
         if (t < what_.seconds - kEndS) {
             energy_then_j_ = energy_j_;
@@ -304,7 +232,7 @@ class Run {
     }
 
     PortCase what_;
-    Hand hand_;
+    PortHand hand_;
     Link link_;
     sim::ToolSpec tool_;
     TrocarSettings trocar_ = bench_trocar();
@@ -326,59 +254,18 @@ class Run {
     bool gap_ = false;
 };
 
-/// Force and displacement against the phase of the sweep, from one phase to another.
-PortImpedance impedance_at(double hz, const PortResult& result, double from, double to) {
-    std::complex<double> force = 0, way = 0, turn_sum = 0;
-    double mean_force = 0, mean_way = 0, n = 0;
-    for (size_t i = 1; i < result.force_n.size(); ++i) {
-        const double phase = sweep_phase((static_cast<double>(i) + 0.5) * kTick);
-        if (phase < from || phase > to) continue;
-        // A force is held for a tick: it belongs to the middle of the way in it.
-        const double x = 0.5 * (static_cast<double>(result.position_m[i - 1]) +
-                                static_cast<double>(result.position_m[i]));
-        const auto f = static_cast<double>(result.force_n[i]);
-        const std::complex<double> turn = std::polar(1.0, -phase);
-        way += x * turn;
-        force += f * turn;
-        turn_sum += turn;
-        mean_way += x;
-        mean_force += f;
-        ++n;
-    }
-    way -= mean_way / n * turn_sum;
-    force -= mean_force / n * turn_sum;
-    const std::complex<double> ratio = force / way;
-    return {hz, std::abs(ratio), std::arg(ratio)};
-}
-
 }  // namespace
 
 std::span<const Grip> grips() noexcept { return kGrips; }
 
 PortResult run_port(const PortCase& what) { return Run(what).all(); }
 
-std::vector<PortImpedance> port_impedance(PortCase what) {
-    what.world = PortWorld::kWall;
-    what.seconds = kSweepStartS + kSweepS;
-    if (what.sweep_m <= 0) what.sweep_m = 0.001;
-    const PortResult result = run_port(what);
-    std::vector<PortImpedance> out;
-    const double rate = std::log(kSweepTo / kSweepFrom) / kSweepS;
-    for (const double hz : {0.7, 1.0, 2.0, 5.0, 10.0, 20.0, 40.0}) {
-        // Whole turns of the sweep around the moment at which it passes this frequency.
-        const double middle = sweep_phase(kSweepStartS + std::log(hz / kSweepFrom) / rate);
-        const double half = std::numbers::pi * std::max(1.0, std::round(hz));
-        out.push_back(impedance_at(hz, result, middle - half, middle + half));
-    }
-    return out;
-}
-
 bool calm(const PortResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }
 
-double largest_stiffness(PortCase what, double most_n_m) {
+double largest_stiffness(PortCase what, const StiffnessSweep& sweep) {
     double found = 0;
     what.seconds = 3.5;
-    for (double k = 50; k <= most_n_m; k *= 1.15) {
+    for (double k = sweep.from_n_m; k <= sweep.to_n_m; k *= sweep.step) {
         what.settings.stiffness_n_m = k;
         if (!calm(run_port(what))) return found;
         found = k;

@@ -70,6 +70,7 @@ struct PortResult {
     double recovered_s = 0;     ///< From the end of the disturbance to half of the force before.
     HapticCertificate certificate;
     std::vector<float> position_m, force_n;  ///< Along the push, every tick.
+    std::vector<float> energy_j;             ///< That went into the port so far, every tick.
 };
 
 /// Runs one case. Deterministic: the same case gives the same bits. Throws std::invalid_argument
@@ -88,8 +89,11 @@ struct PortImpedance {
 /// True when the device comes to rest: less than 0.3 mm from peak to peak after three seconds.
 [[nodiscard]] bool calm(const PortResult& result) noexcept;
 
-/// Largest stiffness at which every push against the wall comes to rest, by steps of 1.15 from 50
-/// to `most_n_m`.
-[[nodiscard]] double largest_stiffness(PortCase what, double most_n_m = 6000);
+/// Stiffnesses that are tried, each `step` times the one before.
+struct StiffnessSweep {
+    double from_n_m = 50, to_n_m = 6000, step = 1.15;
+};
+/// Largest stiffness up to which every push into wall or tissue comes to rest; 0: not one.
+[[nodiscard]] double largest_stiffness(PortCase what, const StiffnessSweep& sweep = {});
 
 }  // namespace placode::haptics

@@ -71,6 +71,22 @@ TEST(PortBench, ComesToRestOnTheTissueSolver) {
         // Half a step of the encoder (0.055 mm) on the spring stays open.
         EXPECT_NEAR(result.mean_force_n, result.tissue_force_n,
                     0.05 * result.tissue_force_n + 0.5 * 55e-6 * what.settings.stiffness_n_m);
+        // And so the servo itself saw it, tick by tick.
+        EXPECT_GT(result.certificate.compared, 50u) << grip.name;
+        EXPECT_LT(static_cast<double>(result.certificate.differing),
+                  0.01 * static_cast<double>(result.certificate.compared))
+            << grip.name;
+    }
+}
+
+TEST(PortBench, IsStableAtThreeTimesItsStiffnessOnTheTissueSolver) {
+    for (const Grip& grip : grips()) {
+        PortCase what;
+        what.grip = grip;
+        what.world = PortWorld::kTissue;
+        what.push_m = 0.0015;
+        const double three = 3 * what.settings.stiffness_n_m;
+        EXPECT_EQ(largest_stiffness(what, {three, three, 2}), three) << grip.name;
     }
 }
 
