@@ -167,6 +167,7 @@ void DeviceTester::readStatus() {
         state_.period_p50_us = json["period_p50_us"].toDouble();
         state_.period_p999_us = json["period_p999_us"].toDouble();
         state_.gaps = json["gaps"].toInteger();
+        state_.last_error = json["last_error"].toString();
         state_.faults = json["faults"].toInteger();
         state_.real_time = json["real_time"].toBool();
         state_.connected = json["connected"].toBool();

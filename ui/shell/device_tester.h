@@ -73,6 +73,7 @@ struct TrialState {
     int identity_arm = -1;
     double limit_n = 0, stiffness_n_m = 0, period_p50_us = 0, period_p999_us = 0;
     qint64 gaps = 0, faults = 0;
+    QString last_error;  ///< Of the device or its library; in English.
     // Foot pedals.
     bool connected = false, pressed = false;
     int key = 0;

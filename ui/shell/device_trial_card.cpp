@@ -49,6 +49,15 @@ class TrialCard : public QFrame {
         loop_ = make_label(tr("Waiting for the device…"), "small");
         loop_->setObjectName("trial_loop");
         layout->addWidget(loop_);
+        rights_ = make_label(
+            tr("No real-time rights: other programs can make the force stutter. An administrator "
+               "grants them once: %1, then puts the user into the group placode.")
+                .arg("placode-sim --limits-file | sudo tee /etc/security/limits.d/placode.conf"),
+            "small");
+        rights_->setObjectName("trial_rights");
+        rights_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        rights_->hide();
+        layout->addWidget(rights_);
         layout->addWidget(make_rule());
         layout->addWidget(forceTest());
         layout->addWidget(make_rule());
@@ -200,12 +209,16 @@ class TrialCard : public QFrame {
             rows_[i].keys->setText(keysOf(arm));
             rows_[i].view->show(arm, state.limit_n, state.floor);
         }
-        loop_->setText(
+        rights_->setVisible(!rows_.empty() && !state.real_time);
+        QString loop =
             tr("Loop: %1 µs, 99.9 %: %2 µs, drop-outs %3, faults %4. Force at most %5 N, "
                "stiffness %6 N/m.")
                 .arg(format_number(state.period_p50_us, 0), format_number(state.period_p999_us, 0),
                      QString::number(state.gaps), QString::number(state.faults),
-                     format_number(state.limit_n, 1), format_number(state.stiffness_n_m, 0)));
+                     format_number(state.limit_n, 1), format_number(state.stiffness_n_m, 0));
+        if (!state.last_error.isEmpty())
+            loop += " " + tr("Last error of the device: %1.").arg(state.last_error);
+        loop_->setText(loop);
         floor_->setText(state.floor ? tr("Take the floor away") : tr("Put a floor under the hand"));
         for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(force);
         if (!force && !rows_.empty())
@@ -333,39 +346,11 @@ class TrialCard : public QFrame {
     QVBoxLayout* arms_ = nullptr;
     QPushButton *stop_ = nullptr, *floor_ = nullptr, *good_ = nullptr, *bad_ = nullptr,
                 *identify_ = nullptr, *swap_ = nullptr;
-    QLabel *loop_ = nullptr, *force_text_ = nullptr, *hand_text_ = nullptr;
+    QLabel *loop_ = nullptr, *rights_ = nullptr, *force_text_ = nullptr, *hand_text_ = nullptr;
     DeviceTester tester_;  // the last: it ends first
 };
 
-struct Guide {
-    Q_DECLARE_TR_FUNCTIONS(CalibrationGuide)
-};
-
 }  // namespace
-
-QStringList calibration_steps(const QString& device) {
-    if (device == "openhaptics")
-        return {Guide::tr("1. Calibrate the arm in the vendor's own program (Touch Diagnostic)."),
-                Guide::tr("2. Put the stylus into the inkwell until its light stops blinking."),
-                Guide::tr("3. Take it out: from now on the arm is ready.")};
-    if (device == "haply")
-        return {Guide::tr("1. Start the Haply hub and its Inverse service."),
-                Guide::tr("2. Hold the cursor in the calibration notch and press its button until "
-                          "the light is steady."),
-                Guide::tr("3. Wake the grip by a press of its button.")};
-    if (device == "forcedimension")
-        return {Guide::tr("1. Calibrate in the vendor's program HapticInit, or move every axis to "
-                          "its ends once."),
-                Guide::tr("2. Press the force button on the base, if it has one.")};
-    if (device == "avatar")
-        return {Guide::tr("1. Put the instrument into the port device before it is switched on."),
-                Guide::tr("2. Turn and move it once through its whole way."),
-                Guide::tr("3. With the tip at the port, the depth must read 0; else set "
-                          "avatar.depth_zero_m.")};
-    if (device == "spacemouse")
-        return {Guide::tr("Let go of the cap: every signal must be 0. The cap gives no force.")};
-    return {};
-}
 
 QFrame* make_trial_card(AppContext& context, const QString& device, const TrialWishes& wishes) {
     return new TrialCard(context, device, wishes);

@@ -4395,6 +4395,14 @@
 <context>
     <name>TrialCard</name>
     <message>
+        <source>No real-time rights: other programs can make the force stutter. An administrator grants them once: %1, then puts the user into the group placode.</source>
+        <translation>Brak uprawnień czasu rzeczywistego: inne programy mogą powodować nierówną siłę. Administrator nadaje je raz: %1, a potem dodaje użytkownika do grupy placode.</translation>
+    </message>
+    <message>
+        <source>Last error of the device: %1.</source>
+        <translation>Ostatni błąd urządzenia: %1.</translation>
+    </message>
+    <message>
         <source>Waiting for the device…</source>
         <translation>Czekanie na urządzenie…</translation>
     </message>
