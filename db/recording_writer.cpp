@@ -69,7 +69,9 @@ class FileSink final : public sim::RecordingSink {
                                          SQLITE_OPEN_READWRITE | SQLITE_OPEN_FULLMUTEX, nullptr);
         database_.reset(database);
         if (code != SQLITE_OK) fail_sqlite(code, kWrite, path_, kAdvice);
-        sqlite3_busy_timeout(database, 2000);
+        // Whoever reads the file of a running attempt locks it meanwhile: on a busy machine that
+        // took more than 2 s once, and cost the rest of a recording. The rings hold what comes.
+        sqlite3_busy_timeout(database, 15'000);
         // A rollback journal, not a write-ahead log: after every commit the one file is everything.
         // EXTRA also makes the removal of the journal survive a power cut.
         execute("PRAGMA journal_mode = DELETE");
