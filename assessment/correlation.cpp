@@ -6,6 +6,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -23,6 +24,8 @@ double t_p(double r, double n) {
 
 Interval fisher(double r, double se) {
     constexpr double kZ975 = 1.959963984540054;
+    if (!std::isfinite(se))
+        return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
     if (std::abs(r) >= 1) return {r, r};
     return {std::tanh(std::atanh(r) - kZ975 * se), std::tanh(std::atanh(r) + kZ975 * se)};
 }
@@ -78,9 +81,9 @@ double pearson(std::span<const double> x, std::span<const double> y) {
 }
 
 Correlation correlation(std::span<const double> x, std::span<const double> y) {
-    if (x.size() != y.size() || x.size() < 4) {
+    if (x.size() != y.size() || x.size() < 3) {
         throw std::invalid_argument(
-            "correlation: needs two columns of equal length with at least 4 pairs");
+            "correlation: needs two columns of equal length with at least 3 pairs");
     }
     const auto constant = [](std::span<const double> v) {
         return std::all_of(v.begin(), v.end(), [&](double value) { return value == v[0]; });

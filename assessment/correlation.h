@@ -18,7 +18,8 @@ struct Correlation {
     Interval pearson_ci95;  ///< Fisher z.
 };
 
-/// @pre same length, at least 4 pairs, neither column constant; throws std::invalid_argument
+/// The intervals are NaN for 3 pairs: they divide by n - 3.
+/// @pre same length, at least 3 pairs, neither column constant; throws std::invalid_argument
 /// otherwise.
 [[nodiscard]] Correlation correlation(std::span<const double> x, std::span<const double> y);
 

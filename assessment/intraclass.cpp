@@ -4,6 +4,7 @@
 
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "assessment/reliability.h"
@@ -11,19 +12,26 @@
 namespace placode::assessment {
 namespace {
 
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 double quantile(double p, double df1, double df2) {
     return boost::math::quantile(boost::math::fisher_f(df1, df2), p);
 }
 
 IccForm form(double icc, double f, double df1, double df2) {
     IccForm result{icc, f, df1, df2, 1, {}};
-    result.p = boost::math::cdf(boost::math::complement(boost::math::fisher_f(df1, df2), f));
+    result.p = std::isfinite(f)
+                   ? boost::math::cdf(boost::math::complement(boost::math::fisher_f(df1, df2), f))
+                   : 0;
     return result;
 }
 
 /// Interval of ICC(2,1) by Satterthwaite's degrees of freedom.
 Interval two_way_interval(double icc, double ms_rows, double ms_columns, double ms_error, double n,
                           double k) {
+    // Without an error the degrees of freedom are none; without a difference between raters, too,
+    // every interval shrinks to 1.
+    if (!(ms_error > 0)) return ms_columns > 0 ? Interval{kNone, kNone} : Interval{1, 1};
     const double fj = ms_columns / ms_error;
     const double numerator = std::pow(k * icc * fj + n * (1 + (k - 1) * icc) - k * icc, 2);
     const double v =
@@ -65,10 +73,13 @@ Icc intraclass_correlation(const Scores& ratings) {
     for (const auto& subject : ratings) {
         for (const double x : subject) ss_total += (x - grand) * (x - grand);
     }
-    const double msb = ss_rows / (n - 1), msj = ss_columns / (k - 1);
-    const double mse = (ss_total - ss_rows - ss_columns) / ((n - 1) * (k - 1));
-    const double msw = (ss_total - ss_rows) / (n * (k - 1));
-    if (!(mse > 0) || !(msb > 0)) throw std::invalid_argument("icc: ratings do not vary");
+    // What rounding leaves of zero beside the squares themselves is no variance.
+    const double nothing = 1e-12 * (ss_total + grand * grand);
+    if (!(ss_total > nothing)) throw std::invalid_argument("icc: ratings do not vary");
+    const auto variance = [&](double sum, double df) { return sum > nothing ? sum / df : 0; };
+    const double msb = variance(ss_rows, n - 1), msj = variance(ss_columns, k - 1);
+    const double mse = variance(ss_total - ss_rows - ss_columns, (n - 1) * (k - 1));
+    const double msw = variance(ss_total - ss_rows, n * (k - 1));
     result.ms_rows = msb;
     result.ms_columns = msj;
     result.ms_error = mse;
@@ -84,11 +95,12 @@ Icc intraclass_correlation(const Scores& ratings) {
 
     const double f1_low = f1 / quantile(0.975, df1, within),
                  f1_high = f1 * quantile(0.975, within, df1);
-    result.icc1.ci95 = {(f1_low - 1) / (f1_low + k - 1), (f1_high - 1) / (f1_high + k - 1)};
+    const auto single = [&](double f) { return std::isinf(f) ? 1 : (f - 1) / (f + k - 1); };
+    result.icc1.ci95 = {single(f1_low), single(f1_high)};
     result.icc1k.ci95 = {1 - 1 / f1_low, 1 - 1 / f1_high};
     const double f3_low = f3 / quantile(0.975, df1, error),
                  f3_high = f3 * quantile(0.975, error, df1);
-    result.icc3.ci95 = {(f3_low - 1) / (f3_low + k - 1), (f3_high - 1) / (f3_high + k - 1)};
+    result.icc3.ci95 = {single(f3_low), single(f3_high)};
     result.icc3k.ci95 = {1 - 1 / f3_low, 1 - 1 / f3_high};
     result.icc2.ci95 = two_way_interval(result.icc2.icc, msb, msj, mse, n, k);
     result.icc2k.ci95 = averaged(result.icc2.ci95, k);

@@ -68,7 +68,7 @@ Vector3 start(std::span<const double> y) {
 
 /// Levenberg-Marquardt.
 std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
-    if (y.size() < 5) return std::nullopt;
+    if (y.size() < 4) return std::nullopt;
     Vector3 p = start(y);
     double rss = residual_sum(y, p), damping = 1e-3;
     Matrix3 normal{};

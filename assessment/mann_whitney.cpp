@@ -8,6 +8,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -17,6 +18,7 @@ namespace placode::assessment {
 namespace {
 
 constexpr double kZ975 = 1.959963984540054;
+constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
 
 double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -25,7 +27,7 @@ double mean_of(std::span<const double> values) {
 double variance_of(std::span<const double> values, double mean) {
     double sum = 0;
     for (const double value : values) sum += (value - mean) * (value - mean);
-    return sum / static_cast<double>(values.size() - 1);
+    return values.size() > 1 ? sum / static_cast<double>(values.size() - 1) : kUndefined;
 }
 
 /// Centred rank sum of group 1 after a shift, over its tie-corrected standard deviation.
@@ -41,7 +43,7 @@ double shifted_z(std::span<const double> a, std::span<const double> b, double sh
         n1 * (n1 + 1) / 2 - n1 * n2 / 2;
     if (correct) centred -= centred > 0 ? 0.5 : centred < 0 ? -0.5 : 0;
     const double sigma = std::sqrt(n1 * n2 / 12 * (n + 1 - tie_sum(all) / (n * (n - 1))));
-    return sigma > 0 ? centred / sigma : 0;
+    return sigma > 0 ? centred / sigma : kUndefined;
 }
 
 /// Brent's root finder with the steps and the stopping rule of R's `uniroot(tol = 1e-4)`. z(shift)
@@ -136,7 +138,12 @@ double noncentrality(double t, double df, double p) {
 void effect_sizes(MannWhitney& result) {
     const double n1 = result.n1, n2 = result.n2, df = n1 + n2 - 2;
     const double v1 = result.sd1 * result.sd1, v2 = result.sd2 * result.sd2;
-    const double pooled = std::sqrt(((n1 - 1) * v1 + (n2 - 1) * v2) / df);
+    // A single value has no variance of its own and adds none to the pooled one.
+    const auto squares = [](double n, double v) { return n > 1 ? (n - 1) * v : 0; };
+    const double pooled = df > 0 ? std::sqrt((squares(n1, v1) + squares(n2, v2)) / df) : 0;
+    result.cohens_d = result.hedges_g = result.glass_delta = kUndefined;
+    result.cohens_d_ci95 = result.hedges_g_ci95 = {kUndefined, kUndefined};
+    result.welch_t = result.welch_df = result.welch_p = kUndefined;
     if (pooled > 0) {
         result.cohens_d = (result.mean1 - result.mean2) / pooled;
         const double j =
@@ -161,9 +168,8 @@ void effect_sizes(MannWhitney& result) {
 }  // namespace
 
 MannWhitney mann_whitney(std::span<const double> group1, std::span<const double> group2) {
-    if (group1.size() < 2 || group2.size() < 2) {
-        throw std::invalid_argument("mann-whitney: each group needs at least 2 values");
-    }
+    if (group1.empty() || group2.empty())
+        throw std::invalid_argument("mann-whitney: each group needs at least 1 value");
     std::vector<double> all(group1.begin(), group1.end());
     all.insert(all.end(), group2.begin(), group2.end());
     const std::vector<double> ranks = mid_ranks(all);

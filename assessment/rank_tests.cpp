@@ -7,6 +7,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -17,6 +18,13 @@ namespace {
 double t_two_sided(double t, double df) {
     return std::min(1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(df),
                                                                       std::abs(t))));
+}
+
+/// `value` rounded to `digits` significant digits; unchanged for 0 digits.
+double significant(double value, int digits) {
+    if (digits <= 0 || value == 0) return value;
+    const double scale = std::pow(10.0, digits - 1 - std::floor(std::log10(std::abs(value))));
+    return std::round(value * scale) / scale;
 }
 
 double sign(double value) { return value > 0 ? 1.0 : value < 0 ? -1.0 : 0.0; }
@@ -46,6 +54,7 @@ double exact_signed_rank_p(std::span<const double> ranks, double v) {
 }  // namespace
 
 double normal_two_sided_p(double z) {
+    if (std::isnan(z)) return z;
     return std::min(
         1.0, 2 * boost::math::cdf(boost::math::complement(boost::math::normal(), std::abs(z))));
 }
@@ -79,14 +88,15 @@ double tie_sum(std::span<const double> values) {
     return sum;
 }
 
-WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const double> after) {
-    if (before.size() != after.size() || before.size() < 2) {
+WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const double> after,
+                               int digits) {
+    if (before.size() != after.size() || before.empty()) {
         throw std::invalid_argument(
-            "wilcoxon: needs two columns of equal length with at least 2 pairs");
+            "wilcoxon: needs two columns of equal length with at least 1 pair");
     }
     std::vector<double> difference(before.size()), nonzero, magnitude, all_magnitude;
     for (size_t i = 0; i < before.size(); ++i) {
-        difference[i] = before[i] - after[i];
+        difference[i] = significant(before[i] - after[i], digits);
         all_magnitude.push_back(std::abs(difference[i]));
         if (difference[i] == 0) continue;
         nonzero.push_back(difference[i]);
@@ -130,7 +140,9 @@ WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const d
     double variance = 0;
     for (const double d : difference) variance += (d - mean) * (d - mean);
     const double sd = std::sqrt(variance / (n - 1));
-    if (sd > 0) {
+    result.cohens_dz = result.paired_t = result.paired_t_p =
+        std::numeric_limits<double>::quiet_NaN();
+    if (n > 1 && sd > 0) {
         result.cohens_dz = mean / sd;
         result.paired_t = mean / (sd / std::sqrt(n));
         result.paired_t_p = t_two_sided(result.paired_t, n - 1);
@@ -224,7 +236,12 @@ Friedman friedman(const std::vector<std::vector<double>>& rows) {
     for (const double s : sum) squares += (s - n * (k + 1) / 2) * (s - n * (k + 1) / 2);
     Friedman result;
     result.df = static_cast<int>(k) - 1;
-    result.chi_square = 12 * squares / (n * k * (k + 1) - ties / (k - 1));
+    const double spread = n * k * (k + 1) - ties / (k - 1);
+    if (!(spread > 0)) {  // Every row is tied throughout: there is nothing to rank.
+        result.chi_square = result.p = result.kendall_w = std::numeric_limits<double>::quiet_NaN();
+        return result;
+    }
+    result.chi_square = 12 * squares / spread;
     result.p = boost::math::cdf(
         boost::math::complement(boost::math::chi_squared(result.df), result.chi_square));
     result.kendall_w = result.chi_square / (n * (k - 1));

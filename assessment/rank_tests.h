@@ -17,7 +17,7 @@ struct Interval {
     double low = 0, high = 0;
 };
 
-/// Two-sided p of a standard normal z.
+/// Two-sided p of a standard normal z; NaN for NaN.
 [[nodiscard]] double normal_two_sided_p(double z);
 
 /// Ranks from 1, ties get their mean rank (n).
@@ -42,7 +42,8 @@ struct MannWhitney {
     Interval cohens_d_ci95, hedges_g_ci95;  ///< By the noncentral t distribution.
     double welch_t = 0, welch_df = 0, welch_p = 1;
 };
-/// @pre both groups have at least 2 values; throws std::invalid_argument otherwise.
+/// What needs a spread (SD, d, g, Welch) is NaN where a group has one value or nothing varies.
+/// @pre both groups have a value; throws std::invalid_argument otherwise.
 [[nodiscard]] MannWhitney mann_whitney(std::span<const double> group1,
                                        std::span<const double> group2);
 
@@ -57,9 +58,12 @@ struct WilcoxonPaired {
     double r = 0;  ///< |z| / sqrt(n_nonzero).
     double cohens_dz = 0, paired_t = 0, paired_t_p = 1;
 };
-/// @pre same length, at least 2 pairs, not all equal; throws std::invalid_argument otherwise.
+/// Differences are compared exactly as R does: 1.1 - 1.0 and 2.1 - 2.0 are no tie. With `digits`
+/// above 0 they are rounded to that many significant digits first (R 4.3's digits.rank).
+/// d and the paired t are NaN where the differences do not vary.
+/// @pre same length, at least 1 pair, not all equal; throws std::invalid_argument otherwise.
 [[nodiscard]] WilcoxonPaired wilcoxon_paired(std::span<const double> before,
-                                             std::span<const double> after);
+                                             std::span<const double> after, int digits = 0);
 
 struct DunnComparison {
     std::string group1, group2;
@@ -79,7 +83,7 @@ struct NamedGroup {
 /// @pre at least two groups, none empty; throws std::invalid_argument otherwise.
 [[nodiscard]] KruskalWallis kruskal_wallis(std::span<const NamedGroup> groups);
 
-/// Friedman test over k columns of n rows (row = block), tie-corrected.
+/// Friedman test over k columns of n rows (row = block), tie-corrected. NaN when all rows are tied.
 struct Friedman {
     double chi_square = 0;
     int df = 0;

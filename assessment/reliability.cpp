@@ -37,8 +37,9 @@ Matrix correlations(const Matrix& c) {
     return r;
 }
 
-/// Inverse by Gauss-Jordan with pivoting; throws when singular.
-Matrix inverse(Matrix a) {
+/// Inverse of a correlation matrix by Gauss-Jordan with pivoting; none when singular. A pivot of
+/// 1e-10 beside ones is what rounding leaves of zero in sums of some ten terms.
+std::optional<Matrix> inverse(Matrix a) {
     const size_t k = a.size();
     Matrix inv(k, std::vector<double>(k, 0.0));
     for (size_t i = 0; i < k; ++i) inv[i][i] = 1;
@@ -47,8 +48,7 @@ Matrix inverse(Matrix a) {
         for (size_t row = column; row < k; ++row) {
             if (std::abs(a[row][column]) > std::abs(a[pivot][column])) pivot = row;
         }
-        if (std::abs(a[pivot][column]) < 1e-14)
-            throw std::invalid_argument("items are linearly dependent");
+        if (std::abs(a[pivot][column]) < 1e-10) return std::nullopt;
         std::swap(a[pivot], a[column]);
         std::swap(inv[pivot], inv[column]);
         const double scale = 1 / a[column][column];
@@ -196,11 +196,12 @@ Alpha cronbach_alpha(const Scores& scores) {
     result.standardized = alpha_of(r);
     const Sums rs = sums(r);
     result.mean_interitem_r = (rs.total - rs.trace) / (k * (k - 1));
-    const Matrix inv = inverse(r);
-    double unique = 0;
-    for (size_t i = 0; i < r.size(); ++i)
-        unique += 1 / inv[i][i];  // 1 - squared multiple correlation
-    result.g6 = 1 - unique / rs.total;
+    if (const auto inv = inverse(r)) {
+        double unique = 0;
+        for (size_t i = 0; i < r.size(); ++i)
+            unique += 1 / (*inv)[i][i];  // 1 - squared multiple correlation
+        result.g6 = 1 - unique / rs.total;
+    }
     result.ase = standard_error(c, n);
     const boost::math::fisher_f f(n - 1, (n - 1) * (k - 1));
     result.feldt_ci95 = {1 - (1 - result.raw) * boost::math::quantile(f, 0.975),
@@ -220,6 +221,10 @@ Alpha cronbach_alpha(const Scores& scores) {
 
 Omega mcdonald_omega(const Scores& scores) {
     check(scores, 3, "omega");
+    if (scores.size() <= scores[0].size())
+        throw std::invalid_argument("omega: needs more complete cases than items, found " +
+                                    std::to_string(scores.size()) + " cases of " +
+                                    std::to_string(scores[0].size()) + " items");
     const Matrix c = covariance(scores);
     Omega result;
     result.converged = fit_maximum_likelihood(c, result.loadings, result.theta);

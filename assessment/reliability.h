@@ -5,6 +5,7 @@
 // lavaan.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,9 @@ using Scores = std::vector<std::vector<double>>;
 
 struct Alpha {
     int n = 0, k = 0;
-    double raw = 0, standardized = 0, g6 = 0, mean_interitem_r = 0;
-    double ase = 0;  ///< Asymptotic standard error, Duhachek & Iacobucci 2004.
+    double raw = 0, standardized = 0, mean_interitem_r = 0;
+    std::optional<double> g6;  ///< Guttman's lambda 6; none when items are linearly dependent.
+    double ase = 0;            ///< Asymptotic standard error, Duhachek & Iacobucci 2004.
     Interval feldt_ci95, duhachek_ci95;
     std::vector<double> alpha_if_dropped;        ///< (k), empty for two items.
     std::vector<double> corrected_item_total_r;  ///< (k)
@@ -35,7 +37,7 @@ struct Omega {
     std::vector<double> loadings, theta;  ///< Of the maximum-likelihood fit (k).
     bool converged = false;
 };
-/// @pre as cronbach_alpha, k >= 3.
+/// @pre as cronbach_alpha, n > k >= 3.
 [[nodiscard]] Omega mcdonald_omega(const Scores& scores);
 
 struct IccForm {
@@ -49,7 +51,9 @@ struct Icc {
     double ms_rows = 0, ms_columns = 0, ms_error = 0;
     double sem_agreement = 0, sem_consistency = 0;
 };
-/// Rows are subjects, columns raters. @pre at least 2 x 2, complete.
+/// Rows are subjects, columns raters. Perfect agreement is 1 with an infinite F; what is not
+/// defined is NaN. @pre at least 2 x 2, complete, not all equal; throws std::invalid_argument
+/// otherwise.
 [[nodiscard]] Icc intraclass_correlation(const Scores& ratings);
 
 /// `minimum + maximum - x`: turns a reverse-keyed item round.

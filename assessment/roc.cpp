@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -35,7 +36,11 @@ double placement(double x, std::span<const double> others, double direction) {
 void best_threshold(Roc& result, std::span<const double> above, std::span<const double> below) {
     std::set<double> values(above.begin(), above.end());
     values.insert(below.begin(), below.end());
-    double best = -1, previous = *values.begin();
+    // As pROC's `coords`: below all values everybody is called positive.
+    double best = 1, previous = *values.begin();
+    result.youden_threshold = -std::numeric_limits<double>::infinity();
+    result.sensitivity = 1;
+    result.specificity = 0;
     for (const double value : values) {
         if (value == previous) continue;
         const double threshold = 0.5 * (previous + value);

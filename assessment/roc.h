@@ -16,7 +16,8 @@ struct Roc {
     double auc = 0.5;
     double delong_se = 0;  ///< 0 with a perfect separation: then use exact bounds of the rates.
     Interval delong_ci95_unclipped, delong_ci95;  ///< Clipped to [0, 1].
-    double youden_threshold = 0;                  ///< Midpoint between values; positive when above.
+    double youden_threshold = 0;  ///< Midpoint between values; positive when above. -inf
+                                  ///< when calling everybody positive is best.
     double sensitivity = 0, specificity = 0;
     std::vector<double> positive_placements,
         negative_placements;  ///< DeLong's structural components.

@@ -43,7 +43,7 @@ TEST(Reliability, AlphaIsPsychs) {
     const Alpha got = cronbach_alpha(bfi(true));
     EXPECT_NEAR(got.raw, want["raw"].get<double>(), 1e-9);
     EXPECT_NEAR(got.standardized, want["standardized"].get<double>(), 1e-9);
-    EXPECT_NEAR(got.g6, want["G6"].get<double>(), 1e-9);
+    EXPECT_NEAR(*got.g6, want["G6"].get<double>(), 1e-9);
     EXPECT_NEAR(got.mean_interitem_r, want["mean_interitem_r"].get<double>(), 1e-9);
     EXPECT_NEAR(got.ase, want["ase"].get<double>(), 1e-9);
     EXPECT_NEAR(got.feldt_ci95.low, want["feldt_ci95"][0].get<double>(), 1e-9);

@@ -76,6 +76,9 @@ void add_stats_commands(CLI::App& app, Context& context) {
     stats->add_option("--statistic", options->statistic, "mean or median (bootstrap)");
     stats->add_option("--resamples", options->resamples, "Monte-Carlo resamples (bootstrap)");
     stats->add_option("--seed", options->seed, "Seed of the resampling (bootstrap)");
+    stats->add_option("--digits", options->digits,
+                      "Significant digits of the differences before ties are counted (wilcoxon; "
+                      "default: exact, as R)");
     stats->add_option("--p0", options->p0, "Acceptable failure rate (cusum)");
     stats->add_option("--p1", options->p1, "Unacceptable failure rate (cusum)");
     stats->add_option("--alpha", options->alpha, "Type I error (cusum)");

@@ -123,16 +123,22 @@ std::pair<size_t, size_t> two_columns(const StatsTable& table, const char* first
     return {table.column(first), table.column(second)};
 }
 
-Json wilcoxon(const StatsTable& table, const StatsOptions&) {
+Json wilcoxon(const StatsTable& table, const StatsOptions& options) {
     int missing = 0;
+    if (options.digits < 0 || options.digits > 15)
+        throw InputError("--digits: found " + std::to_string(options.digits) +
+                         ", expected 1 to 15, or 0 for an exact comparison");
     const auto [a, b] = two_columns(table, "before", "after");
     const auto [before, after] = pairs(table, a, b, missing);
-    const assessment::WilcoxonPaired r = assessment::wilcoxon_paired(before, after);
+    const assessment::WilcoxonPaired r = assessment::wilcoxon_paired(before, after, options.digits);
     return {{"V", r.v},
             {"n", r.n},
             {"n_nonzero", r.n_nonzero},
             {"missing", missing},
             {"missing_rule", "pairs left out"},
+            {"ties", options.digits > 0 ? "differences rounded to " +
+                                              std::to_string(options.digits) + " significant digits"
+                                        : "exact comparison"},
             {"p_cc", r.p_cc},
             {"p_nocc", r.p_nocc},
             {"z_wilcoxon_zero", r.z},
@@ -223,6 +229,8 @@ double mean_of(std::span<const double> values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
+constexpr int64_t kMostDraws = 400'000'000;  ///< Some seconds of work.
+
 Json bootstrap(const StatsTable& table, const StatsOptions& options) {
     const size_t column = options.value.empty() ? 0 : table.column(options.value);
     std::vector<double> values;
@@ -231,16 +239,29 @@ Json bootstrap(const StatsTable& table, const StatsOptions& options) {
         const auto value = table.number(row, column);
         value ? values.push_back(*value) : static_cast<void>(++missing);
     }
+    if (options.statistic != "mean" && options.statistic != "median")
+        throw InputError("--statistic: found \"" + options.statistic +
+                         "\", expected mean or median");
+    const auto most = kMostDraws / static_cast<int64_t>(std::max<size_t>(1, values.size()));
+    if (values.size() > 7 && options.resamples > most)
+        throw InputError("--resamples: found " + std::to_string(options.resamples) +
+                         ", expected at most " + std::to_string(most) + " for " +
+                         std::to_string(values.size()) + " values");
     const assessment::Bootstrap mean =
         assessment::bootstrap(values, mean_of, options.resamples, options.seed);
     const assessment::Bootstrap median =
         assessment::bootstrap(values, median_of, options.resamples, options.seed);
+    const assessment::Bootstrap& chosen = options.statistic == "mean" ? mean : median;
     return {{"n", mean.n},
             {"missing", missing},
             {"missing_rule", "left out"},
             {"method", mean.exact ? "exact: every resample enumerated" : "Monte Carlo"},
             {mean.exact ? "enumerated" : "resamples", mean.resamples},
             {"seed", options.seed},
+            {"statistic", options.statistic},
+            {"estimate", chosen.estimate},
+            {"ci95", interval(chosen.percentile95)},
+            {"ci95_method", "percentile, type 7"},
             {"mean", mean.estimate},
             {"mean_pctl_025", mean.percentile95.low},
             {"mean_pctl_975", mean.percentile95.high},

@@ -7,11 +7,14 @@
 
 #include "assessment/bootstrap.h"
 #include "assessment/content_validity.h"
+#include "assessment/correlation.h"
 #include "assessment/statistics.h"
 #include "ui/cli/stats_table.h"
 
 namespace placode::cli {
 namespace {
+
+constexpr double kWidestGuess = 100;  ///< Larger answers need --scale.
 
 Json likert_item(const std::vector<double>& answers, int missing, const Scale& scale) {
     std::vector<std::optional<int>> values;
@@ -37,6 +40,47 @@ Json likert_item(const std::vector<double>& answers, int missing, const Scale& s
         counts[std::to_string(value)] = s.counts[static_cast<size_t>(value - scale.low)];
     item["counts"] = counts;
     return item;
+}
+
+/// What the items say together, over complete cases with reverse-keyed items turned round.
+void add_scale(Json& json, const StatsTable& table, const StatsOptions& options) {
+    CompleteCases cases;
+    try {
+        cases = complete_cases(table, options);
+    } catch (const InputError&) {
+        if (!options.reverse.empty()) throw;
+        return;  // No row is complete: the items stand alone.
+    }
+    const size_t n = cases.scores.size(), k = cases.items.size();
+    if (n < 2) return;
+    json["reverse_keyed"] = options.reverse;
+    json["complete_cases"] = n;
+    std::vector<std::vector<double>> items(k);
+    std::vector<double> means;
+    for (const auto& row : cases.scores) {
+        for (size_t i = 0; i < k; ++i) items[i].push_back(row[i]);
+        means.push_back(*assessment::mean_of(row));
+    }
+    Json matrix = Json::object();
+    for (size_t i = 0; i < k; ++i) {
+        const auto ranks = assessment::mid_ranks(items[i]);
+        Json line = Json::array();
+        for (size_t j = 0; j < k; ++j)
+            line.push_back(assessment::pearson(ranks, assessment::mid_ranks(items[j])));
+        matrix[cases.items[i]] = line;
+    }
+    json["spearman_matrix"] = matrix;
+    const double sd = *assessment::sample_sd(means);
+    json["scale_mean"] = {{"mean", *assessment::mean_of(means)}, {"sd", sd}, {"sem", Json()}};
+    CompleteCases varying = cases;
+    leave_out_constant(varying);
+    if (n > 2 && varying.items.size() > 1) {
+        const double alpha = assessment::cronbach_alpha(varying.scores).raw;
+        if (alpha <= 1) json["scale_mean"]["sem"] = sd * std::sqrt(1 - alpha);
+    }
+    const assessment::Friedman f = assessment::friedman(cases.scores);
+    json["friedman"] = {
+        {"chisq", f.chi_square}, {"df", f.df}, {"p", f.p}, {"kendall_W", f.kendall_w}};
 }
 
 Json likert(const StatsTable& table, const StatsOptions& options) {
@@ -68,7 +112,8 @@ Json likert(const StatsTable& table, const StatsOptions& options) {
     } else {
         for (const auto& [name, list] : answers) {
             for (const double answer : list)
-                scale.high = std::max(scale.high, static_cast<int>(std::ceil(answer)));
+                if (answer <= kWidestGuess)
+                    scale.high = std::max(scale.high, static_cast<int>(std::ceil(answer)));
         }
     }
     Json items = Json::object();
@@ -82,14 +127,17 @@ Json likert(const StatsTable& table, const StatsOptions& options) {
         }
         items[name] = likert_item(answers[name], missing[name], scale);
     }
-    return {{"scale", {scale.low, scale.high}},
-            {"sd", "sample (n-1) and population"},
-            {"missing_rule", "left out item by item"},
-            {"items", items}};
+    Json json{{"scale", {scale.low, scale.high}},
+              {"sd", "sample (n-1) and population"},
+              {"missing_rule", "left out item by item"},
+              {"items", items}};
+    if (!is_long && names.size() > 1) add_scale(json, table, options);
+    return json;
 }
 
 Json alpha(const StatsTable& table, const StatsOptions& options) {
-    const CompleteCases cases = complete_cases(table, options);
+    CompleteCases cases = complete_cases(table, options);
+    leave_out_constant(cases);
     const assessment::Alpha a = assessment::cronbach_alpha(cases.scores);
     Json dropped = Json::object(), item_total = Json::object();
     for (size_t i = 0; i < cases.items.size(); ++i) {
@@ -100,9 +148,10 @@ Json alpha(const StatsTable& table, const StatsOptions& options) {
             {"k", a.k},
             {"missing", cases.missing},
             {"missing_rule", "complete cases"},
+            {"left_out_constant", cases.constant},
             {"raw", a.raw},
             {"standardized", a.standardized},
-            {"G6", a.g6},
+            {"G6", a.g6 ? Json(*a.g6) : Json()},
             {"mean_interitem_r", a.mean_interitem_r},
             {"ase", a.ase},
             {"feldt_ci95", interval(a.feldt_ci95)},
@@ -112,7 +161,8 @@ Json alpha(const StatsTable& table, const StatsOptions& options) {
 }
 
 Json omega(const StatsTable& table, const StatsOptions& options) {
-    const CompleteCases cases = complete_cases(table, options);
+    CompleteCases cases = complete_cases(table, options);
+    leave_out_constant(cases);
     const assessment::Omega o = assessment::mcdonald_omega(cases.scores);
     Json loadings = Json::object(), theta = Json::object();
     // Maximum likelihood divides by n, as lavaan does.
@@ -124,6 +174,7 @@ Json omega(const StatsTable& table, const StatsOptions& options) {
     return {{"n", cases.scores.size()},
             {"missing", cases.missing},
             {"missing_rule", "complete cases"},
+            {"left_out_constant", cases.constant},
             {"value", o.total_ml},
             {"method", "one factor, maximum likelihood on covariances"},
             {"converged", o.converged},

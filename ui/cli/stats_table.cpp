@@ -21,7 +21,7 @@ std::vector<std::vector<std::string>> records(const std::string& text, const std
     const auto end_row = [&] {
         row.push_back(cell);
         cell.clear();
-        if (row.size() > 1 || !row[0].empty()) result.push_back(row);
+        result.push_back(row);
         row.clear();
     };
     for (size_t i = 0; i < text.size(); ++i) {
@@ -48,8 +48,19 @@ std::vector<std::vector<std::string>> records(const std::string& text, const std
         throw InputError(path +
                          ": a quoted cell is not closed; expected a \" before the end of the file");
     if (!cell.empty() || !row.empty()) end_row();
+    // An empty line says nothing, except in a table of one column, where it is a missing value;
+    // empty lines at the end are never one.
+    const auto empty = [](const std::vector<std::string>& line) {
+        return line.size() == 1 && line[0].empty();
+    };
+    while (!result.empty() && empty(result.back())) result.pop_back();
+    while (!result.empty() && empty(result.front())) result.erase(result.begin());
+    if (!result.empty() && result.front().size() > 1) std::erase_if(result, empty);
     return result;
 }
+
+constexpr double kLargest = 1e100;
+constexpr int kWidestScale = 1000;  ///< Every value of it is counted.
 
 bool is_missing(const std::string& cell) {
     return cell.empty() || cell == "NA" || cell == "NaN" || cell == "nan";
@@ -80,6 +91,11 @@ std::optional<double> StatsTable::number(size_t row, size_t column) const {
         throw InputError(path + ": line " + std::to_string(row + 2) + ", column " + header[column] +
                          ": found \"" + cell +
                          "\", expected a number with '.' (empty or NA when missing)");
+    }
+    if (std::abs(value) > kLargest) {
+        throw InputError(path + ": line " + std::to_string(row + 2) + ", column " + header[column] +
+                         ": found " + cell +
+                         ", expected a number of at most 1e100: squares of larger ones are none");
     }
     return value;
 }
@@ -123,6 +139,9 @@ Scale scale_of(const StatsTable& table, const StatsOptions& options) {
             throw InputError("--scale: found \"" + options.scale +
                              "\", expected LOW:HIGH, e.g. 1:5");
         }
+        if (static_cast<int64_t>(scale.high) - scale.low > kWidestScale)
+            throw InputError("--scale: found \"" + options.scale + "\", expected at most " +
+                             std::to_string(kWidestScale) + " steps between LOW and HIGH");
         return scale;
     }
     double low = INFINITY, high = -INFINITY;
@@ -136,6 +155,9 @@ Scale scale_of(const StatsTable& table, const StatsOptions& options) {
     }
     if (!(low < high))
         throw InputError(table.path + ": all answers are equal; give the scale, e.g. --scale 1:5");
+    if (high - low > kWidestScale || std::max(std::abs(low), std::abs(high)) > 1e9)
+        throw InputError(table.path + ": answers lie between " + shortest(low) + " and " +
+                         shortest(high) + "; give the scale, e.g. --scale 1:5");
     return {static_cast<int>(low), static_cast<int>(high)};
 }
 
@@ -166,6 +188,18 @@ CompleteCases complete_cases(const StatsTable& table, const StatsOptions& option
     }
     if (cases.scores.empty()) throw InputError(table.path + ": no row is complete");
     return cases;
+}
+
+void leave_out_constant(CompleteCases& cases) {
+    for (size_t item = cases.items.size(); item-- > 0;) {
+        const bool constant =
+            std::all_of(cases.scores.begin(), cases.scores.end(),
+                        [&](const auto& row) { return row[item] == cases.scores[0][item]; });
+        if (!constant) continue;
+        cases.constant.insert(cases.constant.begin(), cases.items[item]);
+        cases.items.erase(cases.items.begin() + static_cast<long>(item));
+        for (auto& row : cases.scores) row.erase(row.begin() + static_cast<long>(item));
+    }
 }
 
 std::vector<assessment::NamedGroup> groups_of(const StatsTable& table, const StatsOptions& options,

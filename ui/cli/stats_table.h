@@ -29,8 +29,9 @@ struct StatsTable {
     [[nodiscard]] double needed(size_t row, size_t column) const;
 };
 
-/// RFC 4180 quoting. Throws InputError for an unreadable file, no header or a row of another
-/// length.
+/// RFC 4180 quoting, with or without a byte order mark, any line ends. In a table of one column an
+/// empty line above the last value is a missing value. Throws InputError for an unreadable file, no
+/// header or a row of another length.
 [[nodiscard]] StatsTable read_stats_table(const std::string& path);
 
 /// Options of `placodectl stats NAME FILE`.
@@ -42,15 +43,19 @@ struct StatsOptions {
     double adequate = 0.10, inadequate = 0.30, h = 2;
     int64_t resamples = 20000;
     uint64_t seed = 1;
+    int digits = 0;  ///< Of the differences (wilcoxon); 0: exact.
 };
 
 /// Complete cases of the table's items (all columns), reverse-keyed ones turned round.
 struct CompleteCases {
     std::vector<std::string> items;
     assessment::Scores scores;
-    int missing = 0;  ///< Rows left out.
+    int missing = 0;                    ///< Rows left out.
+    std::vector<std::string> constant;  ///< Items left out by leave_out_constant().
 };
 [[nodiscard]] CompleteCases complete_cases(const StatsTable& table, const StatsOptions& options);
+/// Takes out the items that everybody answered alike, as psych::alpha does.
+void leave_out_constant(CompleteCases& cases);
 
 /// Lowest and highest value of the scale: --scale, else the least and largest answer.
 struct Scale {

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What small or awkward samples give, beside R: fewer cases than items, a single value, three
+// pairs, a predictor worse than chance, ties of decimals. Every case is one in which a comparison
+// of thousands of random tables with R had found a difference or a refusal.
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "assessment/correlation.h"
+#include "assessment/learning_curve.h"
+#include "assessment/reliability.h"
+#include "assessment/roc.h"
+#include "tests/statistics_reference.h"
+
+using namespace placode::assessment;
+using nlohmann::json;
+using placode::tests::expected;
+
+namespace {
+
+constexpr double kR = 1e-6;       ///< p-values of R.
+constexpr double kClosed = 1e-9;  ///< Closed forms.
+
+json wanted(const char* name) { return expected("small_cases_expected.json")[name]; }
+
+double number(const json& value) { return value.get<double>(); }
+
+std::vector<double> numbers(const json& value) { return value.get<std::vector<double>>(); }
+
+}  // namespace
+
+TEST(SmallSamples, AlphaIsDefinedWithFewerCasesThanItems) {
+    const json want = wanted("alpha_fewer_cases_than_items");
+    const Alpha got = cronbach_alpha(want["items"].get<Scores>());
+    EXPECT_NEAR(got.raw, number(want["raw"]), kClosed);
+    EXPECT_NEAR(got.standardized, number(want["standardized"]), kClosed);
+    EXPECT_NEAR(got.mean_interitem_r, number(want["mean_interitem_r"]), kClosed);
+    EXPECT_NEAR(got.ase, number(want["ase"]), kClosed);
+    EXPECT_FALSE(got.g6) << "the correlations have no inverse";
+}
+
+TEST(SmallSamples, AGroupOfOneValueIsTestedByRanks) {
+    const json want = wanted("mann_whitney_one_value");
+    const auto one = numbers(want["group1"]), many = numbers(want["group2"]);
+    const MannWhitney got = mann_whitney(one, many);
+    EXPECT_EQ(got.u1, number(want["U1"]));
+    EXPECT_NEAR(got.p_asymptotic_cc, number(want["p_cc"]), kR);
+    EXPECT_NEAR(got.p_asymptotic_nocc, number(want["p_nocc"]), kR);
+    EXPECT_NEAR(*got.p_exact, number(want["p_exact"]), kR);
+    EXPECT_NEAR(got.hodges_lehmann, number(want["hodges_lehmann"]), 1e-4);
+    EXPECT_NEAR(got.cohens_d, number(want["cohens_d"]), kClosed);
+    EXPECT_NEAR(got.hedges_g, number(want["hedges_g"]), kClosed);
+    // effectsize finds the noncentrality by a search that stops at about four digits.
+    EXPECT_NEAR(got.cohens_d_ci95.low, number(want["cohens_d_ci95"][0]), 1e-3);
+    EXPECT_NEAR(got.cohens_d_ci95.high, number(want["cohens_d_ci95"][1]), 1e-3);
+    EXPECT_TRUE(std::isnan(got.sd1) && std::isnan(got.welch_p)) << "one value has no spread";
+    const MannWhitney same = mann_whitney(std::vector{2.0, 2.0}, std::vector{2.0, 2.0});
+    EXPECT_TRUE(std::isnan(same.p_asymptotic_cc) && std::isnan(same.cohens_d));
+}
+
+TEST(SmallSamples, ThreePairsCorrelateWithoutAnInterval) {
+    const json want = wanted("correlation_three_pairs");
+    const Correlation got = correlation(numbers(want["x"]), numbers(want["y"]));
+    EXPECT_NEAR(got.spearman, number(want["spearman"]), kClosed);
+    EXPECT_NEAR(got.spearman_p_t_approx, number(want["spearman_p"]), kR);
+    EXPECT_NEAR(got.kendall_tau_b, number(want["kendall"]), kClosed);
+    EXPECT_NEAR(got.kendall_p, number(want["kendall_p"]), kR);
+    EXPECT_NEAR(got.pearson, number(want["pearson"]), kClosed);
+    EXPECT_NEAR(got.pearson_p, number(want["pearson_p"]), kR);
+    EXPECT_TRUE(std::isnan(got.pearson_ci95.low) && std::isnan(got.spearman_ci95.high));
+}
+
+TEST(SmallSamples, APredictorWorseThanChanceHasNoUsefulThreshold) {
+    const json want = wanted("roc_worse_than_chance");
+    std::vector<bool> positive;
+    for (const double each : numbers(want["positive"])) positive.push_back(each > 0);
+    const Roc got = roc(numbers(want["values"]), positive);
+    EXPECT_NEAR(got.auc, number(want["auc"]), kClosed);
+    EXPECT_EQ(got.youden_threshold, -INFINITY) << "R names -Inf and Inf, both with J = 0";
+    EXPECT_EQ(got.sensitivity, 1);
+    EXPECT_EQ(got.specificity, 0);
+}
+
+TEST(SmallSamples, FourTrialsCarryACurve) {
+    const json want = wanted("learning_curve_four_trials");
+    const LearningCurve got = learning_curve(numbers(want["scores"]));
+    ASSERT_TRUE(got.exponential);
+    // nls parameters 1e-3 relative.
+    EXPECT_NEAR(got.exponential->asymptote / number(want["asymptote"]), 1, 1e-3);
+    EXPECT_NEAR(got.exponential->gain / number(want["gain"]), 1, 1e-3);
+    EXPECT_NEAR(got.exponential->tau_trials / number(want["tau"]), 1, 1e-3);
+    EXPECT_NEAR(got.exponential->rss / number(want["rss"]), 1, 1e-3);
+}
+
+TEST(SmallSamples, TiesOfDecimalsAreExactAsInRUnlessDigitsAreGiven) {
+    const json want = wanted("wilcoxon_decimal_ties");
+    const auto before = numbers(want["before"]), after = numbers(want["after"]);
+    const WilcoxonPaired exact = wilcoxon_paired(before, after);
+    EXPECT_EQ(exact.v, number(want["V_exact"]));
+    EXPECT_NEAR(exact.p_cc, number(want["p_cc_exact"]), kR);
+    const WilcoxonPaired rounded = wilcoxon_paired(before, after, 6);
+    EXPECT_EQ(rounded.v, number(want["V_digits"]));
+    EXPECT_NEAR(rounded.p_cc, number(want["p_cc_digits"]), kR);
+    EXPECT_NE(exact.v, rounded.v) << "1.3 - 1.0 and 3.3 - 3.0 are a tie on paper only";
+}
+
+TEST(SmallSamples, RatersWhoAgreeEntirelyHaveAnIccOfOne) {
+    const Icc same = intraclass_correlation({{1, 1}, {3, 3}, {4, 4}});
+    for (const IccForm* form : {&same.icc1, &same.icc2, &same.icc3, &same.icc1k, &same.icc3k}) {
+        EXPECT_NEAR(form->icc, 1, kClosed);
+        EXPECT_EQ(form->p, 0);
+        EXPECT_NEAR(form->ci95.low, 1, kClosed);
+    }
+    // One rater a point higher throughout: consistent, but not in agreement.
+    const Icc shifted = intraclass_correlation({{1, 2}, {3, 4}, {4, 5}});
+    EXPECT_NEAR(shifted.icc3.icc, 1, kClosed);
+    EXPECT_LT(shifted.icc2.icc, 1);
+    // Subjects whose means are all equal: the raters tell nothing about them.
+    EXPECT_NEAR(intraclass_correlation({{1, 3}, {3, 1}, {2, 2}}).icc1.icc, -1, kClosed);
+    EXPECT_THROW((void)intraclass_correlation({{2, 2}, {2, 2}}), std::invalid_argument);
+}
