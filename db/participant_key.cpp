@@ -77,6 +77,7 @@ std::string text_of(const QJsonObject& json, const char* name) {
 
 ParticipantKey::~ParticipantKey() {
     sodium_memzero(passphrase_.data(), passphrase_.size());
+    sodium_memzero(seal_.secret_key.data(), seal_.secret_key.size());
     for (PersonEntry& entry : entries_)
         for (std::string* text : {&entry.name, &entry.contact, &entry.remark})
             sodium_memzero(text->data(), text->size());
@@ -93,6 +94,7 @@ ParticipantKey ParticipantKey::create(const std::string& path, const std::string
     key.study_id_ = study_id;
     key.passphrase_ = passphrase;
     key.cheap_ = cheap;
+    key.seal_ = make_seal_pair();
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
     key.save();
     return key;
@@ -137,6 +139,11 @@ ParticipantKey ParticipantKey::open(const std::string& path, const std::string& 
                                 text_of(person, "contact"), text_of(person, "remark"),
                                 text_of(person, "added_utc")});
     }
+    key.seal_ = {text_of(content, "seal_public"), text_of(content, "seal_secret")};
+    if (key.seal_.secret_key.empty()) {
+        key.seal_ = make_seal_pair();
+        key.save();
+    }
     return key;
 }
 
@@ -149,7 +156,10 @@ void ParticipantKey::save() const {
                                   {"remark", QString::fromStdString(each.remark)},
                                   {"added_utc", QString::fromStdString(each.added_utc)}});
     const QByteArray plain =
-        QJsonDocument(QJsonObject{{"study", QString::fromStdString(study_id_)}, {"people", people}})
+        QJsonDocument(QJsonObject{{"study", QString::fromStdString(study_id_)},
+                                  {"people", people},
+                                  {"seal_public", QString::fromStdString(seal_.public_key)},
+                                  {"seal_secret", QString::fromStdString(seal_.secret_key)}})
             .toJson(QJsonDocument::Compact);
     const QByteArray salt = random_bytes(crypto_pwhash_SALTBYTES),
                      nonce = random_bytes(crypto_secretbox_NONCEBYTES);

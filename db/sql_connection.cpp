@@ -114,6 +114,7 @@ void Connection::open() {
     if (is_sqlite()) {
         execute("PRAGMA foreign_keys = ON");
         execute("PRAGMA synchronous = FULL");
+        execute("PRAGMA secure_delete = ON");  // What is erased leaves no bytes in free pages.
     } else {
         execute("SET lock_timeout = " + std::to_string(url_.timeout_ms));
         execute("SET client_min_messages = warning");

@@ -3,6 +3,7 @@
 // Answers after they were submitted: corrections with a reason, the second entry from paper, the
 // signature under a consent.
 
+#include "db/consent_seal.h"
 #include "db/sql_store.h"
 
 namespace placode::db {
@@ -152,9 +153,10 @@ void SqlStore::save_consent_signature(const std::string& study_id, const std::st
                     "SELECT at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");
     if (there.run(study_id, code).next())
         connection_.fail(Kind::kConflict, "the consent was signed at " + there.text(0));
+    const auto seal = find_definition("consent_seal", study_id, 0);
     Statement(connection_,
               "INSERT INTO consent_signatures (study_id, code, path, at_utc) VALUES (?, ?, ?, ?)")
-        .run(study_id, code, path, utc_now());
+        .run(study_id, code, seal ? sealed(path, seal_of(seal->json).public_key) : path, utc_now());
     append_audit(actor_, "study.consent.signature", study_id + " " + code, "");
     work.commit();
 }

@@ -10,6 +10,7 @@
 #include "curriculum/course.h"
 #include "curriculum/standard.h"
 #include "curriculum/study.h"
+#include "db/consent_seal.h"
 #include "db/packing.h"
 #include "db/sql_store.h"
 
@@ -20,8 +21,8 @@ using Kind = StoreError::Kind;
 namespace {
 
 constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
-constexpr std::array<std::string_view, 5> kKinds{"questionnaire", "study", "course", "rubric",
-                                                 "standard"};
+constexpr std::array<std::string_view, 6> kKinds{"questionnaire", "study",    "course",
+                                                 "rubric",        "standard", "consent_seal"};
 constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 
 /// Throws DefinitionError: only what can be read again is published.
@@ -41,6 +42,9 @@ void check_content(const DefinitionRecord& definition) {
     } else if (definition.kind == "standard") {
         const auto read = curriculum::load_standard_text(definition.json, origin);
         id = read.task_id, version = read.version;
+    } else if (definition.kind == "consent_seal") {
+        const auto read = seal_of(definition.json);
+        id = read.study_id, version = read.version;
     } else {
         const auto read = curriculum::load_study_text(definition.json, origin);
         id = read.id, version = read.version;
@@ -52,6 +56,20 @@ void check_content(const DefinitionRecord& definition) {
                                               std::to_string(definition.version));
 }
 
+/// What stands in clear is sealed; what was sealed for an earlier key stays as it is.
+void seal_signatures(Connection& connection, const DefinitionRecord& definition) {
+    const std::string key = seal_of(definition.json).public_key;
+    std::vector<std::pair<std::string, std::string>> clear;
+    Statement query(connection, "SELECT code, path FROM consent_signatures WHERE study_id = ?");
+    query.run(definition.id);
+    while (query.next())
+        if (!is_sealed(query.text(1))) clear.emplace_back(query.text(0), query.text(1));
+    for (const auto& [code, path] : clear)
+        Statement(connection,
+                  "UPDATE consent_signatures SET path = ? WHERE study_id = ? AND code = ?")
+            .run(sealed(path, key), definition.id, code);
+}
+
 }  // namespace
 
 void SqlStore::publish(const DefinitionRecord& definition) {
@@ -60,8 +78,8 @@ void SqlStore::publish(const DefinitionRecord& definition) {
     connection_.begin_operation("publish " + name + " in");
     if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
         connection_.fail(Kind::kRefused,
-                         "only questionnaires, studies, courses, rubrics and standards are "
-                         "published");
+                         "only questionnaires, studies, courses, rubrics, standards and seals "
+                         "of consents are published");
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");
@@ -89,6 +107,7 @@ void SqlStore::publish(const DefinitionRecord& definition) {
         Statement(connection_, "INSERT INTO study_allocations (study_id, seed) VALUES (?, ?)")
             .run(definition.id, std::to_string(seed));
     }
+    if (definition.kind == "consent_seal") seal_signatures(connection_, definition);
     append_audit(actor_, definition.kind + ".publish",
                  definition.id + " version " + std::to_string(definition.version),
                  definition.reason);

@@ -69,6 +69,14 @@ TEST_F(Key, TheSameContentNeverLooksTheSame) {
     EXPECT_NE(read_text(path), first) << "salt and nonce are new with every save";
 }
 
+TEST_F(Key, KeepsTheSecretHalfOfTheSealUnderThePassphrase) {
+    const std::string open = ParticipantKey::create(path, "pilot", kPhrase, true).seal().public_key;
+    const std::string box = db::sealed("M1 2 L3 4", open);
+    const auto key = ParticipantKey::open(path, kPhrase);
+    EXPECT_EQ(db::unsealed(box, key.seal()), "M1 2 L3 4");
+    EXPECT_THAT(read_text(path), Not(HasSubstr(key.seal().secret_key)));
+}
+
 TEST_F(Key, RefusesWrongPassphrasesChangedFilesAndWhatIsNone) {
     EXPECT_EQ(failure_of([&] { ParticipantKey::create(path, "pilot", "short", true); }).kind(),
               StoreError::Kind::kRefused);

@@ -42,6 +42,7 @@ ParticipantKey opened(Session& session, const Context& context, const Options& o
     if (key.study_id() != options.study)
         throw InputError(path + ": belongs to the study " + key.study_id() + ", not to " +
                          options.study);
+    db::keep_seal(session.store(), options.study, key.seal().public_key);
     session.store().audit(
         session.actor(), "study.key." + what,
         options.study + (options.entry.code.empty() ? "" : " ") + options.entry.code, path);
@@ -52,7 +53,10 @@ int make(const Context& context, const Options& options) {
     Session session = coordinator(context);
     const std::string path = path_of(context, options);
     const std::string phrase = read_password(kVariable, "Passphrase for " + path, true);
-    as_input([&] { (void)ParticipantKey::create(path, options.study, phrase); });
+    as_input([&] {
+        const auto key = ParticipantKey::create(path, options.study, phrase);
+        db::keep_seal(session.store(), options.study, key.seal().public_key);
+    });
     session.store().audit(session.actor(), "study.key.make", options.study, path);
     print(context, {{"study", options.study}, {"path", path}},
           "made " + path +

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/consent_seal.h"
+
+#include <sodium.h>
+
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <array>
+#include <vector>
+
+#include "db/password.h"
+#include "db/store.h"
+
+namespace placode::db {
+namespace {
+
+constexpr std::string_view kMark = "sealed:";
+
+using PublicKey = std::array<unsigned char, crypto_box_PUBLICKEYBYTES>;
+using SecretKey = std::array<unsigned char, crypto_box_SECRETKEYBYTES>;
+
+template <class Bytes>
+std::string hex_of(const Bytes& bytes) {
+    std::string text(2 * bytes.size() + 1, '\0');
+    sodium_bin2hex(text.data(), text.size(), bytes.data(), bytes.size());
+    text.pop_back();
+    return text;
+}
+
+template <class Bytes>
+bool bytes_of(std::string_view text, Bytes& bytes) {
+    size_t length = 0;
+    return sodium_hex2bin(bytes.data(), bytes.size(), text.data(), text.size(), nullptr, &length,
+                          nullptr) == 0 &&
+           length == bytes.size() && text.size() == 2 * length;
+}
+
+PublicKey need_public(const std::string& hex) {
+    PublicKey key{};
+    if (!bytes_of(hex, key))
+        throw StoreError(StoreError::Kind::kDamaged,
+                         "seal of consents: \"" + hex + "\" is no public key of 64 digits");
+    return key;
+}
+
+}  // namespace
+
+SealPair make_seal_pair() {
+    need_sodium();
+    PublicKey open{};
+    SecretKey secret{};
+    crypto_box_keypair(open.data(), secret.data());
+    SealPair pair{hex_of(open), hex_of(secret)};
+    sodium_memzero(secret.data(), secret.size());
+    return pair;
+}
+
+std::string sealed(const std::string& text, const std::string& public_key) {
+    need_sodium();
+    const PublicKey key = need_public(public_key);
+    std::vector<unsigned char> box(text.size() + crypto_box_SEALBYTES);
+    crypto_box_seal(box.data(), reinterpret_cast<const unsigned char*>(text.data()), text.size(),
+                    key.data());
+    return std::string(kMark) + hex_of(box);
+}
+
+bool is_sealed(const std::string& text) { return text.starts_with(kMark); }
+
+std::optional<std::string> unsealed(const std::string& text, const SealPair& pair) {
+    if (!is_sealed(text)) return text;
+    need_sodium();
+    const std::string_view digits = std::string_view(text).substr(kMark.size());
+    std::vector<unsigned char> box(digits.size() / 2);
+    PublicKey open{};
+    SecretKey secret{};
+    if (box.size() < crypto_box_SEALBYTES || !bytes_of(digits, box) ||
+        !bytes_of(pair.public_key, open) || !bytes_of(pair.secret_key, secret))
+        return std::nullopt;
+    std::string plain(box.size() - crypto_box_SEALBYTES, '\0');
+    const int opened = crypto_box_seal_open(reinterpret_cast<unsigned char*>(plain.data()),
+                                            box.data(), box.size(), open.data(), secret.data());
+    sodium_memzero(secret.data(), secret.size());
+    if (opened != 0) return std::nullopt;
+    return plain;
+}
+
+std::string seal_json(const std::string& study_id, int version, const std::string& public_key) {
+    return QJsonDocument(QJsonObject{{"study", QString::fromStdString(study_id)},
+                                     {"version", version},
+                                     {"public_key", QString::fromStdString(public_key)}})
+        .toJson(QJsonDocument::Compact)
+        .toStdString();
+}
+
+SealDefinition seal_of(const std::string& json) {
+    const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
+    SealDefinition seal{object["study"].toString().toStdString(),
+                        object["public_key"].toString().toStdString(), object["version"].toInt()};
+    (void)need_public(seal.public_key);
+    return seal;
+}
+
+void keep_seal(Store& store, const std::string& study_id, const std::string& public_key) {
+    const auto newest = store.definition("consent_seal", study_id);
+    if (newest && seal_of(newest->json).public_key == public_key) return;
+    DefinitionRecord definition;
+    definition.kind = "consent_seal";
+    definition.id = study_id;
+    definition.version = newest ? newest->version + 1 : 1;
+    definition.json = seal_json(study_id, definition.version, public_key);
+    if (newest) definition.reason = "another participant key";
+    store.publish(definition);
+}
+
+}  // namespace placode::db
