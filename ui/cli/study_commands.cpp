@@ -9,9 +9,8 @@
 #include "curriculum/study.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
-#include "reports/csv_table.h"
-#include "reports/export.h"
 #include "ui/cli/session.h"
+#include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"
 
 namespace placode::cli {
@@ -19,35 +18,6 @@ namespace {
 
 using db::Action;
 using db::Scope;
-
-struct Options {
-    std::string id, code, step, questionnaire, file, reason, mode, state = "done", language = "en";
-    std::vector<std::string> answers, agreed;
-    int64_t attempt = 0;
-    int visit = 1, version = 0;
-    bool demonstration = false, consented = false;
-};
-
-Session coordinator(const Context& context, Missing missing = Missing::kRefuse) {
-    Session session(context, missing);
-    session.need(Action::kRunQuestionnaire, Scope::kOther);
-    return session;
-}
-
-std::string need_code(const std::string& code) {
-    if (!db::valid_participant_code(code))
-        throw InputError("participant: found \"" + code +
-                         "\", whose check letter does not fit; expected a code such as P001-C");
-    return code;
-}
-
-/// The published version, else the shipped one, else the file.
-curriculum::Questionnaire questionnaire_named(Session& session, const std::string& id) {
-    if (id.find('/') == std::string::npos && !id.ends_with(".json"))
-        if (const auto published = session.store().definition("questionnaire", id))
-            return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
-    return curriculum::load_questionnaire(id);
-}
 
 // --- definitions -------------------------------------------------------------------------------
 
@@ -87,7 +57,7 @@ int list_definitions(const Context& context, const std::string& kind) {
     return 0;
 }
 
-int show_definition(const Context& context, const std::string& kind, const Options& options) {
+int show_definition(const Context& context, const std::string& kind, const StudyOptions& options) {
     Session session = coordinator(context);
     std::string text;
     if (const auto there = session.store().definition(kind, options.id, options.version))
@@ -102,7 +72,7 @@ int show_definition(const Context& context, const std::string& kind, const Optio
     return 0;
 }
 
-int publish(const Context& context, const std::string& kind, const Options& options) {
+int publish(const Context& context, const std::string& kind, const StudyOptions& options) {
     Session session = coordinator(context, Missing::kCreate);
     db::DefinitionRecord definition;
     definition.kind = kind;
@@ -136,15 +106,7 @@ int publish(const Context& context, const std::string& kind, const Options& opti
 
 // --- participants ------------------------------------------------------------------------------
 
-std::vector<std::string> required_statements(Session& session, const std::string& study) {
-    std::vector<std::string> ids;
-    if (const auto protocol = db::published_study(session.store(), study))
-        for (const auto& statement : protocol->consent.statements)
-            if (statement.required) ids.push_back(statement.id);
-    return ids;
-}
-
-int enrol(const Context& context, const Options& options) {
+int enrol(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const std::string code = as_input(
         [&] { return session.store().new_participant(options.id, options.demonstration); });
@@ -158,7 +120,7 @@ int enrol(const Context& context, const Options& options) {
     return 0;
 }
 
-int consent(const Context& context, const Options& options) {
+int consent(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     as_input([&] {
         db::record_consent(session.store(), options.id, need_code(options.code), options.language,
@@ -169,7 +131,7 @@ int consent(const Context& context, const Options& options) {
     return 0;
 }
 
-int step(const Context& context, const Options& options) {
+int step(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const auto protocol = db::published_study(session.store(), options.id);
     if (protocol && protocol->step(options.step) == nullptr) {
@@ -209,7 +171,7 @@ const char* withdrawal_word(const db::ParticipantRecord& participant) {
     return "withdrew, data are erased";
 }
 
-int status(const Context& context, const Options& options) {
+int status(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const auto list = db::study_progress(session.store(), options.id);
     if (list.empty())
@@ -242,7 +204,7 @@ int status(const Context& context, const Options& options) {
     return 0;
 }
 
-int withdraw(const Context& context, const Options& options) {
+int withdraw(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const db::WithdrawalMode mode = options.mode == "keep"   ? db::WithdrawalMode::kKeep
                                     : options.mode == "stop" ? db::WithdrawalMode::kStop
@@ -255,130 +217,8 @@ int withdraw(const Context& context, const Options& options) {
     return 0;
 }
 
-// --- answers -----------------------------------------------------------------------------------
-
-bool is_demonstration(Session& session, const std::string& study, const std::string& code) {
-    for (const auto& each : session.store().participants(study))
-        if (each.code == code) return each.demonstration;
-    return false;
-}
-
-int answer(const Context& context, const Options& options) {
-    Session session = coordinator(context);
-    const auto questionnaire = questionnaire_named(session, options.questionnaire);
-    db::AnswerRecord record;
-    record.study_id = options.id;
-    record.participant = need_code(options.code);
-    record.questionnaire_id = questionnaire.id;
-    record.questionnaire_version = questionnaire.version;
-    record.language = options.language;
-    record.visit = options.visit;
-    record.demonstration = is_demonstration(session, options.id, options.code);
-    for (const std::string& pair : options.answers) {
-        const size_t at = pair.find('=');
-        if (at == std::string::npos || at == 0)
-            throw InputError("answer: found \"" + pair + "\"; expected ITEM=VALUE");
-        record.answers[pair.substr(0, at)] = pair.substr(at + 1);
-    }
-    const int64_t id =
-        as_input([&] { return db::submit_answers(session.store(), questionnaire, record); });
-    Json json{{"participant", options.code}, {"questionnaire", questionnaire.id}, {"answers", id}};
-    std::string text = options.code + ": answers to " + questionnaire.id + " saved";
-    for (const auto& score : curriculum::scale_scores(questionnaire, record.answers)) {
-        json["scores"][score.id] = score.value ? Json(*score.value) : Json();
-        text += "\n" + score.id + ": " + (score.value ? shortest(*score.value) : "too few answers");
-    }
-    print(context, json, text);
-    return 0;
-}
-
-/// One row of a table as answers; an empty cell is no answer.
-db::AnswerRecord row_answers(const curriculum::Questionnaire& questionnaire,
-                             const std::vector<std::string>& head,
-                             const std::vector<std::string>& row, const std::string& place) {
-    if (row.size() != head.size())
-        throw InputError(place + ": found " + std::to_string(row.size()) + " cells; expected " +
-                         std::to_string(head.size()));
-    db::AnswerRecord record;
-    record.questionnaire_id = questionnaire.id;
-    record.questionnaire_version = questionnaire.version;
-    for (size_t c = 0; c < head.size(); ++c)
-        if (questionnaire.item(head[c]) != nullptr && !row[c].empty())
-            record.answers[head[c]] = reports::as_typed(row[c]);
-    if (const auto problem = curriculum::check_answers(questionnaire, record.answers))
-        throw InputError(place + ": " + *problem);
-    return record;
-}
-
-/// Answers from a table: one row a participant, one column an item; the column "participant" says
-/// whose they are. Everything is checked before anything is saved.
-int import_answers(const Context& context, const Options& options) {
-    Session session = coordinator(context);
-    const auto questionnaire = questionnaire_named(session, options.questionnaire);
-    const auto rows = reports::parse_csv(reports::read_file(options.file));
-    if (rows.size() < 2) throw InputError(options.file + ": holds no rows");
-    const auto whose = std::find(rows[0].begin(), rows[0].end(), "participant");
-    if (whose == rows[0].end())
-        throw InputError(options.file + ":1: there is no column \"participant\"");
-    std::vector<db::AnswerRecord> records;
-    for (size_t r = 1; r < rows.size(); ++r) {
-        const std::string place = options.file + ":" + std::to_string(r + 1);
-        db::AnswerRecord record = row_answers(questionnaire, rows[0], rows[r], place);
-        record.participant = need_code(rows[r][static_cast<size_t>(whose - rows[0].begin())]);
-        record.study_id = options.id;
-        record.language = options.language;
-        record.demonstration = is_demonstration(session, options.id, record.participant);
-        records.push_back(std::move(record));
-    }
-    for (const auto& record : records)
-        as_input([&] { return db::submit_answers(session.store(), questionnaire, record); });
-    print(context, {{"study", options.id}, {"rows", records.size()}},
-          std::to_string(records.size()) + " sets of answers to " + questionnaire.id + " saved");
-    return 0;
-}
-
-/// The paper's study with 14 simulated participants: every code, answer and export says so.
-int demo(const Context& context) {
-    Session session = coordinator(context, Missing::kCreate);
-    const auto study = curriculum::load_study("face_content_validity");
-    if (!session.store().participants(study.id).empty())
-        throw InputError("study demo: " + study.id + " has participants in " +
-                         session.store().url() + "; expected an empty study");
-    for (const char* id : {"demographics", "face_validity"})
-        db::publish_on_first_use(session.store(), curriculum::load_questionnaire(id));
-    db::DefinitionRecord definition;
-    definition.kind = "study";
-    definition.id = study.id;
-    definition.version = study.version;
-    definition.json = study.json;
-    session.store().publish(definition);
-    const std::string file =
-        (curriculum::data_folder() / "studies" / "face_content_validity_simulated.csv").string();
-    const auto rows = reports::parse_csv(reports::read_file(file));
-    for (size_t r = 1; r < rows.size(); ++r) {
-        const std::string code = session.store().new_participant(study.id, true);
-        db::record_consent(session.store(), study.id, code, "en",
-                           required_statements(session, study.id));
-        for (const char* id : {"demographics", "face_validity"}) {
-            const auto questionnaire = curriculum::load_questionnaire(id);
-            db::AnswerRecord record =
-                row_answers(questionnaire, rows[0], rows[r], file + ":" + std::to_string(r + 1));
-            record.study_id = study.id;
-            record.participant = code;
-            record.demonstration = true;
-            db::submit_answers(session.store(), questionnaire, record);
-        }
-    }
-    print(context,
-          {{"study", study.id}, {"participants", rows.size() - 1}, {"demonstration", true}},
-          study.id + ": " + std::to_string(rows.size() - 1) +
-              " SIMULATED participants (demonstration); answers fit the figures that the paper "
-              "prints and are nobody's");
-    return 0;
-}
-
 void add_definition_commands(CLI::App& group, Context& context, const std::string& kind,
-                             const std::shared_ptr<Options>& options) {
+                             const std::shared_ptr<StudyOptions>& options) {
     CLI::App* list = group.add_subcommand("list", "What is published, and what is shipped");
     list->callback([&context, kind] {
         context.run = [&context, kind] { return list_definitions(context, kind); };
@@ -404,7 +244,7 @@ void add_definition_commands(CLI::App& group, Context& context, const std::strin
 }  // namespace
 
 void add_study_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyOptions>();
     CLI::App* questionnaire = app.add_subcommand("questionnaire", "Instruments");
     questionnaire->require_subcommand(1);
     add_definition_commands(*questionnaire, context, "questionnaire", options);
@@ -415,7 +255,7 @@ void add_study_commands(CLI::App& app, Context& context) {
     add_study_key_commands(*study, context);
     add_study_analysis_commands(*study, context);
     const auto add = [&](const char* name, const char* text,
-                         int (*work)(const Context&, const Options&)) {
+                         int (*work)(const Context&, const StudyOptions&)) {
         CLI::App* command = study->add_subcommand(name, text);
         command->add_option("STUDY", options->id, "Study id")->required();
         command->callback([&context, options, work] {
@@ -449,14 +289,14 @@ void add_study_commands(CLI::App& app, Context& context) {
     step_command->add_option("--attempt", options->attempt, "Number of the attempt");
     step_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
     add("status", "Where everyone stands", status);
-    CLI::App* answer_command =
-        with_language(with_code(add("answer", "Saves the answers to a questionnaire", answer)));
+    CLI::App* answer_command = with_language(
+        with_code(add("answer", "Saves the answers to a questionnaire", study_answer)));
     answer_command->add_option("QUESTIONNAIRE", options->questionnaire, "Id or FILE.json")
         ->required();
     answer_command->add_option("ANSWERS", options->answers, "ITEM=VALUE ...")->required();
     answer_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
-    CLI::App* import_command = with_language(add(
-        "import", "Answers from a table: a row a participant, a column an item", import_answers));
+    CLI::App* import_command = with_language(
+        add("import", "Answers from a table: a row a participant, a column an item", study_import));
     import_command->add_option("FILE", options->file, "FILE.csv with a column participant")
         ->required();
     import_command->add_option("--questionnaire", options->questionnaire, "Id or FILE.json")
@@ -471,7 +311,8 @@ void add_study_commands(CLI::App& app, Context& context) {
     withdraw_command->add_option("--reason", options->reason, "\"not given\" is one")->required();
     CLI::App* demo_command =
         study->add_subcommand("demo", "The paper's study with 14 simulated participants");
-    demo_command->callback([&context] { context.run = [&context] { return demo(context); }; });
+    demo_command->callback(
+        [&context] { context.run = [&context] { return study_demo(context); }; });
 }
 
 }  // namespace placode::cli
