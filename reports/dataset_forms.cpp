@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/dataset_forms.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reports/report.h"
+#include "reports/text.h"
+
+namespace placode::reports {
+namespace {
+
+Field code_field(const std::string& id, const std::string& label, std::vector<Code> codes) {
+    Field field;
+    field.id = id;
+    field.label = label;
+    field.kind = FieldKind::kCode;
+    field.codes = std::move(codes);
+    return field;
+}
+
+/// Lock and signature of the record. Who signed is a name, though none of a participant.
+void add_care_fields(Form& form, const DatasetOptions& options) {
+    form.fields.push_back(code_field("record_locked", "Record locked", {{0, "no"}, {1, "yes"}}));
+    form.fields.push_back(text_field("signed_utc", "Record signed (UTC)"));
+    form.fields.push_back(text_field("signature_meaning", "Meaning of the signature"));
+    form.fields.push_back(text_field("signed_checksum", "Checksum of the signed record (SHA-256)"));
+    form.fields.push_back(code_field("signature_fits", "The record is what was signed",
+                                     {{0, "no, changed after the signature"}, {1, "yes"}}));
+    if (!options.identifying) return;
+    form.fields.push_back(text_field("signed_by", "Record signed by"));
+    form.fields.back().identifying = true;
+}
+
+void fill_care(Row& row, const db::RecordState& state, const DatasetOptions& options) {
+    row.values["record_locked"] = state.locked ? "1" : "0";
+    if (!state.signature) return;
+    row.values["signed_utc"] = state.signature->at_utc;
+    row.values["signature_meaning"] = state.signature->remark;
+    row.values["signed_checksum"] = state.signature->checksum;
+    row.values["signature_fits"] = state.signature_fits ? "1" : "0";
+    if (options.identifying) row.values["signed_by"] = state.signature->name;
+}
+
+}  // namespace
+
+Field text_field(const std::string& id, const std::string& label) {
+    Field field;
+    field.id = id;
+    field.label = label;
+    return field;
+}
+
+/// Counts the rows of each participant; a form with a second row repeats.
+void number_rows(Form& form) {
+    std::stable_sort(form.rows.begin(), form.rows.end(),
+                     [](const Row& a, const Row& b) { return a.participant < b.participant; });
+    std::map<std::string, int> count;
+    for (Row& row : form.rows) {
+        row.instance = ++count[row.participant];
+        form.repeating = form.repeating || row.instance > 1;
+    }
+}
+
+Form participants_form(const std::vector<db::ParticipantRecord>& all,
+                       const std::map<std::string, db::RecordState>& states,
+                       const std::optional<curriculum::StudyProtocol>& protocol,
+                       const DatasetOptions& options) {
+    Form form;
+    form.id = form.name = "participants";
+    form.title = "Participants";
+    form.fields = {text_field("enrolled_utc", "Enrolled (UTC)"),
+                   text_field("withdrawn_utc", "Withdrawn (UTC)")};
+    Field status;
+    status.id = "status";
+    status.label = "Status";
+    status.kind = FieldKind::kCode;
+    status.codes = {{0, "takes part"},
+                    {1, "withdrew, data to date are used"},
+                    {2, "withdrew, data are not used"},
+                    {3, "withdrew, data are erased"}};
+    form.fields.push_back(status);
+    Field version;
+    version.id = "protocol_version";
+    version.label = "Version of the protocol";
+    version.kind = FieldKind::kDecimal;
+    form.fields.push_back(version);
+    if (protocol && protocol->arms) {
+        Field arm;
+        arm.id = "arm";
+        arm.label = "Arm";
+        arm.kind = FieldKind::kCode;
+        for (size_t i = 0; i < protocol->arms->names.size(); ++i)
+            arm.codes.push_back(
+                {static_cast<int>(i), protocol->arms->names[i].in(options.language)});
+        form.fields.push_back(arm);
+    }
+    add_care_fields(form, options);
+    for (const db::ParticipantRecord& each : all) {
+        Row row;
+        row.participant = each.code;
+        row.at_utc = each.enrolled_utc;
+        row.demonstration = each.demonstration;
+        row.values["enrolled_utc"] = each.enrolled_utc;
+        if (!each.withdrawn_utc.empty()) row.values["withdrawn_utc"] = each.withdrawn_utc;
+        row.values["status"] =
+            each.withdrawal ? std::to_string(1 + static_cast<int>(*each.withdrawal)) : "0";
+        row.values["protocol_version"] = std::to_string(each.protocol_version);
+        if (protocol && protocol->arms && each.arm >= 0)
+            row.values["arm"] = std::to_string(each.arm);
+        const auto state = states.find(each.code);
+        fill_care(row, state == states.end() ? db::RecordState{} : state->second, options);
+        form.rows.push_back(std::move(row));
+    }
+    return form;
+}
+
+Form attempts_form(const std::vector<db::AttemptDetail>& attempts,
+                   const std::vector<std::string>& owners) {
+    Form form;
+    form.id = form.name = "attempts";
+    form.title = "Attempts with scores and metrics";
+    for (const auto& [id, label] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"task_id", "Task"},
+             {"started_utc", "Started (UTC)"},
+             {"device", "Device"},
+             {"end", "How it ended"},
+             {"verdict", "Verdict"},
+             {"rubric_id", "Rubric"},
+             {"haptic_grade", "Haptic certificate"},
+             {"void_reason", "Void for cause, because"},
+             {"build", "Program version and kernel"}})
+        form.fields.push_back(text_field(id, label));
+    const auto add_number = [&](const std::string& id, const std::string& label,
+                                const std::string& unit) {
+        Field field = text_field(id, label);
+        field.kind = FieldKind::kDecimal;
+        field.unit = unit;
+        form.fields.push_back(field);
+    };
+    add_number("attempt_id", "Number of the attempt in the store", "");
+    add_number("task_version", "Version of the task", "");
+    add_number("duration_s", "Duration", "s");
+    add_number("points", "Score", "points of 100");
+    add_number("rubric_version", "Version of the rubric", "");
+    add_number("metric_set_version", "Version of the metric set", "");
+    const auto definitions = assessment::metric_definitions();
+    for (const auto& definition : definitions)
+        add_number(std::string(definition.id), std::string(definition.name),
+                   std::string(definition.unit));
+    for (size_t i = 0; i < attempts.size(); ++i) {
+        const db::AttemptRecord& record = attempts[i].record;
+        Row row;
+        row.participant = owners[i];
+        row.at_utc = record.started_utc;
+        row.demonstration = record.demonstration;
+        row.attempt_id = record.id;
+        row.values = {{"attempt_id", std::to_string(record.id)},
+                      {"task_version", std::to_string(record.task_version)},
+                      {"duration_s", shortest_text(record.duration_s)},
+                      {"end", end_word(record.end).toStdString()},
+                      {"points", shortest_text(record.points)},
+                      {"verdict", verdict_word(record.verdict).toStdString()},
+                      {"rubric_version", std::to_string(record.rubric_version)},
+                      {"metric_set_version", std::to_string(record.metric_set_version)}};
+        for (const auto& [id, text] : {std::pair{"task_id", record.task_id},
+                                       {"started_utc", record.started_utc},
+                                       {"device", record.device},
+                                       {"rubric_id", record.rubric_id},
+                                       {"haptic_grade", record.haptic_grade},
+                                       {"void_reason", record.void_reason},
+                                       {"build", record.build}})
+            if (!text.empty()) row.values[id] = text;
+        for (const auto& definition : definitions)
+            if (const auto value = attempts[i].metrics.find(definition.id))
+                if (std::isfinite(*value))
+                    row.values[std::string(definition.id)] = shortest_text(*value);
+        form.rows.push_back(std::move(row));
+    }
+    number_rows(form);
+    return form;
+}
+
+}  // namespace placode::reports

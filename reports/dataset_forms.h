@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Forms of a data set that are no questionnaire: participants with the care of their records, and
+// attempts (declared in dataset.h).
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/study_records.h"
+#include "reports/dataset.h"
+
+namespace placode::reports {
+
+[[nodiscard]] Field text_field(const std::string& id, const std::string& label);
+/// Sorts by participant and counts the rows of each; a form with a second row repeats.
+void number_rows(Form& form);
+/// @param states by code; a record that was never locked nor signed may be absent.
+[[nodiscard]] Form participants_form(const std::vector<db::ParticipantRecord>& all,
+                                     const std::map<std::string, db::RecordState>& states,
+                                     const std::optional<curriculum::StudyProtocol>& protocol,
+                                     const DatasetOptions& options);
+
+}  // namespace placode::reports
