@@ -13,8 +13,9 @@ constexpr auto kPoll = std::chrono::milliseconds(10);
 // Half of what a crash may lose, in time of day and (an attempt may run faster) in frames.
 constexpr auto kCommit = std::chrono::milliseconds(250);
 constexpr size_t kCommitFrames = 250;
-// 4 s of frames and samples; a frame may raise up to 256 events, though it hardly ever does.
-constexpr size_t kInputs = 4096, kSamples = 512, kEvents = 16384;
+// 16 s of frames and samples: longer than the sink waits for whoever reads its file. A frame may
+// raise up to 256 events, though it hardly ever does.
+constexpr size_t kInputs = 16384, kSamples = 2048, kEvents = 16384;
 
 template <class T>
 void take_all(sim::Ring<T>& ring, std::vector<T>& block) {
