@@ -13,7 +13,7 @@
 
 namespace placode::assessment {
 
-inline constexpr int kMetricSetVersion = 4;
+inline constexpr int kMetricSetVersion = 5;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

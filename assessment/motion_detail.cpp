@@ -15,6 +15,7 @@ namespace placode::assessment {
 
 namespace {
 
+constexpr double kActionMmS = 50, kActionDegS = 50;  // PerkTutor
 constexpr double kPeakMmS = 20, kSegmentMmS = 5, kSegmentShortestS = 0.3, kHandMovesMmS = 5;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
@@ -41,16 +42,23 @@ std::vector<Held> held_tools(const sim::Recording& recording) {
     return held;
 }
 
-/// Speed of a hand: of its tools the one that moves, because the other one is parked.
-std::vector<double> hand_speed(const std::vector<Held>& held, sim::Hand hand) {
+/// Of a hand: of its tools the one that moves, because the other one is parked.
+template <class SpeedOf>
+std::vector<double> hand_speed(const std::vector<Held>& held, sim::Hand hand, SpeedOf&& speed_of) {
     std::vector<double> speed;
     for (const Held& one : held) {
         if (one.hand != hand) continue;
-        if (speed.empty()) speed = one.track.speed_m_s;
-        for (size_t k = 0; k < std::min(speed.size(), one.track.speed_m_s.size()); ++k)
-            speed[k] = std::max(speed[k], one.track.speed_m_s[k]);
+        const std::vector<double> own = speed_of(one.track);
+        if (speed.empty()) speed = own;
+        for (size_t k = 0; k < std::min(speed.size(), own.size()); ++k)
+            speed[k] = std::max(speed[k], own[k]);
     }
     return speed;
+}
+
+std::vector<double> way_speed(const Track& track) { return track.speed_m_s; }
+std::vector<double> turn_speed(const Track& track) {
+    return angular_speed(track.orientation, track.dt_s);
 }
 
 void add_rotation(const std::vector<Held>& held, std::vector<Metric>& out) {
@@ -68,7 +76,7 @@ void add_rotation(const std::vector<Held>& held, std::vector<Metric>& out) {
 
 void add_economy(const std::vector<Held>& held, std::vector<Metric>& out) {
     const Held* most = nullptr;
-    double longest = 0, peaks = 0, duration_s = 0;
+    double longest = 0, peaks = 0, duration_s = 0, straight = 0, moved = 0;
     std::vector<double> jerks;
     for (const Held& one : held) {
         const double path = path_length(one.track.position_m);
@@ -81,21 +89,50 @@ void add_economy(const std::vector<Held>& held, std::vector<Metric>& out) {
                               one.track.dt_s * static_cast<double>(one.track.speed_m_s.size() - 1));
         const std::span<const Vec3> velocity = one.track.velocity_m_s;
         for (const auto& [first, last] : movement_segments(one.track.speed_m_s, one.track.dt_s,
-                                                           kSegmentMmS * 1e-3, kSegmentShortestS))
+                                                           kSegmentMmS * 1e-3, kSegmentShortestS)) {
+            const auto way = std::span(one.track.position_m).subspan(first, last - first);
+            straight += (way.back() - way.front()).norm();
+            moved += path_length(way);
             if (const auto jerk =
                     normalised_jerk(velocity.subspan(first, last - first), 1 / one.track.dt_s))
                 jerks.push_back(*jerk);
+        }
     }
-    if (most != nullptr)
-        out.push_back(
-            {"economy_of_volume", std::cbrt(extent(most->track.position_m).prod()) / longest});
+    if (most != nullptr) {
+        const double volume = extent(most->track.position_m).prod();
+        out.push_back({"economy_of_volume", std::cbrt(volume) / longest});
+        out.push_back({"working_volume_mm3", volume * 1e9});
+    }
+    if (moved > 0) out.push_back({"economy_of_motion", straight / moved});
     if (duration_s > 0) out.push_back({"speed_peaks_per_min", peaks / duration_s * 60});
     if (!jerks.empty()) out.push_back({"jerk_normalised", median(std::move(jerks))});
 }
 
+void add_actions(const std::vector<Held>& held, std::vector<Metric>& out) {
+    int moves = 0, turns = 0;
+    for (const Held& one : held) {
+        moves += action_count(one.track.speed_m_s, one.track.dt_s, kActionMmS * 1e-3);
+        turns += action_count(turn_speed(one.track), one.track.dt_s, kActionDegS / kDegrees);
+    }
+    out.push_back({"translational_actions", static_cast<double>(moves)});
+    out.push_back({"rotational_actions", static_cast<double>(turns)});
+}
+
+/// Correlation of the hands' rotations.
+void add_turning_together(const std::vector<Held>& held, std::vector<Metric>& out) {
+    std::vector<double> right = hand_speed(held, sim::Hand::kRight, turn_speed),
+                        left = hand_speed(held, sim::Hand::kLeft, turn_speed);
+    const size_t n = std::min(right.size(), left.size());
+    if (n < 2) return;
+    right.resize(n);
+    left.resize(n);
+    const Bimanual both = bimanual_dexterity(left, right, held.front().track.dt_s, 0);
+    out.push_back({"bimanual_rotation_r", both.pearson_r});
+}
+
 void add_hands(const std::vector<Held>& held, std::vector<Metric>& out) {
-    std::vector<double> right = hand_speed(held, sim::Hand::kRight),
-                        left = hand_speed(held, sim::Hand::kLeft);
+    std::vector<double> right = hand_speed(held, sim::Hand::kRight, way_speed),
+                        left = hand_speed(held, sim::Hand::kLeft, way_speed);
     const size_t n = std::min(right.size(), left.size());
     if (n < 2) return;
     right.resize(n);
@@ -107,28 +144,40 @@ void add_hands(const std::vector<Held>& held, std::vector<Metric>& out) {
     out.push_back({"bimanual_r", both.pearson_r});
     out.push_back({"bimanual_balance", both.balance});
     out.push_back({"both_moving_percent", both.both * 100});
+    out.push_back({"left_only_percent", both.left_only * 100});
+    out.push_back({"right_only_percent", both.right_only * 100});
+    out.push_back({"neither_moving_percent", both.neither * 100});
 }
 
 /// Of unfiltered samples: the low pass would remove what is looked for.
 void add_tremor(const sim::Recording& recording, const std::vector<Held>& held,
                 std::vector<Metric>& out) {
     if (!(recording.header.sample_s > 0)) return;
-    double worst = -1;
+    const double rate_hz = 1 / recording.header.sample_s;
+    double worst = -1, worst_acceleration = -1;
     for (const Held& one : held) {
-        double power = 0;
+        double power = 0, acceleration = 0;
         bool known = true;
         for (size_t axis = 0; axis < 3; ++axis) {
             std::vector<double> raw;
             raw.reserve(recording.samples.size());
             for (const sim::Sample& sample : recording.samples)
                 raw.push_back(static_cast<double>(sample.tools[one.tool].tip_m[axis]) * 1e3);
-            const auto band = band_power(raw, 1 / recording.header.sample_s);
-            known = known && band.has_value();
+            std::vector<double> second;
+            for (size_t k = 1; k + 1 < raw.size(); ++k)
+                second.push_back((raw[k + 1] - 2 * raw[k] + raw[k - 1]) * rate_hz * rate_hz);
+            const auto band = band_power(raw, rate_hz), shaking = band_power(second, rate_hz);
+            known = known && band.has_value() && shaking.has_value();
             power += band.value_or(0);
+            acceleration += shaking.value_or(0);
         }
-        if (known) worst = std::max(worst, power);
+        if (!known) continue;
+        worst = std::max(worst, power);
+        worst_acceleration = std::max(worst_acceleration, acceleration);
     }
-    if (worst >= 0) out.push_back({"tremor_rms_mm", std::sqrt(worst)});
+    if (worst < 0) return;
+    out.push_back({"tremor_rms_mm", std::sqrt(worst)});
+    out.push_back({"tremor_acceleration_mm_s2", std::sqrt(worst_acceleration)});
 }
 
 void add_view(const sim::Recording& recording, const std::vector<Held>& held,
@@ -242,7 +291,9 @@ void add_motion_details(const sim::Recording& recording, std::vector<Metric>& ou
     if (held.empty()) return;
     add_rotation(held, out);
     add_economy(held, out);
+    add_actions(held, out);
     add_hands(held, out);
+    add_turning_together(held, out);
     add_tremor(recording, held, out);
     add_view(recording, held, out);
 }

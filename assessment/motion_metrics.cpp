@@ -54,6 +54,10 @@ double median(std::vector<double> values) {
 /// Shared tail of both LDLJ forms: sum of squared jerk, peak speed and sample count.
 std::optional<double> ldlj(double jerk_squared_sum, double peak, size_t n, double rate_hz) {
     const double dt = 1 / rate_hz, duration = static_cast<double>(n) * dt;
+    // A second difference of 1e-12 of the speed is rounding, not jerk: at constant speed the value
+    // would be noise. A movement of 1000 s still has 6e-10.
+    const double rounding = 1e-12 * peak * rate_hz * rate_hz;
+    if (!(jerk_squared_sum > static_cast<double>(n) * rounding * rounding)) return std::nullopt;
     const double dimensionless =
         duration * duration * duration / (peak * peak) * jerk_squared_sum * dt;
     if (!(dimensionless > 0) || !std::isfinite(dimensionless)) return std::nullopt;
@@ -79,7 +83,7 @@ double first_in_view_s(const sim::Recording& recording, const std::vector<size_t
 }
 
 struct Smoothness {
-    std::vector<double> sparc, ldlj;
+    std::vector<double> sparc, ldlj, ldlj_speed;
 };
 
 void add_smoothness(const Track& track, Smoothness& out) {
@@ -92,6 +96,8 @@ void add_smoothness(const Track& track, Smoothness& out) {
             out.sparc.push_back(*s);
         if (const auto l = ldlj_vector(velocity.subspan(first, last - first), rate_hz))
             out.ldlj.push_back(*l);
+        if (const auto l = ldlj_speed(speed.subspan(first, last - first), rate_hz))
+            out.ldlj_speed.push_back(*l);
     }
 }
 
@@ -277,6 +283,8 @@ void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     if (time_s > 0) out.push_back({"idle_percent", 100 * std::min(1.0, idle_s / time_s)});
     if (!smoothness.sparc.empty()) out.push_back({"sparc", median(smoothness.sparc)});
     if (!smoothness.ldlj.empty()) out.push_back({"ldlj_vector", median(smoothness.ldlj)});
+    if (!smoothness.ldlj_speed.empty())
+        out.push_back({"ldlj_speed", median(smoothness.ldlj_speed)});
 
     double hidden_s = 0;
     for (const sim::Sample& sample : recording.samples) {

@@ -8,20 +8,18 @@
 
 #include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
+#include "haptics/json_scan.h"
 
 namespace placode::assessment {
 
 namespace {
 
-constexpr double kGasConstant = 8.314462618, kKelvin = 273.15;
 constexpr double kNearPlacodeM = 0.001;
+// Henriques & Moritz 1947, skin: a stand-in, there is no accepted set for the placode.
+constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
 // At cutting temperatures the dose passes every number (and float) within a second; past this it
 // says no more than "destroyed".
-constexpr double kLargestDoseMin = 1e6;
-
-double dose_rate(double temperature_c) {
-    return std::pow(temperature_c >= 43 ? 0.5 : 0.25, 43 - temperature_c);
-}
+constexpr double kLargestDoseMin = 1e6, kLargestDamage = 1e6;
 
 struct Sum {
     int count = 0;
@@ -42,6 +40,28 @@ Sum total(const sim::Recording& recording, sim::EventKind kind) {
 
 bool is_skin(sim::Tissue tissue) {
     return tissue == sim::Tissue::kSkin || tissue == sim::Tissue::kThinSkin;
+}
+
+/// Largest distance either way between plan and incision, so that a gap shows, too.
+double hausdorff(const Incision& incision) {
+    const auto& bins = incision.bins;
+    const size_t n = bins.size();
+    double area = 0;
+    for (size_t i = 0; i < n; ++i) {
+        const Vec2 &a = bins[i].at_m, &b = bins[(i + 1) % n].at_m;
+        area += a.x() * b.y() - a.y() * b.x();
+    }
+    std::vector<Vec3> cut, plan;
+    for (size_t i = 0; i < n; ++i) {
+        plan.emplace_back(bins[i].at_m.x(), bins[i].at_m.y(), 0);
+        if (!(bins[i].volume_m3 > 0)) continue;
+        const Vec2 along = bins[(i + 1) % n].at_m - bins[(i + n - 1) % n].at_m;
+        Vec2 out = Vec2(along.y(), -along.x()).normalized();
+        if (area < 0) out = -out;
+        const Vec2 at = bins[i].at_m + bins[i].offset_m * out;
+        cut.emplace_back(at.x(), at.y(), 0);
+    }
+    return cut.empty() ? -1 : compare_contours(plan, cut, 0.001).hausdorff;
 }
 
 void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
@@ -75,6 +95,8 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
         out.push_back({"contour_deviation_max_mm", distance.back() * 1e3});
         out.push_back({"contour_deviation_rms_mm", std::sqrt(square) * 1e3});
         out.push_back({"contour_signed_mm", mean_signed / n * 1e3});
+        if (const double worst = hausdorff(*incision); worst >= 0)
+            out.push_back({"contour_hausdorff_mm", worst * 1e3});
         out.push_back({"kerf_width_mm", width / n * 1e3});
     }
     out.push_back({"off_line_mm", off_m * 1e3});
@@ -105,6 +127,14 @@ void add_placode(const sim::Recording& recording, std::vector<Metric>& out) {
     if (temperature) {
         out.push_back({"placode_peak_cem43_min", std::min(dose, kLargestDoseMin)});
         out.push_back({"placode_peak_c", *temperature});
+        std::vector<double> time_s, celsius;
+        for (const sim::Sample& sample : recording.samples) {
+            time_s.push_back(sample.time_s);
+            celsius.push_back(sample.placode_peak_c);
+        }
+        out.push_back(
+            {"placode_arrhenius",
+             std::min(kLargestDamage, arrhenius_damage(time_s, celsius, kSkinAPerS, kSkinEaJMol))});
     }
     out.push_back(
         {"placode_overheated",
@@ -181,10 +211,28 @@ void add_force(const sim::Recording& recording, std::vector<Metric>& out) {
     out.push_back({"torn_skin_mm3", torn_skin_m3 * 1e9});
 }
 
+/// The force that the scene of the task calls too much [N]; nothing where the recording does not
+/// say.
+std::optional<double> over_force_n(const std::string& task_json) {
+    double found = -1;
+    haptics::JsonScan scan(task_json);
+    scan.object([&](std::string_view key) {
+        if (key != "scene") return;
+        scan.object([&](std::string_view part) {
+            if (part != "contact") return;
+            scan.object([&](std::string_view name) {
+                if (name == "over_force_n") found = scan.number(-1);
+            });
+        });
+    });
+    return found > 0 ? std::optional(found) : std::nullopt;
+}
+
 /// Sums over the samples in which an instrument touches tissue.
 void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out) {
     const double dt = recording.header.sample_s;
-    double contact_s = 0, impulse = 0, square = 0, placode = 0;
+    const std::optional<double> limit = over_force_n(recording.header.task_json);
+    double contact_s = 0, impulse = 0, square = 0, placode = 0, excess = 0;
     for (const sim::Sample& sample : recording.samples) {
         for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
             const sim::ToolSample& tool = sample.tools[i];
@@ -192,6 +240,7 @@ void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out
             const double force = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
             contact_s += dt;
             impulse += force * dt;
+            if (limit) excess += std::max(0.0, force - *limit) * dt;
             square += force * force * dt;
             if (tool.touched == sim::Tissue::kPlacode) placode += force * dt;
         }
@@ -201,6 +250,7 @@ void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out
         out.push_back({"rms_force_mn", std::sqrt(square / contact_s) * 1e3});
     }
     out.push_back({"force_impulse_mn_s", impulse * 1e3});
+    if (limit) out.push_back({"excess_impulse_mn_s", excess * 1e3});
     out.push_back({"placode_impulse_mn_s", placode * 1e3});
     double stretch = 0;
     int count = 0;
@@ -309,56 +359,6 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
 }
 
 }  // namespace
-
-double cem43_min(std::span<const double> time_s, std::span<const double> temperature_c) {
-    double dose = 0;
-    for (size_t k = 1; k < std::min(time_s.size(), temperature_c.size()); ++k) {
-        const double rate = (dose_rate(temperature_c[k - 1]) + dose_rate(temperature_c[k])) / 2;
-        dose += (time_s[k] - time_s[k - 1]) / 60 * rate;
-    }
-    return dose;
-}
-
-double arrhenius_damage(std::span<const double> time_s, std::span<const double> temperature_c,
-                        double a_per_s, double ea_j_mol) {
-    const auto rate = [&](double celsius) {
-        return a_per_s * std::exp(-ea_j_mol / (kGasConstant * (celsius + kKelvin)));
-    };
-    double omega = 0;
-    for (size_t k = 1; k < std::min(time_s.size(), temperature_c.size()); ++k) {
-        omega +=
-            (time_s[k] - time_s[k - 1]) * (rate(temperature_c[k - 1]) + rate(temperature_c[k])) / 2;
-    }
-    return omega;
-}
-
-ForceSummary summarise_force(std::span<const double> time_s, std::span<const double> force_n,
-                             double threshold_n) {
-    ForceSummary f;
-    const size_t n = std::min(time_s.size(), force_n.size());
-    if (n == 0) return f;
-    double square = 0;
-    f.peak_n = *std::max_element(force_n.begin(), force_n.begin() + static_cast<long>(n));
-    for (size_t k = 1; k < n; ++k) {
-        const double dt = time_s[k] - time_s[k - 1], a = force_n[k - 1], b = force_n[k];
-        f.impulse_n_s += dt * (a + b) / 2;
-        square += dt * (a * a + b * b) / 2;
-        f.excess_impulse_n_s +=
-            dt * (std::max(0.0, a - threshold_n) + std::max(0.0, b - threshold_n)) / 2;
-        // The crossing inside a step is taken from the line between its ends.
-        const double high = std::max(a, b), low = std::min(a, b);
-        if (low > threshold_n)
-            f.over_s += dt;
-        else if (high > threshold_n)
-            f.over_s += dt * (high - threshold_n) / (high - low);
-    }
-    const double duration = time_s[n - 1] - time_s[0];
-    if (duration > 0) {
-        f.mean_n = f.impulse_n_s / duration;
-        f.rms_n = std::sqrt(square / duration);
-    }
-    return f;
-}
 
 void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     add_incision(recording, out);

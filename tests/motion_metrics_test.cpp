@@ -122,6 +122,16 @@ TEST(MotionMetrics, ARecordingOfOneStraightMovement) {
     EXPECT_LT(value("ldlj_vector"), -4);
 }
 
+TEST(MotionMetrics, ConstantSpeedHasNoJerkToMeasure) {
+    // 1e-14 of the speed is what filters and differences leave of rounding.
+    std::vector<double> speed(200, 30.0);
+    for (size_t k = 0; k < speed.size(); k += 3) speed[k] *= 1 + 1e-14;
+    EXPECT_FALSE(ldlj_speed(speed, 100).has_value());
+    EXPECT_TRUE(sparc(speed, 100).has_value());
+    for (size_t k = 0; k < speed.size(); ++k) speed[k] = std::sin(0.0001 * static_cast<double>(k));
+    EXPECT_TRUE(ldlj_speed(speed, 100).has_value()) << "slow is not constant";
+}
+
 TEST(MotionMetrics, OddRecordingsDoNotThrow) {
     std::vector<Metric> metrics;
     sim::Recording recording;

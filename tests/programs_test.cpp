@@ -304,6 +304,30 @@ TEST_F(Programs, AContourIsComparedWithItsPlan) {
     EXPECT_EQ(ctl("contour plan.csv cut.csv --tolerance 0").status, 2);
 }
 
+TEST_F(Programs, ATimeStampedTwiceIsDroppedAndTold) {
+    std::string clean = "t_s,speed_mm_s\n", twice = clean;
+    for (int k = 0; k < 60; ++k) {
+        const std::string row =
+            std::to_string(k * 0.01) + "," + std::to_string(40 * std::sin(k * 0.05)) + "\n";
+        clean += row;
+        twice += row;
+        if (k % 20 == 7) twice += std::to_string(k * 0.01) + ",99\n";
+    }
+    write_text(file("clean.csv"), clean);
+    write_text(file("twice.csv"), twice);
+    const Outcome one = ctl("metrics --json clean.csv"), two = ctl("metrics --json twice.csv");
+    ASSERT_EQ(two.status, 0) << two.err;
+    EXPECT_EQ(number_in(two.out, "dropped_samples"), 3);
+    EXPECT_EQ(number_in(two.out, "sparc"), number_in(one.out, "sparc"));
+    EXPECT_EQ(ctl("metrics --json --raw twice.csv").status, 2) << "raw is clean already";
+    write_text(file("back.csv"), "t_s,speed_mm_s\n0,1\n0.02,2\n0.01,2\n0.03,1\n0.04,1\n");
+    const Outcome back = ctl("metrics back.csv");
+    EXPECT_EQ(back.status, 2);
+    EXPECT_THAT(back.err, HasSubstr("back.csv:4: t_s"));
+    write_text(file("cold.csv"), "t_s,T_C\n0,37\n1,-300\n2,37\n3,37\n");
+    EXPECT_THAT(ctl("metrics cold.csv").err, HasSubstr("cold.csv:3: T_C: found -300"));
+}
+
 TEST_F(Programs, ABadSignalFileNamesLineAndColumn) {
     const auto fails = [&](const std::string& csv) {
         write_text(file("a.csv"), csv);

@@ -65,8 +65,22 @@ SignalFile read_signal_file(const std::string& path) {
                              joined(file.columns) + ")");
         for (size_t i = 0; i < cells.size(); ++i)
             file.values[i].push_back(parse(cells[i], place + ": " + file.columns[i]));
+        file.lines.push_back(number);
     }
     return file;
+}
+
+int drop_repeated_times(SignalFile& file) {
+    size_t kept = 0;
+    for (size_t row = 0; row < file.lines.size(); ++row) {
+        if (kept > 0 && file.values[0][row] == file.values[0][kept - 1]) continue;
+        for (auto& column : file.values) column[kept] = column[row];
+        file.lines[kept++] = file.lines[row];
+    }
+    const auto dropped = static_cast<int>(file.lines.size() - kept);
+    for (auto& column : file.values) column.resize(kept);
+    file.lines.resize(kept);
+    return dropped;
 }
 
 }  // namespace placode::cli

@@ -12,10 +12,15 @@ struct SignalFile {
     std::string path;
     std::vector<std::string> columns;
     std::vector<std::vector<double>> values;  ///< (column x row)
+    std::vector<int> lines;                   ///< Of the file, for each row.
+    [[nodiscard]] int line(size_t row) const { return lines.at(row); }
 };
 
 /// Throws InputError naming file, line, column, what was found and what is expected.
 [[nodiscard]] SignalFile read_signal_file(const std::string& path);
+
+/// Removes rows whose first column repeats that of the row before; returns how many.
+int drop_repeated_times(SignalFile& file);
 
 /// Column names with commas between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);

@@ -33,6 +33,7 @@ constexpr const char* kKnownColumns =
 constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
 // Agah et al. 1994, artery.
 constexpr double kArteryAPerS = 5.6e63, kArteryEaJMol = 4.3e5;
+constexpr double kAbsoluteZeroC = -273.15;
 constexpr double kLiverAPerS = 7.39e39, kLiverEaJMol = 2.577e5;
 
 /// Sampling rate; throws when times do not grow, or with --raw are not evenly spaced.
@@ -41,7 +42,7 @@ double rate_of(const SignalFile& file, bool must_be_even) {
     const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
     for (size_t i = 1; i < time.size(); ++i) {
         const double step = time[i] - time[i - 1];
-        const std::string place = file.path + ":" + std::to_string(i + 2) + ": t_s";
+        const std::string place = file.path + ":" + std::to_string(file.line(i)) + ": t_s";
         if (step <= 0)
             throw InputError(place + ": found " + shortest(time[i]) + " after " +
                              shortest(time[i - 1]) + "; expected a time that grows");
@@ -164,7 +165,7 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     for (size_t i = 0; v.size() == 8 && i < count; ++i) {
         const Quat q(v[4][i], v[5][i], v[6][i], v[7][i]);
         if (!(q.norm() > 0.5))
-            throw InputError(file.path + ":" + std::to_string(i + 2) +
+            throw InputError(file.path + ":" + std::to_string(file.line(i)) +
                              ": qw..qz: not a rotation; expected a quaternion of length 1");
         orientation.push_back(q.normalized());
     }
@@ -266,6 +267,11 @@ Values temperature_metrics(const SignalFile& file) {
     (void)rate_of(file, false);
     const auto& time = file.values[0];
     const auto& celsius = file.values[1];
+    for (size_t i = 0; i < celsius.size(); ++i)
+        if (!(celsius[i] > kAbsoluteZeroC))
+            throw InputError(file.path + ":" + std::to_string(file.line(i)) + ": T_C: found " +
+                             shortest(celsius[i]) + "; expected more than " +
+                             shortest(kAbsoluteZeroC) + " degrees Celsius");
     Values out;
     add(out, "time_s", time.back() - time.front());
     add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
@@ -282,8 +288,23 @@ Values temperature_metrics(const SignalFile& file) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& file,
+namespace {
+
+Values metrics_of(const SignalFile& file, const std::string& columns,
+                  const SignalOptions& options) {
+    if (columns == "t_s,speed_left_mm_s,speed_right_mm_s") return bimanual_metrics(file, options);
+    if (columns == "t_s,x_mm") return axis_metrics(file);
+    if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
+    if (columns == "t_s,force_N") return force_metrics(file, options);
+    if (columns == "t_s,T_C") return temperature_metrics(file);
+    return pose_metrics(file, options);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& given,
                                                            const SignalOptions& options) {
+    SignalFile file = given;
     const std::string columns = joined(file.columns);
     const bool pose =
         columns == "t_s,x_mm,y_mm,z_mm" || columns == "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz";
@@ -292,15 +313,14 @@ std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& fil
         columns != "t_s,force_N" && columns != "t_s,T_C" && !pose)
         throw InputError(file.path + ":1: found the columns \"" + columns + "\"; expected one of " +
                          kKnownColumns);
+    // Devices stamp two samples with one time now and then; what is raw is clean already.
+    const int dropped = options.raw ? 0 : drop_repeated_times(file);
     if (file.values[0].size() < 4)
         throw InputError(file.path + ": found " + std::to_string(file.values[0].size()) +
                          " rows; expected at least 4");
-    if (pose) return pose_metrics(file, options);
-    if (hands) return bimanual_metrics(file, options);
-    if (columns == "t_s,x_mm") return axis_metrics(file);
-    if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
-    if (columns == "t_s,force_N") return force_metrics(file, options);
-    return temperature_metrics(file);
+    Values values = metrics_of(file, columns, options);
+    if (dropped > 0) add(values, "dropped_samples", dropped);
+    return values;
 }
 
 }  // namespace placode::cli

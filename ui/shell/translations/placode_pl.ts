@@ -183,10 +183,6 @@
         <translation>Nikt jeszcze nie wykonał próby. Pierwsza pojawi się tutaj.</translation>
     </message>
     <message>
-        <source>Shown: %1 of %2</source>
-        <translation>Pokazano: %1 z %2</translation>
-    </message>
-    <message>
         <source>Newer</source>
         <translation>Nowsze</translation>
     </message>
@@ -418,6 +414,10 @@
     <message>
         <source>number %1</source>
         <translation>numer %1</translation>
+    </message>
+    <message>
+        <source>And %1 more: choose &quot;Only who needs help&quot; to see them in the table.</source>
+        <translation>I jeszcze %1: wybierz „Tylko potrzebujący pomocy”, aby zobaczyć ich w tabeli.</translation>
     </message>
 </context>
 <context>
@@ -687,10 +687,6 @@
     <message>
         <source>Opens when mastered: %1</source>
         <translation>Otworzy się po zaliczeniu: %1</translation>
-    </message>
-    <message>
-        <source>Benchmark %1 points, %2 times in a row</source>
-        <translation>Próg %1 punktów, razy z rzędu: %2</translation>
     </message>
     <message>
         <source> · not tried yet</source>
@@ -1111,6 +1107,18 @@
     <message>
         <source>Below: CUSUM of attempts that were not passed. Above the upper limit performance is not acceptable, below the lower one it is (Bolsin and Colson 2000).</source>
         <translation>Poniżej: CUSUM niezaliczonych prób. Powyżej górnej granicy poziom jest nieakceptowalny, poniżej dolnej akceptowalny (Bolsin i Colson 2000).</translation>
+    </message>
+    <message>
+        <source>CUSUM: since attempt %1 too many attempts are not passed. Practise the stage before with your educator.</source>
+        <translation>CUSUM: od próby %1 zbyt wiele prób jest niezaliczonych. Poćwicz poprzedni etap z instruktorem.</translation>
+    </message>
+    <message>
+        <source>CUSUM: since attempt %1 the share of attempts that are not passed is acceptable.</source>
+        <translation>CUSUM: od próby %1 odsetek niezaliczonych prób jest do przyjęcia.</translation>
+    </message>
+    <message>
+        <source>CUSUM: between the limits, more attempts will decide.</source>
+        <translation>CUSUM: między granicami, rozstrzygną kolejne próby.</translation>
     </message>
 </context>
 <context>
@@ -1615,6 +1623,58 @@
     <message>
         <source>Peak traction</source>
         <translation>Największa siła pociągania</translation>
+    </message>
+    <message>
+        <source>Hausdorff distance</source>
+        <translation>Odległość Hausdorffa</translation>
+    </message>
+    <message>
+        <source>Placode heat damage</source>
+        <translation>Uszkodzenie cieplne płytki</translation>
+    </message>
+    <message>
+        <source>Smoothness (LDLJ)</source>
+        <translation>Płynność (LDLJ, z prędkości)</translation>
+    </message>
+    <message>
+        <source>Working volume</source>
+        <translation>Objętość pracy</translation>
+    </message>
+    <message>
+        <source>Economy of motion</source>
+        <translation>Ekonomia ruchu</translation>
+    </message>
+    <message>
+        <source>Translational actions</source>
+        <translation>Ruchy przesuwne</translation>
+    </message>
+    <message>
+        <source>Rotational actions</source>
+        <translation>Ruchy obrotowe</translation>
+    </message>
+    <message>
+        <source>Left hand alone moving</source>
+        <translation>Ruch tylko lewej ręki</translation>
+    </message>
+    <message>
+        <source>Right hand alone moving</source>
+        <translation>Ruch tylko prawej ręki</translation>
+    </message>
+    <message>
+        <source>No hand moving</source>
+        <translation>Bez ruchu obu rąk</translation>
+    </message>
+    <message>
+        <source>Hands turning together</source>
+        <translation>Wspólny obrót rąk</translation>
+    </message>
+    <message>
+        <source>Tremor, acceleration</source>
+        <translation>Drżenie, przyspieszenie</translation>
+    </message>
+    <message>
+        <source>Impulse of too much force</source>
+        <translation>Impuls nadmiernej siły</translation>
     </message>
 </context>
 <context>
@@ -2681,10 +2741,6 @@
         <translation>Własny zakres: %1</translation>
     </message>
     <message>
-        <source>earlier: mean %1, SD %2, from %3 to %4, n = %5</source>
-        <translation>wcześniej: średnia %1, SD %2, od %3 do %4, n = %5</translation>
-    </message>
-    <message>
         <source>Own band</source>
         <translation>Własny zakres</translation>
     </message>
@@ -3018,14 +3074,6 @@
         <translation>POKAZ</translation>
     </message>
     <message>
-        <source>Group of %1</source>
-        <translation>Grupa: %1</translation>
-    </message>
-    <message>
-        <source>neither</source>
-        <translation>żadna</translation>
-    </message>
-    <message>
         <source>novice</source>
         <translation>nowicjusz</translation>
     </message>
@@ -3128,6 +3176,30 @@
     <message>
         <source>The norm pack is made and signed. It stands on the page Norms.</source>
         <translation>Pakiet norm utworzono i podpisano. Jest na stronie Normy.</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numer %1</translation>
+    </message>
+    <message>
+        <source>From the estimates of %1 judges, standard error %2 points. %3</source>
+        <translation>Z oszacowań sędziów: %1, błąd standardowy %2 pkt. %3</translation>
+    </message>
+    <message>
+        <source>Mark people (Ctrl or Shift for several), then:</source>
+        <translation>Zaznacz osoby (Ctrl lub Shift: kilka), potem:</translation>
+    </message>
+    <message>
+        <source>Novices</source>
+        <translation>Początkujący</translation>
+    </message>
+    <message>
+        <source>Experts</source>
+        <translation>Eksperci</translation>
+    </message>
+    <message>
+        <source>Neither</source>
+        <translation>Żadna z grup</translation>
     </message>
 </context>
 <context>
@@ -3511,14 +3583,6 @@
     <message>
         <source>Open the task</source>
         <translation>Otwórz zadanie</translation>
-    </message>
-    <message>
-        <source>It is the first stage of the course that you have not tried.</source>
-        <translation>To pierwszy etap kursu, którego jeszcze nie próbowano.</translation>
-    </message>
-    <message>
-        <source>Benchmark: %1 points, %2 times in a row without a critical error. Still missing: %3.</source>
-        <translation>Próg: %1 punktów, razy z rzędu: %2, bez błędu krytycznego. Brakuje jeszcze: %3.</translation>
     </message>
     <message>
         <source>Last score</source>
@@ -6064,20 +6128,16 @@
         <translation>W grupie</translation>
     </message>
     <message>
-        <source>Take out</source>
-        <translation>Wyłącz</translation>
-    </message>
-    <message>
-        <source>Take %1 out</source>
-        <translation>Wyłącz: %1</translation>
-    </message>
-    <message>
         <source>Changing the group</source>
         <translation>Zmienianie grupy</translation>
     </message>
     <message>
         <source>%1 has not the role educator; an administrator can give it.</source>
         <translation>%1 nie ma roli edukatora; może ją nadać administrator.</translation>
+    </message>
+    <message>
+        <source>Take out of the group</source>
+        <translation>Usuń z grupy</translation>
     </message>
 </context>
 <context>
@@ -6299,6 +6359,152 @@
     <message>
         <source>The first stage is open from the start.</source>
         <translation>Pierwszy etap jest otwarty od początku.</translation>
+    </message>
+</context>
+<context>
+    <name>AngoffCard</name>
+    <message>
+        <source>Judges&apos; estimates (Angoff)</source>
+        <translation>Oszacowania sędziów (Angoff)</translation>
+    </message>
+    <message>
+        <source>Of 100 trainees who are just good enough: how many lose nothing at this line? Every judge fills a column alone; a line counts by the most points it can take.</source>
+        <translation>Na 100 osób, które są dokładnie wystarczająco dobre: ile nie straci nic w tym wierszu? Każdy sędzia wypełnia swoją kolumnę sam; wiersz liczy się według największej liczby punktów, jaką może zabrać.</translation>
+    </message>
+    <message>
+        <source>Judges</source>
+        <translation>Sędziowie</translation>
+    </message>
+    <message>
+        <source>Line of the rubric</source>
+        <translation>Wiersz rubryki</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Najwyżej</translation>
+    </message>
+    <message>
+        <source>Estimates of the judges, 0 to 100</source>
+        <translation>Oszacowania sędziów, od 0 do 100</translation>
+    </message>
+    <message>
+        <source>Reason (needed from the second one on)</source>
+        <translation>Powód (wymagany od drugiego)</translation>
+    </message>
+    <message>
+        <source>Set as the standard</source>
+        <translation>Ustal jako standard</translation>
+    </message>
+    <message>
+        <source>Judge %1</source>
+        <translation>Sędzia %1</translation>
+    </message>
+    <message>
+        <source>Judge %1, &quot;%2&quot;: %3 is no number from 0 to 100.</source>
+        <translation>Sędzia %1, „%2”: %3 nie jest liczbą od 0 do 100.</translation>
+    </message>
+    <message>
+        <source>Estimates that are missing: %1</source>
+        <translation>Brakujące oszacowania: %1</translation>
+    </message>
+    <message>
+        <source>This task&apos;s rubric has no lines.</source>
+        <translation>Rubryka tego zadania nie ma wierszy.</translation>
+    </message>
+    <message>
+        <source>Pass mark: %1 points</source>
+        <translation>Próg zaliczenia: %1 pkt</translation>
+    </message>
+    <message>
+        <source>Judges: %1, standard deviation between them %2, standard error %3 points.</source>
+        <translation>Sędziowie: %1, odchylenie standardowe między nimi %2, błąd standardowy %3 pkt.</translation>
+    </message>
+    <message>
+        <source>Fewer than %1 judges: a first orientation.</source>
+        <translation>Mniej niż %1 sędziów: tylko wstępna orientacja.</translation>
+    </message>
+</context>
+<context>
+    <name>QualityCard</name>
+    <message>
+        <source>Quality of the metrics</source>
+        <translation>Jakość miar</translation>
+    </message>
+    <message>
+        <source>A metric has evidence when experts differ from novices (the interval of Hedges&apos; g is above 0), when it repeats (ICC of %1 attempts a person at least 0.5), and when at most 20 % of the values are at its best one.</source>
+        <translation>Miara jest potwierdzona, gdy eksperci różnią się od początkujących (przedział g Hedgesa powyżej 0), gdy jest powtarzalna (ICC z %1 prób na osobę co najmniej 0,5) i gdy najwyżej 20 % wartości jest najlepszych z możliwych.</translation>
+    </message>
+    <message>
+        <source>Choose at least two novices and two experts; scripted operators do not count.</source>
+        <translation>Wybierz co najmniej dwóch początkujących i dwóch ekspertów; operatorzy skryptowi się nie liczą.</translation>
+    </message>
+    <message>
+        <source>Show the panel</source>
+        <translation>Pokaż zestawienie</translation>
+    </message>
+    <message>
+        <source>Reading the metrics of these people</source>
+        <translation>Czytanie miar tych osób</translation>
+    </message>
+    <message>
+        <source>does not tell the groups apart</source>
+        <translation>nie odróżnia grup</translation>
+    </message>
+    <message>
+        <source>does not repeat</source>
+        <translation>nie jest powtarzalna</translation>
+    </message>
+    <message>
+        <source>too few repeats to know</source>
+        <translation>za mało powtórzeń, by wiedzieć</translation>
+    </message>
+    <message>
+        <source>is at its best value too often</source>
+        <translation>zbyt często osiąga najlepszą wartość</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Miara</translation>
+    </message>
+    <message>
+        <source>Hedges&apos; g</source>
+        <translation>g Hedgesa</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>Przedział 95 %</translation>
+    </message>
+    <message>
+        <source>ICC(2,1)</source>
+        <translation>ICC(2,1)</translation>
+    </message>
+    <message>
+        <source>At the best [%]</source>
+        <translation>Najlepsze [%]</translation>
+    </message>
+    <message>
+        <source>Evidence</source>
+        <translation>Potwierdzenie</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Punkty</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 do %2</translation>
+    </message>
+    <message>
+        <source>✓ yes</source>
+        <translation>✓ tak</translation>
+    </message>
+    <message>
+        <source>▲ no: %1</source>
+        <translation>▲ nie: %1</translation>
+    </message>
+    <message>
+        <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric&apos;s next version and score the attempts again.</source>
+        <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w rubryce: usuń jej wiersz, opublikuj następną wersję rubryki i oceń próby ponownie.</translation>
     </message>
 </context>
 </TS>
