@@ -19,13 +19,16 @@ bool none_passed(std::span<const TrialOutcome> outcomes) {
                         [](const TrialOutcome& each) { return each.passed; });
 }
 
-bool is_stuck(std::span<const TrialOutcome> outcomes) {
-    if (outcomes.size() < kStuckTrials) return false;
-    const auto last = outcomes.last(kStuckTrials);
-    if (!none_passed(last)) return false;
-    const auto before = outcomes.first(outcomes.size() - kStuckTrials);
-    const double reached = before.empty() ? last.front().points : best_of(before);
-    return best_of(last) < reached + kProgressPoints;
+bool is_stuck(const TrialSummary& trials) {
+    if (trials.attempts < kStuckTrials || !none_passed(trials.last)) return false;
+    const double reached =
+        trials.attempts == kStuckTrials ? trials.last.front().points : trials.best_before;
+    return best_of(trials.last) < reached + kProgressPoints;
+}
+
+bool has_regressed(const TrialSummary& trials) {
+    // With none of the last two passed, every pass lies before them.
+    return trials.attempts > 2 && none_passed(std::span(trials.last).last(2)) && trials.passed > 0;
 }
 
 }  // namespace
@@ -36,26 +39,42 @@ const char* standing_name(Standing standing) {
     return kNames[static_cast<size_t>(standing)];
 }
 
-CohortCell judge_standing(std::span<const TrialOutcome> outcomes) {
+TrialSummary summarise_trials(std::span<const TrialOutcome> outcomes) {
+    TrialSummary trials;
+    trials.attempts = static_cast<int>(outcomes.size());
+    trials.best = best_of(outcomes);
+    for (const TrialOutcome& each : outcomes) trials.passed += each.passed ? 1 : 0;
+    for (auto each = outcomes.rbegin(); each != outcomes.rend() && each->passed; ++each)
+        ++trials.streak;
+    const auto last = outcomes.last(std::min<size_t>(kStuckTrials, outcomes.size()));
+    trials.last.assign(last.begin(), last.end());
+    trials.best_before = best_of(outcomes.first(outcomes.size() - last.size()));
+    return trials;
+}
+
+CohortCell judge_standing(const TrialSummary& trials) {
     CohortCell cell;
-    cell.attempts = static_cast<int>(outcomes.size());
-    if (outcomes.empty()) return cell;
-    cell.last = outcomes.back().points;
-    cell.best = best_of(outcomes);
-    const auto recent = outcomes.last(std::min<size_t>(kRecentTrials, outcomes.size()));
+    cell.attempts = trials.attempts;
+    if (trials.attempts == 0 || trials.last.empty()) return cell;
+    cell.last = trials.last.back().points;
+    cell.best = trials.best;
+    cell.streak = trials.streak;
+    const auto recent =
+        std::span(trials.last).last(std::min<size_t>(kRecentTrials, trials.last.size()));
     for (const TrialOutcome& each : recent)
         cell.recent += each.points / static_cast<double>(recent.size());
-    for (auto each = outcomes.rbegin(); each != outcomes.rend() && each->passed; ++each)
-        ++cell.streak;
     cell.standing = Standing::kLearning;
     if (cell.streak > 0)
         cell.standing = Standing::kPassing;
-    else if (outcomes.size() > 2 && none_passed(outcomes.last(2)) &&
-             !none_passed(outcomes.first(outcomes.size() - 2)))
+    else if (has_regressed(trials))
         cell.standing = Standing::kRegressed;
     // Who passed long ago and fails five times since is stuck rather than regressed.
-    if (is_stuck(outcomes)) cell.standing = Standing::kStuck;
+    if (is_stuck(trials)) cell.standing = Standing::kStuck;
     return cell;
+}
+
+CohortCell judge_standing(std::span<const TrialOutcome> outcomes) {
+    return judge_standing(summarise_trials(outcomes));
 }
 
 }  // namespace placode::assessment

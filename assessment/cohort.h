@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace placode::assessment {
 
@@ -41,6 +42,18 @@ struct CohortCell {
     double last = 0, best = 0;
     double recent = 0;  ///< Mean of the last kRecentTrials (of all while there are fewer).
 };
+
+/// What the rule needs to know of all attempts: a store can tell it without reading each of them.
+struct TrialSummary {
+    int attempts = 0, passed = 0, streak = 0;
+    double best = 0;
+    double best_before = 0;          ///< Of those before `last`; needed where there are any.
+    std::vector<TrialOutcome> last;  ///< The last kStuckTrials (all while there are fewer).
+};
+/// `outcomes` oldest first.
+[[nodiscard]] TrialSummary summarise_trials(std::span<const TrialOutcome> outcomes);
+
+[[nodiscard]] CohortCell judge_standing(const TrialSummary& trials);
 /// `outcomes` oldest first.
 [[nodiscard]] CohortCell judge_standing(std::span<const TrialOutcome> outcomes);
 

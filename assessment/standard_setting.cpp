@@ -69,7 +69,33 @@ ContrastingGroups contrasting_groups(std::span<const double> novices,
     return result;
 }
 
-Angoff angoff(const std::vector<std::vector<double>>& probability) {
+namespace {
+
+/// Mean and spread over the judges of the weighted share in percent.
+void add_percent(Angoff& result, const std::vector<std::vector<double>>& probability,
+                 std::span<const double> weights) {
+    const double n = result.judges;
+    double all = 0;
+    for (size_t i = 0; i < probability[0].size(); ++i) all += weights.empty() ? 1 : weights[i];
+    std::vector<double> shares;
+    for (const std::vector<double>& judge : probability) {
+        double sum = 0;
+        for (size_t i = 0; i < judge.size(); ++i)
+            sum += judge[i] * (weights.empty() ? 1 : weights[i]);
+        shares.push_back(100 * sum / all);
+        result.cut_percent += shares.back() / n;
+    }
+    double squares = 0;
+    for (const double share : shares)
+        squares += (share - result.cut_percent) * (share - result.cut_percent);
+    result.sd_percent = std::sqrt(squares / (n - 1));
+    result.se_percent = result.sd_percent / std::sqrt(n);
+}
+
+}  // namespace
+
+Angoff angoff(const std::vector<std::vector<double>>& probability,
+              std::span<const double> weights) {
     require(probability.size() >= 2 && !probability[0].empty(),
             "angoff: needs at least 2 judges and 1 item");
     Angoff result;
@@ -88,12 +114,15 @@ Angoff angoff(const std::vector<std::vector<double>>& probability) {
     const double n = result.judges;
     result.cut_score_items =
         std::accumulate(result.judge_totals.begin(), result.judge_totals.end(), 0.0) / n;
-    result.cut_percent = 100 * result.cut_score_items / result.items;
     double squares = 0;
     for (const double total : result.judge_totals)
         squares += (total - result.cut_score_items) * (total - result.cut_score_items);
     result.sd_judges = std::sqrt(squares / (n - 1));
     result.se_cut = result.sd_judges / std::sqrt(n);
+    require(weights.empty() || weights.size() == probability[0].size(),
+            "angoff: every item needs a weight");
+    for (const double w : weights) require(w > 0, "angoff: a weight must be above 0");
+    add_percent(result, probability, weights);
     return result;
 }
 

@@ -30,9 +30,12 @@ struct Angoff {
     int judges = 0, items = 0;
     std::vector<double> judge_totals;
     double cut_score_items = 0, cut_percent = 0, sd_judges = 0, se_cut = 0;  ///< SE = SD / sqrt(J).
+    double sd_percent = 0, se_percent = 0;                                   ///< Of cut_percent.
 };
 /// `probability[judge][item]` in 0..1. Throws std::invalid_argument naming what is out of range.
-[[nodiscard]] Angoff angoff(const std::vector<std::vector<double>>& probability);
+/// With `weights` (above 0, one an item) cut_percent is the weighted share; totals stay in items.
+[[nodiscard]] Angoff angoff(const std::vector<std::vector<double>>& probability,
+                            std::span<const double> weights = {});
 
 /// Limits of the CUSUM chart. Source: Bolsin & Colson 2000.
 struct CusumLimits {

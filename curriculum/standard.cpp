@@ -7,6 +7,8 @@
 namespace placode::curriculum {
 namespace {
 
+constexpr const char* kAngoff = "angoff";
+
 Json group_json(const StandardGroup& group) {
     return {{"n", group.n},
             {"mean_points", group.mean_points},
@@ -23,14 +25,19 @@ StandardGroup read_group(const Json& json) {
 }  // namespace
 
 std::string standard_json(const PassStandard& standard) {
-    const Json json{
-        {"id", standard.task_id},
-        {"version", standard.version},
-        {"pass_points", standard.pass_points},
-        {"method", standard.method},
-        {"mean_of_last_attempts", standard.mean_of_last_attempts},
-        {"groups",
-         {{"novice", group_json(standard.novice)}, {"expert", group_json(standard.expert)}}}};
+    Json json{{"id", standard.task_id},
+              {"version", standard.version},
+              {"pass_points", standard.pass_points},
+              {"method", standard.method}};
+    if (standard.method == kAngoff) {
+        json["judges"] = {{"n", standard.angoff.judges},
+                          {"items", standard.angoff.items},
+                          {"se_points", standard.angoff.se_points}};
+    } else {
+        json["mean_of_last_attempts"] = standard.mean_of_last_attempts;
+        json["groups"] = {{"novice", group_json(standard.novice)},
+                          {"expert", group_json(standard.expert)}};
+    }
     return json.dump(2) + "\n";
 }
 
@@ -44,8 +51,13 @@ PassStandard load_standard_text(const std::string& text, const std::string& orig
     standard.method = json["method"];
     standard.mean_of_last_attempts =
         json.value("mean_of_last_attempts", standard.mean_of_last_attempts);
-    standard.novice = read_group(json["groups"]["novice"]);
-    standard.expert = read_group(json["groups"]["expert"]);
+    if (standard.method == kAngoff) {
+        const Json& judges = json["judges"];
+        standard.angoff = {judges["n"], judges["items"], judges["se_points"]};
+    } else {
+        standard.novice = read_group(json["groups"]["novice"]);
+        standard.expert = read_group(json["groups"]["expert"]);
+    }
     return standard;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/cohort.h"
 #include "assessment/scoring.h"
 #include "curriculum/norm_pack.h"
 #include "curriculum/questionnaire.h"
@@ -102,8 +103,19 @@ struct TaskStanding {
     int64_t user_id = 0;
     std::string user_name, task_id;
     int attempts = 0, failed = 0;
-    double best_points = 0, mean_points = 0, last_points = 0;
+    double best_points = 0, mean_points = 0, first_points = 0, last_points = 0;
     std::string last_utc;
+    assessment::TrialSummary trials;  ///< For judge_standing().
+};
+
+/// How a person, or a scripted operator that a person had play, did at a task of late.
+struct RecentMean {
+    int64_t user_id = 0;
+    std::string user_name;
+    std::string script;  ///< "script:expert"; empty: the person.
+    int attempts = 0;    ///< Finished ones, of all time.
+    double mean_points = 0;
+    bool demonstration = false;
 };
 
 /// One finished attempt, as small as it gets: for curves of a whole cohort.

@@ -32,6 +32,8 @@ struct AttemptConditions {
 /// 0 and empty = no condition.
 [[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
                                               const std::string& task_id);
+/// Interrupted attempts count nowhere, nor do exams that are void for cause.
+[[nodiscard]] std::string is_finished(const std::string& table);
 
 class SqlStore final : public Store, private StudyRecords {
  public:
@@ -70,6 +72,8 @@ class SqlStore final : public Store, private StudyRecords {
     // sql_store_lists.cpp
     AttemptPage attempt_page(const AttemptFilter& filter) override;
     std::vector<TaskStanding> task_standings(int64_t group_id, const std::string& task_id) override;
+    std::vector<std::string> tasks_with_attempts() override;
+    std::vector<RecentMean> recent_means(const std::string& task_id, int last) override;
     std::vector<AttemptPoint> attempt_points(int64_t group_id, const std::string& task_id) override;
 
     // sql_store_scores.cpp

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <span>
 
-#include "assessment/standard_setting.h"
 #include "assessment/statistics.h"
 
 namespace placode::db {
@@ -74,6 +73,16 @@ curriculum::PassStandard standard_of_groups(const std::string& task_id,
                        result.theoretical_false_positive, result.observed_false_positive};
     standard.expert = {result.n_expert, result.mean_expert, result.sd_expert,
                        result.theoretical_false_negative, result.observed_false_negative};
+    return standard;
+}
+
+curriculum::PassStandard standard_of_judges(const std::string& task_id,
+                                            const assessment::Angoff& judges) {
+    curriculum::PassStandard standard;
+    standard.task_id = task_id;
+    standard.method = "angoff";
+    standard.pass_points = judges.cut_percent;
+    standard.angoff = {judges.judges, judges.items, judges.se_percent};
     return standard;
 }
 

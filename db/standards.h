@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "assessment/standard_setting.h"
 #include "curriculum/standard.h"
 #include "curriculum/task.h"
 #include "db/store.h"
@@ -42,5 +43,9 @@ int set_standard(Store& store, curriculum::PassStandard standard, const std::str
                                                           const std::vector<double>& novices,
                                                           const std::vector<double>& experts,
                                                           int last);
+
+/// The standard that these judges give: the weighted share is the mark. Not kept yet.
+[[nodiscard]] curriculum::PassStandard standard_of_judges(const std::string& task_id,
+                                                          const assessment::Angoff& judges);
 
 }  // namespace placode::db

@@ -118,6 +118,11 @@ class Store {
     /// By name and task; group_id 0 = everybody. task_id empty = all.
     [[nodiscard]] virtual std::vector<TaskStanding> task_standings(
         int64_t group_id, const std::string& task_id = {}) = 0;
+    /// Ids of the tasks that anybody has attempted, by name.
+    [[nodiscard]] virtual std::vector<std::string> tasks_with_attempts() = 0;
+    /// Mean of each one's last `last` finished attempts at a task, by name.
+    [[nodiscard]] virtual std::vector<RecentMean> recent_means(const std::string& task_id,
+                                                               int last) = 0;
     /// By person, task and time.
     [[nodiscard]] virtual std::vector<AttemptPoint> attempt_points(
         int64_t group_id, const std::string& task_id = {}) = 0;

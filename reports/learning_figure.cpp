@@ -31,7 +31,11 @@ void draw_axes(QPainter& painter, const Panel& panel, const QString& name, bool 
     draw_text(painter, QRectF(panel.plot.left() - 46, panel.plot.top() - 18, 400, 16),
               Qt::AlignLeft, name, style.muted, 11);
     if (!with_x) return;
-    for (int trial = 1; trial <= static_cast<int>(panel.x.high); ++trial)
+    // Every number while there is room for it.
+    const int last = static_cast<int>(panel.x.high);
+    const int room = std::max(1, static_cast<int>(panel.plot.width() / 26));
+    const int step = std::max(1, (last + room - 1) / room);
+    for (int trial = step; trial <= last; trial += step)
         draw_text(painter, QRectF(panel.x.at(trial) - 20, panel.plot.bottom() + 3, 40, 14),
                   Qt::AlignCenter, QString::number(trial), style.muted, 11);
     draw_text(painter, QRectF(panel.plot.left(), panel.plot.bottom() + 18, panel.plot.width(), 14),

@@ -4,6 +4,12 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdio>
+#include <map>
+#include <random>
+#include <set>
+
+#include "assessment/cohort.h"
 #include "db/store.h"
 #include "tests/store_fixture.h"
 
@@ -34,15 +40,18 @@ class People : public EngineTest {
     }
     int64_t attempt(int64_t user, double points, const std::string& at,
                     const std::string& task = "diathermy_ring",
-                    sim::EndReason end = sim::EndReason::kFinished) const {
+                    sim::EndReason end = sim::EndReason::kFinished,
+                    const std::string& device = "mouse") const {
         db::AttemptResult result;
         result.header.task_id = task;
+        result.header.device = device;
         result.header.started_utc = at;
         result.end.reason = end;
         result.metrics.values = {{"task_time_s", 1}};
         result.score.points = points;
-        result.score.verdict =
-            points < 20 ? assessment::Verdict::kFailed : assessment::Verdict::kPassed;
+        result.score.verdict = points < 20   ? assessment::Verdict::kFailed
+                               : points < 60 ? assessment::Verdict::kNotYet
+                                             : assessment::Verdict::kPassed;
         return store->save_attempt(user, result);
     }
 
@@ -206,4 +215,69 @@ TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
     ASSERT_EQ(points.size(), 5u);
     EXPECT_DOUBLE_EQ(points[0].points, 90) << "by person, then time";
     EXPECT_THAT(store->task_standings(99), IsEmpty());
+    EXPECT_THAT(store->tasks_with_attempts(), ElementsAre("diathermy_ring", "grasp_and_lift"));
+}
+
+// The store sums up what the rule needs; the rule itself reads every outcome.
+TEST_P(People, StandingsFromSumsAreThoseFromEveryAttempt) {
+    std::mt19937 random(7);
+    int minute = 0;
+    for (const int n : {1, 2, 5, 6, 9, 14})
+        for (int person = 0; person < 6; ++person) {
+            const int64_t id =
+                add(std::to_string(n) + "p" + std::to_string(person), db::Role::kTrainee);
+            const double level = person < 3 ? 45 : 70;
+            for (int i = 0; i < n; ++i) {
+                char at[32];
+                std::snprintf(at, sizeof at, "2026-02-01T%02d:%02d:00Z", minute / 60, minute % 60);
+                // Two of them in the same minute now and then.
+                if (random() % 4 != 0) ++minute;
+                attempt(
+                    id, level + static_cast<double>(random() % 30) - 10, at, "diathermy_ring",
+                    random() % 9 == 0 ? sim::EndReason::kInterrupted : sim::EndReason::kFinished);
+            }
+        }
+    std::map<int64_t, std::vector<assessment::TrialOutcome>> every;
+    std::map<int64_t, double> first;
+    for (const auto& point : store->attempt_points(0)) {
+        if (every[point.user_id].empty()) first[point.user_id] = point.points;
+        every[point.user_id].push_back(
+            {point.points, point.verdict == assessment::Verdict::kPassed});
+    }
+    std::set<assessment::Standing> seen;
+    const auto standings = store->task_standings(0);
+    EXPECT_EQ(standings.size(), every.size());
+    for (const auto& each : standings) {
+        const auto expected = assessment::judge_standing(every[each.user_id]);
+        const auto got = assessment::judge_standing(each.trials);
+        EXPECT_EQ(got.standing, expected.standing) << each.user_name;
+        EXPECT_EQ(got.attempts, expected.attempts);
+        EXPECT_EQ(got.streak, expected.streak);
+        EXPECT_DOUBLE_EQ(got.last, expected.last);
+        EXPECT_DOUBLE_EQ(got.best, expected.best);
+        EXPECT_DOUBLE_EQ(got.recent, expected.recent);
+        EXPECT_DOUBLE_EQ(each.first_points, first[each.user_id]);
+        seen.insert(got.standing);
+    }
+    EXPECT_GE(seen.size(), 3u) << "the example shows more than one standing";
+}
+
+TEST_P(People, TheMeanOfTheLastAttemptsKeepsScriptsApart) {
+    for (const double points : {10.0, 60.0, 70.0, 80.0})
+        attempt(anna, points,
+                "2026-01-0" + std::to_string(static_cast<int>(points / 10)) + "T00:00:00Z");
+    attempt(anna, 95, "2026-01-09T00:00:00Z", "diathermy_ring", sim::EndReason::kFinished,
+            "script:expert");
+    attempt(adam, 40, "2026-01-05T00:00:00Z");
+    attempt(adam, 5, "2026-01-06T00:00:00Z", "grasp_and_lift");
+    const auto means = store->recent_means("diathermy_ring", 3);
+    ASSERT_EQ(means.size(), 3u);
+    EXPECT_EQ(means[0].user_id, adam);
+    EXPECT_DOUBLE_EQ(means[0].mean_points, 40);
+    EXPECT_EQ(means[1].user_id, anna);
+    EXPECT_EQ(means[1].script, "");
+    EXPECT_EQ(means[1].attempts, 4);
+    EXPECT_DOUBLE_EQ(means[1].mean_points, 70) << "of the last three";
+    EXPECT_EQ(means[2].script, "script:expert");
+    EXPECT_DOUBLE_EQ(means[2].mean_points, 95);
 }

@@ -49,6 +49,19 @@ TEST(StandardSetting, AngoffIsTheMeanOfTheJudges) {
     EXPECT_NEAR(got.sd_judges, 0.25495097567963904, 1e-12);
     EXPECT_NEAR(got.se_cut, 0.12747548783981952, 1e-12);
     EXPECT_THROW((void)angoff({{0.5}, {1.5}}), std::invalid_argument);
+    EXPECT_NEAR(got.se_percent, 100 * got.se_cut / 5, 1e-12);
+}
+
+TEST(StandardSetting, AnItemOfAngoffCountsByItsWeight) {
+    // (0.5 * 30 + 1 * 10) / 40 and (0.7 * 30 + 0 * 10) / 40.
+    const std::vector<double> weights{30, 10};
+    const Angoff got = angoff({{0.5, 1.0}, {0.7, 0.0}}, weights);
+    EXPECT_NEAR(got.cut_percent, (62.5 + 52.5) / 2, 1e-12);
+    EXPECT_NEAR(got.sd_percent, 10 / std::sqrt(2.0), 1e-12);
+    EXPECT_NEAR(got.cut_score_items, 1.1, 1e-12) << "items count alike here";
+    const std::vector<double> few{1}, none{1, 0};
+    EXPECT_THROW((void)angoff({{0.5, 1.0}, {0.7, 0.0}}, few), std::invalid_argument);
+    EXPECT_THROW((void)angoff({{0.5, 1.0}, {0.7, 0.0}}, none), std::invalid_argument);
 }
 
 TEST(StandardSetting, CusumConstantsAreThePublishedOnes) {
@@ -59,7 +72,8 @@ TEST(StandardSetting, CusumConstantsAreThePublishedOnes) {
     EXPECT_NEAR(limits.h1_upper, 3.71056649262732, 1e-10);
     const Cusum path = cusum({true, true, true, true, true, false}, limits);
     EXPECT_EQ(path.failures, 5);
-    // With these rates four failures, 4 (1 - s), meet the limit h1 exactly; "above" begins with the fifth.
+    // With these rates four failures, 4 (1 - s), meet the limit h1 exactly; "above" begins with the
+    // fifth.
     EXPECT_EQ(path.first_above_h1, 5);
     EXPECT_NEAR(path.path.back(), 5 - 6 * limits.s, 1e-12);
     EXPECT_THROW((void)cusum_limits(0.1, 0.05, 0.05, 0.2), std::invalid_argument);

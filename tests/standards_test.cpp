@@ -67,5 +67,24 @@ TEST_F(Standards, RefuseAMarkThatIsNone) {
     EXPECT_FALSE(standard_at(*store_, "diathermy_ring_small").has_value());
 }
 
+TEST_F(Standards, JudgesMaySetTheMarkAsWell) {
+    const std::vector<double> weights{60, 40};
+    set_standard(*store_,
+                 standard_of_judges("diathermy_ring_small",
+                                    assessment::angoff({{0.9, 0.5}, {0.8, 0.6}}, weights)),
+                 "");
+    const auto now = standard_at(*store_, "diathermy_ring_small");
+    ASSERT_TRUE(now.has_value());
+    EXPECT_EQ(now->standard.method, "angoff");
+    EXPECT_NEAR(now->standard.pass_points, (74.0 + 72.0) / 2, 1e-12);
+    EXPECT_EQ(now->standard.angoff.judges, 2);
+    EXPECT_EQ(now->standard.angoff.items, 2);
+    EXPECT_NEAR(now->standard.angoff.se_points, 1, 1e-12);
+    EXPECT_THROW(curriculum::load_standard_text(
+                     R"({"id": "a", "version": 1, "pass_points": 70, "method": "angoff"})", "text"),
+                 curriculum::DefinitionError)
+        << "judges need their number";
+}
+
 }  // namespace
 }  // namespace placode::db

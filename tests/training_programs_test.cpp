@@ -5,8 +5,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "curriculum/task.h"
 #include "db/store.h"
 #include "tests/programs_fixture.h"
 
@@ -265,6 +267,33 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_THAT(there("norms list").out, HasSubstr("Here"));
 }
 
+TEST_F(TrainingPrograms, JudgesMaySetTheStandard) {
+    std::string head = "judge", first = "A", second = "B";
+    double all = 0, kept = 0;
+    for (const auto& item : curriculum::load_task("diathermy_ring").rubric.items) {
+        const double weight = std::min(item.max_points, 100.0);
+        all += weight;
+        kept += weight * 0.7;
+        head += "," + item.id;
+        first += ",0.8";
+        second += ",0.6";
+    }
+    write_text(file("judges.csv"), head + "\n" + first + "\n" + second + "\n");
+    const std::string set = "--json standard set --task diathermy_ring --angoff judges.csv";
+    EXPECT_EQ(as("anna", set).status, 1) << "a trainee sets no standard";
+    const Outcome made = as("ewa", set);
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_NEAR(number_in(made.out, "pass_points"), 100 * kept / all, 1e-9);
+    EXPECT_NEAR(number_in(made.out, "se_points"), 10, 1e-9);
+    const Outcome shown = as("anna", "--json standard show --task diathermy_ring");
+    EXPECT_THAT(shown.out, AllOf(HasSubstr("\"angoff\""), HasSubstr("\"set_by\": \"ewa\"")));
+    write_text(file("judges.csv"), head + "\n" + first + "\n");
+    EXPECT_EQ(as("ewa", set + " --reason again").status, 2) << "one judge is none";
+    write_text(file("judges.csv"), "judge,other\nA,0.5\nB,0.6\n");
+    EXPECT_EQ(as("ewa", set + " --reason again").status, 2) << "a line of the rubric is missing";
+    EXPECT_EQ(as("ewa", "standard set --task diathermy_ring").status, 2);
+}
+
 TEST_F(TrainingPrograms, PeopleComeFromAFileOrByInvitationAndMayLeave) {
     ASSERT_EQ(ctl("group add A").status, 0);
     write_text(file("bad.csv"), "login,name,roles\njan,Jan,trainee\nanna,Anna,\n");
@@ -385,6 +414,10 @@ TEST_F(TrainingPrograms, TheStoreIsMeasuredOnlyInAnEmptyOne) {
     EXPECT_EQ(number_in(made.out, "attempts"), 40);
     EXPECT_GT(number_in(made.out, "peak_memory_mb"), 1);
     EXPECT_THAT(read_text(file("b/bench_store.csv")), HasSubstr("standing of everybody"));
+    // The shell was opened as well, by somebody with every role and by a trainee.
+    EXPECT_THAT(made.out,
+                AllOf(HasSubstr("\"page\": \"standards\""), HasSubstr("\"who\": \"generated-3\"")));
+    EXPECT_GT(number_in(made.out, "shell_peak_memory_mb"), 1);
     const Outcome listed = run("placodectl", "--json --store sqlite:bench.db attempts");
     EXPECT_THAT(listed.out, AllOf(HasSubstr("Generated 4"), HasSubstr("\"demonstration\": true")));
     EXPECT_EQ(run("placodectl", "--store sqlite:bench.db check").status, 0);

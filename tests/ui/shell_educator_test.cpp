@@ -10,6 +10,7 @@
 
 #include "assessment/standard_setting.h"
 #include "curriculum/questionnaire.h"
+#include "curriculum/task.h"
 #include "db/standards.h"
 #include "shell_harness.h"
 
@@ -30,6 +31,8 @@ class ShellEducatorTest : public QObject {
     void cohortShowsWhoIsStuckAndWhoRegressed();
     void cohortLeadsToTheAttemptsAndIsExported();
     void standardComesFromTwoGroups();
+    void metricsWithoutEvidenceAreFlagged();
+    void judgesEstimateAPassMark();
     void raterSeesNeitherNameNorScore();
     void agreementOfRatersIsTold();
     void searchOpensByKeyboardAlone();
@@ -63,6 +66,7 @@ void ShellEducatorTest::add(const QString& name, const std::string& login,
                                         .toStdString();
         result.end.reason = sim::EndReason::kFinished;
         result.end.duration_s = 200;
+        result.metrics.values = {{"task_time_s", 200}};
         result.score.points = points[i];
         result.score.verdict =
             points[i] >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
@@ -129,9 +133,15 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
     QVERIFY(shell.click("rail_standards"));
     QVERIFY(shell.arrives(PageId::kStandards));
     QVERIFY(shell.find<QLabel>("cut_score") == nullptr);
-    const int groups[]{1, 1, 2, 2};
-    for (int row = 0; row < 4; ++row)
-        shell.find<QComboBox>(QString("group_%1").arg(row))->setCurrentIndex(groups[row]);
+    const auto put = [&](int first, int last, const char* button) {
+        auto* people = shell.find<QTableWidget>("standard_people");
+        people->clearSelection();
+        people->setRangeSelected({first, 0, last, people->columnCount() - 1}, true);
+        return shell.click(button);
+    };
+    QVERIFY(put(0, 1, "mark_novices"));
+    QVERIFY(put(2, 3, "mark_experts"));
+    QCOMPARE(shell.find<QTableWidget>("standard_people")->item(3, 3)->text(), QString("expert"));
     // Each person's mean of the last three attempts.
     const std::vector<double> novices{(39 + 42 + 41) / 3.0, (80 + 60 + 55) / 3.0},
         experts{(78 + 84 + 90) / 3.0, (82 + 88 + 91) / 3.0};
@@ -166,10 +176,73 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
     // Groups are kept when the theme was changed for the pictures; the wrong way round says why
     // not.
     QVERIFY(shell.find<QLabel>("cut_score") != nullptr);
-    for (int row = 0; row < 4; ++row)
-        shell.find<QComboBox>(QString("group_%1").arg(row))->setCurrentIndex(3 - groups[row]);
+    QVERIFY(put(0, 1, "mark_experts"));
+    QVERIFY(put(2, 3, "mark_novices"));
     QVERIFY(shell.find<QLabel>("standard_problem") != nullptr ||
             shell.find<QLabel>("cut_score") != nullptr);
+    QVERIFY(put(0, 3, "mark_neither"));
+    QVERIFY(shell.find<QLabel>("cut_score") == nullptr);
+}
+
+void ShellEducatorTest::metricsWithoutEvidenceAreFlagged() {
+    ShellHarness& shell = *shell_;
+    auto* people = shell.find<QTableWidget>("standard_people");
+    for (const auto& [first, button] : {std::pair{0, "mark_novices"}, {2, "mark_experts"}}) {
+        people->clearSelection();
+        people->setRangeSelected({first, 0, first + 1, people->columnCount() - 1}, true);
+        QVERIFY(shell.click(button));
+    }
+    QVERIFY(shell.click("show_quality"));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QTableWidget>("quality_table") != nullptr; },
+                            20000));
+    auto* table = shell.find<QTableWidget>("quality_table");
+    QCOMPARE(table->rowCount(), 2);  // Points, and the one metric of these attempts.
+    QStringList evidence;
+    for (int row = 0; row < table->rowCount(); ++row)
+        evidence << table->item(row, 0)->text() + ": " + table->item(row, 5)->text();
+    // The time was the same for everybody: it tells nobody apart.
+    QVERIFY2(evidence.filter("Time: ▲ no").size() == 1, qPrintable(evidence.join("; ")));
+    QVERIFY(shell.text("quality_said").contains("Metrics: 2"));
+    shell.window().grab().save(shell.shotFile("82_quality_light"));
+}
+
+void ShellEducatorTest::judgesEstimateAPassMark() {
+    ShellHarness& shell = *shell_;
+    auto* table = shell.find<QTableWidget>("angoff_table");
+    const auto items = curriculum::load_task(kTask).rubric.items;
+    QCOMPARE(table->rowCount(), static_cast<int>(items.size()));
+    QCOMPARE(table->columnCount(), 4);  // Line, most points, two judges.
+    QVERIFY(!shell.find<QPushButton>("set_angoff")->isEnabled());
+    double all = 0, kept = 0;
+    for (int row = 0; row < table->rowCount(); ++row) {
+        const double weight = std::min(items[static_cast<size_t>(row)].max_points, 100.0);
+        all += weight;
+        kept += weight * (row % 2 == 0 ? 0.8 : 0.6);
+        for (int judge = 0; judge < 2; ++judge)
+            table->item(row, 2 + judge)->setText(row % 2 == 0 ? "80" : "60");
+    }
+    QCOMPARE(shell.text("angoff_mark"),
+             QString("Pass mark: %1 points").arg(QLocale().toString(100 * kept / all, 'f', 1)));
+    table->item(0, 2)->setText("180");
+    QVERIFY(shell.text("angoff_said").contains("180 is no number from 0 to 100"));
+    QVERIFY(!shell.find<QPushButton>("set_angoff")->isEnabled());
+    table->item(0, 2)->setText("80");
+    shell.scrollTo("set_angoff");
+    shell.window().grab().save(shell.shotFile("82_angoff_light"));
+    QVERIFY(shell.type("angoff_reason", "Judges met in November"));
+    QVERIFY(shell.click("set_angoff"));
+    QVERIFY(shell.bannerSays("The standard is set (version 2)"));
+    const auto set = db::standard_at(shell.context().store(), kTask);
+    QCOMPARE(set->standard.method, std::string("angoff"));
+    QCOMPARE(set->standard.angoff.judges, 2);
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.text("standard_now").contains("version 2"); }, 5000));
+    for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
+        shell.window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell.fits());
+        shell.whole(QString("82_standards_all_%1").arg(size.width()));
+    }
 }
 
 void ShellEducatorTest::raterSeesNeitherNameNorScore() {

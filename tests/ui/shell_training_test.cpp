@@ -17,6 +17,7 @@ namespace placode::ui {
 namespace {
 constexpr int kAttemptSeconds =
     240;  ///< Waits for a simulated attempt; 10 s where nothing else runs.
+constexpr const char* kFirstTask = "familiarisation";
 constexpr const char* kTask = "grasp_and_lift";
 }  // namespace
 
@@ -140,10 +141,11 @@ void ShellTrainingTest::educatorBuildsAndAssignsTheCourse() {
     QVERIFY(shell.arrives(PageId::kCourseEditor));
     QVERIFY(shell.type("title_en", "Lift and exam"));
     QVERIFY(shell.type("course_id", "lift_exam"));
-    for (int stage = 0; stage < 2; ++stage) {
+    // First the instruments are taught, then a skill is practised, then shown in an exam.
+    for (const char* id : {kFirstTask, kTask, kTask}) {
         QVERIFY(shell.click("add_stage"));
         auto* task = shell.find<QComboBox>("stage_task");
-        task->setCurrentIndex(task->findData(QString(kTask)));
+        task->setCurrentIndex(task->findData(QString(id)));
         shell.find<QSpinBox>("stage_consecutive")->setValue(1);
     }
     QVERIFY(shell.type("stage_id", "lift_as_exam"));
@@ -170,12 +172,27 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     QVERIFY(shell.text("controls").split('\n').size() > 5);
     QVERIFY(shell.find<QWidget>("exam_card") == nullptr);
     shell.whole("73_controls");
+    // The task that teaches the controls asks for each of them; all were done.
+    QVERIFY(runAttempt());
+    const auto taught = shell.context().store().attempts(idOf("nina"));
+    QCOMPARE(taught.size(), size_t{1});
+    QCOMPARE(taught[0].task_id, std::string(kFirstTask));
+    QCOMPARE(shell.context().store().attempt(taught[0].id).metrics.find("steps_done_percent"),
+             std::optional<double>(100));
+    QVERIFY(shell.click("rail_today"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    QVERIFY(shell.click("open_next"));
+    QVERIFY(shell.arrives(PageId::kTask));
+    device = shell.find<QComboBox>("device");
+    QVERIFY(QTest::qWaitFor([&] { return device->findData("mouse") >= 0; }, 30000));
+    device->setCurrentIndex(device->findData("mouse"));
     QVERIFY(runAttempt());
     QVERIFY(shell.text("result_points").contains("points"));
     const auto attempts = shell.context().store().attempts(idOf("nina"));
-    QCOMPARE(attempts.size(), size_t{1});
-    QVERIFY(attempts[0].exam.course_id.empty());
-    QVERIFY(attempts[0].points >= 70);
+    QCOMPARE(attempts.size(), size_t{2});
+    QCOMPARE(attempts[1].task_id, std::string(kTask));
+    QVERIFY(attempts[1].exam.course_id.empty());
+    QVERIFY(attempts[1].points >= 70);
 }
 
 void ShellTrainingTest::examNeedsItsProctor() {
@@ -205,11 +222,11 @@ void ShellTrainingTest::examNeedsItsProctor() {
     shell.shot("76_exam_running");
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
     const auto attempts = shell.context().store().attempts(idOf("nina"));
-    QCOMPARE(attempts.size(), size_t{2});
-    QCOMPARE(attempts[1].exam.course_id, std::string("lift_exam"));
-    QCOMPARE(attempts[1].exam.stage_id, std::string("lift_as_exam"));
-    QCOMPARE(attempts[1].exam.proctor, std::string("Demonstration educator"));
-    QCOMPARE(attempts[1].seed, uint64_t{11});
+    QCOMPARE(attempts.size(), size_t{3});
+    QCOMPARE(attempts[2].exam.course_id, std::string("lift_exam"));
+    QCOMPARE(attempts[2].exam.stage_id, std::string("lift_as_exam"));
+    QCOMPARE(attempts[2].exam.proctor, std::string("Demonstration educator"));
+    QCOMPARE(attempts[2].seed, uint64_t{11});
     QCOMPARE(shell.context().user().login, std::string("nina"));
 }
 
@@ -236,16 +253,16 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QVERIFY(shell.signIn("demo.educator", "placode-demo"));
     QVERIFY(shell.click("rail_attempts"));
     QVERIFY(shell.arrives(PageId::kAttempts));
-    QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 2 of 2"));
+    QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 3 of 3"));
     auto* table = shell.find<QTableWidget>("attempts_table");
-    QCOMPARE(table->rowCount(), 2);
+    QCOMPARE(table->rowCount(), 3);
     table->setCurrentCell(0, 0);
     Q_EMIT table->cellActivated(0, 0);
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
     QVERIFY(shell.click("comment_add"));
     const auto attempts = shell.context().store().attempts(idOf("nina"));
-    const auto remarks = shell.context().store().comments(attempts[1].id);
+    const auto remarks = shell.context().store().comments(attempts[2].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
 }
@@ -344,7 +361,7 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     QVERIFY(shell.click("erase_0"));
     QVERIFY(shell.bannerSays("was erased"));
     QVERIFY(!shell.context().store().user_by_login("nina").has_value());
-    QCOMPARE(shell.context().store().attempts(nina).size(), size_t{2});  // Nameless.
+    QCOMPARE(shell.context().store().attempts(nina).size(), size_t{3});  // Nameless.
     sizes("79_erased");
 }
 

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl standard show|set: the pass mark of a task, from two groups of people.
+// placodectl standard show|set: the pass mark of a task, from two groups of people or from judges.
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 #include "db/standards.h"
 #include "ui/cli/people.h"
 #include "ui/cli/session.h"
+#include "ui/cli/stats_table.h"
 
 namespace placode::cli {
 namespace {
@@ -16,7 +18,7 @@ using db::Action;
 using db::Scope;
 
 struct Options {
-    std::string task, reason;
+    std::string task, reason, angoff;
     std::vector<std::string> novices, experts;
     int last = 3;
     bool dry_run = false;
@@ -31,6 +33,14 @@ Json group_json(const curriculum::StandardGroup& group) {
 }
 
 Json json_of(const curriculum::PassStandard& standard) {
+    if (standard.method == "angoff")
+        return {{"task", standard.task_id},
+                {"version", standard.version},
+                {"pass_points", standard.pass_points},
+                {"method", standard.method},
+                {"judges", standard.angoff.judges},
+                {"items", standard.angoff.items},
+                {"se_points", standard.angoff.se_points}};
     return {{"task", standard.task_id},
             {"version", standard.version},
             {"pass_points", standard.pass_points},
@@ -41,6 +51,10 @@ Json json_of(const curriculum::PassStandard& standard) {
 }
 
 std::string standard_text(const curriculum::PassStandard& standard) {
+    if (standard.method == "angoff")
+        return "pass mark " + fixed(standard.pass_points, 1) + " points (angoff, " +
+               std::to_string(standard.angoff.judges) + " judges, standard error " +
+               fixed(standard.angoff.se_points, 1) + ")";
     return "pass mark " + fixed(standard.pass_points, 1) + " points (" + standard.method + ", " +
            std::to_string(standard.novice.n) + " novices, " + std::to_string(standard.expert.n) +
            " experts); novices who pass " + fixed(100 * standard.novice.theoretical_wrong, 0) +
@@ -78,17 +92,41 @@ std::vector<double> values(Session& session, const Options& options,
     return db::person_means(session.store(), options.task, people, options.last);
 }
 
+/// One row a judge, one column a line of the rubric (its id), estimates from 0 to 1.
+curriculum::PassStandard from_judges(const curriculum::Task& task, const std::string& file) {
+    const StatsTable table = read_stats_table(file);
+    std::vector<double> weights;
+    std::vector<std::vector<double>> estimates(table.rows.size());
+    for (const assessment::RubricItem& item : task.rubric.items) {
+        const size_t column = table.column(item.id);
+        for (size_t row = 0; row < table.rows.size(); ++row)
+            estimates[row].push_back(table.needed(row, column));
+        weights.push_back(std::min(item.max_points, 100.0));
+    }
+    return db::standard_of_judges(task.id, assessment::angoff(estimates, weights));
+}
+
+curriculum::PassStandard from_groups(Session& session, const curriculum::Task& task,
+                                     const Options& options) {
+    if (options.novices.empty() || options.experts.empty())
+        throw InputError(
+            "standard set: expected --novice and --expert with logins, or --angoff FILE.csv");
+    return db::standard_of_groups(task.id, values(session, options, options.novices),
+                                  values(session, options, options.experts), options.last);
+}
+
 int set(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kSetStandards, Scope::kOther);
     const curriculum::Task task = curriculum::load_task(options.task);
     curriculum::PassStandard standard;
     try {
-        standard = db::standard_of_groups(task.id, values(session, options, options.novices),
-                                          values(session, options, options.experts), options.last);
+        standard = options.angoff.empty() ? from_groups(session, task, options)
+                                          : from_judges(task, options.angoff);
     } catch (const std::invalid_argument& error) {
-        throw InputError("standard set: these groups give no pass mark: " +
-                         std::string(error.what()));
+        throw InputError("standard set: " +
+                         (options.angoff.empty() ? std::string("these groups") : options.angoff) +
+                         ": no pass mark: " + std::string(error.what()));
     }
     if (!options.dry_run) {
         try {
@@ -119,9 +157,12 @@ void add_standard_commands(CLI::App& app, Context& context) {
         return added;
     };
     command("show", "What holds, and since when", show);
-    CLI::App* made = command("set", "Contrasting groups: keeps the mark as the next version", set);
-    made->add_option("--novice", options->novices, "Logins or numbers")->required()->delimiter(',');
-    made->add_option("--expert", options->experts, "Logins or numbers")->required()->delimiter(',');
+    CLI::App* made =
+        command("set", "Contrasting groups or judges: keeps the mark as the next version", set);
+    made->add_option("--novice", options->novices, "Logins or numbers")->delimiter(',');
+    made->add_option("--expert", options->experts, "Logins or numbers")->delimiter(',');
+    made->add_option("--angoff", options->angoff,
+                     "FILE.csv: a row a judge, a column an item of the rubric, 0 to 1");
     made->add_option("--last", options->last, "Attempts of which a person's mean is taken")
         ->check(CLI::Range(1, 100));
     made->add_option("--reason", options->reason, "Needed from the second version on");

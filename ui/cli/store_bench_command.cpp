@@ -21,6 +21,7 @@
 #include "db/norms.h"
 #include "db/recording_file.h"
 #include "reports/cohort_report.h"
+#include "ui/cli/page_bench.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -36,7 +37,7 @@ struct Options {
     int64_t attempts = 100000;
     std::string out;
     double simulate_s = 20;  ///< Of each source attempt.
-    bool quick = false;
+    bool quick = false, no_shell = false;
 };
 
 struct Row {
@@ -188,6 +189,8 @@ class Bench {
                 [&] { return store_.task_standings(0).size(); });
         measure("Cohort", "all scores of a group", kPageLimitMs,
                 [&] { return store_.attempt_points(group).size(); });
+        measure("Standards", "mean of everybody's last attempts", kPageLimitMs,
+                [&] { return store_.recent_means(task, 3).size(); });
         measure("People", "everybody", kPageLimitMs, [&] { return store_.users().size(); });
         measure("People", "groups", kPageLimitMs, [&] { return store_.groups().size(); });
         measure("Audit", "newest 200", kPageLimitMs,
@@ -233,6 +236,20 @@ void write_files(const Options& options, const Json& json, const std::vector<Row
         throw InputError("--out " + options.out + ": cannot be written; choose another place");
 }
 
+Json shell_json(const ShellPages& shell) {
+    Json list = Json::array();
+    for (const ShellPage& each : shell.pages)
+        list.push_back({{"who", each.who},
+                        {"page", each.page},
+                        {"first_ms", each.first_ms},
+                        {"median_ms", each.median_ms},
+                        {"worst_ms", each.worst_ms},
+                        {"processor_ms", each.processor_ms},
+                        {"complete_ms", each.complete_ms},
+                        {"limit_ms", kPageLimitMs}});
+    return list;
+}
+
 int run(const Context& context, Options options) {
     if (options.quick) {
         options.users = std::min(options.users, 50);
@@ -255,9 +272,17 @@ int run(const Context& context, Options options) {
     const double pages_mb = peak_memory_mb();
     bench.reports(load, folder);
     const double memory_mb = peak_memory_mb();
-    const bool kept =
-        memory_mb <= kMemoryLimitMb && std::all_of(bench.rows.begin(), bench.rows.end(),
-                                                   [](const Row& row) { return row.kept(); });
+    ShellPages shell;
+    if (options.no_shell)
+        shell.problem = "--no-shell was given";
+    else
+        shell = time_shell_pages(url, *store, load.first_user + load.users / 2);
+    for (const ShellPage& each : shell.pages)
+        bench.rows.push_back({"Shell: " + each.page, "opened by " + each.who, 1, each.first_ms,
+                              each.median_ms, each.worst_ms, kPageLimitMs});
+    const bool kept = memory_mb <= kMemoryLimitMb && shell.peak_memory_mb <= kMemoryLimitMb &&
+                      std::all_of(bench.rows.begin(), bench.rows.end(),
+                                  [](const Row& row) { return row.kept(); });
     Json json{{"benchmark", "store"},
               {"engine", url.starts_with("sqlite:") ? "sqlite" : "postgresql"},
               {"machine", machine()},
@@ -271,6 +296,9 @@ int run(const Context& context, Options options) {
               {"memory_before_mb", before_mb},
               {"peak_memory_pages_mb", pages_mb},
               {"peak_memory_mb", memory_mb},
+              {"shell_peak_memory_mb", shell.peak_memory_mb},
+              {"shell_problem", shell.problem},
+              {"shell_pages", shell_json(shell)},
               {"memory_limit_mb", kMemoryLimitMb},
               {"all_kept", kept},
               {"queries", Json::array()}};
@@ -295,8 +323,10 @@ int run(const Context& context, Options options) {
               " people, " + std::to_string(load.attempts) + " attempts multiplied from " +
               std::to_string(load.sources) + " simulated ones (" + std::to_string(load.rows) +
               " rows, " + fixed(fill_s, 1) + " s); peak memory " + fixed(pages_mb, 0) +
-              " MB for the pages, " + fixed(memory_mb, 0) + " MB with reports (limit " +
-              fixed(kMemoryLimitMb, 0) + "); " +
+              " MB for the pages, " + fixed(memory_mb, 0) + " MB with reports, " +
+              (shell.problem.empty() ? fixed(shell.peak_memory_mb, 0) + " MB for the shell"
+                                     : "the shell was not measured: " + shell.problem) +
+              " (limit " + fixed(kMemoryLimitMb, 0) + "); " +
               (kept ? "all limits kept" : "NOT all limits kept"));
     return 0;
 }
@@ -321,6 +351,8 @@ void add_store_bench_command(CLI::App& bench, Context& context) {
         ->check(CLI::Range(0.2, 600.0))
         ->capture_default_str();
     command->add_flag("--quick", options->quick, "50 people and 2,000 attempts at most");
+    command->add_flag("--no-shell", options->no_shell,
+                      "Leaves out opening every page of the shell (placode --time-pages)");
     command->callback([&context, options] {
         context.run = [&context, options] { return run(context, *options); };
     });

@@ -75,6 +75,8 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     const bool exam = !order.exam.course_id.empty();
     if (exam || order.seed > 0) arguments << "--seed" << QString::number(order.seed);
     if (exam) arguments << "--exam";
+    // Whose name stands on a preset that is saved while tuning.
+    if (!order.user_name.isEmpty()) arguments << "--author" << order.user_name;
     arguments << "--language" << options_.language << options_.more_arguments;
     process_.start(path, arguments);
     if (!process_.waitForStarted(kPatienceMs)) {

@@ -4,6 +4,7 @@
 // spread.
 
 #include <QCheckBox>
+#include <QCollator>
 #include <QComboBox>
 #include <QFile>
 #include <QHBoxLayout>
@@ -28,11 +29,13 @@ namespace {
 using assessment::CohortCell;
 using assessment::Standing;
 
+constexpr int kMostHelpLines = 8;
+
 struct Person {
     int64_t id = 0;
     QString name;
     std::map<std::string, CohortCell> tasks;
-    std::map<std::string, std::vector<double>> points;  ///< Oldest first.
+    std::map<std::string, double> first_points;
     std::string last_utc;
 };
 
@@ -92,33 +95,23 @@ class CohortPage : public Page {
  private:
     void read() {
         std::map<int64_t, Person> people;
-        std::map<int64_t, std::map<std::string, std::vector<assessment::TrialOutcome>>> outcomes;
-        std::map<int64_t, QString> names;
-        for (const db::UserRecord& user : context_.store().users())
-            names[user.id] = qstr(user.display_name);
-        for (const db::AttemptPoint& each : context_.store().attempt_points(0)) {
+        for (const db::TaskStanding& each : context_.store().task_standings(0)) {
             Person& person = people[each.user_id];
             person.id = each.user_id;
-            if (person.name.isEmpty()) {
-                const auto name = names.find(each.user_id);
-                person.name =
-                    name == names.end() ? tr("number %1").arg(each.user_id) : name->second;
-            }
-            person.last_utc = std::max(person.last_utc, each.started_utc);
-            person.points[each.task_id].push_back(each.points);
-            outcomes[each.user_id][each.task_id].push_back(
-                {each.points, each.verdict == assessment::Verdict::kPassed});
+            if (person.name.isEmpty())
+                person.name = each.user_name.empty() ? tr("number %1").arg(each.user_id)
+                                                     : qstr(each.user_name);
+            person.last_utc = std::max(person.last_utc, each.last_utc);
+            person.tasks[each.task_id] = assessment::judge_standing(each.trials);
+            person.first_points[each.task_id] = each.first_points;
             if (std::find(tasks_.begin(), tasks_.end(), each.task_id) == tasks_.end())
                 tasks_.push_back(each.task_id);
         }
         std::sort(tasks_.begin(), tasks_.end());
-        for (auto& [id, person] : people) {
-            for (const auto& [task, list] : outcomes[id])
-                person.tasks[task] = assessment::judge_standing(list);
-            people_.push_back(std::move(person));
-        }
-        std::sort(people_.begin(), people_.end(), [](const Person& a, const Person& b) {
-            return QString::localeAwareCompare(a.name, b.name) < 0;
+        for (auto& [id, person] : people) people_.push_back(std::move(person));
+        QCollator by_name;
+        std::sort(people_.begin(), people_.end(), [&](const Person& a, const Person& b) {
+            return by_name.compare(a.name, b.name) < 0;
         });
     }
 
@@ -145,12 +138,23 @@ class CohortPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Who needs help"), "heading"));
-        int shown = 0;
-        for (const Person& person : people_) {
-            for (const auto& [task, cell] : person.tasks) {
-                if (!needsHelp(cell.standing)) continue;
-                layout->addLayout(helpLine(person, task, cell, shown++));
-            }
+        int shown = 0, waiting = 0;
+        // Who is stuck first; the rest of a long list is in the table, behind its own switch.
+        for (const Standing kind : {Standing::kStuck, Standing::kRegressed})
+            for (const Person& person : people_)
+                for (const auto& [task, cell] : person.tasks) {
+                    if (cell.standing != kind) continue;
+                    if (shown < kMostHelpLines)
+                        layout->addLayout(helpLine(person, task, cell, shown++));
+                    else
+                        ++waiting;
+                }
+        if (waiting > 0) {
+            QLabel* more = make_label(
+                tr("And %1 more: choose \"Only who needs help\" to see them in the table.")
+                    .arg(waiting));
+            more->setObjectName("help_more");
+            layout->addWidget(more);
         }
         if (shown == 0) layout->addWidget(make_label(tr("Nobody is stuck or regressed."), "good"));
         layout->addWidget(make_label(
@@ -212,8 +216,14 @@ class CohortPage : public Page {
         for (int c = 2; c < table_->columnCount(); ++c)
             table_->horizontalHeaderItem(c)->setToolTip(head[c]);
         table_->horizontalHeader()->setTextElideMode(Qt::ElideRight);
-        for (int c = 2; c < table_->columnCount(); ++c)
-            table_->setColumnWidth(c, std::clamp(table_->columnWidth(c), 150, 210));
+        for (int c = 2; c < table_->columnCount(); ++c) {
+            const int width = std::clamp(table_->columnWidth(c), 150, 230);
+            table_->setColumnWidth(c, width);
+            // A title at the right edge would lose its beginning.
+            table_->horizontalHeaderItem(c)->setText(
+                QFontMetrics(table_->horizontalHeader()->font())
+                    .elidedText(head[c], Qt::ElideRight, width - 2 * kSpace16));
+        }
         table_->horizontalHeader()->setMinimumSectionSize(120);
         table_->setColumnWidth(0, 200);
         table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 20);
@@ -306,11 +316,11 @@ class CohortPage : public Page {
         reports::StripGroup first{tr("first attempt").toStdString(), {}},
             last{tr("last attempt").toStdString(), {}}, best{tr("best attempt").toStdString(), {}};
         for (const Person& person : people_) {
-            const auto found = person.points.find(task);
-            if (found == person.points.end()) continue;
-            first.values.push_back(found->second.front());
-            last.values.push_back(found->second.back());
-            best.values.push_back(*std::max_element(found->second.begin(), found->second.end()));
+            const auto found = person.tasks.find(task);
+            if (found == person.tasks.end()) continue;
+            first.values.push_back(person.first_points.at(task));
+            last.values.push_back(found->second.last);
+            best.values.push_back(found->second.best);
         }
         const reports::Figure figure =
             reports::strip_figure("scores", {}, tr("score [points of 100]").toStdString(),

@@ -6,6 +6,7 @@
 #include <QCompleter>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QStandardItemModel>
 #include <algorithm>
 #include <map>
 
@@ -112,7 +113,9 @@ class GroupsPage : public Page {
             layout->addWidget(make_label(
                 tr("Only an educator of this group or an administrator may change it."), "muted"));
         }
-        layout->addWidget(table(*group));
+        QTableWidget* people = table(*group);
+        layout->addWidget(people);
+        if (mayChange(*group)) layout->addWidget(outButton(people), 0, Qt::AlignLeft);
         body_->addWidget(make_card(layout));
     }
 
@@ -123,14 +126,20 @@ class GroupsPage : public Page {
         person_->setObjectName("group_person");
         person_->setMinimumWidth(180);
         person_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        // Filled before the list knows it: a thousand single additions take a quarter of a second.
+        auto* model = new QStandardItemModel(person_);
+        for (const auto& [id, user] : people_) {
+            if (!user.active) continue;
+            auto* item = new QStandardItem(
+                QString("%1 (%2)").arg(qstr(user.display_name), qstr(user.login)));
+            item->setData(QVariant::fromValue<qint64>(id), Qt::UserRole);
+            model->appendRow(item);
+        }
+        person_->setModel(model);
         person_->setEditable(true);
         person_->setInsertPolicy(QComboBox::NoInsert);
         person_->completer()->setCompletionMode(QCompleter::PopupCompletion);
         person_->completer()->setFilterMode(Qt::MatchContains);
-        for (const auto& [id, user] : people_)
-            if (user.active)
-                person_->addItem(QString("%1 (%2)").arg(qstr(user.display_name), qstr(user.login)),
-                                 QVariant::fromValue<qint64>(id));
         row->addLayout(make_field(tr("Person"), person_), 1);
         role_ = new QComboBox;
         role_->setObjectName("group_role");
@@ -154,9 +163,29 @@ class GroupsPage : public Page {
         return row;
     }
 
+    /// For the person that is marked in the table.
+    QPushButton* outButton(QTableWidget* people) {
+        QPushButton* out = make_button(context_, tr("Take out of the group"), "secondary");
+        out->setObjectName("group_out");
+        out->setEnabled(false);
+        connect(people, &QTableWidget::itemSelectionChanged, out, [people, out] {
+            out->setEnabled(!people->selectionModel()->selectedRows().isEmpty());
+        });
+        connect(
+            out, &QPushButton::clicked, this,
+            [this, people] {
+                const auto rows = people->selectionModel()->selectedRows();
+                if (rows.isEmpty()) return;
+                const auto* name = people->item(rows.front().row(), 0);
+                set(name->data(Qt::UserRole).toLongLong(), GroupRole::kNone);
+            },
+            Qt::QueuedConnection);
+        return out;
+    }
+
     QTableWidget* table(const db::GroupRecord& group) {
         QTableWidget* table =
-            make_table({tr("Person"), tr("Log-in name"), tr("In the group"), {}}, tr("Group"));
+            make_table({tr("Person"), tr("Log-in name"), tr("In the group")}, tr("Group"));
         table->setObjectName("group_table");
         table->setSortingEnabled(false);
         const auto add = [&](int64_t id, const QString& role) {
@@ -167,22 +196,13 @@ class GroupsPage : public Page {
             table->setItem(row, 0, make_cell(qstr(found->second.display_name)));
             table->setItem(row, 1, make_cell(qstr(found->second.login)));
             table->setItem(row, 2, make_cell(role));
-            table->setItem(row, 3, make_cell({}));
-            if (!mayChange(group)) return;
-            QPushButton* out = make_button(context_, tr("Take out"), "quiet");
-            out->setObjectName(QString("group_out_%1").arg(row));
-            out->setAccessibleName(tr("Take %1 out").arg(qstr(found->second.display_name)));
-            connect(
-                out, &QPushButton::clicked, this, [this, id] { set(id, GroupRole::kNone); },
-                Qt::QueuedConnection);
-            table->setCellWidget(row, 3, out);
+            table->item(row, 0)->setData(Qt::UserRole, QVariant::fromValue<qint64>(id));
         };
         for (const int64_t id : group.educators) add(id, tr("educator"));
         for (const int64_t id : group.members) add(id, tr("member"));
         fit_columns(table, 0);
         table->setColumnWidth(1, 200);
         table->setColumnWidth(2, 140);
-        table->setColumnWidth(3, 130);
         table->setFixedHeight(std::clamp(table->rowCount(), 1, 9) * kTouchTarget + 50);
         return table;
     }

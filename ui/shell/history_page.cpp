@@ -18,6 +18,8 @@
 namespace placode::ui {
 namespace {
 
+/// Of attempts that are not passed: fine up to here, and not acceptable from here on.
+constexpr double kAcceptableRate = 0.05, kTooOftenRate = 0.10;
 constexpr size_t kCurveFrom = 5;  ///< Attempts below which no curve is fitted.
 
 class HistoryPage : public Page {
@@ -133,7 +135,8 @@ class HistoryPage : public Page {
         words->setObjectName("learning_words");
         layout->addWidget(words);
         const reports::Figure figure = reports::learning_figure(
-            "learning", {}, {line}, pass, assessment::cusum_limits(0.05, 0.10, 0.05, 0.20),
+            "learning", {}, {line}, pass,
+            assessment::cusum_limits(kAcceptableRate, kTooOftenRate, 0.05, 0.20),
             chart_style(context_.theme()));
         QWidget* picture = make_picture(
             [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
@@ -141,11 +144,33 @@ class HistoryPage : public Page {
             words->text());
         picture->setFixedHeight(static_cast<int>(figure.height));
         layout->addWidget(picture);
+        layout->addWidget(cusumWords(line.failed));
         layout->addWidget(make_label(
             tr("Below: CUSUM of attempts that were not passed. Above the upper limit performance "
                "is not acceptable, below the lower one it is (Bolsin and Colson 2000)."),
             "small"));
         return make_card(layout);
+    }
+
+    /// Where the sum stands today.
+    static QLabel* cusumWords(const std::vector<bool>& failed) {
+        const auto limits = assessment::cusum_limits(kAcceptableRate, kTooOftenRate, 0.05, 0.20);
+        const assessment::Cusum sum = assessment::cusum(failed, limits);
+        const double now = sum.path.empty() ? 0 : sum.path.back();
+        const bool bad = now > limits.h1_upper, good = now < limits.h0_lower;
+        QLabel* words = make_label(
+            bad ? tr("CUSUM: since attempt %1 too many attempts are not passed. Practise the stage "
+                     "before with your educator.")
+                      .arg(sum.first_above_h1)
+            : good ? tr("CUSUM: since attempt %1 the share of attempts that are not passed is "
+                        "acceptable.")
+                         .arg(sum.first_below_h0)
+                   : tr("CUSUM: between the limits, more attempts will decide."),
+            bad    ? "warn"
+            : good ? "good"
+                   : "muted");
+        words->setObjectName("cusum_words");
+        return words;
     }
 
     std::vector<db::AttemptRecord> all_;

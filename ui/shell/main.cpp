@@ -4,8 +4,59 @@
 
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <cstdio>
 
 #include "ui/shell/main_window.h"
+#include "ui/shell/page_tour.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kRuns = 3;
+
+/// Largest resident memory of this process [MB].
+double peak_memory_mb() {
+    QFile status("/proc/self/status");
+    if (!status.open(QIODevice::ReadOnly)) return 0;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("VmHWM:"))
+            return line.mid(6).simplified().split(' ')[0].toDouble() / 1024;
+    return 0;
+}
+
+/// Opens every page that this person may open and prints how long each took, as JSON. The password
+/// comes from $PLACODE_PASSWORD: measuring opens no door.
+int measure_pages(AppContext& context, MainWindow& window, const QString& login) {
+    if (!context.storeIsOpen()) return 1;
+    const db::SignIn sign_in = context.store().sign_in(
+        login.toStdString(), qEnvironmentVariable("PLACODE_PASSWORD").toStdString());
+    if (!sign_in.user) {
+        std::fprintf(stderr,
+                     "placode: --time-pages %s: cannot sign in; give the password in "
+                     "$PLACODE_PASSWORD\n",
+                     qPrintable(login));
+        return 2;
+    }
+    context.signIn(*sign_in.user);
+    QJsonArray pages;
+    for (const PageTime& each : time_pages(context, window, kRuns))
+        pages.append(QJsonObject{{"page", each.name},
+                                 {"first_ms", each.first_ms},
+                                 {"median_ms", each.median_ms},
+                                 {"worst_ms", each.worst_ms},
+                                 {"processor_ms", each.processor_ms},
+                                 {"complete_ms", each.complete_ms}});
+    const QJsonObject all{{"pages", pages}, {"runs", kRuns}, {"peak_memory_mb", peak_memory_mb()}};
+    std::fputs(QJsonDocument(all).toJson().constData(), stdout);
+    return 0;
+}
+
+}  // namespace
+}  // namespace placode::ui
 
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
@@ -18,7 +69,11 @@ int main(int argc, char** argv) {
     parser.addOptions({{"store", "Store to open (sqlite:PATH, postgresql://...).", "URL"},
                        {"data", "Folder with tasks, scenes, courses and questionnaires.", "FOLDER"},
                        {"language", "Language of the shell: en or pl.", "LANGUAGE"},
-                       {"theme", "light or dark.", "THEME"}});
+                       {"theme", "light or dark.", "THEME"},
+                       {"time-pages",
+                        "Sign in (password in $PLACODE_PASSWORD), open every page, print how long "
+                        "each took as JSON, and end.",
+                        "LOGIN"}});
     parser.process(application);
     const auto one_of = [&](const char* name, const QStringList& known) {
         if (!parser.isSet(name) || known.contains(parser.value(name))) return true;
@@ -36,5 +91,7 @@ int main(int argc, char** argv) {
     placode::ui::MainWindow window(context);
     window.show();
     window.begin();
+    if (parser.isSet("time-pages"))
+        return placode::ui::measure_pages(context, window, parser.value("time-pages"));
     return QApplication::exec();
 }

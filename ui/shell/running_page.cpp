@@ -55,13 +55,15 @@ class RunningPage : public Page {
 
  private:
     QLabel* number(QGridLayout* grid, int column, const QString& name, const char* object) {
-        grid->addWidget(make_label(name, "muted"), 0, column);
+        QLabel* above = make_label(name, "muted");
+        grid->addWidget(above, 0, column);
         QLabel* value = make_label("–", "display");
         value->setWordWrap(false);
         value->setObjectName(object);
         value->setAccessibleName(name);
         grid->addWidget(value, 1, column);
         grid->setColumnStretch(column, 1);
+        if (column > 0) read_outs_ << above << value;
         return value;
     }
 
@@ -124,8 +126,8 @@ class RunningPage : public Page {
         time_->setText(begun ? format_duration(live.time_s) : "–");
         // An exam has no read-outs but the time, here neither.
         const bool exam = !launcher.order().exam.course_id.empty();
-        for (QWidget* part : std::initializer_list<QWidget*>{phase_, physics_, ring_, bar_})
-            part->setVisible(!exam);
+        for (QWidget* part : read_outs_) part->setVisible(!exam);
+        bar_->setVisible(!exam);
         phase_->setText(phaseName(live.phase));
         physics_->setText(live.physics_hz > 0 ? tr("%1 Hz").arg(format_number(live.physics_hz, 0))
                                               : "–");
@@ -140,6 +142,7 @@ class RunningPage : public Page {
         abort_->setEnabled(launcher.running());
     }
 
+    QList<QWidget*> read_outs_;  ///< All numbers but the time, with their names.
     QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
            *ring_ = nullptr, *warning_ = nullptr;
     QProgressBar* bar_ = nullptr;

@@ -1,23 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Standards: a pass mark for a task from two groups of people (contrasting groups), with what it
-// would have cost: who would pass or fail wrongly.
+// would have cost: who would pass or fail wrongly. Or from judges; and what each metric is worth.
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QJsonDocument>
-#include <QJsonObject>
 #include <QLineEdit>
 #include <algorithm>
 #include <map>
 
 #include "assessment/standard_setting.h"
-#include "assessment/statistics.h"
 #include "db/norms.h"
 #include "db/standards.h"
 #include "reports/attempt_figures.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/standard_cards.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -25,21 +23,14 @@ namespace {
 
 /// Fewer in a group carry no standard.
 constexpr int kFewInGroup = 10;
-constexpr size_t kLastAttempts = 3;
-/// Of one task that are looked at, oldest first: more than any centre has.
-constexpr int kMostAttempts = 100000;
+constexpr int kLastAttempts = 3;
 
 /// Whose score counts once: a person, or a scripted operator that a person had play.
 struct Operator {
+    QString key;  ///< In the page's state.
     QString name;
-    std::vector<double> points;  ///< Oldest first.
-    int64_t user_id = 0;         ///< 0 = a scripted operator: nobody's skill.
-    bool demonstration = false;
-    /// Mean of the last attempts.
-    [[nodiscard]] double value() const {
-        const size_t n = std::min(kLastAttempts, points.size());
-        return assessment::mean_of(std::span(points).last(n)).value_or(0);
-    }
+    db::RecentMean recent;
+    [[nodiscard]] bool scripted() const { return !recent.script.empty(); }
 };
 
 class StandardsPage : public Page {
@@ -47,9 +38,7 @@ class StandardsPage : public Page {
  public:
     StandardsPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
-        for (const db::TaskStanding& each : context.store().task_standings(0))
-            if (std::find(known_.begin(), known_.end(), each.task_id) == known_.end())
-                known_.push_back(each.task_id);
+        known_ = context.store().tasks_with_attempts();
         groups_ = place.state.value("groups").toMap();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
@@ -91,24 +80,19 @@ class StandardsPage : public Page {
  private:
     void read() {
         operators_.clear();
-        std::map<QString, Operator> found;
-        const std::string task = tasks_->currentData().toString().toStdString();
-        db::AttemptFilter filter;
-        filter.task_id = task;
-        filter.newest_first = false;
-        filter.limit = kMostAttempts;
-        for (const db::AttemptRecord& each : context_.store().attempt_page(filter).rows) {
-            if (each.end == sim::EndReason::kInterrupted || !each.void_reason.empty()) continue;
-            QString name = qstr(each.user_name);
-            const bool script = each.device.rfind("script:", 0) == 0;
-            if (script) name += " · " + device_name(each.device);
-            Operator& one = found[name];
-            one.name = name;
-            one.user_id = script ? 0 : each.user_id;
-            one.points.push_back(each.points);
-            one.demonstration = one.demonstration || each.demonstration;
+        for (db::RecentMean& each : context_.store().recent_means(task(), kLastAttempts)) {
+            Operator one;
+            one.name =
+                each.user_name.empty() ? tr("number %1").arg(each.user_id) : qstr(each.user_name);
+            if (!each.script.empty()) one.name += " · " + device_name(each.script);
+            one.key = QString::number(each.user_id) + "/" + qstr(each.script);
+            one.recent = std::move(each);
+            operators_.push_back(std::move(one));
         }
-        for (auto& [name, one] : found) operators_.push_back(std::move(one));
+    }
+
+    [[nodiscard]] std::string task() const {
+        return tasks_->currentData().toString().toStdString();
     }
 
     void showTask() {
@@ -125,12 +109,20 @@ class StandardsPage : public Page {
         result_->setContentsMargins(0, 0, 0, 0);
         body_->addWidget(holder);
         showResult();
+        // A task that no longer ships has a history, but no rubric to estimate.
+        (void)context_.problemOf([this] {
+            std::function<void(const assessment::Angoff&, const QString&)> save;
+            if (context_.may(db::Action::kSetStandards, db::Scope::kOther))
+                save = [this](const assessment::Angoff& judges, const QString& reason) {
+                    keep(db::standard_of_judges(task(), judges), reason);
+                };
+            body_->addWidget(make_angoff_card(context_, task(), save));
+        });
     }
 
     /// What holds today, and since when.
     QWidget* presentCard() {
-        const std::string task = tasks_->currentData().toString().toStdString();
-        const auto set = db::standard_at(context_.store(), task);
+        const auto set = db::standard_at(context_.store(), task());
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace4);
         layout->addWidget(make_label(tr("The standard that holds"), "heading"));
@@ -142,23 +134,30 @@ class StandardsPage : public Page {
                               .arg(format_number(set->standard.pass_points, 1))
                               .arg(set->standard.version)
                               .arg(qstr(set->set_by), format_when(set->set_utc)));
-            layout->addWidget(make_label(
-                tr("From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 "
-                   "observed. %5")
-                    .arg(set->standard.novice.n)
-                    .arg(set->standard.expert.n)
-                    .arg(percent(set->standard.novice.theoretical_wrong),
-                         percent(set->standard.novice.observed_wrong), qstr(set->reason)),
-                "small"));
+            layout->addWidget(make_label(originOf(*set), "small"));
         } else {
             double pass = 0;
-            const auto problem =
-                context_.problemOf([&] { pass = curriculum::load_task(task).rubric.pass_points; });
+            const auto problem = context_.problemOf(
+                [&] { pass = curriculum::load_task(task()).rubric.pass_points; });
             mark->setText(problem ? problem->title
                                   : tr("None was set: the task's own pass mark of %1 points holds.")
                                         .arg(format_points(pass)));
         }
         return make_card(layout);
+    }
+
+    [[nodiscard]] static QString originOf(const db::StandardRecord& set) {
+        const curriculum::PassStandard& standard = set.standard;
+        if (standard.method == "angoff")
+            return tr("From the estimates of %1 judges, standard error %2 points. %3")
+                .arg(standard.angoff.judges)
+                .arg(format_number(standard.angoff.se_points, 1), qstr(set.reason));
+        return tr("From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 "
+                  "observed. %5")
+            .arg(standard.novice.n)
+            .arg(standard.expert.n)
+            .arg(percent(standard.novice.theoretical_wrong),
+                 percent(standard.novice.observed_wrong), qstr(set.reason));
     }
 
     [[nodiscard]] static QString percent(double share) {
@@ -191,14 +190,16 @@ class StandardsPage : public Page {
     }
 
     void save() {
-        context_.guard(tr("Setting the standard"), [this] {
+        keep(db::standard_of_groups(task(), values(1), values(2), kLastAttempts), reason_->text());
+    }
+
+    void keep(const curriculum::PassStandard& standard, const QString& reason) {
+        context_.guard(tr("Setting the standard"), [&] {
             context_.require(db::Action::kSetStandards, db::Scope::kOther);
-            const int version = db::set_standard(
-                context_.store(),
-                db::standard_of_groups(tasks_->currentData().toString().toStdString(), values(1),
-                                       values(2), static_cast<int>(kLastAttempts)),
-                reason_->text().trimmed().toStdString());
-            showTask();
+            const int version =
+                db::set_standard(context_.store(), standard, reason.trimmed().toStdString());
+            QMetaObject::invokeMethod(
+                this, [this] { showTask(); }, Qt::QueuedConnection);
             Q_EMIT notice(tr("The standard is set (version %1). Attempts from now on are judged by "
                              "it; earlier ones keep their verdict.")
                               .arg(version));
@@ -208,66 +209,103 @@ class StandardsPage : public Page {
     void makeNorms() {
         context_.guard(tr("Making the norm pack"), [this] {
             context_.require(db::Action::kSetStandards, db::Scope::kOther);
-            std::map<std::string, std::vector<int64_t>> people;
-            for (const Operator& one : operators_) {
-                const int group = groups_.value(one.name).toInt();
-                if (one.user_id != 0 && group > 0)
-                    people[group == 1 ? "novice" : "expert"].push_back(one.user_id);
-            }
+            const std::map<std::string, std::vector<int64_t>> people{{"novice", persons(1)},
+                                                                     {"expert", persons(2)}};
             db::Store& store = context_.store();
-            const std::string task = tasks_->currentData().toString().toStdString();
             const std::string centre = centre_->text().trimmed().toStdString();
             context_.settings().setValue("centre", centre_->text().trimmed());
             db::keep_own_norms(
                 store,
-                db::make_norms(db::level_attempts(store, task, people), centre,
+                db::make_norms(db::level_attempts(store, task(), people), centre,
                                QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(),
                                curriculum::kLeastNormGroup));
             Q_EMIT notice(tr("The norm pack is made and signed. It stands on the page Norms."));
         });
     }
 
+    /// A hundred people are put into a group as quickly as one: marked in the list, one touch.
     QWidget* groupsCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Groups"), "heading"));
-        QTableWidget* table = make_table(
+        people_ = make_table(
             {tr("Person"), tr("Attempts"), tr("Mean of the last"), tr("Group"), tr("Remark")},
             tr("Groups"));
-        table->setObjectName("standard_people");
-        table->setSortingEnabled(false);
-        table->setRowCount(static_cast<int>(operators_.size()));
-        for (int row = 0; row < table->rowCount(); ++row) {
+        people_->setObjectName("standard_people");
+        people_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+        people_->setSortingEnabled(false);
+        people_->setRowCount(static_cast<int>(operators_.size()));
+        for (int row = 0; row < people_->rowCount(); ++row) {
             const Operator& one = operators_[static_cast<size_t>(row)];
-            const int n = static_cast<int>(one.points.size());
-            table->setItem(row, 0, make_cell(one.name));
-            table->setItem(row, 1, make_number_cell(QString::number(n), n));
-            table->setItem(row, 2, make_number_cell(format_number(one.value(), 1), one.value()));
-            table->setItem(row, 4, make_cell(one.demonstration ? tr("DEMONSTRATION") : QString()));
-            auto* group = new QComboBox;
-            group->setObjectName(QString("group_%1").arg(row));
-            group->setAccessibleName(tr("Group of %1").arg(one.name));
-            group->addItem(tr("neither"), 0);
-            group->addItem(tr("novice"), 1);
-            group->addItem(tr("expert"), 2);
-            group->setCurrentIndex(groups_.value(one.name).toInt());
-            connect(group, &QComboBox::currentIndexChanged, this, [this, name = one.name](int i) {
-                groups_[name] = i;
-                showResult();
-            });
-            table->setCellWidget(row, 3, group);
+            const int n = one.recent.attempts;
+            people_->setItem(row, 0, make_cell(one.name));
+            people_->item(row, 0)->setData(Qt::UserRole, one.key);
+            people_->setItem(row, 1, make_number_cell(QString::number(n), n));
+            people_->setItem(
+                row, 2,
+                make_number_cell(format_number(one.recent.mean_points, 1), one.recent.mean_points));
+            people_->setItem(row, 3, make_cell(groupWord(one.key)));
+            people_->setItem(row, 4,
+                             make_cell(one.recent.demonstration ? tr("DEMONSTRATION") : QString()));
         }
-        fit_columns(table, 0);
-        table->setColumnWidth(3, 150);
-        table->setFixedHeight(std::min(6, std::max(1, table->rowCount())) * kTouchTarget + 50);
-        layout->addWidget(table);
+        fit_columns(people_, 0);
+        people_->setColumnWidth(3, 130);
+        people_->setFixedHeight(std::clamp(people_->rowCount(), 1, 6) * kTouchTarget + 50);
+        people_->setSortingEnabled(true);
+        people_->sortByColumn(0, Qt::AscendingOrder);
+        layout->addWidget(people_);
+        layout->addLayout(groupButtons());
         return make_card(layout);
+    }
+
+    QHBoxLayout* groupButtons() {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace8);
+        QLabel* said = make_label(tr("Mark people (Ctrl or Shift for several), then:"), "small");
+        row->addWidget(said, 1);
+        const std::pair<QString, const char*> buttons[]{{tr("Novices"), "mark_novices"},
+                                                        {tr("Experts"), "mark_experts"},
+                                                        {tr("Neither"), "mark_neither"}};
+        for (int i = 0; i < 3; ++i) {
+            QPushButton* button = make_button(context_, buttons[i].first, "secondary");
+            button->setObjectName(buttons[i].second);
+            const int group = (i + 1) % 3;
+            connect(button, &QPushButton::clicked, this, [this, group] { put(group); });
+            row->addWidget(button);
+        }
+        return row;
+    }
+
+    [[nodiscard]] QString groupWord(const QString& key) const {
+        const int group = groups_.value(key).toInt();
+        return group == 1 ? tr("novice") : group == 2 ? tr("expert") : QStringLiteral("–");
+    }
+
+    void put(int group) {
+        const bool sorted = people_->isSortingEnabled();
+        people_->setSortingEnabled(false);
+        for (const QModelIndex& index : people_->selectionModel()->selectedRows()) {
+            const QString key = people_->item(index.row(), 0)->data(Qt::UserRole).toString();
+            groups_[key] = group;
+            people_->item(index.row(), 3)->setText(groupWord(key));
+        }
+        people_->setSortingEnabled(sorted);
+        showResult();
     }
 
     [[nodiscard]] std::vector<double> values(int group) const {
         std::vector<double> found;
         for (const Operator& one : operators_)
-            if (groups_.value(one.name).toInt() == group) found.push_back(one.value());
+            if (groups_.value(one.key).toInt() == group) found.push_back(one.recent.mean_points);
+        return found;
+    }
+
+    /// Those of a group who are people.
+    [[nodiscard]] std::vector<int64_t> persons(int group) const {
+        std::vector<int64_t> found;
+        for (const Operator& one : operators_)
+            if (groups_.value(one.key).toInt() == group && !one.scripted())
+                found.push_back(one.recent.user_id);
         return found;
     }
 
@@ -298,6 +336,7 @@ class StandardsPage : public Page {
             layout->addWidget(make_label(QString::fromUtf8(error.what()), "small"));
         }
         result_->addWidget(make_card(layout));
+        result_->addWidget(make_quality_card(context_, task(), persons(1), persons(2)));
     }
 
     void addResult(QVBoxLayout* layout, const assessment::ContrastingGroups& result,
@@ -345,8 +384,9 @@ class StandardsPage : public Page {
 
     std::vector<std::string> known_;  ///< Tasks with attempts.
     std::vector<Operator> operators_;
-    QVariantMap groups_;  ///< Name of the operator to 0 neither, 1 novice, 2 expert.
+    QVariantMap groups_;  ///< Key of the operator to 0 neither, 1 novice, 2 expert.
     QComboBox* tasks_ = nullptr;
+    QTableWidget* people_ = nullptr;
     QVBoxLayout *body_ = nullptr, *result_ = nullptr;
     QLineEdit *reason_ = nullptr, *centre_ = nullptr;
 };

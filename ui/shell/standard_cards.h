@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Parts of the page of standards: a pass mark from the estimates of judges, and how much each
+// metric is worth.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "assessment/standard_setting.h"
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+/// Reads the metrics of these people's attempts when asked to, on a worker, and shows the panel.
+[[nodiscard]] QWidget* make_quality_card(AppContext& context, const std::string& task_id,
+                                         const std::vector<int64_t>& novices,
+                                         const std::vector<int64_t>& experts);
+
+/// A table of rubric items by judges. `save` keeps the mark; absent for who may not.
+[[nodiscard]] QWidget* make_angoff_card(
+    AppContext& context, const std::string& task_id,
+    const std::function<void(const assessment::Angoff&, const QString& reason)>& save);
+
+}  // namespace placode::ui
