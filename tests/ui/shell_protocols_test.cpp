@@ -168,6 +168,16 @@ void ShellProtocolsTest::everyKindIsPreviewedAndPublished() {
     QVERIFY2(statusSays("is right"), qPrintable(shell_->text("definition_status")));
     QVERIFY(press("definition_preview"));
     QVERIFY(shell_->arrives(PageId::kParticipant));
+    // Who builds it sees the condition, reverse keying and scores beside the question.
+    const QWidget* page = shell_->window().page();
+    QVERIFY(shell_->find<QWidget>("answer_M_0")->isVisibleTo(page));
+    QCOMPARE(shell_->text("notes_M"), QString("asked only if C = yes"));
+    QCOMPARE(shell_->text("notes_W"), QString("reverse-keyed · counts for Both"));
+    QVERIFY(shell_->find<QLabel>("notes_N") == nullptr);
+    shell_->find<QComboBox>("answer_C")->setCurrentIndex(1);
+    QVERIFY2(!shell_->find<QWidget>("answer_M_0")->isVisibleTo(page), "branching hides it");
+    shell_->find<QComboBox>("answer_C")->setCurrentIndex(2);
+    QVERIFY(shell_->find<QWidget>("answer_M_0")->isVisibleTo(page));
     shell_->whole("73_preview_every_kind");
     QVERIFY(shell_->fits());
     QVERIFY(press("cancel_participant"));
@@ -284,6 +294,7 @@ void ShellProtocolsTest::definitionsGoOutAndIn() {
     QVERIFY(shell_->bannerSays("kinds.json"));
     QVERIFY(press("definition_new"));
     QVERIFY(!json()->toPlainText().contains("Every kind"));
+    shell_->open_this = shell_->save_as;
     QVERIFY(press("definition_import"));
     QCOMPARE(json()->toPlainText(), QString(kKinds));
     shell_->context().setLanguage("pl");

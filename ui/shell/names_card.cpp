@@ -9,7 +9,9 @@
 #include <memory>
 
 #include "db/participant_key.h"
+#include "db/study_records.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/signature_pad.h"
 #include "ui/shell/study_parts.h"
 
 namespace placode::ui {
@@ -28,7 +30,8 @@ class NamesCard : public QFrame {
         layout_->addWidget(make_label(
             tr("In a file of its own, apart from the data, encrypted under a passphrase. It is in "
                "no export and no backup of the store: keep a copy, and the passphrase elsewhere. "
-               "Whoever loses the passphrase loses the names."),
+               "Whoever loses the passphrase loses the names. Once there is a key, signatures "
+               "under consents are sealed: only this file opens them."),
             "muted"));
         addLocked();
         outer->addWidget(make_card(layout_));
@@ -72,6 +75,7 @@ class NamesCard : public QFrame {
                 throw db::StoreError(
                     db::StoreError::Kind::kRefused,
                     "participant key " + path + ": belongs to the study " + key.study_id());
+            db::keep_seal(context_.store(), study_, key.seal().public_key);
             key_ = std::make_unique<db::ParticipantKey>(std::move(key));
             context_.settings().setValue("key/" + qstr(study_), path_->text().trimmed());
             context_.audit(make ? "study.key.make" : "study.key.open", qstr(study_),
@@ -108,8 +112,51 @@ class NamesCard : public QFrame {
         fit_columns(table, 1);
         table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
         inside->addWidget(table);
+        addSignatures(inside);
         inside->addLayout(addRow());
         shown_->addWidget(box);
+    }
+
+    /// The hand's lines under the consents, of those who signed on the screen.
+    void addSignatures(QVBoxLayout* inside) {
+        auto* chooser = new QComboBox;
+        chooser->setObjectName("signature_code");
+        chooser->setAccessibleName(tr("Signature under the consent of"));
+        auto* picture = new QLabel;
+        picture->setObjectName("signature_picture");
+        for (const QString& code : codes_)
+            if (context_.store().records().consent_signature(study_, code.toStdString()))
+                chooser->addItem(code);
+        if (chooser->count() == 0) {
+            delete chooser;
+            delete picture;
+            return;
+        }
+        const auto show = [this, chooser, picture] {
+            const auto kept = context_.store().records().consent_signature(
+                study_, chooser->currentText().toStdString());
+            const auto path = kept ? db::unsealed(kept->path, key_->seal()) : std::nullopt;
+            picture->clear();
+            if (path)
+                picture->setPixmap(signature_picture(qstr(*path), context_.colors().text));
+            else
+                picture->setText(tr("Sealed for another key: open the one of that time."));
+            context_.audit("study.consent.signature.show",
+                           qstr(study_) + " " + chooser->currentText());
+        };
+        auto* row = new QHBoxLayout;
+        QLabel* label = make_label(tr("Signature under the consent of"), "muted");
+        label->setWordWrap(false);
+        row->addWidget(label);
+        row->addWidget(chooser);
+        QPushButton* button = make_button(context_, tr("Show"), "secondary", "search");
+        button->setObjectName("show_signature");
+        connect(button, &QPushButton::clicked, this,
+                [this, show] { context_.guard(tr("Showing a signature"), show); });
+        row->addWidget(button);
+        row->addStretch(1);
+        inside->addLayout(row);
+        inside->addWidget(picture);
     }
 
     QLayout* addRow() {

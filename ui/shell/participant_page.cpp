@@ -14,6 +14,7 @@
 #include "ui/shell/answer_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_preview.h"
 
 namespace placode::ui {
 namespace {
@@ -165,6 +166,12 @@ class ParticipantPage : public Page {
         add_answer_field(layout, context_,
                          {item, markOf(item), answer(item.id), this,
                           [this, id = item.id](const QString& text) { keep(id, text); }});
+        if (const QString notes = item_notes(context_, questionnaire_, item);
+            !preview_.isEmpty() && !notes.isEmpty()) {
+            QLabel* label = make_label(notes, "small");
+            label->setObjectName("notes_" + qstr(item.id));
+            layout->addWidget(label);
+        }
         QFrame* card = make_card(layout);
         cards_[item.id] = card;
         return card;
@@ -203,6 +210,10 @@ class ParticipantPage : public Page {
 
     /// Items that an answer hides: their answers are put aside, and come back with them.
     void showBranches() {
+        if (!preview_.isEmpty() && !branching_seen_) {
+            branching_seen_ = true;  // Who builds it sees every question first, with its condition.
+            return;
+        }
         for (const QuestionnaireItem& item : questionnaire_.items) {
             if (!item.show_if) continue;
             const bool shown = curriculum::is_shown(questionnaire_, item, answers_);
@@ -398,7 +409,8 @@ class ParticipantPage : public Page {
     }
 
     QString code_;
-    QString preview_;  ///< Text of a questionnaire that is being edited; empty = none.
+    bool branching_seen_ = false;  ///< Of a preview.
+    QString preview_;              ///< Text of a questionnaire that is being edited; empty = none.
     curriculum::Questionnaire questionnaire_;
     std::string study_;
     int visit_ = 1;

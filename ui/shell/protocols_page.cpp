@@ -5,7 +5,6 @@
 
 #include <QComboBox>
 #include <QFile>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListWidget>
@@ -379,7 +378,7 @@ class ProtocolsPage : public Page {
     void importFile() {
         if (!mayLeave()) return;
         const QString path =
-            context_.askSaveFile(this, tr("Import a definition"), {}, "JSON (*.json)");
+            context_.askOpenFile(this, tr("Import a definition"), "JSON (*.json)");
         if (path.isEmpty()) return;
         context_.guard(tr("Importing a definition"), [&] {
             setText(qstr(reports::read_file(path.toStdString())));

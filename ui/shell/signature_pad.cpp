@@ -4,6 +4,7 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 
 #include "ui/shell/theme.h"
 
@@ -69,6 +70,30 @@ void SignaturePad::mouseMoveEvent(QMouseEvent* event) {
 
 void SignaturePad::mouseReleaseEvent(QMouseEvent*) {
     if (changed) changed();
+}
+
+QPixmap signature_picture(const QString& path, const QColor& ink) {
+    QPainterPath lines;
+    const QStringList parts = path.split(' ');
+    for (int i = 0; i + 1 < parts.size(); i += 2) {
+        const QPointF at(parts[i].mid(1).toDouble(), parts[i + 1].toDouble());
+        if (parts[i].startsWith('M'))
+            lines.moveTo(at);
+        else
+            lines.lineTo(at);
+    }
+    constexpr int kMargin = 6;
+    const QRect bounds =
+        lines.boundingRect().toAlignedRect().adjusted(-kMargin, -kMargin, kMargin, kMargin) &
+        QRect(-kMargin, -kMargin, 4096, 4096);
+    QPixmap picture(bounds.size());
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(-bounds.topLeft());
+    painter.setPen(QPen(ink, 2.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(lines);
+    return picture;
 }
 
 }  // namespace placode::ui

@@ -3,6 +3,7 @@
 #pragma once
 // A field to sign in with finger, pen or mouse. Nothing but the lines is kept.
 
+#include <QPixmap>
 #include <QPointF>
 #include <QWidget>
 #include <functional>
@@ -31,5 +32,8 @@ class SignaturePad : public QWidget {
     QColor ink_, rule_;
     std::vector<std::vector<QPointF>> strokes_;
 };
+
+/// Draws what path() gave, as large as the lines are.
+[[nodiscard]] QPixmap signature_picture(const QString& path, const QColor& ink);
 
 }  // namespace placode::ui

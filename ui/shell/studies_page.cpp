@@ -33,6 +33,7 @@ class StudiesPage : public Page {
     StudiesPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kRunQuestionnaire);
         chosen_ = place.text;
+        study_ = place.state.value("study").toString();
         const std::vector<std::string> ids = known_questionnaires(context);
         const bool paper = std::find(ids.begin(), ids.end(), "face_validity") != ids.end();
         if (chosen_.isEmpty() && !ids.empty())
@@ -40,8 +41,7 @@ class StudiesPage : public Page {
         questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
         answers_ = context.store().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
-        column->addWidget(
-            make_protocol_card(context, *this, place.state.value("study").toString()));
+        column->addWidget(make_protocol_card(context, *this, study_));
         column->addWidget(make_label(tr("Questionnaires without a protocol"), "title"));
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(context.in(questionnaire_.title), "heading"), 1);
@@ -55,6 +55,8 @@ class StudiesPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Studies"); }
+    /// A change of theme or language comes back to the same study.
+    [[nodiscard]] QVariantMap state() const override { return {{"study", study_}}; }
 
  private:
     void addChooser(QHBoxLayout* head, const std::vector<std::string>& ids) {
@@ -64,7 +66,8 @@ class StudiesPage : public Page {
         for (const std::string& id : ids) chooser->addItem(qstr(id), qstr(id));
         chooser->setCurrentIndex(std::max(0, chooser->findData(chosen_)));
         connect(chooser, &QComboBox::activated, this, [this, chooser] {
-            Q_EMIT go({PageId::kStudies, 0, chooser->currentData().toString(), {}});
+            Q_EMIT go(
+                {PageId::kStudies, 0, chooser->currentData().toString(), {{"study", study_}}});
         });
         head->addWidget(chooser);
     }
@@ -223,6 +226,7 @@ class StudiesPage : public Page {
         });
     }
 
+    QString study_;  ///< Shown; empty: the first.
     QString chosen_;
     curriculum::Questionnaire questionnaire_;
     std::vector<db::AnswerRecord> answers_;

@@ -3,6 +3,7 @@
 #include "ui/shell/study_preview.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
@@ -34,14 +35,52 @@ void add_questions(AppContext& context, QVBoxLayout* layout, const std::string& 
                         .arg(context.in(item.anchor_low))
                         .arg(item.scale_max)
                         .arg(context.in(item.anchor_high));
+        using curriculum::ItemKind;
+        if (item.kind == ItemKind::kNumber)
+            text += QString("   [%1 … %2 %3]")
+                        .arg(item.number_min)
+                        .arg(item.number_max)
+                        .arg(qstr(item.unit))
+                        .replace(" ]", "]");
+        if (item.kind == ItemKind::kVisualAnalogue)
+            text += QString("   [%1 ——— %2]")
+                        .arg(context.in(item.anchor_low), context.in(item.anchor_high));
+        if (item.kind == ItemKind::kDate) text += "   [" + StudyPreview::tr("a date") + "]";
+        if (item.kind == ItemKind::kText) text += "   [" + StudyPreview::tr("free text") + "]";
         QStringList choices;
         for (const auto& choice : item.choices) choices << context.in(choice);
         if (!choices.isEmpty()) text += "   [" + choices.join(" / ") + "]";
-        layout->addWidget(make_label(text, "small"));
+        const QString notes = item_notes(context, questionnaire, item);
+        layout->addWidget(make_label(notes.isEmpty() ? text : text + "   · " + notes, "small"));
     }
 }
 
 }  // namespace
+
+QString item_notes(AppContext& context, const curriculum::Questionnaire& questionnaire,
+                   const curriculum::QuestionnaireItem& item) {
+    QStringList notes;
+    if (item.show_if) {
+        QStringList values;
+        const auto* other = questionnaire.item(item.show_if->item);
+        for (const std::string& value : item.show_if->any_of) {
+            const QString text = qstr(value);
+            bool is_index = false;
+            const auto index = static_cast<size_t>(text.toUInt(&is_index));
+            values << (other != nullptr && is_index && index < other->choices.size()
+                           ? context.in(other->choices[index])
+                           : text);
+        }
+        notes << StudyPreview::tr("asked only if %1 = %2")
+                     .arg(qstr(item.show_if->item), values.join(StudyPreview::tr(" or ")));
+    }
+    if (item.reverse) notes << StudyPreview::tr("reverse-keyed");
+    if (item.identifying) notes << StudyPreview::tr("names a person");
+    for (const auto& scale : questionnaire.scales)
+        if (std::find(scale.items.begin(), scale.items.end(), item.id) != scale.items.end())
+            notes << StudyPreview::tr("counts for %1").arg(context.in(scale.title));
+    return notes.join(" · ");
+}
 
 curriculum::Questionnaire newest_questionnaire(AppContext& context, const std::string& id) {
     if (const auto published = context.store().definition("questionnaire", id))

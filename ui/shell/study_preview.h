@@ -13,6 +13,12 @@ namespace placode::ui {
 [[nodiscard]] QWidget* make_study_preview(AppContext& context,
                                           const curriculum::StudyProtocol& study);
 
+/// What a participant does not see but who builds a questionnaire must: the condition, reverse
+/// keying, scale scores, "names a person". Empty when there is nothing.
+[[nodiscard]] QString item_notes(AppContext& context,
+                                 const curriculum::Questionnaire& questionnaire,
+                                 const curriculum::QuestionnaireItem& item);
+
 /// The newest published version, else the shipped one. Throws DefinitionError.
 [[nodiscard]] curriculum::Questionnaire newest_questionnaire(AppContext& context,
                                                              const std::string& id);

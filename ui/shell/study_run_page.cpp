@@ -47,7 +47,9 @@ class StudyRunPage : public Page {
                                          .arg(progress_.total),
                                      "muted"));
         column->addWidget(stepsCard());
-        if (const StudyStep* step = protocol_.step(progress_.next))
+        const StudyStep* step =
+            progress_.participant.withdrawal ? nullptr : protocol_.step(progress_.next);
+        if (step != nullptr)
             column->addWidget(stepCard(*step));
         else
             column->addWidget(finishedCard());

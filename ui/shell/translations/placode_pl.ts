@@ -4792,6 +4792,34 @@
         <source>no time limit of the study</source>
         <translation>bez limitu czasu badania</translation>
     </message>
+    <message>
+        <source>a date</source>
+        <translation>data</translation>
+    </message>
+    <message>
+        <source>free text</source>
+        <translation>tekst dowolny</translation>
+    </message>
+    <message>
+        <source>asked only if %1 = %2</source>
+        <translation>tylko gdy %1 = %2</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> lub </translation>
+    </message>
+    <message>
+        <source>reverse-keyed</source>
+        <translation>odwrotnie punktowane</translation>
+    </message>
+    <message>
+        <source>names a person</source>
+        <translation>wskazuje osobę</translation>
+    </message>
+    <message>
+        <source>counts for %1</source>
+        <translation>liczy się do: %1</translation>
+    </message>
 </context>
 <context>
     <name>Analysis</name>
@@ -4883,8 +4911,8 @@
         <translation>Nazwiska pod kodami</translation>
     </message>
     <message>
-        <source>In a file of its own, apart from the data, encrypted under a passphrase. It is in no export and no backup of the store: keep a copy, and the passphrase elsewhere. Whoever loses the passphrase loses the names.</source>
-        <translation>W osobnym pliku, oddzielnie od danych, zaszyfrowane hasłem. Nie ma ich w żadnym eksporcie ani kopii bazy: proszę przechowywać kopię, a hasło w innym miejscu. Kto straci hasło, straci nazwiska.</translation>
+        <source>In a file of its own, apart from the data, encrypted under a passphrase. It is in no export and no backup of the store: keep a copy, and the passphrase elsewhere. Whoever loses the passphrase loses the names. Once there is a key, signatures under consents are sealed: only this file opens them.</source>
+        <translation>W osobnym pliku, oddzielnie od danych, zaszyfrowane hasłem. Nie ma ich w żadnym eksporcie ani kopii bazy: proszę przechowywać kopię, a hasło w innym miejscu. Kto straci hasło, straci nazwiska. Odkąd jest klucz, podpisy pod zgodami są zapieczętowane: otwiera je tylko ten plik.</translation>
     </message>
     <message>
         <source>File of the key</source>
@@ -4941,6 +4969,22 @@
     <message>
         <source>Hide the names</source>
         <translation>Ukryj nazwiska</translation>
+    </message>
+    <message>
+        <source>Signature under the consent of</source>
+        <translation>Podpis pod zgodą</translation>
+    </message>
+    <message>
+        <source>Sealed for another key: open the one of that time.</source>
+        <translation>Zapieczętowano innym kluczem: proszę otworzyć klucz z tamtego czasu.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Pokaż</translation>
+    </message>
+    <message>
+        <source>Showing a signature</source>
+        <translation>Pokazywanie podpisu</translation>
     </message>
 </context>
 <context>
