@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Conduct through the windows: a study of two visits, an amendment while it runs, and the three
+// ways to withdraw.
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <set>
+
+#include "curriculum/questionnaire.h"
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+#include "export_columns.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+namespace {
+
+constexpr const char* kStudy = "two_visits";
+
+/// The shipped study, cut down to what needs no simulator: consent and SUS, twice.
+std::string study_json(int version, const QString& title) {
+    const std::string shipped =
+        (curriculum::data_folder() / "studies" / "face_content_validity.json").string();
+    QJsonObject study =
+        QJsonDocument::fromJson(QByteArray::fromStdString(reports::read_file(shipped))).object();
+    const QJsonObject consent = study["steps"][0].toObject();
+    study["id"] = kStudy;
+    study["version"] = version;
+    study["visits"] = 2;
+    study["title"] = QJsonObject{{"en", title}, {"pl", title}};
+    study["steps"] =
+        QJsonArray{consent, QJsonObject{{"id", "usability"},
+                                        {"kind", "questionnaire"},
+                                        {"title", QJsonObject{{"en", "SUS"}, {"pl", "SUS"}}},
+                                        {"questionnaire", "sus"}}};
+    return QJsonDocument(study).toJson().toStdString();
+}
+
+}  // namespace
+
+class ShellConductTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void aSecondVisitAsksAgainButNotForConsent();
+    void anAmendmentKeepsTheVersionOfWhoIsIn();
+    void withdrawalKeepsStopsOrErases();
+    void onlyUsableDataLeave();
+
+ private:
+    [[nodiscard]] db::Store& store() { return shell_->context().store(); }
+    [[nodiscard]] bool press(const QString& name) {
+        return QTest::qWaitFor(
+                   [&] {
+                       auto* button = shell_->find<QAbstractButton>(name);
+                       return button != nullptr && button->isEnabled();
+                   },
+                   10000) &&
+               shell_->click(name);
+    }
+    [[nodiscard]] db::Progress progress(const std::string& code) {
+        for (const auto& each : db::study_progress(store(), kStudy))
+            if (each.participant.code == code) return each;
+        return {};
+    }
+    void overview();
+    void publish(int version, const QString& title, const QString& reason);
+    /// Enrols and consents on paper; the code.
+    std::string enrol();
+    /// Answers SUS with `point` throughout.
+    void usability(int point);
+    void withdraw(int row, db::WithdrawalMode mode);
+
+    std::unique_ptr<ShellHarness> shell_;
+    std::vector<std::string> codes_;
+};
+
+void ShellConductTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+    QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
+    publish(1, "Two visits", {});
+}
+
+void ShellConductTest::overview() {
+    shell_->window().open({PageId::kStudies, 0, {}, {{"study", kStudy}}});
+    QVERIFY(shell_->arrives(PageId::kStudies));
+}
+
+void ShellConductTest::publish(int version, const QString& title, const QString& reason) {
+    shell_->window().open({PageId::kProtocols, 0, {}, {{"kind", "study"}}});
+    QVERIFY(shell_->arrives(PageId::kProtocols));
+    auto* json = shell_->find<QPlainTextEdit>("definition_json");
+    QVERIFY(json != nullptr);
+    json->setPlainText(QString::fromStdString(study_json(version, title)));
+    if (!reason.isEmpty()) QVERIFY(shell_->type("publish_reason", reason));
+    QVERIFY(press("definition_publish"));
+    QVERIFY2(shell_->bannerSays(QString("version %1 is published").arg(version)),
+             qPrintable(shell_->window().banner().text()));
+    overview();
+}
+
+std::string ShellConductTest::enrol() {
+    if (!press("enrol") || !shell_->arrives(PageId::kStudyRun)) return {};
+    const std::string code = store().participants(kStudy).back().code;
+    for (const auto& statement : curriculum::load_study("face_content_validity").consent.statements)
+        if (!shell_->click("consent_" + QString::fromStdString(statement.id))) return {};
+    shell_->find<QCheckBox>("signed_on_paper")->click();
+    if (!press("consent_given")) return {};
+    const bool on = QTest::qWaitFor([&] { return progress(code).next == "usability"; }, 10000);
+    return on ? code : std::string();
+}
+
+void ShellConductTest::usability(int point) {
+    QVERIFY(press("step_questionnaire"));
+    QVERIFY(shell_->arrives(PageId::kParticipant));
+    for (const auto& item : curriculum::load_questionnaire("sus").items) {
+        auto* radio = shell_->find<QRadioButton>(
+            QString("answer_%1_%2").arg(QString::fromStdString(item.id)).arg(point));
+        QVERIFY2(radio != nullptr, item.id.c_str());
+        radio->click();
+    }
+    QVERIFY(shell_->click("review"));
+    QVERIFY(shell_->click("submit_answers"));
+    QVERIFY(shell_->arrives(PageId::kStudyRun));
+}
+
+void ShellConductTest::aSecondVisitAsksAgainButNotForConsent() {
+    codes_.push_back(enrol());
+    QVERIFY(!codes_[0].empty());
+    usability(3);
+    if (QTest::currentTestFailed()) return;
+    const auto between = progress(codes_[0]);
+    QCOMPARE(between.visit, 2);
+    QCOMPARE(between.next, std::string("usability"));
+    QVERIFY(press("interrupt_run"));  // Comes back another day.
+    overview();
+    auto* table = shell_->find<QTableWidget>("progress_table");
+    QVERIFY(table != nullptr);
+    QCOMPARE(table->item(0, 1)->text(), QString("2 of 3"));
+    table->selectRow(0);
+    QVERIFY(press("continue_participant"));
+    QVERIFY(shell_->arrives(PageId::kStudyRun));
+    QVERIFY(shell_->find<QWidget>("signature") == nullptr);
+    usability(4);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(progress(codes_[0]).next.empty());
+    std::map<int, std::string> by_visit;
+    for (const auto& each : store().answers(kStudy))
+        by_visit[each.visit] = each.answers.begin()->second;
+    QCOMPARE(by_visit, (std::map<int, std::string>{{1, "3"}, {2, "4"}}));
+    QVERIFY(press("run_finished"));
+    QVERIFY(shell_->arrives(PageId::kStudies));
+}
+
+void ShellConductTest::anAmendmentKeepsTheVersionOfWhoIsIn() {
+    publish(2, "Two visits, amended", "the committee asked for another title");
+    if (QTest::currentTestFailed()) return;
+    for (int i = 0; i < 3; ++i) {
+        codes_.push_back(enrol());
+        QVERIFY(!codes_.back().empty());
+        usability(2 + i);
+        if (QTest::currentTestFailed()) return;
+        QVERIFY(press("interrupt_run"));
+        overview();
+    }
+    const auto all = store().participants(kStudy);
+    QCOMPARE(all.at(0).protocol_version, 1);
+    QCOMPARE(all.at(1).protocol_version, 2);
+    QCOMPARE(store().definition("study", kStudy)->reason,
+             std::string("the committee asked for another title"));
+    shell_->whole("69_study_of_two_visits");
+    // The change of theme came back to the same study.
+    QCOMPARE(shell_->find<QComboBox>("study")->currentData().toString(), QString(kStudy));
+}
+
+void ShellConductTest::withdraw(int row, db::WithdrawalMode mode) {
+    overview();
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            auto* shown = shell_->find<QTableWidget>("progress_table");
+            return shown != nullptr && shown->rowCount() == 4;
+        },
+        10000));
+    auto* table = shell_->find<QTableWidget>("progress_table");
+    table->selectRow(row);
+    auto* box = shell_->find<QComboBox>("withdraw_mode");
+    box->setCurrentIndex(box->findData(static_cast<int>(mode)));
+    QVERIFY(shell_->type("withdraw_reason", "not given"));
+    if (mode == db::WithdrawalMode::kErase) shell_->confirmNext();
+    QVERIFY(press("withdraw"));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            auto* now = shell_->find<QTableWidget>("progress_table");
+            return now != nullptr && now->item(row, 4) != nullptr &&
+                   now->item(row, 4)->text().contains("withdrew");
+        },
+        10000));
+}
+
+void ShellConductTest::withdrawalKeepsStopsOrErases() {
+    using db::WithdrawalMode;
+    withdraw(1, WithdrawalMode::kKeep);
+    if (!QTest::currentTestFailed()) withdraw(2, WithdrawalMode::kStop);
+    if (!QTest::currentTestFailed()) withdraw(3, WithdrawalMode::kErase);
+    if (QTest::currentTestFailed()) return;
+    const auto all = store().participants(kStudy);
+    QCOMPARE(all.size(), size_t(4));  // A tombstone stays of everybody.
+    QVERIFY(!all[0].withdrawal);
+    QVERIFY(all[1].withdrawal == WithdrawalMode::kKeep && all[1].usable());
+    QVERIFY(all[2].withdrawal == WithdrawalMode::kStop && !all[2].usable());
+    QVERIFY(all[3].withdrawal == WithdrawalMode::kErase && !all[3].usable());
+    std::map<std::string, int> answers;
+    for (const auto& each : store().answers(kStudy)) ++answers[each.participant];
+    QCOMPARE(answers, (std::map<std::string, int>{{codes_[0], 2}, {codes_[1], 1}, {codes_[2], 1}}));
+    // Who has withdrawn is asked nothing more.
+    shell_->find<QTableWidget>("progress_table")->selectRow(1);
+    QVERIFY(press("continue_participant"));
+    QVERIFY(shell_->arrives(PageId::kStudyRun));
+    QVERIFY(shell_->find<QPushButton>("step_questionnaire") == nullptr);
+    overview();
+    shell_->whole("69_study_withdrawals");
+}
+
+void ShellConductTest::onlyUsableDataLeave() {
+    overview();
+    shell_->save_as = shell_->path("exported");
+    QVERIFY(press("study_export"));
+    QVERIFY(shell_->bannerSays("read back and compared", 60));
+    const Rows rows = table_of(shell_->save_as + "/" + kStudy + "_sus.csv");
+    std::multiset<std::string> who;
+    for (size_t r = 1; r < rows.size(); ++r) who.insert(cell(rows, r, "participant"));
+    QCOMPARE(who, (std::multiset<std::string>{codes_[0], codes_[0], codes_[1]}));
+    const Rows people = table_of(shell_->save_as + "/" + kStudy + "_participants.csv");
+    QCOMPARE(people.size(), size_t(5));
+    QCOMPARE(cell(people, 4, "status"), std::string("3"));
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellConductTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_conduct_test.moc"
