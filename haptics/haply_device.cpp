@@ -10,7 +10,7 @@
 
 #include "haptics/arm_hands.h"
 #include "haptics/axes.h"
-#include "haptics/json_scan.h"
+#include "haptics/haply_message.h"
 #include "haptics/real_time.h"
 #include "haptics/web_socket.h"
 
@@ -21,27 +21,7 @@ namespace {
 constexpr int64_t kSilenceNs = 100'000'000;  // older states count as lost
 constexpr int64_t kOpenNs = 1'500'000'000;   // patience when the program starts,
 constexpr int64_t kNobodyNs = 300'000'000;   // and while nobody even takes the call
-constexpr size_t kMaxFound = 4, kIdLength = 32;
 constexpr std::string_view kHello = R"({"session":{"force_render_full_state":{}}})";
-
-struct Id {
-    std::array<char, kIdLength> text{};
-    void set(std::string_view name) noexcept {
-        text.fill('\0');
-        std::memcpy(text.data(), name.data(), std::min(name.size(), text.size() - 1));
-    }
-    [[nodiscard]] std::string_view view() const noexcept { return text.data(); }
-};
-
-/// An arm or a grip as the service describes it.
-struct Found {
-    Id id;
-    Vec3 position = Vec3::Zero();  // axes of the device
-    Quat orientation = Quat::Identity();
-    uint32_t buttons = 0;
-    bool left = false, handed = false, calibrated = false, ready = false;
-    int64_t seen_ns = 0;
-};
 
 class HaplyDevice final : public ArmHands {
  public:
@@ -67,7 +47,7 @@ class HaplyDevice final : public ArmHands {
     void sense(int64_t t_ns, std::span<ArmSample> samples) noexcept override {
         pump(t_ns);
         for (size_t a = 0; a < samples.size(); ++a) {
-            const Found* arm = arm_of(a);
+            const HaplyFound* arm = arm_of(a);
             if (arm == nullptr || t_ns - arm->seen_ns > kSilenceNs ||
                 socket_.state() != WebSocket::State::kOpen)
                 continue;  // lost
@@ -76,12 +56,12 @@ class HaplyDevice final : public ArmHands {
                 arm->calibrated && arm->ready ? DeviceStatus::kReady : DeviceStatus::kNotCalibrated;
             sample.held = true;  // the arm does not know; its force begins by a ramp
             sample.position_m = axes_ * arm->position;
-            if (a < grip_count_ && t_ns - grips_[a].seen_ns <= kSilenceNs) {
-                const Quat& q = grips_[a].orientation;
+            if (a < parts_.grip_count && t_ns - parts_.grips[a].seen_ns <= kSilenceNs) {
+                const Quat& q = parts_.grips[a].orientation;
                 sample.orientation = q;
                 // Turn about the grip's own long axis.
                 sample.roll_rad = 2 * std::atan2(q.z(), q.w());
-                sample.buttons = grips_[a].buttons;
+                sample.buttons = parts_.grips[a].buttons;
             }
         }
     }
@@ -97,7 +77,7 @@ class HaplyDevice final : public ArmHands {
             DeviceInfo info;
             info.vendor = "Haply";
             info.model = "Inverse3";
-            if (const Found* arm = arm_of(a)) info.serial = arm->id.view();
+            if (const HaplyFound* arm = arm_of(a)) info.serial = arm->id.view();
             info.driver = "Inverse service";
             info.dof_sensed = 3;
             info.dof_force = 3;
@@ -110,10 +90,10 @@ class HaplyDevice final : public ArmHands {
 
  private:
     // The arm with the wanted id; without one, the first of the wanted side.
-    [[nodiscard]] const Found* arm_of(size_t a) const noexcept {
+    [[nodiscard]] const HaplyFound* arm_of(size_t a) const noexcept {
         const bool left = hands_[a] == sim::Hand::kLeft && hands_.size() > 1;
-        for (size_t i = 0; i < arm_count_; ++i) {
-            const Found& arm = arms_[i];
+        for (size_t i = 0; i < parts_.arm_count; ++i) {
+            const HaplyFound& arm = parts_.arms[i];
             const bool side = hands_.size() == 1 || arm.left == left;
             if (wanted_[a].view().empty() ? side : arm.id.view() == wanted_[a].view()) return &arm;
         }
@@ -124,7 +104,11 @@ class HaplyDevice final : public ArmHands {
         const int64_t until = monotonic_ns() + kOpenNs;
         bool all = false;
         const int64_t nobody = monotonic_ns() + kNobodyNs;
-        while (!all && monotonic_ns() < (socket_.connections() == 0 ? nobody : until)) {
+        // Where nobody listens the call is refused at once; who took it may be busy.
+        const auto taken = [&] {
+            return socket_.connections() > 0 || socket_.state() == WebSocket::State::kShaking;
+        };
+        while (!all && monotonic_ns() < (taken() ? until : nobody)) {
             pump(monotonic_ns());
             send_forces();
             all = true;
@@ -133,7 +117,7 @@ class HaplyDevice final : public ArmHands {
         }
         if (!all) throw DeviceError(absent(station));
         for (size_t a = 0; a < hands_.size(); ++a) {
-            const Found& arm = *arm_of(a);
+            const HaplyFound& arm = *arm_of(a);
             const bool left = hands_[a] == sim::Hand::kLeft;
             if (!wanted_[a].view().empty() && arm.handed && arm.left != left)
                 throw DeviceError("haply: the station file names " + std::string(arm.id.view()) +
@@ -150,9 +134,9 @@ class HaplyDevice final : public ArmHands {
                    "/. Install and start the Haply Inverse service 3.5 or newer; its address can "
                    "be changed by haply.host and haply.port in the station file.";
         std::string found;
-        for (size_t i = 0; i < arm_count_; ++i)
-            found += (i > 0 ? ", " : "") + std::string(arms_[i].id.view()) +
-                     (arms_[i].left ? " (left)" : " (right)");
+        for (size_t i = 0; i < parts_.arm_count; ++i)
+            found += (i > 0 ? ", " : "") + std::string(parts_.arms[i].id.view()) +
+                     (parts_.arms[i].left ? " (left)" : " (right)");
         return "haply: the Inverse service at " + place + " runs, but not every arm is there; it " +
                "shows " + (found.empty() ? "none" : found) +
                ". Plug in and switch on the Inverse3, or change haply.right and haply.left.";
@@ -163,110 +147,14 @@ class HaplyDevice final : public ArmHands {
         if (socket_.state() == WebSocket::State::kOpen && greeted_ != socket_.connections() &&
             socket_.send_text(kHello)) {
             greeted_ = socket_.connections();
-            for (Found& arm : arms_) arm.calibrated = arm.ready = false;
+            for (HaplyFound& arm : parts_.arms) arm.calibrated = arm.ready = false;
         }
         std::string_view text;
-        while (socket_.next_message(text)) read_message(text, t_ns);
-    }
-
-    void read_message(std::string_view text, int64_t t_ns) noexcept {
-        JsonScan scan(text);
-        scan.object([&](std::string_view key) {
-            if (key == "inverse3")
-                scan.array([&] { read_one(scan, t_ns, arms_, arm_count_); });
-            else if (key.find("verse_grip") != std::string_view::npos)
-                scan.array([&] { read_one(scan, t_ns, grips_, grip_count_); });
-        });
-    }
-
-    // Reads into a spare place first: the id may come after the state.
-    void read_one(JsonScan& scan, int64_t t_ns, std::array<Found, kMaxFound>& found,
-                  size_t& count) noexcept {
-        JsonScan ahead = scan;
-        Id id;
-        ahead.object([&](std::string_view key) {
-            if (key == "device_id") id.set(ahead.text());
-        });
-        if (id.view().empty()) return;
-        size_t place = 0;
-        while (place < count && found[place].id.view() != id.view()) ++place;
-        if (place == found.size()) return;
-        Found& one = found[place];
-        if (place == count) {
-            one = {};
-            one.id = id;
-            ++count;
-        }
-        scan.object([&](std::string_view key) {
-            if (key == "config") read_config(scan, one);
-            if (key == "state") read_state(scan, one, t_ns);
-            if (key == "status") read_status(scan, one);
-        });
-    }
-
-    static void read_config(JsonScan& scan, Found& one) noexcept {
-        scan.object([&](std::string_view key) {
-            if (key != "handedness") return;
-            const std::string_view side = scan.text();
-            one.handed = side == "left" || side == "right";
-            one.left = side == "left";
-        });
-    }
-
-    static void read_status(JsonScan& scan, Found& one) noexcept {
-        scan.object([&](std::string_view key) {
-            if (key == "calibrated") one.calibrated = scan.truth(false);
-            if (key == "ready") one.ready = scan.truth(false);
-        });
-    }
-
-    static void read_state(JsonScan& scan, Found& one, int64_t t_ns) noexcept {
-        const double none = std::nan("");
-        scan.object([&](std::string_view key) {
-            if (key == "cursor_position") {
-                Vec3 position(none, none, none);
-                scan.object([&](std::string_view axis) {
-                    if (axis.size() == 1 && axis[0] >= 'x' && axis[0] <= 'z')
-                        position[axis[0] - 'x'] = scan.number(none);
-                });
-                one.position = position;  // a part that is missing is a doubt
-                one.seen_ns = t_ns;
-            } else if (key == "orientation") {
-                double w = none, x = none, y = none, z = none;
-                scan.object([&](std::string_view part) {
-                    if (part == "w") w = scan.number(none);
-                    if (part == "x") x = scan.number(none);
-                    if (part == "y") y = scan.number(none);
-                    if (part == "z") z = scan.number(none);
-                });
-                const Quat q(w, x, y, z);
-                if (q.coeffs().allFinite() && q.norm() > 0.5) one.orientation = q.normalized();
-                one.seen_ns = t_ns;
-            } else if (key == "buttons") {
-                one.buttons = read_buttons(scan);
-            } else if (key == "button") {
-                one.buttons = scan.truth(false) ? 1u : 0u;
-            }
-        });
-    }
-
-    // {a, b, c, home}, {button_0..3} or one {button}.
-    static uint32_t read_buttons(JsonScan& scan) noexcept {
-        uint32_t held = 0;
-        scan.object([&](std::string_view key) {
-            int bit = -1;
-            if (key == "a" || key == "button_0" || key == "button") bit = 0;
-            if (key == "b" || key == "button_1") bit = 1;
-            if (key == "c" || key == "button_2") bit = 2;
-            if (key == "home" || key == "button_3") bit = 3;
-            if (bit < 0) return;
-            if (scan.truth(false) || scan.number(0) > 0.5) held |= 1u << bit;
-        });
-        return held;
+        while (socket_.next_message(text)) parts_.read(text, t_ns);
     }
 
     void send_forces() noexcept {
-        if (arm_count_ == 0) {
+        if (parts_.arm_count == 0) {
             // Nothing is known yet: ask, or the service stays silent.
             if (greeted_ > 0 && greeted_ == socket_.connections()) socket_.send_text(kHello);
             return;
@@ -286,7 +174,7 @@ class HaplyDevice final : public ArmHands {
         put(R"({"inverse3":[)");
         bool first = true;
         for (size_t a = 0; a < hands_.size(); ++a) {
-            const Found* arm = arm_of(a);
+            const HaplyFound* arm = arm_of(a);
             if (arm == nullptr) continue;
             const Vec3 force = axes_.transpose() * last_[a].force_n;
             if (!first) put(",");
@@ -306,13 +194,12 @@ class HaplyDevice final : public ArmHands {
     }
 
     std::vector<sim::Hand> hands_;
-    std::array<Id, kMaxArms> wanted_;
+    std::array<HaplyId, kMaxArms> wanted_;
     Mat3 axes_;
     double max_force_n_;
     WebSocket socket_;
     uint32_t greeted_ = 0;
-    std::array<Found, kMaxFound> arms_, grips_;
-    size_t arm_count_ = 0, grip_count_ = 0;
+    HaplyParts parts_;
     std::array<ArmForce, kMaxArms> last_;
 };
 
