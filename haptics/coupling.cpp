@@ -27,7 +27,8 @@ Coupling::Coupling(const CouplingSettings& settings) noexcept
       tip_velocity_(settings.velocity_cutoff_hz),
       watchdog_(settings.fade_after_s, settings.zero_after_s),
       tool_velocity_(settings.velocity_cutoff_hz),
-      passivity_(settings.passivity_ns_m, settings.passivity_store_j, settings.passivity_dead_j),
+      passivity_(settings.passivity_ns_m, settings.passivity_store_j, settings.passivity_dead_j,
+                 settings.passivity_forgiven_w),
       heat_(settings) {}
 
 bool Coupling::plausible(const DeviceState& device, double dt_s) const noexcept {
@@ -152,7 +153,7 @@ bool Coupling::trust(int64_t t_ns, const DeviceState& device, const Vec3& tip_m,
     if (seen_ && dt_s > 0) {
         velocity_.update(moved, dt_s);
         tip_velocity_.update(tip_m - last_tip_, dt_s);
-        passivity_.observe(sent_, moved);
+        passivity_.observe(sent_, moved, dt_s);
         heat_.observe(sent_, dt_s);
     }
     seen_ = true;

@@ -54,6 +54,19 @@ TEST(PortBench, ComesToRestOnAWallInEveryDirection) {
     }
 }
 
+TEST(PortBench, GivesNoEnergyWhileItRestsForAMinute) {
+    for (const Grip& grip : grips()) {
+        PortCase what;
+        what.grip = grip;
+        what.seconds = 60;
+        const PortResult result = run_port(what);
+        EXPECT_GE(result.least_energy_j, -0.5e-3) << grip.name;
+        // Less than half a step of the encoder: nothing buzzes.
+        EXPECT_LT(result.peak_to_peak_m, 27e-6) << grip.name;
+        EXPECT_EQ(result.certificate.passivity, 0u) << grip.name << ": nothing to take back";
+    }
+}
+
 TEST(PortBench, ComesToRestOnTheTissueSolver) {
     for (const Grip& grip : grips()) {
         PortCase what;

@@ -23,9 +23,9 @@ TEST(VelocityFilter, ReachesASteadySpeedAndForgetsIt) {
 
 TEST(PassivityController, CountsTheEnergyOfAHeldForceExactly) {
     PassivityController port(20, 1.0);
-    port.observe(Vec3(0, 0, 2), Vec3(0, 0, -0.001));  // pushed against: absorbed
+    port.observe(Vec3(0, 0, 2), Vec3(0, 0, -0.001), 1e-3);  // pushed against: absorbed
     EXPECT_DOUBLE_EQ(port.energy_j(), 0.002);
-    port.observe(Vec3(0, 0, 2), Vec3(0, 0, 0.003));  // pushed along: given
+    port.observe(Vec3(0, 0, 2), Vec3(0, 0, 0.003), 1e-3);  // pushed along: given
     EXPECT_DOUBLE_EQ(port.energy_j(), -0.004);
     EXPECT_DOUBLE_EQ(port.least_j(), -0.004);
 }
@@ -36,20 +36,39 @@ TEST(PassivityController, TakesBackWhatIsMissingAndNoMore) {
     const Vec3 force(0, 0, 1), slow(0, 0, 0.0005), fast(0, 0, 0.1);
     EXPECT_EQ(port.correct(force, fast, 1e-3, acted), force);
     EXPECT_FALSE(acted) << "no energy is missing";
-    port.observe(Vec3(0, 0, 1), Vec3(0, 0, 1e-5));  // 10 uJ created
+    port.observe(Vec3(0, 0, 1), Vec3(0, 0, 1e-5), 1e-3);  // 10 uJ created
     EXPECT_EQ(port.correct(force, slow, 1e-3, acted), force) << "below 1 mm/s it is noise";
     const Vec3 damped = port.correct(force, fast, 1e-3, acted);
     EXPECT_TRUE(acted);
     // a = 1e-5 / (1e-3 x 0.01) = 1 N s/m takes exactly 10 uJ back within the tick.
     EXPECT_NEAR((force - damped).dot(fast) * 1e-3, 1e-5, 1e-12);
-    port.observe(Vec3(0, 0, 1), Vec3(0, 0, 0.01));
+    port.observe(Vec3(0, 0, 1), Vec3(0, 0, 0.01), 1e-3);
     EXPECT_NEAR((force - port.correct(force, fast, 1e-3, acted)).norm(), 20 * 0.1, 1e-9)
         << "the damping has a limit";
 }
 
+// At rest an encoder jumps between two steps, and what is missing creeps: that is forgiven. What a
+// law that is unstable gives is not.
+TEST(PassivityController, ForgivesTheCreepOfAnEncoder) {
+    for (const auto& [power_w, acts] : {std::pair{1e-4, false}, std::pair{1e-2, true}}) {
+        PassivityController port(20, 0.005, 2e-5, 2e-4);
+        bool acted = false, ever = false;
+        for (int i = 0; i < 2000; ++i) {
+            port.observe(Vec3(0, 0, 1), Vec3(0, 0, 1e-3 * power_w), 1e-3);
+            (void)port.correct(Vec3(0, 0, 1), Vec3(0, 0, 0.02), 1e-3, acted);
+            ever = ever || acted;
+        }
+        EXPECT_EQ(ever, acts) << power_w;
+    }
+    PassivityController port(20, 0.005, 0, 2e-4);
+    port.observe(Vec3(0, 0, 1), Vec3(0, 0, 1e-3), 1e-3);
+    for (int i = 0; i < 10'000; ++i) port.observe(Vec3::Zero(), Vec3::Zero(), 1e-3);
+    EXPECT_EQ(port.energy_j(), 0) << "forgiven, never turned into a surplus";
+}
+
 TEST(PassivityController, ForgetsSurplus) {
     PassivityController port(20, 0.005);
-    for (int i = 0; i < 100; ++i) port.observe(Vec3(0, 0, 1), Vec3(0, 0, -0.01));
+    for (int i = 0; i < 100; ++i) port.observe(Vec3(0, 0, 1), Vec3(0, 0, -0.01), 1e-3);
     EXPECT_DOUBLE_EQ(port.energy_j(), 0.005);
 }
 

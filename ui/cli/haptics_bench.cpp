@@ -189,6 +189,14 @@ void HapticsBench::run_walls() {
             if (grip.name == "light" && direction.z() == -1) wall = result;
         }
     }
+    double minute = 0;
+    for (const haptics::Grip& grip : haptics::grips()) {
+        PortCase what;
+        what.grip = grip;
+        what.seconds = 60;
+        minute = std::min(minute, haptics::run_port(what).least_energy_j);
+    }
+    check("wall, a minute at rest: least port energy [J]", minute, kEnergyJ, false);
     check("wall, 3 grips x 4 directions: oscillation [m]", worst.oscillation_m, kRestM);
     check("wall: least port energy [J]", worst.energy_j, kEnergyJ, false);
     check("wall: energy given at rest [J/s]", worst.drift_j_s, kDriftJS);
