@@ -3,6 +3,7 @@
 // Two independent groups: U, its exact permutation distribution, and effect sizes.
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_t.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -126,7 +127,11 @@ double exact_p(std::span<const double> ranks, size_t n1, double rank_sum) {
 
 /// Noncentrality at which the cdf of t equals p.
 double noncentrality(double t, double df, double p) {
-    double low = t - 40, high = t + 40;
+    if (t < 0) return -noncentrality(-t, df, 1 - p);
+    // Far out the normal part of t is nothing beside the noncentrality: t = nc / sqrt(chi2 / df).
+    if (t > 500)
+        return t * std::sqrt(boost::math::quantile(boost::math::chi_squared(df), 1 - p) / df);
+    double low = t - 40, high = 4 * t + 40;  // With one degree of freedom up to 2.24 t.
     for (int i = 0; i < 200; ++i) {
         const double middle = 0.5 * (low + high);
         const double value = boost::math::cdf(boost::math::non_central_t(df, middle), t);

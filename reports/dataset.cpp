@@ -155,12 +155,18 @@ void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset
         if (group.empty()) ++versions[record.questionnaire_id];
         group.push_back(&record);
     }
+    int visits = 1;
+    for (const db::AnswerRecord& record : data.answers) visits = std::max(visits, record.visit);
     for (const auto& [key, records] : groups) {
         const auto questionnaire = questionnaire_of(store, key.first, key.second);
         Form form = questionnaire_form(questionnaire, options);
         if (versions[key.first] > 1) form.name += "_v" + std::to_string(key.second);
         for (const db::AnswerRecord* record : records)
             form.rows.push_back(answer_row(questionnaire, form, *record));
+        if (visits > 1) {
+            size_t next = 0;  // The rows stand in the order of the records still.
+            add_visits(form, visits, [&](const Row&) { return records[next++]->visit; });
+        }
         number_rows(form);
         data.questionnaire_json[key.first + "_v" + std::to_string(key.second)] = questionnaire.json;
         data.forms.push_back(std::move(form));
@@ -262,6 +268,8 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     add_questionnaires(store, options, data);
     std::vector<std::string> owners;
     std::set<int64_t> seen;
+    std::map<int64_t, const db::StepRecord*> step_of;
+    int visits = 1;
     auto steps = store.steps(study_id);
     std::stable_sort(steps.begin(), steps.end(),
                      [](const auto& a, const auto& b) { return a.participant < b.participant; });
@@ -273,8 +281,18 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
         if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
         data.attempts.push_back(store.attempt(step.attempt_id));
         owners.push_back(step.participant);
+        step_of[step.attempt_id] = &step;
+        visits = std::max(visits, step.visit);
     }
-    if (!data.attempts.empty()) data.forms.push_back(attempts_form(data.attempts, owners));
+    if (!data.attempts.empty()) {
+        Form form = attempts_form(data.attempts, owners);
+        form.fields.insert(form.fields.begin(), text_field("step", "Step of the protocol"));
+        for (Row& row : form.rows) row.values["step"] = step_of.at(row.attempt_id)->step;
+        if (visits > 1)
+            add_visits(form, visits,
+                       [&](const Row& row) { return step_of.at(row.attempt_id)->visit; });
+        data.forms.push_back(std::move(form));
+    }
     finish(data);
     return data;
 }

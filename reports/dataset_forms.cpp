@@ -63,6 +63,15 @@ void number_rows(Form& form) {
     }
 }
 
+void add_visits(Form& form, int visits, const std::function<int(const Row&)>& visit_of) {
+    std::vector<Code> codes;
+    for (int visit = 1; visit <= visits; ++visit)
+        codes.push_back({visit, "visit " + std::to_string(visit)});
+    const std::string id = form.field("visit") == nullptr ? "visit" : "visit_number";
+    form.fields.insert(form.fields.begin(), code_field(id, "Visit", std::move(codes)));
+    for (Row& row : form.rows) row.values[id] = std::to_string(visit_of(row));
+}
+
 Form participants_form(const std::vector<db::ParticipantRecord>& all,
                        const std::map<std::string, db::RecordState>& states,
                        const std::optional<curriculum::StudyProtocol>& protocol,

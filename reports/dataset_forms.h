@@ -4,6 +4,7 @@
 // Forms of a data set that are no questionnaire: participants with the care of their records, and
 // attempts (declared in dataset.h).
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -17,6 +18,10 @@ namespace placode::reports {
 [[nodiscard]] Field text_field(const std::string& id, const std::string& label);
 /// Sorts by participant and counts the rows of each; a form with a second row repeats.
 void number_rows(Form& form);
+/// Puts the visit in front of a form's fields: "visit", or "visit_number" where an item is called
+/// so.
+/// @param visit_of number of a row's visit, from 1.
+void add_visits(Form& form, int visits, const std::function<int(const Row&)>& visit_of);
 /// @param states by code; a record that was never locked nor signed may be absent.
 [[nodiscard]] Form participants_form(const std::vector<db::ParticipantRecord>& all,
                                      const std::map<std::string, db::RecordState>& states,

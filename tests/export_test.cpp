@@ -150,6 +150,30 @@ TEST_F(Export, TheChecksumsOfTheBundleAreThoseOfSha256sum) {
     EXPECT_EQ(read_text(out("s1_bundle/definitions/kinds_v1.json")), kQuestionnaire);
 }
 
+TEST_F(Export, VisitsAndStepsAreToldInEveryFormat) {
+    db::AnswerRecord record;
+    record.study_id = "s1";
+    record.participant = codes[1];
+    record.questionnaire_id = "kinds";
+    record.answered_utc = "2026-11-22T10:15:00Z";
+    record.visit = 2;
+    record.answers = {{"by", "1"}, {"B", "2"}, {"used", "0"}};
+    store->save_answers(record);
+    for (const auto& format : reports::export_formats()) {
+        if (std::string(format.name) == "motion-bids") continue;
+        EXPECT_NO_THROW(export_dataset(source(), format.name, out(format.name))) << format.name;
+    }
+    const Rows rows = reports::parse_csv(read_text(out("csv/s1_kinds.csv")));
+    ASSERT_EQ(rows.size(), 5u);
+    std::map<std::string, std::string> visit_of;
+    for (size_t r = 1; r < rows.size(); ++r)
+        if (at(rows, r, "participant") == codes[1])
+            visit_of[at(rows, r, "B")] = at(rows, r, "visit");
+    EXPECT_EQ(visit_of, (std::map<std::string, std::string>{{"1", "1"}, {"2", "2"}}));
+    EXPECT_EQ(at(reports::parse_csv(read_text(out("csv/s1_attempts.csv"))), 1, "step"),
+              "procedure_1");
+}
+
 TEST_F(Export, WhoWithdrewAndWantedItIsInNoFile) {
     store->withdraw("s1", codes[1], db::WithdrawalMode::kStop, "asked for it");
     write("csv");

@@ -60,6 +60,18 @@ TEST(SmallSamples, AGroupOfOneValueIsTestedByRanks) {
     EXPECT_TRUE(std::isnan(same.p_asymptotic_cc) && std::isnan(same.cohens_d));
 }
 
+TEST(SmallSamples, TheIntervalOfAnEnormousEffectGrowsWithIt) {
+    // One degree of freedom: the far end is d sqrt(chi2(0.975; 1)) in the limit, where R's pt (good
+    // up to a noncentrality of 37.6) and a search within a fixed distance of t both fall short.
+    for (const double far : {60.0, 300.0, 600.0, 1e9}) {
+        const MannWhitney got = mann_whitney(std::vector{0.0, 1.0}, std::vector{-far});
+        EXPECT_NEAR(got.cohens_d_ci95.high / got.cohens_d, 2.2414, 0.01) << far;
+        const MannWhitney turned = mann_whitney(std::vector{-far}, std::vector{0.0, 1.0});
+        EXPECT_NEAR(turned.cohens_d_ci95.low, -got.cohens_d_ci95.high,
+                    1e-9 * got.cohens_d_ci95.high);
+    }
+}
+
 TEST(SmallSamples, ThreePairsCorrelateWithoutAnInterval) {
     const json want = wanted("correlation_three_pairs");
     const Correlation got = correlation(numbers(want["x"]), numbers(want["y"]));

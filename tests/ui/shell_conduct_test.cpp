@@ -239,8 +239,10 @@ void ShellConductTest::onlyUsableDataLeave() {
     QVERIFY(shell_->bannerSays("read back and compared", 60));
     const Rows rows = table_of(shell_->save_as + "/" + kStudy + "_sus.csv");
     std::multiset<std::string> who;
-    for (size_t r = 1; r < rows.size(); ++r) who.insert(cell(rows, r, "participant"));
-    QCOMPARE(who, (std::multiset<std::string>{codes_[0], codes_[0], codes_[1]}));
+    for (size_t r = 1; r < rows.size(); ++r)
+        who.insert(cell(rows, r, "participant") + " " + cell(rows, r, "visit"));
+    QCOMPARE(who,
+             (std::multiset<std::string>{codes_[0] + " 1", codes_[0] + " 2", codes_[1] + " 1"}));
     const Rows people = table_of(shell_->save_as + "/" + kStudy + "_participants.csv");
     QCOMPARE(people.size(), size_t(5));
     QCOMPARE(cell(people, 4, "status"), std::string("3"));
