@@ -77,14 +77,15 @@ std::string from_the_end(const char* column, int number, const char* none) {
 std::map<Key, std::vector<assessment::TrialOutcome>> read_last(Connection& connection,
                                                                const AttemptConditions& where) {
     const int n = assessment::kStuckTrials;
+    // Materialized: PostgreSQL would look for the beginning again for every attempt.
     Statement query(
         connection,
-        "SELECT f.account_id, f.task_id, x.points, x.verdict FROM (SELECT "
-        "g.account_id, g.task_id, " +
+        "WITH f AS MATERIALIZED (SELECT g.account_id, g.task_id, " +
             from_the_end("started_utc", n, "''") + " AS from_utc, " + from_the_end("id", n, "0") +
             " AS from_id FROM (SELECT t.account_id, t.task_id FROM attempts t" + finished(where) +
-            " GROUP BY t.account_id, t.task_id) g) f JOIN attempts x ON x.account_id = "
-            "f.account_id AND x.task_id = f.task_id AND " +
+            " GROUP BY t.account_id, t.task_id) g) SELECT f.account_id, f.task_id, x.points, "
+            "x.verdict FROM f JOIN attempts x ON x.account_id = f.account_id AND x.task_id = "
+            "f.task_id AND " +
             is_finished("x") +
             " AND (x.started_utc, x.id) >= (f.from_utc, f.from_id) ORDER BY "
             "f.account_id, f.task_id, x.started_utc, x.id");

@@ -9,6 +9,7 @@
 #include "reports/figure.h"
 #include "reports/plot_parts.h"
 #include "reports/text.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 namespace {
@@ -39,7 +40,7 @@ void draw_axes(QPainter& painter, const Panel& panel, const QString& name, bool 
         draw_text(painter, QRectF(panel.x.at(trial) - 20, panel.plot.bottom() + 3, 40, 14),
                   Qt::AlignCenter, QString::number(trial), style.muted, 11);
     draw_text(painter, QRectF(panel.plot.left(), panel.plot.bottom() + 18, panel.plot.width(), 14),
-              Qt::AlignCenter, QStringLiteral("attempt"), style.muted, 11);
+              Qt::AlignCenter, figure_word("attempt"), style.muted, 11);
 }
 
 void draw_line(QPainter& painter, const Panel& panel, const std::vector<double>& values, int first,
@@ -97,21 +98,23 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
             low = std::min(low, value), high = std::max(high, value);
     }
     sums.y = {low - 0.5, high + 0.5, sums.plot.bottom(), sums.plot.top()};
-    draw_axes(painter, scores, QStringLiteral("score [points of 100]"), false, style);
-    draw_limit(painter, scores, pass_points, QStringLiteral("pass at ") + number(pass_points, 0),
+    draw_axes(painter, scores, figure_word("score [points of 100]"), false, style);
+    draw_limit(painter, scores, pass_points, figure_word("pass at %1").arg(number(pass_points, 0)),
                style);
     for (const LearningLine& line : lines)
         draw_line(painter, scores, line.points, 1, QPen(colour(style.muted), 0.8), 1.6);
     draw_line(painter, scores, means_of(lines), 1, QPen(colour(style.accent), 2.4), 3.4);
-    draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, 150, 16), Qt::AlignLeft,
-              QStringLiteral("thick: mean of all"), style.accent, 11);
-    draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, 150, 16), Qt::AlignLeft,
-              QStringLiteral("thin: each person"), style.muted, 11);
-    draw_axes(painter, sums, QStringLiteral("CUSUM of attempts not passed"), true, style);
-    draw_limit(painter, sums, limits.h1_upper, "h1 " + number(limits.h1_upper, 2) + " unacceptable",
-               style);
-    draw_limit(painter, sums, limits.h0_lower, "h0 " + number(limits.h0_lower, 2) + " acceptable",
-               style);
+    if (lines.size() > 1) {
+        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 34, 150, 16), Qt::AlignLeft,
+                  figure_word("thick: mean of all"), style.accent, 11);
+        draw_text(painter, QRectF(right + 6, scores.plot.bottom() - 18, 150, 16), Qt::AlignLeft,
+                  figure_word("thin: each person"), style.muted, 11);
+    }
+    draw_axes(painter, sums, figure_word("CUSUM of attempts not passed"), true, style);
+    draw_limit(painter, sums, limits.h1_upper,
+               figure_word("h1 %1 unacceptable").arg(number(limits.h1_upper, 2)), style);
+    draw_limit(painter, sums, limits.h0_lower,
+               figure_word("h0 %1 acceptable").arg(number(limits.h0_lower, 2)), style);
     for (const auto& path : paths)
         draw_line(painter, sums, path, 0, QPen(colour(style.muted), 0.9), 1.6);
 }

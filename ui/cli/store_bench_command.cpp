@@ -278,8 +278,10 @@ int run(const Context& context, Options options) {
     else
         shell = time_shell_pages(url, *store, load.first_user + load.users / 2);
     for (const ShellPage& each : shell.pages)
-        bench.rows.push_back({"Shell: " + each.page, "opened by " + each.who, 1, each.first_ms,
-                              each.median_ms, each.worst_ms, kPageLimitMs});
+        bench.rows.push_back(
+            {"Shell: " + each.page,
+             "opened by " + each.who + ", processor " + fixed(each.processor_ms, 0) + " ms", 1,
+             each.first_ms, each.median_ms, each.worst_ms, kPageLimitMs});
     const bool kept = memory_mb <= kMemoryLimitMb && shell.peak_memory_mb <= kMemoryLimitMb &&
                       std::all_of(bench.rows.begin(), bench.rows.end(),
                                   [](const Row& row) { return row.kept(); });

@@ -46,6 +46,7 @@ class AdmissionsPage : public Page {
         row->setSpacing(kSpace16);
         note_ = new QLineEdit;
         note_->setObjectName("invite_note");
+        note_->setMinimumWidth(160);
         row->addLayout(make_field(tr("For whom"), note_), 2);
         role_ = new QComboBox;
         role_->setObjectName("invite_role");
@@ -55,6 +56,9 @@ class AdmissionsPage : public Page {
         row->addLayout(make_field(tr("As"), role_), 1);
         group_ = new QComboBox;
         group_->setObjectName("invite_group");
+        // The longest name of a group must not push the rest off a small screen.
+        group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        group_->setMinimumWidth(140);
         group_->addItem(tr("no group"), 0);
         for (const db::GroupRecord& group : context_.store().groups())
             group_->addItem(qstr(group.name), QVariant::fromValue<qint64>(group.id));
@@ -68,8 +72,8 @@ class AdmissionsPage : public Page {
         QPushButton* invite = make_button(context_, tr("Make a code"), "primary", "plus");
         invite->setObjectName("invite");
         connect(invite, &QPushButton::clicked, this, [this] { this->invite(); });
-        row->addWidget(invite, 0, Qt::AlignBottom);
         layout->addLayout(row);
+        layout->addWidget(invite, 0, Qt::AlignLeft);
         code_ = new QLineEdit;
         code_->setObjectName("invitation_code");
         code_->setReadOnly(true);

@@ -46,7 +46,9 @@ class AssignCard : public QFrame {
     }
 
  private:
-    QHBoxLayout* fields() {
+    QVBoxLayout* fields() {
+        auto* both = new QVBoxLayout;
+        both->setSpacing(kSpace12);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         target_ = new QComboBox;
@@ -70,11 +72,12 @@ class AssignCard : public QFrame {
         has_due_->setChecked(true);
         connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
         row->addWidget(has_due_, 0, Qt::AlignBottom);
+        both->addLayout(row);
         QPushButton* assign = make_button(context_, tr("Assign"), "primary", "plus");
         assign->setObjectName("assign_course");
         connect(assign, &QPushButton::clicked, this, [this] { this->assign(); });
-        row->addWidget(assign, 0, Qt::AlignBottom);
-        return row;
+        both->addWidget(assign, 0, Qt::AlignLeft);
+        return both;
     }
 
     static QDateEdit* date(const QDate& day, const char* object) {

@@ -59,19 +59,23 @@ class ResultPage : public Page {
         verdict->setObjectName("result_verdict");
         line->addWidget(verdict);
         line->addStretch();
-        addButtons(line, own);
         layout->addLayout(line);
         QStringList facts{task_title(context_, record.task_id), format_when(record.started_utc),
                           format_duration(record.duration_s), device_name(record.device),
                           end_word(record.end)};
         if (!own) facts.prepend(qstr(record.user_name));
-        // The badges stand beside the facts: the line above is full of buttons at 1280 pixels.
         auto* below = new QHBoxLayout;
         below->setSpacing(kSpace12);
         if (!record.exam.course_id.empty()) below->addWidget(make_badge(tr("Exam"), "warn"));
         if (record.demonstration) below->addWidget(make_demonstration_badge());
         below->addWidget(make_label(facts.join(" · "), "muted"), 1);
         layout->addLayout(below);
+        // A line of their own: beside the points they are wider than a small screen.
+        auto* buttons = new QHBoxLayout;
+        buttons->setSpacing(kSpace8);
+        addButtons(buttons, own);
+        buttons->addStretch();
+        layout->addLayout(buttons);
         if (record.end == sim::EndReason::kInterrupted) {
             layout->addWidget(make_label(
                 tr("The attempt was interrupted: it is kept, and does not count for the course."),

@@ -68,7 +68,7 @@ class WatchPage : public Page {
         if (record_.user_id != context_.user().id) facts.prepend(qstr(record_.user_name));
         // A blinded rater sees neither name nor day.
         if (blinded_) facts = QStringList{task_title(context_, record_.task_id)};
-        head->addWidget(make_label(facts.join(" · "), "heading"), 1);
+        head->addWidget(make_label(facts.join(" · "), "heading"), 1);  // Wraps.
         QPushButton* back =
             make_button(context_, blinded_ ? tr("Back to the ratings") : tr("Back to the result"),
                         "quiet", "back");
@@ -89,6 +89,7 @@ class WatchPage : public Page {
         said_ = make_label({}, "muted");
         said_->setObjectName("replay_said");
         foot->addWidget(said_, 1);
+        foot->addWidget(closeButton());
         layout->addLayout(foot);
         bar_ = new QProgressBar;
         bar_->setTextVisible(false);
@@ -137,11 +138,14 @@ class WatchPage : public Page {
                 [this] { replay_->setSpeed(speed_->currentData().toDouble()); });
         row->addWidget(speed_);
         row->addStretch();
+        return row;
+    }
+
+    QPushButton* closeButton() {
         close_ = make_button(context_, tr("Close the window"), "secondary", "stop");
         close_->setObjectName("replay_close");
         connect(close_, &QPushButton::clicked, this, [this] { replay_->stop(); });
-        row->addWidget(close_);
-        return row;
+        return close_;
     }
 
     QPushButton* jumpButton(const QString& text, const char* name, double seconds) {

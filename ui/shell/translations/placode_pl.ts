@@ -966,6 +966,26 @@
         <source>cut at %1</source>
         <translation>próg %1</translation>
     </message>
+    <message>
+        <source>thick: mean of all</source>
+        <translation>gruba: średnia wszystkich</translation>
+    </message>
+    <message>
+        <source>thin: each person</source>
+        <translation>cienka: każda osoba</translation>
+    </message>
+    <message>
+        <source>CUSUM of attempts not passed</source>
+        <translation>CUSUM niezaliczonych prób</translation>
+    </message>
+    <message>
+        <source>h1 %1 unacceptable</source>
+        <translation>h1 %1 nie do przyjęcia</translation>
+    </message>
+    <message>
+        <source>h0 %1 acceptable</source>
+        <translation>h0 %1 do przyjęcia</translation>
+    </message>
 </context>
 <context>
     <name>HealthPage</name>
@@ -6466,6 +6486,10 @@
     <message>
         <source>Fewer than %1 judges: a first orientation.</source>
         <translation>Mniej niż %1 sędziów: tylko wstępna orientacja.</translation>
+    </message>
+    <message>
+        <source>%1 (critical error)</source>
+        <translation>%1 (błąd krytyczny)</translation>
     </message>
 </context>
 <context>
