@@ -3,6 +3,7 @@
 #include "curriculum/operator_sight.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace placode::curriculum {
 
@@ -12,6 +13,7 @@ using sim::Vec3;
 
 constexpr double kPieceShare = 0.3;   // of the marked volume: less is a shred, not the piece
 constexpr double kBegunShare = 0.85;  // of the marked volume left: look anew where to take hold
+constexpr int kLineParts = 32;        // of the planned line, looked at in turn
 constexpr double kAboutM = 5e-4;      // around the place to take hold: how high the tissue is there
 
 Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
@@ -29,6 +31,16 @@ OperatorSight::OperatorSight(const sim::Scene& scene)
     for (size_t t = 0; t < scene.marked.size(); ++t) {
         if (scene.marked[t]) marked_.push_back(static_cast<int32_t>(t));
     }
+    const sim::TetMesh& mesh = scene.body.mesh();
+    for (size_t t = 0; t < mesh.tets.size() && t < mesh.tissue.size(); ++t) {
+        if (mesh.tissue[t] != sim::Tissue::kPlacode) continue;
+        placode_vertices_.insert(placode_vertices_.end(), mesh.tets[t].begin(), mesh.tets[t].end());
+    }
+    std::sort(placode_vertices_.begin(), placode_vertices_.end());
+    placode_vertices_.erase(std::unique(placode_vertices_.begin(), placode_vertices_.end()),
+                            placode_vertices_.end());
+    placode_gap_m_.fill(1);
+    contour_gap_m_.assign(contour_.size(), 1.0F);
 }
 
 /// Where points of a line lie now, and the normals there.
@@ -99,8 +111,30 @@ void OperatorSight::look_at_marked(const sim::State& state) noexcept {
     grasp_place_[0] = place;
 }
 
+/// The placode is red, what surrounds it is not: how near each tip and the planned line are to it.
+void OperatorSight::look_at_placode(const sim::State& state) noexcept {
+    const auto nearest = [&](const Vec3& point) {
+        double squared = 1;
+        for (const int32_t v : placode_vertices_) {
+            const Vec3 x = to_vec3(state.body.x[static_cast<size_t>(v)]);
+            squared = std::min(squared, (x - point).squaredNorm());
+        }
+        return std::sqrt(squared);
+    };
+    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
+        placode_gap_m_[i] = nearest(state.tools[i].proxy.p) - scene_.tools[i].tip_radius_m;
+    }
+    // A part of the line at every look: half a second for all of it.
+    const size_t n = contour_.size(), part = static_cast<size_t>(looks_++ % kLineParts);
+    for (size_t i = part; i < n; i += kLineParts) {
+        contour_gap_m_[i] = static_cast<float>(nearest(contour_[i]));
+    }
+}
+
 void OperatorSight::look(const sim::State& state) noexcept {
     look_at(state, scene_.contour_anchors, contour_, contour_normal_);
+    look_at_placode(state);
     look_at(state, scene_.resection.anchors, outline_, outline_normal_);
     if (outline_.empty()) return;
     look_at(state, {&scene_.resection.grasp_anchor, 1}, grasp_place_, grasp_normal_);
@@ -125,6 +159,8 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
     seen.outline_normal = outline_normal_;
     seen.outline_cut = state.resection.cut;
     seen.grasp_place_m = grasp_place_[0];
+    seen.contour_placode_gap_m = contour_gap_m_;
+    seen.placode_gap_m = placode_gap_m_;
     seen.marked_left = left_share_;
     seen.marked_held = held_share_;
     for (size_t i = 0; i < scene_.tools.size(); ++i) {

@@ -4,6 +4,7 @@
 // What a scripted operator sees of the tissue: what a person would see on the screen, as often as
 // the screen is refreshed. Allocates in the constructor only.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -26,11 +27,16 @@ class OperatorSight {
     void look_at(const sim::State& state, std::span<const sim::ContourAnchor> anchors,
                  std::vector<sim::Vec3>& points, std::vector<sim::Vec3>& normals) const noexcept;
     void look_at_marked(const sim::State& state) noexcept;
+    void look_at_placode(const sim::State& state) noexcept;
 
     const sim::Scene& scene_;
     std::vector<sim::Vec3> contour_, contour_normal_, outline_, outline_normal_;
     std::vector<sim::Vec3> grasp_place_, grasp_normal_;
-    std::vector<int32_t> marked_;  // tets
+    std::vector<int32_t> marked_;            // tets
+    std::vector<int32_t> placode_vertices_;  // of the placode's tets
+    std::array<double, sim::kMaxTools> placode_gap_m_{};
+    std::vector<float> contour_gap_m_;
+    int looks_ = 0;
     double left_share_ = 1, held_share_ = 0;
 };
 

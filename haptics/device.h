@@ -68,9 +68,10 @@ struct DeviceCommand {
 /// What a scripted operator is allowed to see: what a person sees on the screen.
 struct Perception {
     double time_s = 0;
-    std::span<const Vec3> contour;         ///< Planned contour where it lies now, in W [m].
-    std::span<const Vec3> contour_normal;  ///< Outward surface normals there.
-    std::span<const uint8_t> contour_cut;  ///< 1 = cut there.
+    std::span<const Vec3> contour;                 ///< Planned contour where it lies now, in W [m].
+    std::span<const Vec3> contour_normal;          ///< Outward surface normals there.
+    std::span<const uint8_t> contour_cut;          ///< 1 = cut there.
+    std::span<const float> contour_placode_gap_m;  ///< From there to the placode; may be empty.
     std::span<const sim::ToolFeedback> tools;
     float cut_fraction = 0;
     std::span<const uint8_t> sector_free;  ///< 1 = free, by sim::sector_of.
@@ -85,8 +86,10 @@ struct Perception {
     double marked_left = 1;                ///< Share of the marked tissue that still hangs on.
     double marked_held = 0;                ///< Share of it that lies loose in the jaws.
     std::array<bool, sim::kMaxTools> touches{}, holds{};  ///< Per tool.
-    std::array<double, sim::kMaxTools> pull_n{};          ///< Traction of jaws that hold.
-    bool piece_free = false;  ///< What the jaws hold hangs on nothing any more.
+    /// Distance of each tip to the placode [m]; far where none is seen.
+    std::array<double, sim::kMaxTools> placode_gap_m{1, 1, 1, 1};
+    std::array<double, sim::kMaxTools> pull_n{};  ///< Traction of jaws that hold.
+    bool piece_free = false;                      ///< What the jaws hold hangs on nothing any more.
     int pieces_out = 0;
     sim::PracticeGoal practice;  ///< Steps of a practice task: what to do now, and where.
 };

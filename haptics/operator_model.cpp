@@ -22,7 +22,8 @@ constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
 constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac is open.
 constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
 constexpr double kLongAgoS = 1e3;
-constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
+constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the tip makes room
+constexpr double kForgetContourS = 4;                // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);
@@ -49,6 +50,7 @@ void OperatorModel::remember(const Perception& seen) {
         learn(seen);
         tries_.assign(n, 0);
         heated_s_.assign(n, -kLongAgoS);
+        at_placode_.assign(n, 0);
         cut_.assign(n, 0);
         arc_.assign(n + 1, 0.0);
     }
@@ -56,6 +58,8 @@ void OperatorModel::remember(const Perception& seen) {
     seen_s_ = seen.time_s;
     for (size_t i = 0; i < n; ++i) {
         cut_[i] = i < seen.contour_cut.size() ? seen.contour_cut[i] : 0;
+        at_placode_[i] = i < seen.contour_placode_gap_m.size() &&
+                         static_cast<double>(seen.contour_placode_gap_m[i]) < profile_.clear_m;
         const Vec3 drift = seen.contour[i] - contour_[i];
         const bool near_tip = (contour_[i] - tip_m_).norm() < kNearTipM;
         if (cut_[i] == 0 && !near_tip && drift.norm() < kMostDriftM) contour_[i] += share * drift;
@@ -115,6 +119,7 @@ void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
     }
     contact_ = seen.in_contact;
     force_n_ = own.force_n.allFinite() ? own.force_n.norm() : 0;
+    placode_gap_m_ = seen.placode_gap_m[0];
     if (start_m_ < 0 && n > 2) {  // Caudal start: the end of the ring nearest to the operator.
         size_t first = 0;
         for (size_t i = 1; i < n; ++i)
@@ -159,7 +164,9 @@ bool OperatorModel::plan_run(double from_m) noexcept {
     const size_t n = contour_.size();
     if (n < 3) return false;
     const size_t first = index(from_m);
-    const auto open = [this](size_t i) { return cut_[i] == 0 && tries_[i] < profile_.tries; };
+    const auto open = [this](size_t i) {
+        return cut_[i] == 0 && tries_[i] < profile_.tries && at_placode_[i] == 0;
+    };
     for (size_t k = 0; k < n; ++k) {
         if (!open((first + k) % n)) continue;
         size_t m = k;
@@ -261,7 +268,7 @@ bool OperatorModel::cooling() const noexcept {
 
 // Depth by touch: deeper where there is no contact, back where the force is too high.
 void OperatorModel::press(double dt_s) noexcept {
-    if (!wanted() || cooling())
+    if (!wanted() || cooling() || too_near())
         press_ = std::max(press_ - 0.004 * dt_s, -2e-4);
     else if (force_n_ > profile_.force_limit_n)
         press_ -= 0.004 * dt_s;
@@ -281,7 +288,7 @@ void OperatorModel::pedal_habits(double dt_s) noexcept {
         burst_s_ = 0;
         return;
     }
-    pedal_ = skip_m_ <= 0 && wanted() && !cooling();
+    pedal_ = skip_m_ <= 0 && wanted() && !cooling() && !too_near();
     burst_s_ += dt_s;
     if (burst_s_ > profile_.burst_s) pause_s_ = profile_.pause_s;
     if (hold_s_ <= 0 && random_.uniform() < profile_.hesitate_hz * dt_s)
@@ -310,7 +317,7 @@ void OperatorModel::advance(double dt_s) noexcept {
     s_m_ += step;
     const size_t after = index(s_m_);
     if (after != before) {
-        if (pedal_ && tries_[before] < 255) ++tries_[before];
+        if ((pedal_ || too_near()) && tries_[before] < 255) ++tries_[before];
         if (pedal_) heated_s_[before] = time_s_;
         if (skip_m_ <= 0 && waited_s_ >= profile_.wait_s) waited_s_ = 0;
     }
@@ -344,15 +351,22 @@ void OperatorModel::slip(double dt_s) noexcept {
     }
 }
 
+// Over an opened sac the placode may lie closer to the line than planned: the tip goes further out.
+void OperatorModel::keep_clear(double dt_s) noexcept {
+    const double short_of = std::clamp(profile_.clear_m - placode_gap_m_, 0.0, kMostClearM);
+    clear_out_m_ += (short_of - clear_out_m_) * std::min(1.0, dt_s / kClearS);
+}
+
 void OperatorModel::do_cut(double dt_s) noexcept {
     press(dt_s);
+    keep_clear(dt_s);
     pedal_habits(dt_s);
     slip(dt_s);
     if (slip_s_ < 0) advance(dt_s);
     const Frame f = frame(s_m_);
     const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
     const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean -
-                          (passes_ > 0 ? profile_.second_out_m : 0);
+                          (passes_ > 0 ? profile_.second_out_m : 0) - clear_out_m_;
     tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
     if (s_m_ < run_.end_m + kOverrunM) return;
     // End of the piece: the next one may be near enough to go on.

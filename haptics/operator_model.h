@@ -62,6 +62,8 @@ class OperatorModel {
     void do_lift(double dt_s) noexcept;
     [[nodiscard]] bool wanted() const noexcept;
     [[nodiscard]] bool cooling() const noexcept;
+    [[nodiscard]] bool too_near() const noexcept { return placode_gap_m_ < profile_.clear_m; }
+    void keep_clear(double dt_s) noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
     void slip(double dt_s) noexcept;
@@ -77,12 +79,13 @@ class OperatorModel {
     std::vector<uint8_t> cut_;
     std::vector<double> arc_;  // of each point; arc_.back() = length of the closed ring
     std::vector<uint8_t> tries_;
-    std::vector<double> heated_s_;  // when the current was last on there
-    double sunk_m_ = 0;  // how much lower the whole line lies than remembered
+    std::vector<double> heated_s_;     // when the current was last on there
+    std::vector<uint8_t> at_placode_;  // the line lies on it there, or next to it
+    double sunk_m_ = 0;                // how much lower the whole line lies than remembered
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
-    double force_n_ = 0, seen_s_ = 0;
+    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, clear_out_m_ = 0;
     // What is done.
     Stage stage_ = Stage::kLook;
     double time_s_ = 0, stage_s_ = 0;

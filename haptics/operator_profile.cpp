@@ -19,6 +19,7 @@ OperatorProfile expert() {
     p.wander_m = 7e-5;
     p.wander_inward_m = -2.5e-4;  // Keeps a little outside the line: heat runs inwards as well.
     p.second_out_m = 1.5e-4;
+    p.clear_m = 9e-4;
     p.cool_s = 12;
     p.tries = 4;
     p.lean_out_m = 5e-4;
@@ -60,6 +61,7 @@ OperatorProfile intermediate() {
     p.aim_error_m = 1e-3;
     p.notice_gap_m = 6e-4;
     p.second_care = 0.5;
+    p.clear_m = 4e-4;
     p.cool_s = 3;
     p.tries = 4;
     p.patience_s = 80;

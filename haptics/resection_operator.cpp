@@ -53,6 +53,7 @@ void ResectionOperator::see(const Perception& seen) {
         const auto needle = static_cast<size_t>(tools_.needle);
         Perception own = seen;
         own.in_contact = seen.touches[needle];
+        own.placode_gap_m[0] = seen.placode_gap_m[needle];
         // Over an opened sac the ring is a means: a placode that is free all round needs no more
         // energy.
         if (ring_->has_sunk() && seen.released >= 1) ring_->stop();
