@@ -15,6 +15,7 @@ constexpr double kWatchBehindM = 8e-4;  // Where the eye checks the cut: behind 
 constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
 constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
 constexpr double kSlipS = 0.7;          // A slip, out and back.
+constexpr double kMostSlideM = 1e-3;    // so far
 constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up.
 constexpr size_t kNormalSpan = 7;       // Points over which the surface's direction is judged.
 constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
@@ -238,7 +239,7 @@ void OperatorModel::do_descend(double dt_s) noexcept {
     press_ = -lift_m_;
     burst_s_ = 0;
     pause_s_ = profile_.settle_s;
-    speed_ = waited_s_ = hold_s_ = skip_m_ = 0;
+    speed_ = waited_s_ = hold_s_ = skip_m_ = slid_m_ = 0;
     stage(Stage::kCut);
 }
 
@@ -315,6 +316,7 @@ void OperatorModel::advance(double dt_s) noexcept {
     const size_t before = index(s_m_);
     const double step = speed_ * dt_s;
     s_m_ += step;
+    slid_m_ = wanted() ? 0 : slid_m_ + step;
     const size_t after = index(s_m_);
     if (after != before) {
         if ((pedal_ || too_near()) && tries_[before] < 255) ++tries_[before];
@@ -357,6 +359,15 @@ void OperatorModel::keep_clear(double dt_s) noexcept {
     clear_out_m_ += (short_of - clear_out_m_) * std::min(1.0, dt_s / kClearS);
 }
 
+/// Nothing of the line from here to there lies at the placode.
+bool OperatorModel::clear_until(double s_m) const noexcept {
+    const size_t n = contour_.size();
+    for (size_t i = index(s_m_); i != index(s_m); i = (i + 1) % n) {
+        if (at_placode_[i] != 0) return false;
+    }
+    return true;
+}
+
 void OperatorModel::do_cut(double dt_s) noexcept {
     press(dt_s);
     keep_clear(dt_s);
@@ -368,13 +379,15 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean -
                           (passes_ > 0 ? profile_.second_out_m : 0) - clear_out_m_;
     tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
-    if (s_m_ < run_.end_m + kOverrunM) return;
+    // What came free meanwhile is not slid along: over an opened sac it lies elsewhere by now.
+    const bool stop = at_placode_[index(s_m_)] != 0 || (has_sunk_ && slid_m_ > kMostSlideM);
+    if (s_m_ < run_.end_m + kOverrunM && !stop) return;
     // End of the piece: the next one may be near enough to go on.
     const double here = s_m_;
     ++passes_;
     if (plan_run(here - kOverrunM) && passes_ > 1) {
         const double ahead = wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
-        if (ahead < kNearM) {
+        if (ahead < kNearM && !stop && clear_until(here + ahead)) {
             const double length = run_.end_m - run_.begin_m;
             run_.begin_m = here + ahead;
             run_.end_m = run_.begin_m + length;

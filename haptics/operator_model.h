@@ -64,6 +64,7 @@ class OperatorModel {
     [[nodiscard]] bool cooling() const noexcept;
     [[nodiscard]] bool too_near() const noexcept { return placode_gap_m_ < profile_.clear_m; }
     void keep_clear(double dt_s) noexcept;
+    [[nodiscard]] bool clear_until(double s_m) const noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
     void slip(double dt_s) noexcept;
@@ -97,7 +98,8 @@ class OperatorModel {
     int pieces_left_ = 0;
     double rest_s_ = 0;  // still to wait
     double speed_ = 0, speed_noise_ = 0, wander_ = 0, wander_smooth_ = 0, slip_offset_ = 0;
-    double waited_s_ = 0, hold_s_ = 0, skip_m_ = 0, burst_s_ = 0, pause_s_ = 0, contact_s_ = 0;
+    double waited_s_ = 0, hold_s_ = 0, skip_m_ = 0, slid_m_ = 0, burst_s_ = 0, pause_s_ = 0,
+           contact_s_ = 0;
     double press_ = 0, early_lift_m_ = 0;
     int passes_ = 0, slips_left_ = 0;
     double slip_at_m_ = -1, slip_s_ = -1;
