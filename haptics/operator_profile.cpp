@@ -28,7 +28,7 @@ OperatorProfile expert() {
     p.wait_s = 0.3;
     p.burst_s = 3;
     p.pause_s = 0.3;
-    p.patience_s = 100;
+    p.patience_s = 140;
     return p;
 }
 
