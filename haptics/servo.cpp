@@ -60,10 +60,10 @@ struct Servo::Impl {
     Exchange exchange;
     Counters counters;
     std::atomic<bool> finish{false}, running{false}, releasing{false}, released{false},
-        real_time{false}, paused{false};
+        real_time{false}, paused{false}, locked{false}, own_scheduler{false};
     // Owner.
     std::thread thread;
-    bool locked = false, was_started = false, stopped = false, own_scheduler = false;
+    bool was_started = false, stopped = false;
 
     void tick_hand(size_t i, int64_t t_ns, sim::ToolInput& input,
                    const sim::ToolFeedback& feedback) noexcept;
