@@ -13,7 +13,6 @@ using sim::Vec3;
 
 constexpr double kPieceShare = 0.3;   // of the marked volume: less is a shred, not the piece
 constexpr double kBegunShare = 0.85;  // of the marked volume left: look anew where to take hold
-constexpr int kLineParts = 32;        // of the planned line, looked at in turn
 constexpr double kAboutM = 5e-4;      // around the place to take hold: how high the tissue is there
 
 Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
@@ -40,7 +39,6 @@ OperatorSight::OperatorSight(const sim::Scene& scene)
     placode_vertices_.erase(std::unique(placode_vertices_.begin(), placode_vertices_.end()),
                             placode_vertices_.end());
     placode_gap_m_.fill(1);
-    contour_gap_m_.assign(contour_.size(), 1.0F);
 }
 
 /// Where points of a line lie now, and the normals there.
@@ -111,30 +109,23 @@ void OperatorSight::look_at_marked(const sim::State& state) noexcept {
     grasp_place_[0] = place;
 }
 
-/// The placode is red, what surrounds it is not: how near each tip and the planned line are to it.
+/// The placode is red, what surrounds it is not: how near each tip is to it.
 void OperatorSight::look_at_placode(const sim::State& state) noexcept {
-    const auto nearest = [&](const Vec3& point) {
+    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
+        const Vec3 tip = state.tools[i].proxy.p;
         double squared = 1;
         for (const int32_t v : placode_vertices_) {
             const Vec3 x = to_vec3(state.body.x[static_cast<size_t>(v)]);
-            squared = std::min(squared, (x - point).squaredNorm());
+            squared = std::min(squared, (x - tip).squaredNorm());
         }
-        return std::sqrt(squared);
-    };
-    for (size_t i = 0; i < scene_.tools.size(); ++i) {
-        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
-        placode_gap_m_[i] = nearest(state.tools[i].proxy.p) - scene_.tools[i].tip_radius_m;
-    }
-    // A part of the line at every look: half a second for all of it.
-    const size_t n = contour_.size(), part = static_cast<size_t>(looks_++ % kLineParts);
-    for (size_t i = part; i < n; i += kLineParts) {
-        contour_gap_m_[i] = static_cast<float>(nearest(contour_[i]));
+        placode_gap_m_[i] = std::sqrt(squared) - scene_.tools[i].tip_radius_m;
     }
 }
 
 void OperatorSight::look(const sim::State& state) noexcept {
-    look_at(state, scene_.contour_anchors, contour_, contour_normal_);
     look_at_placode(state);
+    look_at(state, scene_.contour_anchors, contour_, contour_normal_);
     look_at(state, scene_.resection.anchors, outline_, outline_normal_);
     if (outline_.empty()) return;
     look_at(state, {&scene_.resection.grasp_anchor, 1}, grasp_place_, grasp_normal_);
@@ -159,7 +150,6 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
     seen.outline_normal = outline_normal_;
     seen.outline_cut = state.resection.cut;
     seen.grasp_place_m = grasp_place_[0];
-    seen.contour_placode_gap_m = contour_gap_m_;
     seen.placode_gap_m = placode_gap_m_;
     seen.marked_left = left_share_;
     seen.marked_held = held_share_;

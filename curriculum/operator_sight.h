@@ -35,8 +35,6 @@ class OperatorSight {
     std::vector<int32_t> marked_;            // tets
     std::vector<int32_t> placode_vertices_;  // of the placode's tets
     std::array<double, sim::kMaxTools> placode_gap_m_{};
-    std::vector<float> contour_gap_m_;
-    int looks_ = 0;
     double left_share_ = 1, held_share_ = 0;
 };
 

@@ -68,10 +68,9 @@ struct DeviceCommand {
 /// What a scripted operator is allowed to see: what a person sees on the screen.
 struct Perception {
     double time_s = 0;
-    std::span<const Vec3> contour;                 ///< Planned contour where it lies now, in W [m].
-    std::span<const Vec3> contour_normal;          ///< Outward surface normals there.
-    std::span<const uint8_t> contour_cut;          ///< 1 = cut there.
-    std::span<const float> contour_placode_gap_m;  ///< From there to the placode; may be empty.
+    std::span<const Vec3> contour;         ///< Planned contour where it lies now, in W [m].
+    std::span<const Vec3> contour_normal;  ///< Outward surface normals there.
+    std::span<const uint8_t> contour_cut;  ///< 1 = cut there.
     std::span<const sim::ToolFeedback> tools;
     float cut_fraction = 0;
     std::span<const uint8_t> sector_free;  ///< 1 = free, by sim::sector_of.

@@ -15,8 +15,8 @@ constexpr double kWatchBehindM = 8e-4;  // Where the eye checks the cut: behind 
 constexpr double kOverrunM = 5e-4;      // A piece is cut past both of its ends.
 constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on without lifting.
 constexpr double kSlipS = 0.7;          // A slip, out and back.
-constexpr double kMostSlideM = 1e-3;    // so far
-constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up.
+constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up,
+constexpr double kMostSlideM = 1e-3;    // and over an opened sac no further than that.
 constexpr size_t kNormalSpan = 7;       // Points over which the surface's direction is judged.
 constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
 constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
@@ -51,7 +51,6 @@ void OperatorModel::remember(const Perception& seen) {
         learn(seen);
         tries_.assign(n, 0);
         heated_s_.assign(n, -kLongAgoS);
-        at_placode_.assign(n, 0);
         cut_.assign(n, 0);
         arc_.assign(n + 1, 0.0);
     }
@@ -59,8 +58,6 @@ void OperatorModel::remember(const Perception& seen) {
     seen_s_ = seen.time_s;
     for (size_t i = 0; i < n; ++i) {
         cut_[i] = i < seen.contour_cut.size() ? seen.contour_cut[i] : 0;
-        at_placode_[i] = i < seen.contour_placode_gap_m.size() &&
-                         static_cast<double>(seen.contour_placode_gap_m[i]) < profile_.clear_m;
         const Vec3 drift = seen.contour[i] - contour_[i];
         const bool near_tip = (contour_[i] - tip_m_).norm() < kNearTipM;
         if (cut_[i] == 0 && !near_tip && drift.norm() < kMostDriftM) contour_[i] += share * drift;
@@ -165,9 +162,7 @@ bool OperatorModel::plan_run(double from_m) noexcept {
     const size_t n = contour_.size();
     if (n < 3) return false;
     const size_t first = index(from_m);
-    const auto open = [this](size_t i) {
-        return cut_[i] == 0 && tries_[i] < profile_.tries && at_placode_[i] == 0;
-    };
+    const auto open = [this](size_t i) { return cut_[i] == 0 && tries_[i] < profile_.tries; };
     for (size_t k = 0; k < n; ++k) {
         if (!open((first + k) % n)) continue;
         size_t m = k;
@@ -243,12 +238,15 @@ void OperatorModel::do_descend(double dt_s) noexcept {
     stage(Stage::kCut);
 }
 
+size_t OperatorModel::overrun_points() const noexcept {
+    return static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(contour_.size()))) +
+           1;
+}
+
 // On a second pass most of the line is done: energy only where something is left.
 bool OperatorModel::wanted() const noexcept {
     if (passes_ == 0) return true;
-    const size_t n = contour_.size();
-    const size_t reach =
-        static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(n))) + 1;
+    const size_t n = contour_.size(), reach = overrun_points();
     for (size_t k = 0; k <= 2 * reach; ++k)
         if (cut_[(index(s_m_) + 2 * n + k - reach) % n] == 0) return true;
     return false;
@@ -258,9 +256,7 @@ bool OperatorModel::wanted() const noexcept {
 bool OperatorModel::cooling() const noexcept {
     if (passes_ == 0 || !wanted()) return false;
     const size_t n = contour_.size(), here = index(s_m_);
-    const size_t reach =
-        static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(n))) + 1;
-    for (size_t k = 1; k <= reach; ++k) {
+    for (size_t k = 1; k <= overrun_points(); ++k) {
         const size_t ahead = (here + k) % n;
         if (cut_[ahead] == 0 && time_s_ - heated_s_[ahead] < profile_.cool_s) return true;
     }
@@ -359,15 +355,6 @@ void OperatorModel::keep_clear(double dt_s) noexcept {
     clear_out_m_ += (short_of - clear_out_m_) * std::min(1.0, dt_s / kClearS);
 }
 
-/// Nothing of the line from here to there lies at the placode.
-bool OperatorModel::clear_until(double s_m) const noexcept {
-    const size_t n = contour_.size();
-    for (size_t i = index(s_m_); i != index(s_m); i = (i + 1) % n) {
-        if (at_placode_[i] != 0) return false;
-    }
-    return true;
-}
-
 void OperatorModel::do_cut(double dt_s) noexcept {
     press(dt_s);
     keep_clear(dt_s);
@@ -380,14 +367,14 @@ void OperatorModel::do_cut(double dt_s) noexcept {
                           (passes_ > 0 ? profile_.second_out_m : 0) - clear_out_m_;
     tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
     // What came free meanwhile is not slid along: over an opened sac it lies elsewhere by now.
-    const bool stop = at_placode_[index(s_m_)] != 0 || (has_sunk_ && slid_m_ > kMostSlideM);
+    const bool stop = has_sunk_ && slid_m_ > kMostSlideM;
     if (s_m_ < run_.end_m + kOverrunM && !stop) return;
     // End of the piece: the next one may be near enough to go on.
     const double here = s_m_;
     ++passes_;
     if (plan_run(here - kOverrunM) && passes_ > 1) {
         const double ahead = wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
-        if (ahead < kNearM && !stop && clear_until(here + ahead)) {
+        if (ahead < kNearM && !stop) {
             const double length = run_.end_m - run_.begin_m;
             run_.begin_m = here + ahead;
             run_.end_m = run_.begin_m + length;

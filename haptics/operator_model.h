@@ -54,6 +54,7 @@ class OperatorModel {
     [[nodiscard]] bool plan_run(double from_m) noexcept;
     [[nodiscard]] Frame frame(double s_m) const noexcept;
     [[nodiscard]] size_t index(double s_m) const noexcept;
+    [[nodiscard]] size_t overrun_points() const noexcept;  ///< Of the line, in kOverrunM.
     [[nodiscard]] double wrapped(double s_m) const noexcept;
     void begin_move(const Vec3& from_m) noexcept;
     void do_move(double dt_s) noexcept;
@@ -64,7 +65,6 @@ class OperatorModel {
     [[nodiscard]] bool cooling() const noexcept;
     [[nodiscard]] bool too_near() const noexcept { return placode_gap_m_ < profile_.clear_m; }
     void keep_clear(double dt_s) noexcept;
-    [[nodiscard]] bool clear_until(double s_m) const noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
     void slip(double dt_s) noexcept;
@@ -80,9 +80,8 @@ class OperatorModel {
     std::vector<uint8_t> cut_;
     std::vector<double> arc_;  // of each point; arc_.back() = length of the closed ring
     std::vector<uint8_t> tries_;
-    std::vector<double> heated_s_;     // when the current was last on there
-    std::vector<uint8_t> at_placode_;  // the line lies on it there, or next to it
-    double sunk_m_ = 0;                // how much lower the whole line lies than remembered
+    std::vector<double> heated_s_;  // when the current was last on there
+    double sunk_m_ = 0;             // how much lower the whole line lies than remembered
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
