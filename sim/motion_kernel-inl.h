@@ -52,15 +52,13 @@ HWY_INLINE size_t BeginMotion(const MotionArguments& a, size_t first, size_t las
     const D d;
     const size_t points = hn::Lanes(d) / 4;
     const V h = hn::Set(d, a.h), zero = hn::Zero(d);
-    const V fall = EveryPoint(a.fall_m), gravity = EveryPoint(a.fall_m_s);
+    const V gravity = EveryPoint(a.fall_m_s);
     const M point = PointLanes();
     for (; first + points <= last; first += points) {
         const V x = hn::LoadU(d, &a.x[first].x), v = hn::LoadU(d, &a.v[first].x);
         V g;
         if (!AllFinite(hn::Add(x, v)) || !GuessGravity(a, first, points, gravity, g)) break;
         hn::StoreU(x, d, &a.x_start[first].x);
-        const V target = hn::Add(x, hn::MulAdd(h, v, fall));
-        hn::StoreU(hn::IfThenElseZero(point, target), d, &a.target[first].x);
         const M moves = hn::And(point, hn::Gt(hn::Broadcast<3>(x), zero));
         hn::StoreU(hn::IfThenElse(moves, hn::MulAdd(h, hn::Add(v, g), x), x), d, &a.x[first].x);
     }

@@ -46,15 +46,16 @@ struct TetBatch {
 };
 
 struct PackedElements {
-    // VBD. Batches of colour c: [colour_start[c], colour_start[c + 1]); behind the last colour
-    // follow vertices that the sweep leaves out (fixed, tethered) but whose forces are asked for.
+    // VBD. Batches of job j: [job_start[j], job_start[j + 1]), one after the other; behind the last
+    // job follow vertices that the sweep leaves out (fixed, tethered) but whose forces are asked
+    // for. Jobs, phases and colours: VertexPlan.
     std::vector<VertexBatch> batches;
-    std::vector<int32_t> colour_start;
-    std::vector<int64_t> cost;      ///< Steps before batch b (batches + 1), to share out work.
-    AlignedVector<uint16_t> strip;  ///< (steps x 16) as VertexBatch::self
-    std::vector<uint16_t> keep;     ///< (steps) bit per lane: 1 = keep the older vertex of the pair
-    AlignedVector<float> springs;   ///< (spring batches x 13 x 16)
-    std::vector<int32_t> slot;      ///< (V) 16 batch + lane
+    std::vector<int32_t> job_start, phase_start;
+    std::vector<int32_t> job, colour;  ///< (V) -1 = left out
+    AlignedVector<uint16_t> strip;     ///< (steps x 16) as VertexBatch::self
+    std::vector<uint16_t> keep;    ///< (steps) bit per lane: 1 = keep the older vertex of the pair
+    AlignedVector<float> springs;  ///< (spring batches x 13 x 16)
+    std::vector<int32_t> slot;     ///< (V) 16 batch + lane
     std::vector<int32_t> corner_lane;      ///< (4 T) place of s of this corner in the state's lanes
     std::vector<uint8_t> corner_sign;      ///< (T) bit per corner: 1 = its q is negative
     std::vector<float> edge_weight_n_m;    ///< (6 T) mu V a, edges 01 02 03 12 13 23

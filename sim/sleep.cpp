@@ -64,10 +64,10 @@ void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept
         sleep.chunk[at(v / kChunk)] = 1;
         sleep.vertex_asleep[at(v)] = 0;
     };
-    for (size_t c = 0; c + 1 < packed.colour_start.size(); ++c) {
+    for (size_t j = 0; j + 1 < packed.job_start.size(); ++j) {
         const auto first_run = static_cast<int32_t>(awake.batches.size());
-        awake.colour_start[c] = first_run;
-        for (int32_t b = packed.colour_start[c]; b < packed.colour_start[c + 1]; ++b) {
+        awake.job_start[j] = first_run;
+        for (int32_t b = packed.job_start[j]; b < packed.job_start[j + 1]; ++b) {
             const VertexBatch& batch = packed.batches[at(b)];
             if (!batch_awake(sleep, batch)) continue;
             for (int lane = 0; lane < batch.count; ++lane) stays_awake(batch.vertex[at(lane)]);
@@ -79,8 +79,12 @@ void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept
                 awake.batches.push_back({b, b + 1});
         }
     }
-    awake.colour_start.back() = static_cast<int32_t>(awake.batches.size());
+    awake.job_start.back() = static_cast<int32_t>(awake.batches.size());
     for (const int32_t v : sleep.unblocked) stays_awake(v);
+    for (int32_t v = body.vertex_count(); v < (state.topology ? state.topology->vertices : 0);
+         ++v) {
+        stays_awake(v);
+    }
     const auto end = static_cast<int32_t>(state.x.size());
     for (int32_t i = 0; i < static_cast<int32_t>(sleep.chunk.size()); ++i) {
         if (sleep.chunk[at(i)] == 0) continue;
@@ -157,8 +161,7 @@ void fall_asleep(SoftBodyState& state, Sleep& sleep, int b) noexcept {
     for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
         const auto v = at(sleep.member[at(i)]);
         state.v[v] = {};
-        state.x_start[v] = state.target[v] = state.x[v];
-        state.target[v].w = 0;
+        state.x_start[v] = state.x[v];
     }
     for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
         sleep.before[at(i)] = place(state.x[at(sleep.border[at(i)])]);
@@ -177,7 +180,7 @@ Sleep::Sleep(const SoftBody& body) {
     std::vector<uint8_t> fixed(at(vertices), 0);
     for (const int32_t v : body.spec().fixed) fixed[at(v)] = 1;
     const PackedElements& packed = body.packed();
-    const int32_t swept = packed.colour_start.back();
+    const int32_t swept = packed.job_start.back();
     std::vector<int32_t> order;
     for (int32_t v = 0; v < vertices; ++v) {
         if (packed.slot[at(v)] / kLanes < swept)

@@ -218,7 +218,8 @@ std::vector<std::string> SoftBody::notes() const {
                       rounded_text(courant[i], 4) + ", " + method_name(s.method) + ": " + verdict);
     }
     out.push_back("kernels: " + std::string(kernel_target()) + ", " +
-                  std::to_string(packed_->colour_start.size() - 1) + " vertex colours" +
+                  std::to_string(packed_->job_start.size() - 1) + " vertex jobs in " +
+                  std::to_string(packed_->phase_start.size() - 1) + " phases" +
                   (packed_->tet_phase_start.empty()
                        ? ""
                        : ", " + std::to_string(packed_->tet_job_start.size() - 1) +

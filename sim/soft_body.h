@@ -169,9 +169,9 @@ struct AwakeRuns {
     using Run = std::array<int32_t, 2>;  ///< [first, last)
 
     bool all = true;
-    std::vector<Run> batches;           ///< Of VBD batches, colour by colour.
-    std::vector<int32_t> colour_start;  ///< (colours + 1) into `batches`.
-    std::vector<Run> vertices;          ///< Bounds are multiples of 16, or the end.
+    std::vector<Run> batches;        ///< Of VBD batches, job by job.
+    std::vector<int32_t> job_start;  ///< (jobs + 1) into `batches`.
+    std::vector<Run> vertices;       ///< Bounds are multiples of 16, or the end.
 };
 
 /// Changing part. All arrays are allocated by the constructor and never grow.
@@ -181,7 +181,6 @@ struct SoftBodyState {
     std::vector<Float4> x;           ///< Position [m], w = inverse mass [1/kg], 0 when held (V).
     std::vector<Float4> v;           ///< Velocity [m/s] (V).
     std::vector<Float4> x_start;     ///< Position at the start of the substep [m] (V).
-    std::vector<Float4> target;      ///< Inertia target x + h v + h^2 g [m] (V).
     std::vector<uint8_t> tet_alive;  ///< 1 while the tet carries stress (T).
     std::vector<uint8_t>
         contact_vertex;  ///< 1 = left out of the sweep, solved in the contact colour (V).
@@ -235,7 +234,7 @@ struct VertexSystem {
 [[nodiscard]] Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state,
                                  int vertex) noexcept;
 
-/// Start of a substep: x_start, target, start guess. h [s]. Held vertices (w = 0) stay where the
+/// Start of a substep: x_start, start guess. h [s]. Held vertices (w = 0) stay where the
 /// caller put them; a vertex that is not finite returns to its last good place.
 void begin_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
 /// One sweep over all elements (or vertex colours), leaving out `contact_vertex`. Call it

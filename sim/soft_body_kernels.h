@@ -25,7 +25,7 @@ struct KernelArguments {
 
 /// What the begin and end of a substep read and write. The fourth number of `fall_*` is 0.
 struct MotionArguments {
-    Float4 *x = nullptr, *v = nullptr, *x_start = nullptr, *target = nullptr;
+    Float4 *x = nullptr, *v = nullptr, *x_start = nullptr;
     const uint8_t* free_vertex = nullptr;
     const float* damping_per_s = nullptr;
     float h = 0;                      ///< [s]
@@ -34,7 +34,7 @@ struct MotionArguments {
     bool gravity_in_guess = false;    ///< For every vertex, not only for free ones.
 };
 
-/// x_start, target and start guess of vertices from `first` on. Returns the first vertex that is
+/// x_start and start guess of vertices from `first` on. Returns the first vertex that is
 /// not done: `last`, fewer than a register of them are left, or one is not finite or differs from
 /// its neighbours in being free.
 size_t begin_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept;

@@ -30,14 +30,12 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     x.resize(n);
     v.resize(n);
     x_start.resize(n);
-    target.resize(n);
     for (size_t i = 0; i < used; ++i) {
         const Vec3f p = body.mesh().rest[i].cast<float>();
         x[i] = {p.x(), p.y(), p.z(), 1.0F / body.mass_kg()[i]};
     }
     for (const int32_t i : body.spec().fixed) x[at(i)].w = 0;
     x_start = x;
-    target = x;
     tet_alive.assign(at(body.tet_count()), 1);
     contact_vertex.assign(n, 0);
     free_vertex.assign(n, 0);
@@ -49,14 +47,13 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
         // Spares wait, held, where they disturb nothing.
         for (size_t i = used; i < n; ++i) x[i] = {x[0].x, x[0].y, x[0].z, 0.0F};
         x_start = x;
-        target = x;
         topology.create(body);
     }
     const PackedElements& packed = packed_of(body, *this);
     lanes = initial_lanes(body, packed);
     springs = packed.springs;
     awake.batches.reserve(packed.batches.size());
-    awake.colour_start.assign(packed.colour_start.size(), 0);
+    awake.job_start.assign(packed.job_start.size(), 0);
     awake.vertices.reserve(n / 16 + 1);
     update_free_vertices(body, *this);
 }

@@ -10,6 +10,7 @@
 #include "sim/event.h"
 #include "sim/links.h"
 #include "sim/soft_body_kernels.h"
+#include "sim/topology.h"
 
 namespace placode::sim {
 namespace {
@@ -56,7 +57,6 @@ class Substep {
         motion_.x = state.x.data();
         motion_.v = state.v.data();
         motion_.x_start = state.x_start.data();
-        motion_.target = state.target.data();
         motion_.free_vertex = state.free_vertex.data();
         motion_.damping_per_s = packed_.damping_per_s.data();
         motion_.h = arguments_.h;
@@ -103,8 +103,6 @@ class Substep {
     }
 
     uint32_t begin_vertex(size_t i) noexcept {
-        const float h = arguments_.h;
-        const auto& fall = arguments_.planned_fall_m;
         uint32_t flags = 0;
         Float4 x = state_.x[i], v = state_.v[i];
         if (!finite(x) || !finite(v)) {
@@ -122,8 +120,6 @@ class Substep {
             v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
             state_.pushed[i] = v;
         }
-        state_.target[i] = {x.x + (h * v.x + fall[0]), x.y + (h * v.y + fall[1]),
-                            x.z + (h * v.z + fall[2]), 0};
         if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
         return flags;
     }
@@ -159,62 +155,45 @@ class Substep {
         workers_.run<&Substep::end>(workers_.threads(), *this);
     }
 
-    /// Contact vertices are held for the time of a sweep; target.w remembers.
+    /// Contact vertices are held for the time of a sweep; x_start.w remembers.
     void hold_contacts() noexcept {
         for_contacts([&](size_t i) noexcept {
-            state_.target[i].w = state_.x[i].w;
+            state_.x_start[i].w = state_.x[i].w;
             state_.x[i].w = 0;
         });
     }
     void release_contacts() noexcept {
-        for_contacts([&](size_t i) noexcept { state_.x[i].w = state_.target[i].w; });
+        for_contacts([&](size_t i) noexcept { state_.x[i].w = state_.x_start[i].w; });
     }
 
     [[nodiscard]] bool broke_tether() const noexcept { return broke_; }
 
  private:
     void sweep_vertices() noexcept {
-        const auto& starts = packed_.colour_start;
-        for (colour_ = 0; colour_ + 1 < starts.size(); ++colour_) {
-            workers_.run<&Substep::colour_part>(workers_.threads(), *this);
+        const auto& phases = packed_.phase_start;
+        for (size_t p = 0; p + 1 < phases.size(); ++p) {
+            first_job_ = phases[p];
+            workers_.run<&Substep::vertex_job>(phases[p + 1] - phases[p], *this);
         }
         if (!packed_.tether_vertices.empty()) raise(solve_tethers_vbd(body_, state_, h_));
     }
-    void colour_part(int part) noexcept {
-        if (!state_.awake.all) return awake_part(part);
-        const int first = packed_.colour_start[colour_], last = packed_.colour_start[colour_ + 1];
-        raise(solve_vertex_batches(arguments_, cut(first, last, part), cut(first, last, part + 1)));
-    }
-    /// The same over the runs of batches that are awake: equal work for every part.
-    void awake_part(int part) noexcept {
+    void vertex_job(int number) noexcept {
+        const size_t job = at(first_job_ + number);
         const AwakeRuns& awake = state_.awake;
-        const int begin = awake.colour_start[colour_], end = awake.colour_start[colour_ + 1];
-        const auto cost = [&](int run) {
-            const auto& [first, last] = awake.batches[at(run)];
-            return packed_.cost[at(last)] - packed_.cost[at(first)];
-        };
-        int64_t total = 0;
-        for (int r = begin; r < end; ++r) total += cost(r);
-        const int parts = workers_.threads();
-        int64_t from = total * part / parts, to = total * (part + 1) / parts;
         uint32_t flags = 0;
-        for (int r = begin; r < end && to > 0; ++r) {
-            const auto& [first, last] = awake.batches[at(r)];
-            const int64_t here = cost(r);
-            if (from < here) {
-                flags |= solve_vertex_batches(arguments_, after(first, last, from),
-                                              to < here ? after(first, last, to) : last);
+        if (awake.all) {
+            flags = solve_vertex_batches(arguments_, packed_.job_start[job],
+                                         packed_.job_start[job + 1]);
+        } else {
+            for (int r = awake.job_start[job]; r < awake.job_start[job + 1]; ++r) {
+                const auto& [first, last] = awake.batches[at(r)];
+                flags |= solve_vertex_batches(arguments_, first, last);
             }
-            from = std::max<int64_t>(0, from - here);
-            to -= here;
         }
+        for_copies(state_, static_cast<int>(job), [&](int batch) noexcept {
+            flags |= solve_vertex_batches(arguments_, batch, batch + 1);
+        });
         raise(flags);
-    }
-    /// First batch of [first, last) with at least `cost` steps before it.
-    [[nodiscard]] int after(int first, int last, int64_t cost) const noexcept {
-        const auto begin = packed_.cost.begin();
-        return static_cast<int>(
-            std::lower_bound(begin + first, begin + last, packed_.cost[at(first)] + cost) - begin);
     }
 
     void sweep_tets() noexcept {
@@ -251,15 +230,6 @@ class Substep {
         const Float4 u = planned(i, v);
         const float h = arguments_.h;
         return {x.x + h * u.x, x.y + h * u.y, x.z + h * u.z, x.w};
-    }
-
-    /// First batch of part `part`: equal work, the same half of the numbering in every colour.
-    [[nodiscard]] int cut(int first, int last, int part) const noexcept {
-        const int parts = workers_.threads();
-        if (part == 0) return first;
-        if (part == parts) return last;
-        const int64_t total = packed_.cost[at(last)] - packed_.cost[at(first)];
-        return after(first, last, total * part / parts);
     }
 
     /// Calls `visit(first, last)` on the part's share of the vertices that are awake.
@@ -310,8 +280,7 @@ class Substep {
     MotionArguments motion_;
     std::array<float, 3> gravity_{};  // h g
     double h_ = 0;
-    size_t colour_ = 0;  // of the current run
-    int first_job_ = 0;
+    int first_job_ = 0;  // of the current run
     bool vbd_ = true, broke_ = false;
 };
 

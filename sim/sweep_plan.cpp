@@ -91,28 +91,6 @@ class Batcher {
     int64_t clock_ = 0;
 };
 
-// A batch that needs what the one before it has just written waits for all of its arithmetic. Two
-// places of the job in turn keep the processor busy.
-constexpr size_t kStreams = 1;
-
-void append_interleaved(std::span<const Tet> tets, int vertices, std::span<const int32_t> job,
-                        std::vector<std::vector<int32_t>>& out) {
-    std::array<std::vector<std::vector<int32_t>>, kStreams> streams;
-    size_t longest = 0;
-    for (size_t s = 0; s < kStreams; ++s) {
-        const size_t first = job.size() * s / kStreams, last = job.size() * (s + 1) / kStreams;
-        Batcher batcher(tets, vertices, streams[s]);
-        for (const int32_t t : job.subspan(first, last - first)) batcher.add(t);
-        batcher.finish();
-        longest = std::max(longest, streams[s].size());
-    }
-    for (size_t i = 0; i < longest; ++i) {
-        for (auto& stream : streams) {
-            if (i < stream.size()) out.push_back(std::move(stream[i]));
-        }
-    }
-}
-
 }  // namespace
 
 int domains_for(int tets) {
@@ -139,7 +117,9 @@ SweepPlan plan_tets(std::span<const Tet> tets, int vertices, int domains) {
                 return lowest(tets[at(a)]) < lowest(tets[at(b)]);
             });
             plan.job_start.push_back(static_cast<int32_t>(plan.batches.size()));
-            append_interleaved(tets, vertices, job, plan.batches);
+            Batcher batcher(tets, vertices, plan.batches);
+            for (const int32_t t : job) batcher.add(t);
+            batcher.finish();
         }
         if (plan.phase_start.back() == std::ssize(plan.job_start)) plan.phase_start.pop_back();
     }

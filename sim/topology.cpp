@@ -23,7 +23,7 @@ size_t at(int64_t i) { return static_cast<size_t>(i); }
 /// Room for the strip of a vertex whose surroundings are cut: the strip of a torn link is longer.
 int32_t room_for(int32_t steps) { return steps + steps / 2 + 6; }
 
-/// Lays the batches out anew: room behind every strip, empty batches behind every colour.
+/// Lays the batches out anew: room behind every strip, empty batches behind all others.
 class Relayout {
  public:
     Relayout(const SoftBody& body, Topology& out) : body_(body), from_(body.packed()), out_(out) {}
@@ -34,26 +34,10 @@ class Relayout {
         to.batches.clear();
         to.strip.clear();
         to.keep.clear();
-        to.colour_start.clear();
         const size_t tail = from_.batches.empty() ? 0 : end_of_lanes(from_.batches.back());
         to.lane_count = 0;
-        const int colours = static_cast<int>(from_.colour_start.size()) - 1;
-        const int spares = static_cast<int>(out_.origin.size()) - body_.vertex_count();
-        // Twice an even share: a cut meets the colours unevenly.
-        const int each = 2 * spares / (colours * kLanes) + 2;
-        for (int c = 0; c <= colours; ++c) {
-            to.colour_start.push_back(static_cast<int32_t>(to.batches.size()));
-            const int last = c < colours ? from_.colour_start[at(c) + 1]
-                                         : static_cast<int>(from_.batches.size());
-            for (int b = from_.colour_start[at(c)]; b < last; ++b) copy(b, c);
-            if (c == colours) break;
-            out_.spare_batch.push_back(static_cast<int32_t>(to.batches.size()));
-            for (int i = 0; i < each; ++i) add_spare(c);
-        }
-        to.cost.assign(1, 0);
-        for (const VertexBatch& b : to.batches) {
-            to.cost.push_back(to.cost.back() + (b.count > 0 ? b.steps : 0));
-        }
+        for (const VertexBatch& b : from_.batches) copy(b);
+        add_pool();
         move_tail(tail);
         to.lane_count += 2 * kLanes;  // for corners that found no room
         to.slot.resize(out_.origin.size(), -1);
@@ -67,7 +51,22 @@ class Relayout {
         return at(b.lane_start) + at(kLanes) * at(1 + 3 * b.steps);
     }
 
-    void add_room(VertexBatch& b, int32_t capacity, int colour) {
+    /// Enough for every spare vertex, however the copies fall upon jobs and colours.
+    void add_pool() {
+        PackedElements& to = out_.packed;
+        const auto jobs = to.job_start.size() - 1;
+        const int colours = 1 + *std::max_element(to.colour.begin(), to.colour.end());
+        const int spares = static_cast<int>(out_.origin.size()) - body_.vertex_count();
+        const int pool = std::min(spares, spares / kLanes + static_cast<int>(jobs) * colours);
+        out_.pool_first = static_cast<int32_t>(to.batches.size());
+        for (int i = 0; i < pool; ++i) add_spare();
+        out_.pool_next.assign(at(pool), -1);
+        out_.pool_colour.assign(at(pool), -1);
+        out_.job_first.assign(jobs, -1);
+        out_.job_last.assign(jobs, -1);
+    }
+
+    void add_room(VertexBatch& b, int32_t capacity) {
         PackedElements& to = out_.packed;
         b.step_start = static_cast<int64_t>(to.keep.size());
         b.lane_start = to.lane_count;
@@ -75,15 +74,13 @@ class Relayout {
         to.strip.resize(to.keep.size() * kLanes, 0);
         to.lane_count += kLanes * (1 + 3 * capacity);
         out_.capacity.push_back(capacity);
-        out_.colour.push_back(colour);
         to.batches.push_back(b);
     }
 
-    void copy(int number, int colour) {
+    void copy(const VertexBatch& old) {
         PackedElements& to = out_.packed;
-        const VertexBatch& old = from_.batches[at(number)];
         VertexBatch b = old;
-        add_room(b, room_for(old.steps), colour);
+        add_room(b, room_for(old.steps));
         const VertexBatch& now = to.batches.back();
         std::copy_n(from_.keep.begin() + old.step_start, old.steps,
                     to.keep.begin() + now.step_start);
@@ -105,12 +102,12 @@ class Relayout {
         }
     }
 
-    void add_spare(int colour) {
+    void add_spare() {
         VertexBatch b;
         b.spring_start = -1;
         b.limit_m.fill(std::numeric_limits<float>::infinity());
         b.mass_kg.fill(1.0F);
-        add_room(b, kSpareSteps, colour);
+        add_room(b, kSpareSteps);
     }
 
     /// What XPBD keeps behind the batches.
@@ -138,15 +135,22 @@ void mark(Topology& topology, int32_t v) noexcept {
     topology.dirty[at(topology.dirty_count++)] = v;
 }
 
-/// A lane for a copy of a vertex of that colour; -1 when there is none.
-int32_t new_lane(Topology& topology, int colour) noexcept {
-    PackedElements& packed = topology.packed;
-    int32_t& b = topology.spare_batch[at(colour)];
-    while (b < packed.colour_start[at(colour) + 1] && packed.batches[at(b)].count == kLanes) {
-        ++b;
+/// A lane for a copy of `vertex`, among other copies of its job and colour; -1 when there is none.
+int32_t new_lane(Topology& top, int32_t vertex) noexcept {
+    const PackedElements& packed = top.packed;
+    const int32_t job = packed.job[at(top.origin[at(vertex)])];
+    const int32_t colour = packed.colour[at(top.origin[at(vertex)])];
+    if (job < 0) return -1;
+    for (int32_t p = top.job_first[at(job)]; p >= 0; p = top.pool_next[at(p)]) {
+        const int32_t batch = top.pool_first + p, count = packed.batches[at(batch)].count;
+        if (top.pool_colour[at(p)] == colour && count < kLanes) return batch * kLanes + count;
     }
-    if (b == packed.colour_start[at(colour) + 1]) return -1;
-    return b * kLanes + packed.batches[at(b)].count;
+    if (at(top.pool_used) == top.pool_next.size()) return -1;
+    const int32_t fresh = top.pool_used++, last = top.job_last[at(job)];
+    (last < 0 ? top.job_first[at(job)] : top.pool_next[at(last)]) = fresh;
+    top.job_last[at(job)] = fresh;
+    top.pool_colour[at(fresh)] = colour;
+    return (top.pool_first + fresh) * kLanes;
 }
 
 void fill_mass(const SoftBody& body, Topology& topology, int32_t v) noexcept {
@@ -280,7 +284,7 @@ int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
     Topology& top = *state.topology;
     PackedElements& packed = top.packed;
     if (spares_left(state) == 0) return -1;
-    const int32_t slot = new_lane(top, top.colour[at(packed.slot[at(vertex)] / kLanes)]);
+    const int32_t slot = new_lane(top, vertex);
     if (slot < 0) return -1;
     const int32_t copy = top.vertices++;
     const auto old = at(vertex), now = at(copy);
@@ -316,7 +320,6 @@ int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
     state.x[now] = state.x[old];
     state.v[now] = state.v[old];
     state.x_start[now] = state.x_start[old];
-    state.target[now] = state.target[old];
     state.free_vertex[now] = state.free_vertex[old];
     packed.damping_per_s[now] = packed.damping_per_s[old];
     packed.slot[now] = slot;
@@ -353,10 +356,6 @@ void repack(SoftBodyState& state) noexcept {
     }
     for (int32_t i = 0; i < top.dirty_count; ++i) reweigh(state, top.dirty[at(i)]);
     top.dirty_count = 0;
-    auto& cost = top.packed.cost;
-    for (size_t b = 0; b < top.packed.batches.size(); ++b) {
-        cost[b + 1] = cost[b] + (top.packed.batches[b].count > 0 ? top.packed.batches[b].steps : 0);
-    }
 }
 
 void reweigh(SoftBodyState& state, int vertex) noexcept {

@@ -34,8 +34,11 @@ struct Topology {
     int32_t vertices = 0;                      ///< In use; the spares follow.
     PackedElements packed;                     ///< As the body's, with room to grow.
     std::vector<int32_t> capacity;             ///< (batches) strip steps that fit.
-    std::vector<int32_t> spare_batch;          ///< (colours) first batch with a free lane.
-    std::vector<int32_t> colour;               ///< (batches)
+    // Batches for copies: a pool behind all others. Those of a job form a list in order of need.
+    int32_t pool_first = 0, pool_used = 0;
+    std::vector<int32_t> pool_next;            ///< (pool) the next of the job, -1 = the last.
+    std::vector<int32_t> pool_colour;          ///< (pool) of its vertices.
+    std::vector<int32_t> job_first, job_last;  ///< (jobs) -1 = no copies yet.
     std::vector<int32_t> dirty;                ///< Vertices whose strip is out of date.
     std::vector<uint8_t> is_dirty;             ///< (V + spares)
     int32_t dirty_count = 0;
@@ -53,6 +56,17 @@ int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
 
 /// False for vertices that a bed, a spring or a tether holds, and in bodies without spares.
 [[nodiscard]] bool can_split(const SoftBodyState& state, int vertex) noexcept;
+
+/// Visits the batches of the copies of a job, in a fixed order.
+template <class Visit>
+void for_copies(const SoftBodyState& state, int job, Visit&& visit) noexcept {
+    if (!state.topology) return;
+    const Topology& top = *state.topology;
+    for (int32_t p = top.job_first[static_cast<size_t>(job)]; p >= 0;
+         p = top.pool_next[static_cast<size_t>(p)]) {
+        visit(top.pool_first + p);
+    }
+}
 
 /// Brings the kernels' strips up to date after splits. Call before the next substep.
 void repack(SoftBodyState& state) noexcept;
