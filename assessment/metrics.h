@@ -13,7 +13,7 @@
 
 namespace placode::assessment {
 
-inline constexpr int kMetricSetVersion = 5;
+inline constexpr int kMetricSetVersion = 6;  ///< 6: thermal spread, over-stretch.
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -252,15 +252,6 @@ void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out
     out.push_back({"force_impulse_mn_s", impulse * 1e3});
     if (limit) out.push_back({"excess_impulse_mn_s", excess * 1e3});
     out.push_back({"placode_impulse_mn_s", placode * 1e3});
-    double stretch = 0;
-    int count = 0;
-    for (const sim::Event& event : recording.events) {
-        if (event.kind != sim::EventKind::kOverStretch) continue;
-        ++count;
-        stretch = std::max(stretch, static_cast<double>(event.value));
-    }
-    out.push_back({"over_stretch_count", static_cast<double>(count)});
-    if (count > 0) out.push_back({"max_stretch", stretch});
 }
 
 /// Planned contour that is cut, over the tip's way with the pedal down and in contact.
@@ -367,6 +358,7 @@ void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& ou
     add_energy(recording, out);
     add_force(recording, out);
     add_contact_force(recording, out);
+    add_damage(recording, out);
     add_cutting_economy(recording, out);
     add_dissection(recording, out);
 }

@@ -110,6 +110,13 @@ struct Incision {
 
 inline constexpr double kOffLineM = 0.0005;  ///< Kerf centre further than this is off the line.
 
+/// Over-stretch (T10) and thermal spread (T5), from the sums that the simulation enters.
+void add_damage(const sim::Recording& recording, std::vector<Metric>& out);
+
+/// Metrics that a recording of this program would give and this one, made by an older program or
+/// interrupted before its end, cannot.
+[[nodiscard]] std::vector<std::string_view> not_recorded(const sim::Recording& recording);
+
 /// Appends what the recording allows. Never throws on odd data.
 void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 

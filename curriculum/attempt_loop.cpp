@@ -11,6 +11,7 @@
 
 #include "curriculum/preset.h"
 #include "haptics/real_time.h"
+#include "sim/damage.h"
 
 namespace placode::curriculum {
 
@@ -462,6 +463,11 @@ void AttemptLoop::run() noexcept {
     servo_->stop();
     if (practice_) {
         for (const sim::Event& event : practice_->end(state_.time_s)) record(event);
+    }
+    try {
+        for (const sim::Event& event : sim::closing_events(*scene_, state_)) record(event);
+    } catch (const std::exception&) {
+        // Without memory for it thermal spread is not known; the attempt is.
     }
     if (reason_ == sim::EndReason::kFinished) record_event(EventKind::kFinished, 0, 0);
     // `adapt` may have chosen substeps for a frame that never came; the hash covers their number.

@@ -7,6 +7,7 @@
 #include <array>
 
 #include "assessment/signal.h"
+#include "assessment/tissue_metrics.h"
 #include "db/recording_file.h"
 #include "db/standards.h"
 
@@ -92,6 +93,8 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
         record.score = assessment::score_attempt(rubric_at(store, task, attempt.started_utc),
                                                  record.metrics, recording);
         record.preprocessing_version = assessment::kPreprocessingVersion;
+        for (const std::string_view id : assessment::not_recorded(recording))
+            outcome.lacks.emplace_back(id);
         outcome.new_points = record.score.points;
         outcome.new_verdict = record.score.verdict;
         if (there) outcome.state = RescoreState::kAlreadyThere;

@@ -26,6 +26,8 @@ struct RescoreOutcome {
     double old_points = 0, new_points = 0;  ///< new: only where it was computed.
     assessment::Verdict old_verdict{}, new_verdict{};
     std::string problem;  ///< kUnreadable: why.
+    /// Metrics that its recording was made too early for, or ended too abruptly.
+    std::vector<std::string> lacks;
 };
 
 struct RescoreOptions {

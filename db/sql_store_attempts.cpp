@@ -11,6 +11,7 @@
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
+#include "sim/damage.h"
 
 namespace placode::db {
 namespace {
@@ -67,10 +68,6 @@ AttemptRecord read_attempt(const Statement& row) {
 
 namespace {
 
-bool belongs_in_ledger(const sim::Event& event) {
-    return event.kind != sim::EventKind::kVaporised && event.kind != sim::EventKind::kStateHash;
-}
-
 int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics) {
     Statement insert(
@@ -115,7 +112,7 @@ void insert_lists(Connection& connection, int64_t id, const AttemptResult& resul
         "?, ?, ?, ?, ?, ?)");
     position = 0;
     for (const auto& one : result.events) {
-        if (!belongs_in_ledger(one)) continue;
+        if (sim::only_in_recording(one.kind)) continue;
         event.run(id, position++, one.time_s, static_cast<int>(one.kind), int{one.tool},
                   static_cast<int>(one.tissue), double{one.value}, double{one.value2},
                   double{one.rest_position_m[0]}, double{one.rest_position_m[1]},

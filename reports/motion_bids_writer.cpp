@@ -13,6 +13,7 @@
 #include "reports/csv_table.h"
 #include "reports/formats.h"
 #include "reports/report.h"
+#include "sim/damage.h"
 
 namespace placode::reports {
 namespace {
@@ -92,7 +93,7 @@ std::string channels_text(const sim::Recording& recording) {
 std::string events_text(const sim::Recording& recording) {
     std::string text = csv_line({"onset", "duration", "trial_type", "tool", "value"}, '\t');
     for (const sim::Event& event : recording.events) {
-        if (event.kind == sim::EventKind::kVaporised || event.kind == sim::EventKind::kStateHash)
+        if (sim::only_in_recording(event.kind))
             continue;  // hundreds a second: they are in the recording
         const std::string kind(sim::event_name(event.kind));
         text += csv_line({plain(event.time_s), "0", kind,

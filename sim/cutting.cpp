@@ -167,9 +167,11 @@ bool surely_below(const Scene& scene, const State& state, int tet, double stretc
 int check_stretch(const Scene& scene, State& state, int tet, int weight, int tool) noexcept {
     const Tissue tissue = scene.body.mesh().tissue[tet];
     const Material& material = scene.body.spec().materials[static_cast<int>(tissue)];
+    OverStretch& sums = state.scratch->over_stretch;
     // Most tets are far from both limits.
     if (surely_below(scene, state, tet, std::min(material.injury_stretch, material.fail_stretch))) {
         state.stretch_count[tet] = 0;
+        sums.below(tet);
         return 0;
     }
     const double stretch = principal_stretch(scene, state, tet);
@@ -183,6 +185,12 @@ int check_stretch(const Scene& scene, State& state, int tet, int weight, int too
             e.value = static_cast<float>(stretch);
             add_event(state, e);
         }
+    }
+    if (stretch > material.injury_stretch) {
+        const auto volume = static_cast<double>(scene.body.volume_m3()[tet]);
+        sums.beyond(tet, state.frame, stretch, volume, tissue);
+    } else {
+        sums.below(tet);
     }
     if (!(stretch > material.fail_stretch)) {
         state.stretch_count[tet] = 0;
@@ -292,6 +300,7 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
                    double value2) noexcept {
     if (!state.body.tet_alive[tet]) return;
     take_out(scene, state, tet);
+    if (cause == EventKind::kVaporised) state.scratch->gone_by_heat[tet] = 1;
     const float volume = scene.body.volume_m3()[tet];
     state.removed_m3 += volume;
     Event e = tissue_event(scene, state, cause, tet);

@@ -3,6 +3,7 @@
 
 #include "sim/event.h"
 
+#include "sim/damage.h"
 #include "sim/practice.h"
 #include "sim/retune.h"
 
@@ -15,6 +16,8 @@ std::string_view event_name(EventKind kind) noexcept {
     if (kind == kTargetMissed) return "target_missed";
     if (kind == kTraced) return "traced";
     if (kind == kTractionHeld) return "traction_held";
+    if (kind == kStretchSum) return "stretch_sum";
+    if (kind == kThermalSpread) return "thermal_spread";
     if (kind == kTuned) return "tuned";
     switch (kind) {
         case EventKind::kPhase:

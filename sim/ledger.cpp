@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/cutting.h"
+#include "sim/damage.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {
@@ -261,6 +262,14 @@ void ledger_body(const Scene& scene, State& state) noexcept {
     }
 }
 
+/// Says that this recording has sums of over-stretch, also when there is none.
+void begin_stretch(State& state) noexcept {
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = kStretchSum;
+    add_event(state, e);
+}
+
 }  // namespace
 
 void add_event(State& state, const Event& event) noexcept {
@@ -307,7 +316,9 @@ void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> ac
     ledger_phase(scene, state, dt);
     ledger_body(scene, state);
     const auto per_second = static_cast<int64_t>(std::lround(1 / dt));
+    if (state.frame == 1) begin_stretch(state);
     if (per_second > 0 && state.frame % per_second == 0) {
+        ledger_stretch(scene, state);
         Event e;
         e.time_s = state.time_s;
         e.kind = EventKind::kStateHash;

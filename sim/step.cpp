@@ -198,7 +198,9 @@ State::Scratch::Scratch(const Scene& scene)
       pieces(scene),
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
-      tet_seen(scene.body.tet_count(), 0) {
+      tet_seen(scene.body.tet_count(), 0),
+      over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),
+      gone_by_heat(scene.body.tet_count(), 0) {
     const TetMesh& mesh = scene.body.mesh();
     for (int t = 0; t < scene.body.tet_count(); ++t) {
         for (int i = 1; i < 4; ++i) {

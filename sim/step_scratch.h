@@ -7,6 +7,7 @@
 
 #include "sim/contact.h"
 #include "sim/cutting.h"
+#include "sim/damage.h"
 #include "sim/pieces.h"
 #include "sim/separation.h"
 #include "sim/step.h"
@@ -27,8 +28,10 @@ struct State::Scratch {
     std::vector<int32_t> sector_stack;  // (T)
     std::vector<uint32_t> tet_seen;     // (T) stamps of a search
     uint32_t stamp = 0;
-    double longest_edge_m = 0;  // at rest, constant
-    bool heat_stepped = false;  // in this frame
+    OverStretch over_stretch;
+    std::vector<uint8_t> gone_by_heat;  // (T) 1 = vaporised
+    double longest_edge_m = 0;          // at rest, constant
+    bool heat_stepped = false;          // in this frame
 };
 
 }  // namespace placode::sim

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/attempt_runner.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -11,6 +12,7 @@
 #include <thread>
 
 #include "assessment/metrics.h"
+#include "assessment/tissue_metrics.h"
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
@@ -72,6 +74,9 @@ TEST(AttemptRunner, RecordsEveryFrameSampleAndHash) {
     int hashes = 0;
     for (const sim::Event& event : r->events) hashes += event.kind == sim::EventKind::kStateHash;
     EXPECT_EQ(hashes, 3);  // at 1 s, at 2 s, at the end
+    // Nothing is missing for over-stretch and thermal spread, though this ring is hardly begun.
+    EXPECT_THAT(assessment::not_recorded(*r), testing::IsEmpty());
+    EXPECT_TRUE(assessment::compute_metrics(*r).find("over_stretch_mm3_s"));
     // The needle moved, and no sample is nonsense.
     EXPECT_GT(*assessment::compute_metrics(*r).find("path_length_mm"), 1);
     for (const sim::Sample& sample : r->samples)

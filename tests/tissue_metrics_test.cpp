@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/damage.h"
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
@@ -308,6 +309,41 @@ TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
         EXPECT_LT(at, definitions.size()) << metric.id;
         ++at;
     }
+}
+
+TEST(TissueMetrics, SpreadAndOverStretchAreSummedFromTheirEvents) {
+    sim::Recording recording = ring(0, 359, 0);
+    recording.header.tools.resize(1);  // a needle
+    EXPECT_EQ(not_recorded(recording).size(), 7u);
+    EXPECT_FALSE(compute_metrics(recording).find("over_stretch_mm3_s"));
+    EXPECT_FALSE(compute_metrics(recording).find("thermal_spread_mm"));
+    const auto add = [&](sim::EventKind kind, float value, float value2, int element) {
+        sim::Event event;
+        event.kind = kind;
+        event.value = value;
+        event.value2 = value2;
+        event.element = element;
+        recording.events.push_back(event);
+    };
+    add(sim::kStretchSum, 0, 0, -1);
+    add(sim::kThermalSpread, 4, 0, -1);  // says how many rays follow, and is none
+    EXPECT_TRUE(not_recorded(recording).empty());
+    EXPECT_EQ(compute_metrics(recording).find("over_stretch_mm3_s"), 0);
+    EXPECT_FALSE(compute_metrics(recording).find("max_stretch"));
+    EXPECT_FALSE(compute_metrics(recording).find("thermal_spread_mm")) << "no ray, no width";
+    add(sim::EventKind::kOverStretch, 1.4f, 0, 5);
+    add(sim::kStretchSum, 2e-10f, 1.5f, 5);
+    add(sim::kStretchSum, 3e-10f, 1.7f, 6);
+    for (int i = 1; i <= 4; ++i)
+        add(sim::kThermalSpread, 1e-4f * static_cast<float>(i), i == 4 ? NAN : 2e-4f, i);
+    const MetricSet m = compute_metrics(recording);
+    EXPECT_NEAR(*m.find("over_stretch_mm3_s"), 0.5, 1e-6);
+    EXPECT_NEAR(*m.find("max_stretch"), 1.7, 1e-6);
+    EXPECT_EQ(*m.find("over_stretch_count"), 1);
+    EXPECT_NEAR(*m.find("thermal_spread_mm"), 0.25, 1e-6);
+    EXPECT_NEAR(*m.find("thermal_spread_p95_mm"), 0.385, 1e-6);  // type 7: 0.3 + 0.85 x 0.1
+    EXPECT_NEAR(*m.find("thermal_spread_max_mm"), 0.4, 1e-6);
+    EXPECT_NEAR(*m.find("dose_spread_max_mm"), 0.2, 1e-6);
 }
 
 TEST(TissueMetrics, ADoseBeyondAllNumbersIsStillAMetric) {

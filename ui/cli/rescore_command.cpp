@@ -10,6 +10,7 @@
 #include <csignal>
 #include <iostream>
 #include <memory>
+#include <set>
 
 #include "assessment/signal.h"
 #include "db/rescore.h"
@@ -34,6 +35,19 @@ const char* verdict_name(assessment::Verdict verdict) {
 bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
     return one.state == db::RescoreState::kRescored ||
            (dry_run && one.state == db::RescoreState::kAlreadyThere);
+}
+
+/// What old recordings cannot tell, once for all of them; --json says it for each.
+std::string lack_text(int attempts, const std::set<std::string>& metrics) {
+    if (attempts == 0) return {};
+    std::string text = "\n" + std::to_string(attempts) +
+                       " recordings, older than these metrics or broken off, lack";
+    const char* between = ": ";
+    for (const std::string& metric : metrics) {
+        text += between + metric;
+        between = ", ";
+    }
+    return text;
 }
 
 int rescore(const Context& context, const Options& options) {
@@ -68,7 +82,8 @@ int rescore(const Context& context, const Options& options) {
               {"attempts", Json::array()}};
     std::vector<std::vector<std::string>> rows{
         {"attempt", "first score", "under this rubric", "difference", "verdict", "state"}};
-    int scored = 0, verdicts = 0;
+    int scored = 0, verdicts = 0, lack = 0;
+    std::set<std::string> lacking;
     double largest = 0;
     for (const auto& one : outcomes) {
         Json entry{{"attempt", one.attempt_id},
@@ -89,6 +104,11 @@ int rescore(const Context& context, const Options& options) {
             if (one.new_verdict != one.old_verdict)
                 row[4] += std::string(" -> ") + verdict_name(one.new_verdict);
         }
+        if (!one.lacks.empty()) {
+            entry["lacks"] = one.lacks;
+            lacking.insert(one.lacks.begin(), one.lacks.end());
+            ++lack;
+        }
         if (!one.problem.empty()) entry["problem"] = one.problem;
         json["attempts"].push_back(std::move(entry));
         rows.push_back(std::move(row));
@@ -102,7 +122,7 @@ int rescore(const Context& context, const Options& options) {
               " a score under " + task.rubric.id + " version " +
               std::to_string(task.rubric.version) + ", " + std::to_string(verdicts) +
               " verdicts differ, largest difference " + fixed(largest, 2) +
-              (stop ? "; cancelled, what is done is kept" : ""));
+              (stop ? "; cancelled, what is done is kept" : "") + lack_text(lack, lacking));
     return stop ? 1 : 0;
 }
 

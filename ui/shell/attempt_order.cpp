@@ -17,6 +17,7 @@
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/standards.h"
+#include "sim/damage.h"
 
 namespace placode::ui {
 namespace {
@@ -28,9 +29,7 @@ QString order_file(const QString& recording_file) { return recording_file + ".or
 std::vector<sim::Event> ledger(const sim::Recording& recording) {
     std::vector<sim::Event> kept;
     for (const sim::Event& event : recording.events) {
-        if (event.kind == sim::EventKind::kVaporised || event.kind == sim::EventKind::kStateHash)
-            continue;
-        kept.push_back(event);
+        if (!sim::only_in_recording(event.kind)) kept.push_back(event);
     }
     return kept;
 }

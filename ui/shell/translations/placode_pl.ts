@@ -1585,6 +1585,34 @@
         <translation>Największe rozciągnięcie</translation>
     </message>
     <message>
+        <source>Over-stretched volume and time</source>
+        <translation>Nadmiernie rozciągnięta objętość i czas</translation>
+    </message>
+    <message>
+        <source>Thermal spread</source>
+        <translation>Rozprzestrzenienie cieplne</translation>
+    </message>
+    <message>
+        <source>Thermal spread, 95th percentile</source>
+        <translation>Rozprzestrzenienie cieplne, 95. percentyl</translation>
+    </message>
+    <message>
+        <source>Thermal spread, largest</source>
+        <translation>Rozprzestrzenienie cieplne, największe</translation>
+    </message>
+    <message>
+        <source>Spread of the thermal dose</source>
+        <translation>Zasięg dawki cieplnej</translation>
+    </message>
+    <message>
+        <source>Spread of the thermal dose, 95th percentile</source>
+        <translation>Zasięg dawki cieplnej, 95. percentyl</translation>
+    </message>
+    <message>
+        <source>Spread of the thermal dose, largest</source>
+        <translation>Zasięg dawki cieplnej, największy</translation>
+    </message>
+    <message>
         <source>Smoothness (LDLJ-V)</source>
         <translation>Płynność (LDLJ-V)</translation>
     </message>
