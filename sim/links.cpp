@@ -28,9 +28,9 @@ void move(Float4& x, const Vec3& step) noexcept {
 
 }  // namespace
 
-uint32_t solve_tethers_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
+uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
     uint32_t flags = 0;
-    for (const int32_t i : body.packed().tether_vertices) {
+    for (const int32_t i : body.packed().single_vertices) {
         Float4& x = state.x[at(i)];
         if (x.w == 0) continue;
         const VertexSystem s = vertex_system(body, state, i, h);

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <string>
 
+#include "sim/number_text.h"
+
 namespace placode::sim {
 namespace {
 
@@ -42,10 +44,10 @@ void check_tet(const TetMesh& mesh, int t) {
     const double volume = rest_volume(mesh, t);
     const double least = 1e-9 * mean_edge * mean_edge * mean_edge;
     if (!(volume > least)) {
-        throw MeshError("tet " + std::to_string(t) + ": volume " + std::to_string(volume * 1e9) +
+        throw MeshError("tet " + std::to_string(t) + ": volume " + rounded_text(volume * 1e9, 4) +
                         " mm^3 is inverted or degenerate, must be above 1e-9 of the cubed mean "
                         "edge (" +
-                        std::to_string(mean_edge * 1e3) + " mm)");
+                        rounded_text(mean_edge * 1e3, 4) + " mm)");
     }
 }
 
@@ -105,8 +107,8 @@ double tet_quality(const TetMesh& mesh, int t) {
     return rms > 0 ? 6 * std::sqrt(2.0) * rest_volume(mesh, t) / (rms * rms * rms) : 0;
 }
 
-void check_mesh(const TetMesh& mesh) {
-    if (mesh.tets.empty()) throw MeshError("the mesh has no tetrahedra");
+void check_mesh(const TetMesh& mesh, const std::vector<uint8_t>& elsewhere) {
+    if (mesh.tets.empty() && elsewhere.empty()) throw MeshError("the mesh has no tetrahedra");
     if (mesh.tissue.size() != mesh.tets.size()) {
         throw MeshError("tissue labels: " + std::to_string(mesh.tissue.size()) + ", must be one " +
                         "for each of the " + std::to_string(mesh.tets.size()) + " tets");
@@ -127,7 +129,7 @@ void check_mesh(const TetMesh& mesh) {
         for (const int32_t v : mesh.tets[static_cast<size_t>(t)]) used[static_cast<size_t>(v)] = 1;
     }
     for (size_t v = 0; v < used.size(); ++v) {
-        if (used[v] == 0) {
+        if (used[v] == 0 && (elsewhere.empty() || elsewhere[v] == 0)) {
             throw MeshError("vertex " + std::to_string(v) + " is used by no tet");
         }
     }

@@ -36,7 +36,9 @@ struct TetMesh {
 /// Throws MeshError for indices out of range, non-finite vertices, inverted or degenerate tets
 /// (volume below 1e-9 of the cube of the mean edge, so that the unit system does not matter),
 /// duplicates and vertices that no tet uses.
-void check_mesh(const TetMesh& mesh);
+/// @param elsewhere vertices that something else uses (V), which then needs no tet at all; or
+/// empty.
+void check_mesh(const TetMesh& mesh, const std::vector<uint8_t>& elsewhere = {});
 
 /// Box of Kuhn tets, one corner at the origin: cells (nx, ny, nz), six tets each.
 [[nodiscard]] TetMesh box_mesh(const Vec3& size_m, const std::array<int, 3>& cells,

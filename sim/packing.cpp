@@ -33,6 +33,7 @@ class VertexPacker {
     void run() {
         make_constants();
         make_tethers();
+        make_sheet();
         make_springs();
         make_strips();
         make_plan();
@@ -74,6 +75,28 @@ class VertexPacker {
             }
             out_.damping_per_s[at(v)] = static_cast<float>(damping / mass);
         }
+        if (!body_.spec().sheet.empty()) add_sheet_damping();
+    }
+
+    /// The same mean with the sheet's mass; vertices without tets have no other.
+    void add_sheet_damping() {
+        std::vector<double> damping(at(body_.vertex_count()), 0.0);
+        for (int t = 0; t < body_.tet_count(); ++t) {
+            const auto& m =
+                body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
+            for (const int32_t v : body_.mesh().tets[at(t)])
+                damping[at(v)] += m.density_kg_m3 * body_.volume_m3()[at(t)] / 4 * m.damping_per_s;
+        }
+        for (const SheetTriangle& t : body_.spec().sheet) {
+            const auto& m = body_.spec().materials[at(static_cast<int>(t.tissue))];
+            const double mass = m.density_kg_m3 * area_of(body_.mesh().rest, t) * t.thickness_m / 3;
+            for (const int32_t v : t.vertex) damping[at(v)] += mass * m.damping_per_s;
+        }
+        for (const SheetTriangle& t : body_.spec().sheet) {
+            for (const int32_t v : t.vertex)
+                out_.damping_per_s[at(v)] =
+                    static_cast<float>(damping[at(v)] / body_.mass_kg()[at(v)]);
+        }
     }
 
     void make_tethers() {
@@ -86,8 +109,18 @@ class VertexPacker {
         for (size_t v = 0; v < of.size(); ++v) {
             out_.tether_of.insert(out_.tether_of.end(), of[v].begin(), of[v].end());
             out_.tether_start.push_back(static_cast<int32_t>(out_.tether_of.size()));
-            if (!of[v].empty()) out_.tether_vertices.push_back(static_cast<int32_t>(v));
+            if (!of[v].empty()) out_.single_vertices.push_back(static_cast<int32_t>(v));
         }
+    }
+
+    void make_sheet() {
+        if (body_.spec().sheet.empty()) return;
+        out_.sheet = sheet_elements(body_.spec());
+        auto& single = out_.single_vertices;
+        for (const SheetTriangle& t : body_.spec().sheet)
+            single.insert(single.end(), t.vertex.begin(), t.vertex.end());
+        std::sort(single.begin(), single.end());
+        single.erase(std::unique(single.begin(), single.end()), single.end());
     }
 
     /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
@@ -129,11 +162,11 @@ class VertexPacker {
         }
     }
 
-    /// Fixed vertices do not move; tethered ones are solved one by one.
+    /// Fixed vertices do not move; tethered ones and those of sheets are solved one by one.
     [[nodiscard]] std::vector<uint8_t> left_out() const {
         std::vector<uint8_t> skip(at(body_.vertex_count()), 0);
         for (const int32_t v : body_.spec().fixed) skip[at(v)] = 1;
-        for (const int32_t v : out_.tether_vertices) skip[at(v)] = 1;
+        for (const int32_t v : out_.single_vertices) skip[at(v)] = 1;
         return skip;
     }
 

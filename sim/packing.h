@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "sim/aligned_vector.h"
+#include "sim/sheet.h"
 #include "sim/soft_body.h"
 
 namespace placode::sim {
@@ -47,8 +48,8 @@ struct TetBatch {
 
 struct PackedElements {
     // VBD. Batches of job j: [job_start[j], job_start[j + 1]), one after the other; behind the last
-    // job follow vertices that the sweep leaves out (fixed, tethered) but whose forces are asked
-    // for. Jobs, phases and colours: VertexPlan.
+    // job follow vertices that the sweep leaves out (fixed, tethered, in a sheet) but whose
+    // forces are asked for. Jobs, phases and colours: VertexPlan.
     std::vector<VertexBatch> batches;
     std::vector<int32_t> job_start, phase_start;
     std::vector<int32_t> job, colour;  ///< (V) -1 = left out
@@ -73,7 +74,10 @@ struct PackedElements {
     int64_t spring_sum_start = -1;  ///< Three floats a spring vertex, likewise.
 
     // Tethers of vertex v: tether_of[tether_start[v] .. tether_start[v + 1]).
-    std::vector<int32_t> tether_start, tether_of, tether_vertices;
+    std::vector<int32_t> tether_start, tether_of;
+    SheetElements sheet;  ///< Empty in a body without triangles.
+    /// Vertices that the sweep leaves out and that are solved one by one: tethered or in a sheet.
+    std::vector<int32_t> single_vertices;
 
     int64_t lane_count = 0;  ///< Length of SoftBodyState::lanes, see initial_lanes().
 };

@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "sim/event.h"
-#include "sim/soft_body.h"
+#include "sim/packing.h"
 
 namespace placode::sim {
 namespace {
@@ -83,6 +83,9 @@ size_t gather_free(const SoftBody& body, SoftBodyState& state, int32_t first) no
             if (state.tet_alive[at(t)] == 0) continue;
             for (const int32_t v : corners(body, state, t)) reach(v);
         }
+        for (const int32_t t : body.packed().sheet.around(state.scratch[head])) {
+            for (const int32_t v : body.packed().sheet.triangles[at(t)].v) reach(v);
+        }
     }
     return count;
 }
@@ -147,45 +150,77 @@ int reseed_folded(const SoftBody& body, SoftBodyState& state) noexcept {
     return placed;
 }
 
+/// The same of a triangle of the sheet.
+bool collapsed(const SoftBody& body, const SoftBodyState& state, const SheetElement& t) noexcept {
+    for (size_t k = 0; k < 3; ++k) {
+        const size_t a = at(t.v[k]), b = at(t.v[(k + 1) % 3]);
+        const double now = (to_vec(state.x[a]) - to_vec(state.x[b])).norm();
+        if (!(now < kCollapsed * (body.mesh().rest[a] - body.mesh().rest[b]).norm())) return false;
+    }
+    return true;
+}
+
+/// Lists the collapsed piece around `seeds` in scratch and returns its size.
+size_t gather_collapsed(const SoftBody& body, SoftBodyState& state,
+                        std::span<const int32_t> seeds) noexcept {
+    size_t count = 0;
+    const auto reach = [&](int32_t v) {
+        if ((state.free_vertex[at(v)] & kSeen) != 0) return;
+        state.free_vertex[at(v)] |= kSeen;
+        state.scratch[count++] = v;
+    };
+    const SheetElements& sheet = body.packed().sheet;
+    for (const int32_t v : seeds) reach(v);
+    for (size_t head = 0; head < count; ++head) {
+        for (const int32_t other : tets_around(body, state, state.scratch[head])) {
+            if (!collapsed(body, state, other)) continue;
+            for (const int32_t v : corners(body, state, other)) reach(v);
+        }
+        for (const int32_t other : sheet.around(state.scratch[head])) {
+            if (!collapsed(body, state, sheet.triangles[at(other)])) continue;
+            for (const int32_t v : sheet.triangles[at(other)].v) reach(v);
+        }
+    }
+    for (size_t i = 0; i < count; ++i) {
+        state.free_vertex[at(state.scratch[i])] &= static_cast<uint8_t>(~kSeen);
+    }
+    return count;
+}
+
+/// Rest shape for the piece in scratch. Returns the number of vertices that were moved.
+int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noexcept {
+    Piece piece;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        piece.add(rest_of(body, state, v), state.x[v], state.v[v]);
+    }
+    const Vec3 way =
+        piece.held > 0 ? Vec3(piece.held_moved / piece.held) : Vec3(piece.moved / piece.vertices);
+    const Vec3f u = (piece.velocity / piece.vertices).cast<float>();
+    int placed = 0;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t v = at(state.scratch[i]);
+        if (state.x[v].w == 0) continue;
+        const Vec3f x = (rest_of(body, state, v) + way).cast<float>();
+        state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
+        state.v[v] = {u.x(), u.y(), u.z(), 0};
+        ++placed;
+    }
+    return placed;
+}
+
 }  // namespace
 
 int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
     int placed = reseed_folded(body, state);
     for (int t = 0; t < body.tet_count(); ++t) {
         if (!collapsed(body, state, t)) continue;
-        size_t count = 0;  // of the piece, listed in scratch
-        const auto reach = [&](int32_t v) {
-            if ((state.free_vertex[at(v)] & kSeen) != 0) return;
-            state.free_vertex[at(v)] |= kSeen;
-            state.scratch[count++] = v;
-        };
-        for (const int32_t v : corners(body, state, t)) reach(v);
-        for (size_t head = 0; head < count; ++head) {
-            for (const int32_t other : tets_around(body, state, state.scratch[head])) {
-                if (!collapsed(body, state, other)) continue;
-                for (const int32_t v : corners(body, state, other)) reach(v);
-            }
-        }
-        Piece piece;
-        for (size_t i = 0; i < count; ++i) {
-            const size_t v = at(state.scratch[i]);
-            piece.add(body.mesh().rest[at(origin_of(state, static_cast<int>(v)))], state.x[v],
-                      state.v[v]);
-            state.free_vertex[v] &= static_cast<uint8_t>(~kSeen);
-        }
-        const Vec3 way = piece.held > 0 ? Vec3(piece.held_moved / piece.held)
-                                        : Vec3(piece.moved / piece.vertices);
-        const Vec3 velocity = piece.velocity / piece.vertices;
-        for (size_t i = 0; i < count; ++i) {
-            const size_t v = at(state.scratch[i]);
-            if (state.x[v].w == 0) continue;
-            const int32_t o = origin_of(state, static_cast<int>(v));
-            const Vec3f x = (body.mesh().rest[at(o)] + way).cast<float>();
-            const Vec3f u = velocity.cast<float>();
-            state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
-            state.v[v] = {u.x(), u.y(), u.z(), 0};
-            ++placed;
-        }
+        const size_t count = gather_collapsed(body, state, corners(body, state, t));
+        placed += place_at_rest(body, state, count);
+    }
+    for (const SheetElement& t : body.packed().sheet.triangles) {
+        if (!collapsed(body, state, t)) continue;
+        placed += place_at_rest(body, state, gather_collapsed(body, state, t.v));
     }
     if (placed > 0) {
         state.flags |= kReseed;

@@ -65,7 +65,8 @@ struct ContactSettings {
 
 /// Built once (sim/anatomy), then shared as `shared_ptr<const Scene>`.
 struct Scene {
-    explicit Scene(SoftBody tissue) : body(std::move(tissue)), surface(body.mesh()) {}
+    /// @throws MeshError for a body with a sheet: instruments, heat and cutting do not know it.
+    explicit Scene(SoftBody tissue);
 
     std::string id;  ///< Scene file and preset, for messages.
     SoftBody body;

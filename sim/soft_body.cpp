@@ -114,12 +114,19 @@ double courant_length(const TetMesh& mesh, size_t t) {
 }  // namespace
 
 SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
-    check_mesh(spec_.mesh);
+    check_sheet(spec_.mesh.rest, spec_.sheet);
+    check_mesh(spec_.mesh, sheet_vertices(spec_));
     check_solver(spec_.solver);
     for (const Tissue tissue : spec_.mesh.tissue) {
         check_material(spec_.materials[static_cast<size_t>(tissue)],
                        std::string(tissue_name(tissue)));
     }
+    for (const SheetTriangle& t : spec_.sheet) {
+        check_material(spec_.materials[static_cast<size_t>(t.tissue)],
+                       std::string(tissue_name(t.tissue)));
+    }
+    require(spec_.sheet_bending >= 0 && spec_.sheet_bending <= 1,
+            "sheet: bending " + rounded_text(spec_.sheet_bending, 4) + ", allowed 0 to 1");
     check_attachments(spec_);
 
     const size_t vertices = spec_.mesh.rest.size(), tets = spec_.mesh.tets.size();
@@ -141,6 +148,18 @@ SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
                     (spec_.mesh.rest[i] - spec_.mesh.rest[static_cast<size_t>(other)]).norm();
                 shortest[i] = std::min(shortest[i], edge);
             }
+        }
+    }
+    for (const SheetTriangle& t : spec_.sheet) {
+        const double area = area_of(spec_.mesh.rest, t);
+        const double density = spec_.materials[static_cast<size_t>(t.tissue)].density_kg_m3;
+        for (size_t k = 0; k < 3; ++k) {
+            const auto a = static_cast<size_t>(t.vertex[k]);
+            const auto b = static_cast<size_t>(t.vertex[(k + 1) % 3]);
+            const double edge = (spec_.mesh.rest[a] - spec_.mesh.rest[b]).norm();
+            mass[a] += area * t.thickness_m * density / 3;
+            shortest[a] = std::min(shortest[a], edge);
+            shortest[b] = std::min(shortest[b], edge);
         }
     }
     mass_kg_.assign(mass.begin(), mass.end());
@@ -165,8 +184,12 @@ SoftBody& SoftBody::operator=(SoftBody&&) noexcept = default;
 
 void SoftBody::check_method() const {
     const SolverSettings& s = spec_.solver;
+    if (s.method != Method::kVbd && !spec_.sheet.empty()) {
+        throw MeshError("sheet: " + std::to_string(spec_.sheet.size()) + " triangles, but method " +
+                        method_name(s.method) + " knows tetrahedra only; use vbd");
+    }
     if (s.method == Method::kVbd && !s.allow_invalid) {
-        for (const Tissue tissue : spec_.mesh.tissue) {
+        for (const Tissue tissue : spec_.mesh.tissue) {  // a sheet is free to thin: any nu
             const double nu = spec_.materials[static_cast<size_t>(tissue)].poissons_ratio;
             if (nu <= kVbdMaxPoissonsRatio) continue;
             throw MeshError(std::string(tissue_name(tissue)) + ": poissons_ratio " +
@@ -197,6 +220,21 @@ std::array<double, kTissueCount> SoftBody::courant_numbers() const {
         const double wave =
             std::sqrt((c.lambda_pa + c.mu_pa) / spec_.materials[tissue].density_kg_m3);
         out[tissue] = std::max(out[tissue], wave * h / courant_length(spec_.mesh, t));
+    }
+    for (const SheetTriangle& t : spec_.sheet) {
+        // The wave of a plate in its plane, over the smallest height.
+        const auto tissue = static_cast<size_t>(t.tissue);
+        const Material& m = spec_.materials[tissue];
+        const double wave = std::sqrt(
+            m.youngs_modulus_pa / ((1 - m.poissons_ratio * m.poissons_ratio) * m.density_kg_m3));
+        double longest = 0;
+        for (size_t k = 0; k < 3; ++k) {
+            const Vec3& a = spec_.mesh.rest[static_cast<size_t>(t.vertex[k])];
+            const Vec3& b = spec_.mesh.rest[static_cast<size_t>(t.vertex[(k + 1) % 3])];
+            longest = std::max(longest, (b - a).norm());
+        }
+        const double height = 2 * area_of(spec_.mesh.rest, t) / longest;
+        out[tissue] = std::max(out[tissue], wave * h / height);
     }
     return out;
 }

@@ -17,6 +17,7 @@
 
 #include "sim/aligned_vector.h"
 #include "sim/mesh.h"
+#include "sim/sheet.h"
 #include "sim/workers.h"
 
 namespace placode::sim {
@@ -80,6 +81,8 @@ struct SoftBodySpec {
                                      ///< empty.
     std::vector<uint8_t> stiffness_percent;  ///< (T) of the material's modulus; empty = 100.
     int spare_vertices = 0;  ///< Room for the copies that cutting makes; 0 = cannot be cut.
+    std::vector<SheetTriangle> sheet;  ///< VBD only. May have vertices that no tet has.
+    double sheet_bending = 1;          ///< Share of a plate's bending stiffness; 0 = a membrane.
 };
 
 /// Maps edges of the mesh to edges of the tet's stress-free shape (rest_scale).
@@ -222,7 +225,8 @@ struct SoftBodyState {
                                               const SoftBodyState& state) noexcept;
 
 /// Gradient and Hessian of the implicit-Euler objective in one vertex:
-/// m/(2h^2)|x - target|^2 + sum Psi V + springs + stretched tethers. Works with every method.
+/// m/(2h^2)|x - target|^2 + sum Psi V + springs + stretched tethers + sheet. Works with every
+/// method.
 struct VertexSystem {
     Vec3 gradient = Vec3::Zero();  ///< [N]
     Mat3 hessian = Mat3::Zero();   ///< [N/m], symmetric positive definite
@@ -230,7 +234,7 @@ struct VertexSystem {
 [[nodiscard]] VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state,
                                          int vertex, double h) noexcept;
 
-/// Elastic force on a vertex, -dE/dx without inertia, springs and tethers [N].
+/// Elastic force of tets and sheet on a vertex, -dE/dx without inertia, springs and tethers [N].
 [[nodiscard]] Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state,
                                  int vertex) noexcept;
 

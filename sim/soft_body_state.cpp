@@ -95,6 +95,9 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
             if (state.tether_alive[tether] == 0) continue;
             for (const int32_t other : body.spec().tethers[tether].vertex) reach(other);
         }
+        for (const int32_t t : packed.sheet.around(v)) {
+            for (const int32_t other : packed.sheet.triangles[at(t)].v) reach(other);
+        }
     }
     for (size_t v = 0; v < free.size(); ++v) {
         if (free[v] == 1 || free[v] == 2) rouse(state, static_cast<int32_t>(v));

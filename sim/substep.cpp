@@ -175,7 +175,7 @@ class Substep {
             first_job_ = phases[p];
             workers_.run<&Substep::vertex_job>(phases[p + 1] - phases[p], *this);
         }
-        if (!packed_.tether_vertices.empty()) raise(solve_tethers_vbd(body_, state_, h_));
+        if (!packed_.single_vertices.empty()) raise(solve_singles_vbd(body_, state_, h_));
     }
     void vertex_job(int number) noexcept {
         const size_t job = at(first_job_ + number);

@@ -267,6 +267,9 @@ Topology::Topology(const SoftBody& body) {
     for (const Tether& t : body.spec().tethers) {
         for (const int32_t v : t.vertex) whole[at(v)] = 1;
     }
+    for (const SheetTriangle& t : body.spec().sheet) {
+        for (const int32_t v : t.vertex) whole[at(v)] = 1;
+    }
     Relayout(body, *this).run();
 }
 

@@ -91,6 +91,8 @@ VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int
     add_elastic(body, state, vertex, out.gradient, out.hessian);
     add_springs(body, state, vertex, out);
     add_tethers(body, state, vertex, out);
+    const SheetElements& sheet = packed_of(body, state).sheet;
+    add_sheet(sheet, state.x.data(), vertex, out.gradient, out.hessian);
     return out;
 }
 
@@ -98,6 +100,7 @@ Vec3 elastic_force(const SoftBody& body, const SoftBodyState& state, int vertex)
     Vec3 gradient = Vec3::Zero();
     Mat3 hessian = Mat3::Zero();
     add_elastic(body, state, vertex, gradient, hessian);
+    add_sheet(packed_of(body, state).sheet, state.x.data(), vertex, gradient, hessian);
     return -gradient;
 }
 

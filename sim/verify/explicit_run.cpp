@@ -54,7 +54,7 @@ ExplicitDynamics::ExplicitDynamics(const ReferenceBody& body, const Vec3& gravit
 
 void ExplicitDynamics::step() {
     spring_.setZero();
-    body_.add_spring_gradient(x, spring_);
+    body_.add_other_gradients(x, spring_);
     parts_ = workers_.threads();
     workers_.run<&ExplicitDynamics::load>(parts_, *this);
     workers_.run<&ExplicitDynamics::integrate>(parts_, *this);

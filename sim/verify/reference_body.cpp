@@ -30,7 +30,9 @@ Mat3 cross_matrix(const Vec3& w) {
 }  // namespace
 
 ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
-    check_mesh(spec.mesh);
+    check_sheet(spec.mesh.rest, spec.sheet);
+    check_mesh(spec.mesh, sheet_vertices(spec));
+    if (!spec.sheet.empty()) sheet_ = ReferenceSheet(spec);
     vertices_ = static_cast<int>(spec.mesh.rest.size());
     mass_kg_.assign(at(vertices_), 0.0);
     damping_per_s_.assign(at(vertices_), 0.0);
@@ -61,6 +63,14 @@ ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
         tets_.push_back(tet);
         const double mass = rest_volume(spec.mesh, static_cast<int>(t)) * m.density_kg_m3 / 4;
         for (const int32_t v : tet.v) {
+            mass_kg_[at(v)] += mass;
+            damping_per_s_[at(v)] += mass * m.damping_per_s;
+        }
+    }
+    for (const SheetTriangle& t : spec.sheet) {
+        const Material& m = spec.materials[static_cast<size_t>(t.tissue)];
+        const double mass = area_of(spec.mesh.rest, t) * t.thickness_m * m.density_kg_m3 / 3;
+        for (const int32_t v : t.vertex) {
             mass_kg_[at(v)] += mass;
             damping_per_s_[at(v)] += mass * m.damping_per_s;
         }
@@ -99,7 +109,7 @@ double ReferenceBody::energy(const Coordinates& x) const {
         const Vec3 moved = x.segment<3>(3 * s.vertex) - s.anchor;
         sum += 0.5 * moved.dot(s.stiffness * moved);
     }
-    return sum;
+    return sum + sheet_.energy(x);
 }
 
 void ReferenceBody::corner_gradients(const Coordinates& x, int first, int last,
@@ -122,13 +132,14 @@ void ReferenceBody::add_gradient(const Coordinates& x, Coordinates& gradient) co
             (tet.mu_pa * f + (tet.lambda_pa * (f.determinant() - 1) - tet.mu_pa) * cofactor(f));
         for (size_t k = 0; k < 4; ++k) gradient.segment<3>(3 * tet.v[k]) += stress * tet.b[k];
     }
-    add_spring_gradient(x, gradient);
+    add_other_gradients(x, gradient);
 }
 
-void ReferenceBody::add_spring_gradient(const Coordinates& x, Coordinates& gradient) const {
+void ReferenceBody::add_other_gradients(const Coordinates& x, Coordinates& gradient) const {
     for (const Spring& s : springs_) {
         gradient.segment<3>(3 * s.vertex) += s.stiffness * (x.segment<3>(3 * s.vertex) - s.anchor);
     }
+    sheet_.add_gradient(x, gradient);
 }
 
 Eigen::Matrix<double, 12, 12> ReferenceBody::tet_stiffness(const Tet& tet, const Coordinates& x) {
@@ -174,6 +185,7 @@ void ReferenceBody::add_stiffness(const Coordinates& x, bool projected, Triplets
             }
         }
     }
+    sheet_.add_stiffness(x, projected, out);
 }
 
 int ReferenceBody::inverted_tets(const Coordinates& x) const {
@@ -183,7 +195,7 @@ int ReferenceBody::inverted_tets(const Coordinates& x) const {
 }
 
 double ReferenceBody::largest_term_n() const {
-    double largest = 0;
+    double largest = sheet_.largest_term_n();
     for (const Tet& tet : tets_) {
         for (const Vec3& b : tet.b)
             largest = std::max(largest, (tet.mu_pa + tet.lambda_pa) * tet.volume_m3 * b.norm());

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "sim/soft_body.h"
+#include "sim/verify/reference_sheet.h"
 
 namespace placode::sim {
 
@@ -22,10 +23,11 @@ using Coordinates = Eigen::VectorXd;
 using SparseMatrix = Eigen::SparseMatrix<double>;
 using Triplets = std::vector<Eigen::Triplet<double>>;
 
-/// Forces and stiffness of the tetrahedra and anchor springs of a body; no tethers, no solver.
+/// Forces and stiffness of the tetrahedra, the sheet and the anchor springs of a body; no tethers,
+/// no solver.
 class ReferenceBody {
  public:
-    /// Uses mesh, materials, rest_scale, stiffness_percent and springs of `spec`.
+    /// Uses mesh, materials, rest_scale, stiffness_percent, sheet and springs of `spec`.
     /// @throws MeshError as check_mesh does.
     explicit ReferenceBody(const SoftBodySpec& spec);
 
@@ -38,7 +40,7 @@ class ReferenceBody {
     }
     [[nodiscard]] const Coordinates& rest() const noexcept { return rest_; }
 
-    /// Elastic energy of tets and springs at x [J].
+    /// Elastic energy of tets, sheet and springs at x [J].
     [[nodiscard]] double energy(const Coordinates& x) const;
     /// Adds dE/dx [N].
     void add_gradient(const Coordinates& x, Coordinates& gradient) const;
@@ -48,8 +50,8 @@ class ReferenceBody {
     /// Adds d2E/dx2 [N/m]. @param projected takes the nearest positive semidefinite matrix of every
     /// tet instead of the exact one.
     void add_stiffness(const Coordinates& x, bool projected, Triplets& out) const;
-    /// Adds the gradient of the springs alone [N].
-    void add_spring_gradient(const Coordinates& x, Coordinates& gradient) const;
+    /// Adds the gradient of all but the tets: springs and sheet [N].
+    void add_other_gradients(const Coordinates& x, Coordinates& gradient) const;
 
     [[nodiscard]] double deformation_determinant(const Coordinates& x, int tet) const;
     /// Tets with J <= 0.
@@ -86,6 +88,7 @@ class ReferenceBody {
     std::vector<Spring> springs_;
     std::vector<double> mass_kg_, damping_per_s_;
     Coordinates rest_;
+    ReferenceSheet sheet_;
 };
 
 }  // namespace placode::sim
