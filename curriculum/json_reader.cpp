@@ -59,7 +59,19 @@ Json parse_json(const std::string& text, const std::string& origin) {
             what = what.substr(at);
         throw DefinitionError(origin, "", place_of(text, error.byte) + ": not JSON: " + what);
     } catch (const Json::exception& error) {
-        throw DefinitionError(origin, "", std::string("not JSON: ") + error.what());
+        // A number beyond what a double holds; the library names it in quotation marks, not its
+        // place.
+        const std::string what = error.what();
+        const size_t open = what.find('\''), close = what.rfind('\'');
+        std::string place, number = what;
+        if (open != std::string::npos && close > open) {
+            number = what.substr(open + 1, close - open - 1);
+            if (const size_t at = text.find(number); at != std::string::npos)
+                place = place_of(text, at + 1) + ": ";
+        }
+        throw DefinitionError(origin, "",
+                              place + "not JSON: found " + number +
+                                  "; expected numbers between -1.7e308 and 1.7e308");
     }
 }
 

@@ -5,143 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <initializer_list>
-#include <limits>
 #include <set>
 
-#include "curriculum/json_reader.h"
-#include "sim/mesh_io/mesh_io.h"
-#include "sim/number_text.h"
+#include "curriculum/verification_place.h"
 
 namespace placode::curriculum {
 namespace {
 
 namespace fs = std::filesystem;
-using sim::Vec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int64_t kMostTets = 3'000'000;  // about 2 GB with everything
-
-/// Allowed range of a number; open ends are excluded.
-struct Range {
-    double low = -kInfinity, high = kInfinity;
-    bool open_low = false, open_high = false;
-
-    [[nodiscard]] bool holds(double v) const {
-        return std::isfinite(v) && (open_low ? v > low : v >= low) &&
-               (open_high ? v < high : v <= high);
-    }
-    [[nodiscard]] std::string text() const {
-        if (low == -kInfinity && high == kInfinity) return "a number";
-        std::string out = "a number ";
-        if (low > -kInfinity) out += (open_low ? "above " : "from ") + sim::shortest_text(low);
-        if (low > -kInfinity && high < kInfinity) out += open_low || open_high ? ", " : " ";
-        if (high < kInfinity) out += (open_high ? "below " : "to ") + sim::shortest_text(high);
-        return out;
-    }
-};
-
-constexpr Range kAny{};
-constexpr Range kPositive{0, kInfinity, true, false};
-constexpr Range kNotNegative{0, kInfinity};
-
-/// A place in the document.
-class Place {
- public:
-    Place(const Json& json, std::string pointer, const std::string& origin)
-        : json_(json), pointer_(std::move(pointer)), origin_(origin) {}
-
-    [[noreturn]] void fail(const std::string& message) const {
-        throw DefinitionError(origin_, pointer_.empty() ? "/" : pointer_, message);
-    }
-    [[noreturn]] void expected(const std::string& what) const {
-        std::string found = json_.dump(-1, ' ', false, Json::error_handler_t::replace);
-        if (found.size() > 60) found = found.substr(0, 57) + "...";
-        fail("found " + found + "; expected " + what);
-    }
-
-    /// Keys that may stand here; anything else is refused.
-    void keys(std::initializer_list<const char*> known) const {
-        std::string list;
-        for (const char* key : known) list += std::string(list.empty() ? "" : ", ") + key;
-        if (!json_.is_object()) expected("an object with the keys " + list);
-        for (const auto& [key, value] : json_.items()) {
-            if (std::find(known.begin(), known.end(), key) == known.end())
-                throw DefinitionError(origin_, pointer_ + "/" + key,
-                                      "unknown key; expected one of: " + list);
-        }
-    }
-    [[nodiscard]] bool has(const char* key) const { return json_.contains(key); }
-    [[nodiscard]] Place at(const char* key) const {
-        if (!json_.contains(key)) fail(std::string("the key \"") + key + "\" is missing");
-        return {json_.at(key), pointer_ + "/" + key, origin_};
-    }
-    [[nodiscard]] Place at(size_t i) const {
-        return {json_.at(i), pointer_ + "/" + std::to_string(i), origin_};
-    }
-    [[nodiscard]] size_t size() const { return json_.size(); }
-    [[nodiscard]] bool is_array() const { return json_.is_array(); }
-    [[nodiscard]] const std::string& pointer() const { return pointer_; }
-
-    [[nodiscard]] double number(const Range& range) const {
-        if (!json_.is_number() || !range.holds(json_.get<double>())) expected(range.text());
-        return json_.get<double>();
-    }
-    [[nodiscard]] int64_t whole(int64_t low, int64_t high) const {
-        const bool is_whole =
-            json_.is_number_integer() ||
-            (json_.is_number_float() && json_.get<double>() == std::floor(json_.get<double>()));
-        const double value = json_.is_number() ? json_.get<double>() : 0;
-        if (!is_whole || !(value >= static_cast<double>(low) && value <= static_cast<double>(high)))
-            expected("a whole number from " + std::to_string(low) + " to " + std::to_string(high));
-        return json_.get<int64_t>();
-    }
-    [[nodiscard]] std::string text() const {
-        if (!json_.is_string()) expected("a text");
-        return json_.get<std::string>();
-    }
-    [[nodiscard]] bool yes() const {
-        if (!json_.is_boolean()) expected("true or false");
-        return json_.get<bool>();
-    }
-    [[nodiscard]] Vec3 vector(const Range& range = kAny) const {
-        if (!json_.is_array() || json_.size() != 3) expected("an array of three numbers");
-        return {at(size_t{0}).number(range), at(size_t{1}).number(range),
-                at(size_t{2}).number(range)};
-    }
-    template <class Function>
-    void each(Function&& function) const {
-        if (!json_.is_array()) expected("an array");
-        for (size_t i = 0; i < json_.size(); ++i) function(at(i));
-    }
-
-    void take(const char* key, double& value, const Range& range) const {
-        if (has(key)) value = at(key).number(range);
-    }
-    void take(const char* key, int& value, int low, int high) const {
-        if (has(key)) value = static_cast<int>(at(key).whole(low, high));
-    }
-    void take(const char* key, Vec3& value) const {
-        if (has(key)) value = at(key).vector();
-    }
-    void take(const char* key, bool& value) const {
-        if (has(key)) value = at(key).yes();
-    }
-
- private:
-    const Json& json_;
-    std::string pointer_;
-    const std::string& origin_;
-};
-
-sim::BoxSelection box_of(const Place& place) {
-    if (!place.is_array() || place.size() != 2)
-        place.expected("two corners [[x0, y0, z0], [x1, y1, z1]]");
-    sim::BoxSelection box{place.at(size_t{0}).vector(), place.at(size_t{1}).vector()};
-    if ((box.low.array() > box.high.array()).any())
-        place.expected("the corner with the smaller coordinates first");
-    return box;
-}
+// Other systems of units are welcome; beyond these the solver's floats have no room.
+constexpr Range kModulus{0, 1e18, true, false};
 
 uint8_t axes_of(const Place& place) {
     uint8_t axes = 0;
@@ -158,60 +32,9 @@ uint8_t axes_of(const Place& place) {
     return axes;
 }
 
-void read_box_mesh(const Place& box, sim::VerificationScene& scene) {
-    box.keys({"size_m", "cells"});
-    const Vec3 size = box.at("size_m").vector(kPositive);
-    const Place cells = box.at("cells");
-    if (!cells.is_array() || cells.size() != 3) cells.expected("an array of three whole numbers");
-    std::array<int, 3> n{};
-    for (size_t i = 0; i < 3; ++i) n[i] = static_cast<int>(cells.at(i).whole(1, 100000));
-    const double tets = 6.0 * n[0] * n[1] * n[2];
-    if (tets > static_cast<double>(kMostTets))
-        cells.expected("at most " + std::to_string(kMostTets) +
-                       " tetrahedra (six a cell), these are " + sim::shortest_text(tets));
-    sim::use_box(scene, size, n);
-}
-
-void read_file_mesh(const Place& mesh, const std::string& folder, sim::VerificationScene& scene) {
-    const Place file = mesh.at("file");
-    double scale = 1;
-    bool allow = false;
-    mesh.take("scale", scale, kPositive);
-    mesh.take("allow_disconnected", allow);
-    const std::string name = file.text();
-    fs::path path = name;
-    std::error_code error;
-    if (path.is_relative() && fs::exists(fs::path(folder) / path, error))
-        path = fs::path(folder) / path;
-    try {
-        const sim::FileMesh read = sim::read_mesh_file(path.string());
-        sim::LoadedMesh loaded = sim::prepare_mesh(read, scale, allow);
-        std::vector<Vec3> points;
-        for (const Vec3& p : read.points) points.push_back(scale * p);
-        for (std::string& warning : loaded.warnings)
-            scene.warnings.push_back("/mesh/file: " + warning);
-        sim::use_mesh(scene, loaded.mesh, std::move(points), loaded.vertex_of_point);
-    } catch (const sim::MeshError& problem) {
-        file.fail(problem.what());
-    }
-}
-
-void read_mesh(const Place& mesh, const std::string& folder, sim::VerificationScene& scene) {
-    mesh.keys({"box", "file", "scale", "allow_disconnected"});
-    if (mesh.has("box") == mesh.has("file")) mesh.expected("either \"box\" or \"file\"");
-    if (mesh.has("file")) {
-        read_file_mesh(mesh, folder, scene);
-    } else {
-        if (mesh.has("scale")) mesh.at("scale").fail("belongs to \"file\"; a box is in metres");
-        read_box_mesh(mesh.at("box"), scene);
-    }
-}
-
 void read_material(const Place& place, sim::VerificationScene& scene) {
     place.keys({"youngs_modulus_pa", "poissons_ratio", "density_kg_m3"});
-    place.take("youngs_modulus_pa", scene.material.youngs_modulus_pa, kPositive);
-    place.take("poissons_ratio", scene.material.poissons_ratio, {-1, 0.5, true, true});
-    place.take("density_kg_m3", scene.material.density_kg_m3, kPositive);
+    read_elastic(place, scene.material);
 }
 
 void read_fixed(const Place& list, sim::VerificationScene& scene) {
@@ -377,17 +200,34 @@ void check_work(const Place& root, const sim::VerificationScene& scene) {
 
 }  // namespace
 
+sim::BoxSelection box_of(const Place& place) {
+    if (!place.is_array() || place.size() != 2)
+        place.expected("two corners [[x0, y0, z0], [x1, y1, z1]]");
+    sim::BoxSelection box{place.at(size_t{0}).vector(), place.at(size_t{1}).vector()};
+    if ((box.low.array() > box.high.array()).any())
+        place.expected("the corner with the smaller coordinates first");
+    return box;
+}
+
+void read_elastic(const Place& place, sim::Material& material) {
+    place.take("youngs_modulus_pa", material.youngs_modulus_pa, kModulus);
+    place.take("poissons_ratio", material.poissons_ratio, {-1, 0.5, true, true});
+    place.take("density_kg_m3", material.density_kg_m3, kModulus);
+}
+
 sim::VerificationScene verification_scene_from_json(const std::string& text,
                                                     const std::string& origin,
                                                     const std::string& folder) {
     const Json json = parse_json(text, origin);
     const Place root(json, "", origin);
     root.keys({"mesh", "material", "gravity_m_s2", "damping_per_s", "fixed", "prescribed", "loads",
-               "sdf_contacts", "start", "solver", "until", "probes", "sample_s"});
+               "sdf_contacts", "start", "solver", "until", "probes", "sample_s", "sheets",
+               "sheet_bending"});
     sim::VerificationScene scene;
     scene.material.damping_per_s = 0;
     if (root.has("material")) read_material(root.at("material"), scene);
-    root.take("gravity_m_s2", scene.gravity_m_s2);
+    if (root.has("gravity_m_s2"))
+        scene.gravity_m_s2 = root.at("gravity_m_s2").vector({-1e12, 1e12});
     root.take("damping_per_s", scene.material.damping_per_s, {0, 1e6});
     if (root.has("fixed")) read_fixed(root.at("fixed"), scene);
     if (root.has("prescribed")) read_prescribed(root.at("prescribed"), scene);
@@ -399,7 +239,7 @@ sim::VerificationScene verification_scene_from_json(const std::string& text,
     if (root.has("probes")) read_probes(root.at("probes"), scene);
     root.take("sample_s", scene.sample_s, kPositive);
     check_work(root, scene);
-    read_mesh(root.at("mesh"), folder, scene);  // last: everything else is checked without it
+    read_mesh_and_sheets(root, folder, scene);  // last: everything else is checked without it
     return scene;
 }
 

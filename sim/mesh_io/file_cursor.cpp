@@ -167,6 +167,11 @@ int32_t PointNumbers::index(int64_t id, const std::string& element,
     cursor.fail(element + ": no point " + std::to_string(id) + "; " + range);
 }
 
+int32_t PointNumbers::find(int64_t id) const {
+    const auto found = index_.find(id);
+    return found == index_.end() ? -1 : found->second;
+}
+
 std::string place_of(const FileTet& tet) {
     return tet.line > 0 ? " (line " + std::to_string(tet.line) + ")" : "";
 }

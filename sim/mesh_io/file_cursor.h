@@ -89,6 +89,8 @@ class PointNumbers {
     /// @throws MeshError through `cursor` for an unknown number.
     [[nodiscard]] int32_t index(int64_t id, const std::string& element,
                                 const FileCursor& cursor) const;
+    /// -1 for an unknown number.
+    [[nodiscard]] int32_t find(int64_t id) const;
 
  private:
     std::map<int64_t, int32_t> index_;

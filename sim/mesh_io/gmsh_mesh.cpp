@@ -3,6 +3,7 @@
 // Gmsh .msh, versions 1, 2.x and 4.1, ascii and (2.x, 4.1) binary.
 // Source: Gmsh reference manual, "MSH file format" and "MSH file format version 1 / 2 (Legacy)".
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -42,7 +43,7 @@ ElementType element_type(int64_t type) {
     return kTypes[static_cast<size_t>(type)];
 }
 
-constexpr int kTetrahedron = 4, kSecondOrderTetrahedron = 11;
+constexpr int kTriangle = 2, kTetrahedron = 4, kSecondOrderTetrahedron = 11;
 
 class GmshReader {
  public:
@@ -175,7 +176,8 @@ class GmshReader {
         const int64_t n = in_.count("the number of elements");
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
-            for (int k = 0; k < 2; ++k) (void)in_.whole("a region");
+            group_ = in_.whole("a region");
+            (void)in_.whole("a region");
             const int64_t points = in_.count("the number of nodes of the element");
             points_.clear();
             for (int64_t k = 0; k < points; ++k) points_.push_back(in_.whole("a node number"));
@@ -189,7 +191,11 @@ class GmshReader {
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
             const int64_t tags = in_.count("the number of tags");
-            for (int64_t k = 0; k < tags; ++k) (void)in_.whole("a tag");
+            for (int64_t k = 0; k < tags; ++k) {
+                const int64_t tag = in_.whole("a tag");
+                if (k == 0) group_ = tag;
+            }
+            if (tags == 0) group_ = 0;
             ascii_points(type);
             add_element(id, type);
         }
@@ -226,7 +232,8 @@ class GmshReader {
             if (block == 0) in_.fail("an element block of 0 elements");
             for (int64_t k = 0; k < block; ++k, ++i) {
                 const auto id = in_.binary<int32_t>(swap_, "$Elements");
-                in_.skip_bytes(4 * tags, "$Elements");
+                group_ = tags > 0 ? in_.binary<int32_t>(swap_, "$Elements") : 0;
+                in_.skip_bytes(4 * std::max<int64_t>(0, tags - 1), "$Elements");
                 points_.clear();
                 for (int p = 0; p < points; ++p)
                     points_.push_back(in_.binary<int32_t>(swap_, "$Elements"));
@@ -241,7 +248,8 @@ class GmshReader {
         const int64_t blocks = count_4("the number of element blocks");
         for (int i = 0; i < 3; ++i) (void)size_4("$Elements");
         for (int64_t b = 0; b < blocks; ++b) {
-            for (int i = 0; i < 2; ++i) (void)int_4("$Elements");
+            (void)int_4("$Elements");
+            group_ = int_4("$Elements");
             const int64_t type = int_4("an element type"), n = count_4("the number of elements");
             const int points = binary_ ? known_points(type) : 0;
             for (int64_t i = 0; i < n; ++i) {
@@ -260,6 +268,7 @@ class GmshReader {
     void add_element(int64_t id, int64_t type) {
         if (type != kTetrahedron && type != kSecondOrderTetrahedron) {
             ++out_.skipped[element_type(type).name];
+            if (type == kTriangle) add_triangle(id);
             return;
         }
         const std::string name = "element " + std::to_string(id);
@@ -271,6 +280,15 @@ class GmshReader {
         tet.line = binary_ ? 0 : in_.line();
         for (size_t k = 0; k < 4; ++k) tet.point[k] = numbers_.index(points_[k], name, in_);
         out_.tets.push_back(tet);
+    }
+
+    void add_triangle(int64_t id) {
+        // Most files have triangles that nobody asks for: a broken one is an error where it is
+        // used.
+        FileTriangle triangle{{-1, -1, -1}, id, group_};
+        for (size_t k = 0; k < 3 && points_.size() == 3; ++k)
+            triangle.point[k] = numbers_.find(points_[k]);
+        out_.triangles.push_back(triangle);
     }
 
     int64_t int_4(std::string_view what) {
@@ -288,6 +306,7 @@ class GmshReader {
     FileMesh out_;
     PointNumbers numbers_;
     std::vector<int64_t> points_;
+    int64_t group_ = 0;  // of the element
     int version_ = 0, second_order_ = 0;
     bool binary_ = false, swap_ = false, nodes_read_ = false, elements_read_ = false;
 };

@@ -162,31 +162,40 @@ void check_connected(const FileMesh& file, bool allow, std::vector<std::string>&
     }
 }
 
-}  // namespace
-
-FileMesh read_mesh_file(const std::string& path) {
+FileMesh read_any(const std::string& path) {
     const size_t dot = path.rfind('.');
     std::string ending = dot == std::string::npos ? "" : path.substr(dot);
     for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    FileMesh out;
-    if (ending == ".msh") {
-        out = read_gmsh(path);
-    } else if (ending == ".vtk") {
-        out = read_legacy_vtk(path);
-    } else if (ending == ".vtu") {
-        out = read_vtu(path);
-    } else if (ending == ".node" || ending == ".ele") {
-        out = read_tetgen(path);
-    } else {
-        throw MeshError(path + ": ending \"" + ending +
-                        "\"; expected .msh (Gmsh), .vtk, .vtu, or .node (TetGen, with .ele)");
-    }
-    if (out.tets.empty()) {
-        std::string found;
-        for (const auto& [kind, n] : out.skipped)
-            found += (found.empty() ? "; found " : ", ") + std::to_string(n) + " " + kind;
-        throw MeshError(out.file + ": no tetrahedra" + found + "; expected at least 1");
-    }
+    if (ending == ".msh") return read_gmsh(path);
+    if (ending == ".vtk") return read_legacy_vtk(path);
+    if (ending == ".vtu") return read_vtu(path);
+    if (ending == ".node" || ending == ".ele") return read_tetgen(path);
+    throw MeshError(path + ": ending \"" + ending +
+                    "\"; expected .msh (Gmsh), .vtk, .vtu, or .node (TetGen, with .ele)");
+}
+
+/// "; found 12 triangle, 3 line".
+std::string found_in(const FileMesh& mesh) {
+    std::string found;
+    if (!mesh.tets.empty()) found = "; found " + std::to_string(mesh.tets.size()) + " tetrahedron";
+    for (const auto& [kind, n] : mesh.skipped)
+        found += (found.empty() ? "; found " : ", ") + std::to_string(n) + " " + kind;
+    return found;
+}
+
+}  // namespace
+
+FileMesh read_mesh_file(const std::string& path) {
+    FileMesh out = read_any(path);
+    if (out.tets.empty())
+        throw MeshError(out.file + ": no tetrahedra" + found_in(out) + "; expected at least 1");
+    return out;
+}
+
+FileMesh read_triangle_file(const std::string& path) {
+    FileMesh out = read_any(path);
+    if (out.triangles.empty())
+        throw MeshError(out.file + ": no triangles" + found_in(out) + "; expected at least 1");
     return out;
 }
 

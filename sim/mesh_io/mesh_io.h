@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Tetrahedral meshes from files: Gmsh 1, 2.x and 4.1 (ascii and binary), legacy VTK (ascii and
-// binary), VTU (ascii), TetGen (.node with .ele). Only linear tetrahedra enter the solver; points,
-// lines, triangles and other cells are skipped and counted. Broken elements are named with the
-// number that they have in the file, and with its line.
+// binary), VTU (ascii), TetGen (.node with .ele). Linear tetrahedra enter the solver, triangles
+// where a scene makes a sheet of them; points, lines and other cells are skipped and counted.
+// Broken elements are named with the number that they have in the file, and with its line.
 
 #include <array>
 #include <cstdint>
@@ -23,20 +23,30 @@ struct FileTet {
     int32_t line = 0;                ///< Line of the file, 0 in binary ones.
 };
 
+/// One triangle as the file has it.
+struct FileTriangle {
+    std::array<int32_t, 3> point{};  ///< Index into FileMesh::points, -1 = there is none.
+    int64_t id = 0;                  ///< Its number in the file.
+    int64_t group = 0;  ///< Physical group (Gmsh 1, 2), surface (Gmsh 4.1), 0 elsewhere.
+};
+
 /// What a file holds, nothing repaired.
 struct FileMesh {
-    std::string file;                    ///< For messages.
-    std::string format;                  ///< "Gmsh 2.2 ascii", ...
-    std::vector<Vec3> points;            ///< In the order of the file, in its unit.
-    std::vector<int64_t> point_id;       ///< Number of each point in the file.
-    std::vector<FileTet> tets;           ///< In the order of the file.
-    std::map<std::string, int> skipped;  ///< Cells that are no tetrahedra, by kind.
-    std::vector<std::string> warnings;   ///< What was read in another way than it stands there.
+    std::string file;                     ///< For messages.
+    std::string format;                   ///< "Gmsh 2.2 ascii", ...
+    std::vector<Vec3> points;             ///< In the order of the file, in its unit.
+    std::vector<int64_t> point_id;        ///< Number of each point in the file.
+    std::vector<FileTet> tets;            ///< In the order of the file.
+    std::vector<FileTriangle> triangles;  ///< Likewise.
+    std::map<std::string, int> skipped;   ///< Cells that are no tetrahedra, by kind.
+    std::vector<std::string> warnings;    ///< What was read in another way than it stands there.
 };
 
 /// Reads a mesh file; the ending decides: .msh, .vtk, .vtu, .node or .ele.
 /// @throws MeshError naming file, line, what was found and what is expected.
 [[nodiscard]] FileMesh read_mesh_file(const std::string& path);
+/// The same for a file of which only the triangles count. @throws MeshError also without any.
+[[nodiscard]] FileMesh read_triangle_file(const std::string& path);
 
 /// A file's mesh made ready for the solver.
 struct LoadedMesh {

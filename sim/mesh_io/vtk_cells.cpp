@@ -5,7 +5,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr int64_t kTetrahedron = 10, kQuadraticTetrahedron = 24;
+constexpr int64_t kTriangle = 5, kTetrahedron = 10, kQuadraticTetrahedron = 24;
 
 /// Names of the cell types of vtkCellType.h.
 const char* cell_name(int64_t type) {
@@ -65,6 +65,14 @@ void add_vtk_cells(const VtkCells& cells, const FileCursor& cursor, FileMesh& ou
                  " do not fit the connectivity of " + std::to_string(cells.connectivity.size()));
         if (cells.types[c] != kTetrahedron && cells.types[c] != kQuadraticTetrahedron) {
             ++out.skipped[cell_name(cells.types[c])];
+            if (cells.types[c] != kTriangle) continue;
+            // A broken triangle is an error where it is used.
+            FileTriangle triangle{{-1, -1, -1}, static_cast<int64_t>(c), 0};
+            for (size_t k = 0; k < 3 && to - from == 3; ++k) {
+                const int64_t p = cells.connectivity[static_cast<size_t>(from) + k];
+                if (p >= 0 && p < points) triangle.point[k] = static_cast<int32_t>(first_point + p);
+            }
+            out.triangles.push_back(triangle);
             continue;
         }
         const bool second = cells.types[c] == kQuadraticTetrahedron;

@@ -13,12 +13,14 @@
 
 #include "sim/event.h"
 #include "sim/number_text.h"
+#include "sim/packing.h"
 #include "sim/verify/solve_setup.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr int kPasses = 2;  // over the contact colour for each sweep, as in sim/step
+constexpr int kPasses = 2;      // over the contact colour for each sweep, as in sim/step
+constexpr double kTorn = 1000;  // no tissue is stretched so far: the method has lost it
 // Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
 // and x what the touched vertices answer at once, as in sim/contact.cpp: more bursts on fine
 // patches.
@@ -56,6 +58,7 @@ struct KernelUnits {
             m.density_kg_m3 *= mass / std::pow(length, 3);
             m.damping_per_s /= time;
         }
+        for (SheetTriangle& t : spec.sheet) t.thickness_m *= length;
         spec.solver.gravity_m_s2 *= acceleration();
         spec.solver.frame_s *= time;
         return spec;
@@ -92,7 +95,8 @@ class FastRun {
         state_.x_start = state_.x;
         find_free();
         if (setup.contacts) {
-            contacts_ = std::make_unique<SphereContacts>(body_.mesh(), spheres_);
+            contacts_ =
+                std::make_unique<SphereContacts>(body_.mesh(), spheres_, setup.free_sheet());
             anchor_.resize(at(body_.vertex_count()));
             k_ = kContactStiffness * units_.stress() * setup.scene.material.youngs_modulus_pa *
                  contacts_->mean_edge_m();
@@ -193,12 +197,16 @@ class FastRun {
         while (!stack.empty()) {
             const int32_t v = stack.back();
             stack.pop_back();
+            const auto reach = [&](int32_t other) {
+                if (state_.free_vertex[at(other)] == 0) return;
+                state_.free_vertex[at(other)] = 0;
+                stack.push_back(other);
+            };
             for (const int32_t t : body_.tets_of(v)) {
-                for (const int32_t other : body_.mesh().tets[at(t)]) {
-                    if (state_.free_vertex[at(other)] == 0) continue;
-                    state_.free_vertex[at(other)] = 0;
-                    stack.push_back(other);
-                }
+                for (const int32_t other : body_.mesh().tets[at(t)]) reach(other);
+            }
+            for (const int32_t t : body_.packed().sheet.around(v)) {
+                for (const int32_t other : body_.packed().sheet.triangles[at(t)].v) reach(other);
             }
         }
     }
@@ -227,6 +235,7 @@ class FastRun {
         end_substep(body_, state_, h_body_, workers_);
         finish_touches();
         flags_ |= state_.flags;
+        last_flags_ = state_.flags;
         state_.flags = 0;
     }
 
@@ -478,13 +487,38 @@ class FastRun {
                  force_[i] / (units_.force() * std::max(1, frame_substeps_))});
         out_.penetration_m = deepest_ / units_.length;
         out_.state_hash = state_hash(state_);
-        if ((flags_ & kNotFinite) != 0)
+        if ((last_flags_ & kNotFinite) != 0) {
+            out_.diverged = true;
+            out_.warnings.emplace_back(
+                "diverged: to the end vertices were not finite and were put back; expected smaller "
+                "loads, or softer or denser tissue");
+        } else if ((flags_ & kNotFinite) != 0)
             out_.warnings.emplace_back("vertices were not finite at times and were put back");
         if ((flags_ & kStepLimited) != 0)
             out_.warnings.emplace_back(
                 "steps were limited to a quarter of the shortest edge at times: the motion was "
                 "faster than the method follows");
+        if (const double stretch = longest_stretch(); stretch > kTorn) {
+            out_.diverged = true;
+            out_.warnings.push_back("diverged: an edge is " + rounded_text(stretch, 3) +
+                                    " times as long as at rest");
+        }
         setup_.finish(positions(), flat(state_.v) / units_.speed(), time_s, out_);
+    }
+
+    /// Of an edge of a tet, against its rest length.
+    [[nodiscard]] double longest_stretch() const {
+        double longest = 0;
+        for (const auto& tet : body_.mesh().tets) {
+            for (size_t k = 1; k < 4; ++k) {
+                const double rest =
+                    (body_.mesh().rest[at(tet[k])] - body_.mesh().rest[at(tet[0])]).norm();
+                const double now =
+                    (to_vec(state_.x[at(tet[k])]) - to_vec(state_.x[at(tet[0])])).norm();
+                longest = std::max(longest, now / rest);
+            }
+        }
+        return longest;
     }
 
     struct Anchor {
@@ -512,7 +546,7 @@ class FastRun {
     std::vector<Anchor> anchor_;
     std::vector<Vec3> force_;
     int frame_substeps_ = 0;
-    uint32_t flags_ = 0;
+    uint32_t flags_ = 0, last_flags_ = 0;  // of all substeps, of the last one
 };
 
 }  // namespace

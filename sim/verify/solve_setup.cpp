@@ -7,7 +7,6 @@
 #include <cmath>
 #include <ctime>
 #include <limits>
-#include <numeric>
 
 #include "sim/number_text.h"
 #include "sim/surface.h"
@@ -74,6 +73,10 @@ SolveSetup::SolveSetup(const VerificationScene& source) : scene(source) {
     warnings = scene.warnings;
     spec.mesh = scene.mesh;
     spec.materials.fill(scene.material);
+    for (size_t k = 0; k < scene.sheet_materials.size(); ++k)
+        spec.materials[static_cast<size_t>(sheet_tissue(k))] = scene.sheet_materials[k];
+    spec.sheet = scene.sheet;
+    spec.sheet_bending = scene.sheet_bending;
     spec.solver.gravity_m_s2 = scene.gravity_m_s2;
     body = std::make_unique<ReferenceBody>(spec);
     hold();
@@ -81,7 +84,7 @@ SolveSetup::SolveSetup(const VerificationScene& source) : scene(source) {
     for (const Probe& probe : scene.probes)
         probe_vertices_.push_back(select(probe.box, probe.pointer));
     if (!scene.spheres.empty())
-        contacts = std::make_unique<SphereContacts>(spec.mesh, scene.spheres);
+        contacts = std::make_unique<SphereContacts>(spec.mesh, scene.spheres, free_sheet());
     make_start();
 }
 
@@ -138,15 +141,16 @@ void SolveSetup::hold() {
 
 void SolveSetup::make_loads() {
     if (scene.loads.empty()) return;
+    std::vector<std::array<int32_t, 3>> triangles = free_sheet();
     const Surface surface(spec.mesh);
+    for (const SurfaceTriangle& t : surface.rest_triangles()) triangles.push_back(t.vertex);
     for (const LoadRegion& region : scene.loads) {
         const std::vector<int32_t> chosen = select(region.box, region.pointer);
         std::vector<double> weight(scene.mesh.rest.size(), 0.0);
         std::vector<uint8_t> is_chosen(weight.size(), 0);
         for (const int32_t v : chosen) is_chosen[at(v)] = 1;
         double area = 0;
-        for (const SurfaceTriangle& t : surface.rest_triangles()) {
-            const auto& k = t.vertex;
+        for (const auto& k : triangles) {
             if (!is_chosen[at(k[0])] || !is_chosen[at(k[1])] || !is_chosen[at(k[2])]) continue;
             const Vec3& x0 = scene.mesh.rest[at(k[0])];
             const double third =
@@ -162,6 +166,22 @@ void SolveSetup::make_loads() {
         }
         loads_.push_back(std::move(load));
     }
+}
+
+std::vector<std::array<int32_t, 3>> SolveSetup::free_sheet() const {
+    const auto key = [](std::array<int32_t, 3> v) {
+        std::sort(v.begin(), v.end());
+        return v;
+    };
+    std::vector<std::array<int32_t, 3>> faces, out;
+    if (spec.sheet.empty()) return out;
+    const Surface surface(spec.mesh);
+    for (const SurfaceTriangle& t : surface.rest_triangles()) faces.push_back(key(t.vertex));
+    std::sort(faces.begin(), faces.end());
+    for (const SheetTriangle& t : spec.sheet) {
+        if (!std::binary_search(faces.begin(), faces.end(), key(t.vertex))) out.push_back(t.vertex);
+    }
+    return out;
 }
 
 void SolveSetup::make_start() {
@@ -299,25 +319,14 @@ bool RestWatch::frame(double time_s, const Coordinates& x) {
     return quiet_ >= kQuietFrames;
 }
 
-void use_mesh(VerificationScene& scene, const TetMesh& mesh, std::vector<Vec3> output_points,
-              const std::vector<int32_t>& vertex_of_output) {
-    const std::vector<int32_t> order = rcm_order(mesh);
-    std::vector<int32_t> new_of_old(order.size());
-    for (size_t i = 0; i < order.size(); ++i) new_of_old[at(order[i])] = static_cast<int32_t>(i);
-    scene.mesh = renumbered(mesh, order);
-    scene.output_points = std::move(output_points);
-    scene.vertex_of_output = vertex_of_output;
-    for (int32_t& v : scene.vertex_of_output) v = v < 0 ? -1 : new_of_old[at(v)];
-}
-
-void use_box(VerificationScene& scene, const Vec3& size_m, const std::array<int, 3>& cells) {
-    const TetMesh box = box_mesh(size_m, cells);
-    std::vector<int32_t> same(box.rest.size());
-    std::iota(same.begin(), same.end(), 0);
-    use_mesh(scene, box, box.rest, same);
-}
-
 SolveResult solve(const VerificationScene& scene) {
+    const SolveMethod method = scene.solver.method;
+    if (!scene.sheet.empty() && (method == SolveMethod::kXpbd || method == SolveMethod::kXpbdPair))
+        throw VerificationError("/solver/method",
+                                std::string("found ") + method_name(method) +
+                                    ", which knows tetrahedra only, and " +
+                                    std::to_string(scene.sheet.size()) +
+                                    " triangles of sheets; expected vbd, explicit or newton");
     SolveSetup setup(scene);
     SoftBodySpec spec = setup.spec;
     spec.solver.frame_s = scene.solver.frame_s / scene.solver.substeps;

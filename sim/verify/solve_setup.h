@@ -35,6 +35,9 @@ class SolveSetup {
     /// Vertices that only some axes hold (V), ascending.
     [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
 
+    /// Triangles of sheets that are not faces of the tets as well.
+    [[nodiscard]] std::vector<std::array<int32_t, 3>> free_sheet() const;
+
     /// Adds a row to the probes.
     void sample(double time_s, const Coordinates& x, SolveResult& out) const;
     /// Everything that follows from the final state. @param v (3 V) velocities.
@@ -57,6 +60,12 @@ class SolveSetup {
     std::vector<Load> loads_;
     std::vector<std::vector<int32_t>> probe_vertices_;
 };
+
+/// Label of the k-th sheet's material; the tets have kSubcutis.
+[[nodiscard]] inline Tissue sheet_tissue(size_t k) noexcept {
+    const auto tets = static_cast<size_t>(Tissue::kSubcutis);
+    return static_cast<Tissue>(k < tets ? k : k + 1);
+}
 
 // One runner for each family of methods; they fill `out` up to finish().
 void run_fast(const SolveSetup& setup, SolveResult& out);      ///< xpbd, xpbd_pair, vbd

@@ -44,18 +44,20 @@ std::array<Vec3, 3> gradients(const SphereTouch& t, const Coordinates& x) {
 
 }  // namespace
 
-SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres)
+SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres,
+                               const std::vector<std::array<int32_t, 3>>& sheet)
     : spheres_(std::move(spheres)) {
     if (spheres_.empty()) return;
     const Surface surface(mesh);
-    for (const SurfaceTriangle& t : surface.rest_triangles()) {
-        triangles_.push_back(t.vertex);
+    for (const SurfaceTriangle& t : surface.rest_triangles()) triangles_.push_back(t.vertex);
+    faces_ = triangles_.size();
+    triangles_.insert(triangles_.end(), sheet.begin(), sheet.end());
+    for (const auto& t : triangles_) {
         for (size_t k = 0; k < 3; ++k) {
-            const double edge =
-                (mesh.rest[at(t.vertex[k])] - mesh.rest[at(t.vertex[(k + 1) % 3])]).norm();
+            const double edge = (mesh.rest[at(t[k])] - mesh.rest[at(t[(k + 1) % 3])]).norm();
             mean_edge_m_ += edge;
             longest_edge_m_ = std::max(longest_edge_m_, edge);
-            vertices_.push_back(t.vertex[k]);
+            vertices_.push_back(t[k]);
         }
     }
     mean_edge_m_ /= 3.0 * static_cast<double>(triangles_.size());
@@ -71,7 +73,8 @@ void SphereContacts::find(const PositionOf& x, double time_s, double margin_m,
         const double reach = spheres_[s].radius_m + margin_m;
         // A stretched triangle is longer than at rest; 3 is beyond what tissue bears.
         const double far = reach + 3 * longest_edge_m_;
-        for (const auto& triangle : triangles_) {
+        for (size_t i = 0; i < triangles_.size(); ++i) {
+            const auto& triangle = triangles_[i];
             const Vec3 first = x(triangle[0]);
             if ((first - centre).squaredNorm() > far * far) continue;
             const Triangle corners{first, x(triangle[1]), x(triangle[2])};
@@ -81,7 +84,7 @@ void SphereContacts::find(const PositionOf& x, double time_s, double margin_m,
             if (!(distance < reach) || !(distance > 0)) continue;
             const Vec3 n = way / distance;
             const Vec3 face = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
-            if (n.dot(face) > kFacing) continue;
+            if (i < faces_ && n.dot(face) > kFacing) continue;
             out.push_back({triangle, b, n, distance - spheres_[s].radius_m, static_cast<int>(s)});
         }
     }

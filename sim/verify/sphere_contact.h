@@ -33,7 +33,9 @@ struct SphereTouch {
 
 class SphereContacts {
  public:
-    SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres);
+    /// @param sheet triangles that are touched from both sides, beside the faces of the tets.
+    SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> spheres,
+                   const std::vector<std::array<int32_t, 3>>& sheet = {});
 
     using PositionOf = std::function<Vec3(int32_t vertex)>;
     /// Triangles nearer than `margin_m` at time `time_s`. Triangles that turn their back on the
@@ -48,7 +50,8 @@ class SphereContacts {
     [[nodiscard]] const std::vector<int32_t>& vertices() const { return vertices_; }
 
  private:
-    std::vector<std::array<int32_t, 3>> triangles_;
+    std::vector<std::array<int32_t, 3>> triangles_;  // faces of tets first
+    size_t faces_ = 0;
     std::vector<int32_t> vertices_;
     std::vector<SphereObstacle> spheres_;
     double mean_edge_m_ = 0, longest_edge_m_ = 0;

@@ -85,6 +85,9 @@ struct VerificationScene {
     std::vector<Vec3> output_points;        ///< Rest place of every vertex of the output [m].
     std::vector<int32_t> vertex_of_output;  ///< Vertex of the mesh, -1 = takes no part.
     Material material;
+    std::vector<SheetTriangle> sheet;  ///< Of all sheets, see use_sheet.
+    std::vector<Material> sheet_materials;
+    double sheet_bending = 1;  ///< As SoftBodySpec.
     Vec3 gravity_m_s2 = Vec3(0, 0, -9.81);
     std::vector<HeldRegion> held;  ///< fixed first, then prescribed.
     std::vector<LoadRegion> loads;
@@ -138,6 +141,25 @@ void use_mesh(VerificationScene& scene, const TetMesh& mesh, std::vector<Vec3> o
               const std::vector<int32_t>& vertex_of_output);
 /// The same with a box of Kuhn tets, one corner at the origin.
 void use_box(VerificationScene& scene, const Vec3& size_m, const std::array<int, 3>& cells);
+
+/// A sheet to be added to a scene.
+struct SheetInput {
+    std::vector<Vec3> points;  ///< [m]
+    std::vector<std::array<int32_t, 3>> triangles;
+    /// (points) Index into output_points; empty = the points are welded to vertices of the mesh
+    /// that lie where they do (a millionth of the longest edge apart at most), the others are new.
+    std::vector<int32_t> output;
+    Material material;
+    double thickness_m = 1e-4;
+    bool allow_disconnected = false;  ///< Take a sheet that meets nothing.
+};
+inline constexpr size_t kMostSheets = kTissueCount - 1;
+
+/// Welds a sheet to the scene's mesh, which comes first (or is empty). @throws MeshError naming the
+/// triangle for what check_sheet refuses, and for a sheet that touches nothing.
+void use_sheet(VerificationScene& scene, const SheetInput& sheet);
+/// All boundary triangles with their corners in the box, as a sheet on the mesh.
+[[nodiscard]] SheetInput boundary_in(const VerificationScene& scene, const BoxSelection& box);
 
 /// Runs the scene. @throws VerificationError for settings that cannot be (empty selections, a
 /// method that is not valid at its step, ...), MeshError for a body that cannot be built.

@@ -43,6 +43,7 @@ std::string hex(uint64_t value) {
 Json summary_of(const sim::VerificationScene& scene, const sim::SolveResult& result) {
     return {{"vertices", scene.output_points.size()},
             {"tets", scene.mesh.tets.size()},
+            {"sheet_triangles", scene.sheet.size()},
             {"method", sim::method_name(scene.solver.method)},
             {"simulated_s", result.simulated_s},
             {"wall_s", result.wall_s},

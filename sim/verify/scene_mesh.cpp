@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes and sheets of a verification scene, and which of their vertices an output point is.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "sim/number_text.h"
+#include "sim/surface.h"
+#include "sim/verify/solve_setup.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+constexpr double kWeld = 1e-6;  // of the longest edge of the sheet
+
+/// Vertices in rising x, to find the one at a place.
+class PlaceIndex {
+ public:
+    explicit PlaceIndex(const std::vector<Vec3>& points) : points_(points), order_(points.size()) {
+        std::iota(order_.begin(), order_.end(), 0);
+        std::sort(order_.begin(), order_.end(), [&](int32_t a, int32_t b) {
+            return points[at(a)].x() != points[at(b)].x() ? points[at(a)].x() < points[at(b)].x()
+                                                          : a < b;
+        });
+    }
+    /// -1 when nothing is within `reach`.
+    [[nodiscard]] int32_t find(const Vec3& p, double reach) const {
+        auto i = std::lower_bound(order_.begin(), order_.end(), p.x() - reach,
+                                  [&](int32_t v, double x) { return points_[at(v)].x() < x; });
+        for (; i != order_.end() && points_[at(*i)].x() <= p.x() + reach; ++i) {
+            if ((points_[at(*i)] - p).norm() <= reach) return *i;
+        }
+        return -1;
+    }
+
+ private:
+    const std::vector<Vec3>& points_;
+    std::vector<int32_t> order_;
+};
+
+double longest_edge(const SheetInput& sheet) {
+    double longest = 0;
+    for (const auto& t : sheet.triangles) {
+        for (size_t k = 0; k < 3; ++k)
+            longest = std::max(longest,
+                               (sheet.points[at(t[k])] - sheet.points[at(t[(k + 1) % 3])]).norm());
+    }
+    return longest;
+}
+
+}  // namespace
+
+void use_mesh(VerificationScene& scene, const TetMesh& mesh, std::vector<Vec3> output_points,
+              const std::vector<int32_t>& vertex_of_output) {
+    const std::vector<int32_t> order = rcm_order(mesh);
+    std::vector<int32_t> new_of_old(order.size());
+    for (size_t i = 0; i < order.size(); ++i) new_of_old[at(order[i])] = static_cast<int32_t>(i);
+    scene.mesh = renumbered(mesh, order);
+    scene.output_points = std::move(output_points);
+    scene.vertex_of_output = vertex_of_output;
+    for (int32_t& v : scene.vertex_of_output) v = v < 0 ? -1 : new_of_old[at(v)];
+}
+
+void use_box(VerificationScene& scene, const Vec3& size_m, const std::array<int, 3>& cells) {
+    const TetMesh box = box_mesh(size_m, cells);
+    std::vector<int32_t> same(box.rest.size());
+    std::iota(same.begin(), same.end(), 0);
+    use_mesh(scene, box, box.rest, same);
+}
+
+SheetInput boundary_in(const VerificationScene& scene, const BoxSelection& box) {
+    constexpr double kTolerance = 1e-9;  // [m], as for vertices
+    SheetInput out;
+    out.points = scene.mesh.rest;
+    const auto inside = [&](int32_t v) {
+        const Vec3& p = scene.mesh.rest[at(v)];
+        return ((p - box.low).array() >= -kTolerance).all() &&
+               ((box.high - p).array() >= -kTolerance).all();
+    };
+    const Surface surface(scene.mesh);
+    for (const SurfaceTriangle& t : surface.rest_triangles()) {
+        if (inside(t.vertex[0]) && inside(t.vertex[1]) && inside(t.vertex[2]))
+            out.triangles.push_back(t.vertex);
+    }
+    return out;
+}
+
+void use_sheet(VerificationScene& scene, const SheetInput& sheet) {
+    std::vector<SheetTriangle> triangles;
+    for (const auto& t : sheet.triangles)
+        triangles.push_back({t, sheet_tissue(scene.sheet_materials.size()), sheet.thickness_m});
+    check_sheet(sheet.points, triangles);
+    const PlaceIndex place(scene.mesh.rest);
+    const double reach = kWeld * longest_edge(sheet);
+    const bool alone = scene.mesh.rest.empty();
+    std::vector<int32_t> vertex(sheet.points.size(), -1);
+    std::vector<Vec3> fresh;
+    int welded = 0;
+    for (SheetTriangle& t : triangles) {
+        for (int32_t& v : t.vertex) {
+            const size_t p = at(v);
+            if (vertex[p] < 0) {
+                const int32_t output = sheet.output.empty() ? -1 : sheet.output[p];
+                vertex[p] = output >= 0 ? scene.vertex_of_output[at(output)]
+                                        : place.find(sheet.points[p], reach);
+                welded += vertex[p] >= 0 ? 1 : 0;
+                if (vertex[p] < 0) {
+                    vertex[p] = static_cast<int32_t>(scene.mesh.rest.size() + fresh.size());
+                    fresh.push_back(sheet.points[p]);
+                    if (output >= 0) {
+                        scene.vertex_of_output[at(output)] = vertex[p];
+                    } else {
+                        scene.output_points.push_back(sheet.points[p]);
+                        scene.vertex_of_output.push_back(vertex[p]);
+                    }
+                }
+            }
+            v = vertex[p];
+        }
+    }
+    if (welded == 0 && !alone && !sheet.allow_disconnected)
+        throw MeshError("none of its " + std::to_string(fresh.size()) +
+                        " points is a vertex of the mesh (within " + rounded_text(reach, 3) +
+                        " m); expected at least one to be welded to, or "
+                        "\"allow_disconnected\": true");
+    scene.mesh.rest.insert(scene.mesh.rest.end(), fresh.begin(), fresh.end());
+    scene.sheet.insert(scene.sheet.end(), triangles.begin(), triangles.end());
+    scene.sheet_materials.push_back(sheet.material);
+    check_sheet(scene.mesh.rest, scene.sheet);  // sheets among each other
+}
+
+}  // namespace placode::sim
