@@ -102,6 +102,7 @@ void OperatorModel::watch_sinking(const Perception& seen) {
     if (stage_ != Stage::kWatch || !still) return;
     learn(seen);
     sunk_m_ = 0;
+    sinks_ = false;
     has_sunk_ = true;
 }
 
@@ -390,7 +391,7 @@ void OperatorModel::do_lift(double dt_s) noexcept {
     const Frame f = frame(s_m_);
     tip_m_ = f.point + lift_m_ * f.normal + wander_smooth_ * f.inward;
     if (lift_m_ < kHoverM) return;
-    if (sunk_m_ > kSunkM && !enough_) {
+    if (sinks_ && !enough_) {
         stage(Stage::kWatch);
         return;
     }
@@ -441,7 +442,8 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
     stage_s_ += dt_s;
     noise(dt_s);
     const bool work = stage_ == Stage::kMove || stage_ == Stage::kDescend || stage_ == Stage::kCut;
-    if (work && (time_s_ > profile_.patience_s || sunk_m_ > kSunkM || enough_)) stage(Stage::kLift);
+    sinks_ |= sunk_m_ > kSunkM;
+    if (work && (time_s_ > profile_.patience_s || sinks_ || enough_)) stage(Stage::kLift);
     if (contour_.size() < 3 && stage_ != Stage::kLook) stage(Stage::kDone);
     switch (stage_) {
         case Stage::kLook:
@@ -463,7 +465,7 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
             do_lift(dt_s);
             break;
         case Stage::kWatch:
-            if (sunk_m_ > kSunkM) break;
+            if (sinks_ && stage_s_ < 2 * kMostWatchS) break;
             if (plan_run(start_m_))
                 begin_move(tip_m_);
             else

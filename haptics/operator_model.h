@@ -82,6 +82,7 @@ class OperatorModel {
     std::vector<uint8_t> tries_;
     std::vector<double> heated_s_;  // when the current was last on there
     double sunk_m_ = 0;             // how much lower the whole line lies than remembered
+    bool sinks_ = false;            // so much that the hand lifts until it has looked anew
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
