@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/step_scratch.h"
+#include "sim/tool_contact.h"
 
 namespace placode::sim {
 namespace {
@@ -338,14 +339,16 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
 void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
                 std::span<const Pose> to, double share) noexcept {
     ContactSet& set = state.scratch->contacts;
+    std::array<Vec3, kMaxTools> hands;
+    std::array<double, kMaxTools> longest_step{};
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
+        const Vec3 hand = hands[t] = from[t].p + share * (to[t].p - from[t].p);
         if (!tool.engaged) continue;
-        const Vec3 hand = from[t].p + share * (to[t].p - from[t].p);
         tool.proxy.q = between(from[t].q, to[t].q, share);
         if (!set.near[t]) {
             Vec3 way = hand - tool.proxy.p;
-            const double most = kFreeStep / state.substeps, length = way.norm();
+            const double most = longest_step[t] = kFreeStep / state.substeps, length = way.norm();
             if (length > most) way *= most / length;
             tool.proxy.p += way;
             continue;
@@ -361,10 +364,12 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         if (step.dot(tool.substep_force_n) < 0) {
             longest = std::max(0.0, longest - tool.substep_overlap_m);
         }
+        longest_step[t] = longest;
         const double length = step.norm();
         if (length > longest) step *= longest / length;
         tool.proxy.p += step;
     }
+    part_tools(scene, state, hands, longest_step);
 }
 
 void find_contacts(const Scene& scene, State& state) noexcept {

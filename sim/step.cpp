@@ -46,7 +46,7 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         const bool engaged = sound && inputs[t].engaged != 0;
         if (sound) hand.q.coeffs() /= norm;
         tool.previous = tool.proxy;
-        tool.force_n = Vec3::Zero();
+        tool.force_n = tool.steel_n = Vec3::Zero();
         tool.stiffness_n_m = tool.placode_force_n = 0;
         state.grasps[t].force_n = Vec3::Zero();
         tool.gap_m = 1;
@@ -225,6 +225,7 @@ State::State(const Scene& scene, int threads)
       last_substeps(substeps),
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene)) {
+    for (auto& row : tool_side) row.fill(Vec3::Zero());
     scratch->cut = make_cut_tables(scene, progress);
     pieces.of.assign(scene.body.tet_count(), -1);
     pieces.resting.assign(scene.body.vertex_capacity(), 0);
@@ -306,7 +307,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
                 1.0f, tool.contact_share + static_cast<float>(solver.frame_s / kShareRecovery));
         }
         tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
-        feedback[t] = {tool.proxy, tool.force_n, tool.stiffness_n_m, state.time_s};
+        feedback[t] = {tool.proxy, tool.force_n + tool.steel_n, tool.stiffness_n_m, state.time_s};
     }
     update_grasps(scene, state, solver.frame_s);
     charge(1);
@@ -380,6 +381,9 @@ uint64_t state_hash(const State& state) noexcept {
         }
     }
     for (const ToolState& tool : state.tools) hash_tool(hash, tool);
+    for (const auto& row : state.tool_side) {
+        for (const Vec3& side : row) hash.add(side);
+    }
     for (const Grasp& grasp : state.grasps) hash_grasp(hash, grasp);
     for (const Scissors& s : state.scissors) {
         hash.add(s.jaw_rad);

@@ -28,6 +28,7 @@ struct ToolState {
     Pose proxy;                   ///< Real pose, pushed back by tissue.
     Pose previous;                ///< Proxy at the end of the previous frame.
     Vec3 force_n = Vec3::Zero();  ///< Force of tissue on the tool, mean over the frame [N].
+    Vec3 steel_n = Vec3::Zero();  ///< Force of other instruments on it, mean over the frame [N].
     Vec3 friction_anchor = Vec3::Zero();
     double tip_gap_m = 1;  ///< Signed distance of the tip to the surface, negative inside.
     Tissue touched = Tissue::kSkin;  ///< Tissue next to the tip, valid when in_contact.
@@ -91,6 +92,8 @@ struct State {
     SacState sac;
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};
+    /// From tool a to tool b > a while they touch or nearly do, else zero: sim/tool_contact.h.
+    std::array<std::array<Vec3, kMaxTools>, kMaxTools> tool_side;
     std::array<Grasp, kMaxTools> grasps{};
     std::array<Scissors, kMaxTools> scissors{};
     ReleaseProgress release;

@@ -14,8 +14,8 @@ constexpr double kShoulderSlope = 1.5;
 
 double length2(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
 
-/// Closest points of segment p0-p1 and segment q0-q1; returns squared distance and parameters.
-/// Source: Ericson 2005, section 5.1.9.
+}  // namespace
+
 double segment_segment(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, double& s,
                        double& t) noexcept {
     const Vec3 d1 = p1 - p0, d2 = q1 - q0, r = p0 - q0;
@@ -47,6 +47,8 @@ double segment_segment(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec
     }
     return (p0 + s * d1 - q0 - t * d2).squaredNorm();
 }
+
+namespace {
 
 /// Point of the triangle nearest to the segment of axis from z = -near to z = -far; true in
 /// `pierced` when the axis runs through the triangle.
