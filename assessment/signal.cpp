@@ -10,6 +10,7 @@ namespace placode::assessment {
 
 namespace {
 
+constexpr double kLongestTrackS = 4 * 3600;
 constexpr size_t kPadding = 9;  // scipy: 3 * max(len(a), len(b))
 
 /// Transposed direct form II with the given start state.
@@ -87,6 +88,8 @@ Track make_track(std::span<const double> time_s, std::span<const Vec3> position_
     for (size_t k = 0; k < std::min(time_s.size(), position_m.size()); ++k) {
         if (!std::isfinite(time_s[k]) || !position_m[k].allFinite()) continue;
         if (turns && !(orientation[k].norm() > 0.5)) continue;
+        // A clock that jumped by hours says nothing of the movement, and would fill the memory.
+        if (!good.empty() && time_s[k] - time_s[good.front()] > kLongestTrackS) continue;
         if (good.empty() || time_s[k] > time_s[good.back()]) good.push_back(k);
     }
     if (good.size() < 2) return track;

@@ -226,6 +226,13 @@ TEST_F(Programs, ASpeedProfileGivesThePublishedSmoothness) {
     EXPECT_NEAR(number_in(outcome.out, "sparc"), -1.405829, 1e-4);
     EXPECT_NEAR(number_in(outcome.out, "ldlj_speed"), -5.301633, 1e-4);
     EXPECT_NEAR(number_in(outcome.out, "path_length_mm"), 100, 1e-3);
+    // The author's own example has a speed without unit.
+    const Outcome example =
+        ctl("metrics --json --raw " PLACODE_SOURCE_DIR "/tests/data/motion/gaussian_doctest.csv");
+    ASSERT_EQ(example.status, 0) << example.err;
+    EXPECT_NEAR(number_in(example.out, "sparc"), -1.41403, 1e-5);
+    EXPECT_NEAR(number_in(example.out, "ldlj_speed"), -5.81636, 1e-5);
+    EXPECT_THAT(example.out, Not(HasSubstr("_mm")));
     // A comma as decimal sign in the user's language changes nothing.
     const Outcome polish = ctl("metrics --json --raw " + file("a.csv"), "LC_ALL=pl_PL.UTF-8");
     EXPECT_EQ(polish.out, outcome.out);
@@ -343,6 +350,35 @@ TEST_F(Programs, ABadSignalFileNamesLineAndColumn) {
     EXPECT_THAT(fails("t_s,T_C\n0,37\n2,37\n1,37\n3,37\n"), HasSubstr("a.csv:4: t_s: found 1"));
     EXPECT_THAT(fails(""), HasSubstr("a.csv"));
     EXPECT_EQ(ctl("metrics a.txt").status, 2);
+}
+
+TEST_F(Programs, ASignalBeyondAllMeasureIsRefusedWithTheRange) {
+    const auto asked = [&](const std::string& csv, const char* more = "") {
+        write_text(file("a.csv"), csv);
+        return ctl("--json metrics a.csv" + std::string(more));
+    };
+    // A gap of months would be resampled at 100 Hz: the memory ran full.
+    Outcome outcome = asked("t_s,speed_mm_s\n0,1\n0.01,2\n0.02,1\n10000000,2\n10000000.01,1\n");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out + outcome.err,
+                AllOf(HasSubstr("a.csv:6: t_s"), HasSubstr("at most 3600 s")));
+    // Squares of these are no numbers; JSON said null.
+    outcome =
+        asked("t_s,x_mm,y_mm,z_mm\n0,1,1,1\n0.01,1e300,1,1\n0.02,1,1,1\n0.03,2,1,1\n", " --raw");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out + outcome.err,
+                AllOf(HasSubstr("a.csv:3: x_mm: found 1e+300"), HasSubstr("1e+06 mm")));
+    outcome = asked("t_s,T_C\n0,37\n1,1e300\n2,37\n3,37\n");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("less than 1000 degrees Celsius"));
+    outcome = asked("t_s,force_N\r\n0,0\r\n1,-2e4\r\n2,0\r\n3,0\r\n");
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_THAT(outcome.out + outcome.err, HasSubstr("a.csv:3: force_N"));
+    // Speeds that are hardly there: their square is 0, and a quotient of it no number.
+    outcome =
+        asked("t_s,speed_mm_s\n0,4e-324\n0.01,1e-320\n0.02,0\n0.03,1e-310\n0.04,0\n", " --raw");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, Not(HasSubstr("null")));
 }
 
 TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {

@@ -42,6 +42,13 @@ TEST(Signal, ShortSignalsComeBackUnchanged) {
     EXPECT_EQ(filter_forward_backward(butterworth_low_pass(10, 100), nine), nine);
 }
 
+TEST(Signal, AClockThatJumpsByYearsDoesNotFillTheMemory) {
+    const std::vector<double> time{0, 0.01, 0.02, 1e9, 1e300, 0.03};
+    const std::vector<Vec3> position(time.size(), Vec3(1, 2, 3));
+    const Track track = make_track(time, position, {});
+    EXPECT_EQ(track.position_m.size(), 4u);  // 0 to 0.03 s
+}
+
 TEST(Signal, TrackResamplesAndDropsOddSamples) {
     std::vector<double> time;
     std::vector<Vec3> position;

@@ -26,7 +26,7 @@ constexpr double kActionMmS = 50, kActionDegS = 50, kActionRestS = 0.2;
 constexpr double kDegrees = 180 / std::numbers::pi;
 
 constexpr const char* kKnownColumns =
-    "t_s,speed_mm_s | t_s,speed_left_mm_s,speed_right_mm_s | t_s,x_mm | "
+    "t_s,speed_mm_s | t_s,speed | t_s,speed_left_mm_s,speed_right_mm_s | t_s,x_mm | "
     "t_s,x_mm,y_mm,z_mm[,qw,qx,qy,qz] | t_s,force_N | t_s,T_C";
 
 // Arrhenius sets: Henriques & Moritz 1947 (skin), liver as in Jacques.
@@ -35,6 +35,49 @@ constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
 constexpr double kArteryAPerS = 5.6e63, kArteryEaJMol = 4.3e5;
 constexpr double kAbsoluteZeroC = -273.15;
 constexpr double kLiverAPerS = 7.39e39, kLiverEaJMol = 2.577e5;
+
+/// What a column may hold. Beyond, squares and powers are no numbers any more, and nothing that a
+/// hand or tissue does is out there.
+struct ColumnRange {
+    const char* ending;  ///< Of the column's name: its unit.
+    double low, high;
+    const char* unit;
+};
+constexpr ColumnRange kRanges[]{{"t_s", -1e12, 1e12, "s"},
+                                {"_mm_s", -1e6, 1e6, "mm/s"},
+                                {"_mm", -1e6, 1e6, "mm"},
+                                {"force_N", -1e4, 1e4, "N"},
+                                {"T_C", kAbsoluteZeroC, 1000, "degrees Celsius"},
+                                {"q", -1e3, 1e3, ""}};
+/// Longer than any attempt; resampling a gap of days would fill the memory.
+constexpr double kLongestS = 3600;
+
+const ColumnRange* range_of(const std::string& column) {
+    for (const ColumnRange& range : kRanges) {
+        const std::string ending = range.ending;
+        if (ending == "q" ? column.starts_with("q") : column.ends_with(ending)) return &range;
+    }
+    return nullptr;
+}
+
+void check_ranges(const SignalFile& file, bool raw) {
+    for (size_t c = 0; c < file.columns.size(); ++c) {
+        const ColumnRange* range = range_of(file.columns[c]);
+        for (size_t i = 0; range != nullptr && i < file.values[c].size(); ++i) {
+            const double value = file.values[c][i];
+            if (value > range->low && value < range->high) continue;
+            throw InputError(file.path + ":" + std::to_string(file.line(i)) + ": " +
+                             file.columns[c] + ": found " + shortest(value) +
+                             "; expected more than " + shortest(range->low) + " and less than " +
+                             shortest(range->high) + " " + range->unit);
+        }
+    }
+    const double span = file.values[0].back() - file.values[0].front();
+    if (!raw && span > kLongestS)
+        throw InputError(file.path + ":" + std::to_string(file.line(file.lines.size() - 1)) +
+                         ": t_s: the signal spans " + shortest(span) + " s; expected at most " +
+                         shortest(kLongestS) + " s: cut it into parts, and give times in seconds");
+}
 
 /// Sampling rate; throws when times do not grow, or with --raw are not evenly spaced.
 double rate_of(const SignalFile& file, bool must_be_even) {
@@ -267,11 +310,6 @@ Values temperature_metrics(const SignalFile& file) {
     (void)rate_of(file, false);
     const auto& time = file.values[0];
     const auto& celsius = file.values[1];
-    for (size_t i = 0; i < celsius.size(); ++i)
-        if (!(celsius[i] > kAbsoluteZeroC))
-            throw InputError(file.path + ":" + std::to_string(file.line(i)) + ": T_C: found " +
-                             shortest(celsius[i]) + "; expected more than " +
-                             shortest(kAbsoluteZeroC) + " degrees Celsius");
     Values out;
     add(out, "time_s", time.back() - time.front());
     add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
@@ -295,6 +333,14 @@ Values metrics_of(const SignalFile& file, const std::string& columns,
     if (columns == "t_s,speed_left_mm_s,speed_right_mm_s") return bimanual_metrics(file, options);
     if (columns == "t_s,x_mm") return axis_metrics(file);
     if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
+    if (columns == "t_s,speed") {
+        // Of a speed without unit only what has none can be said.
+        Values values = speed_metrics(file, options);
+        std::erase_if(values, [](const auto& each) {
+            return each.first != "time_s" && each.first != "sparc" && each.first != "ldlj_speed";
+        });
+        return values;
+    }
     if (columns == "t_s,force_N") return force_metrics(file, options);
     if (columns == "t_s,T_C") return temperature_metrics(file);
     return pose_metrics(file, options);
@@ -309,7 +355,7 @@ std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& giv
     const bool pose =
         columns == "t_s,x_mm,y_mm,z_mm" || columns == "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz";
     const bool hands = columns == "t_s,speed_left_mm_s,speed_right_mm_s";
-    if (columns != "t_s,speed_mm_s" && columns != "t_s,x_mm" && !hands &&
+    if (columns != "t_s,speed_mm_s" && columns != "t_s,speed" && columns != "t_s,x_mm" && !hands &&
         columns != "t_s,force_N" && columns != "t_s,T_C" && !pose)
         throw InputError(file.path + ":1: found the columns \"" + columns + "\"; expected one of " +
                          kKnownColumns);
@@ -318,7 +364,10 @@ std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& giv
     if (file.values[0].size() < 4)
         throw InputError(file.path + ": found " + std::to_string(file.values[0].size()) +
                          " rows; expected at least 4");
+    check_ranges(file, options.raw);
     Values values = metrics_of(file, columns, options);
+    // What is no number is not known: no metric, rather than null.
+    std::erase_if(values, [](const auto& each) { return !std::isfinite(each.second); });
     if (dropped > 0) add(values, "dropped_samples", dropped);
     return values;
 }
