@@ -375,6 +375,10 @@ void ShellFlowTest::everyStringHasAPolishTranslation() {
         const QByteArray name(metric.name.data(), static_cast<qsizetype>(metric.name.size()));
         const bool same = QCoreApplication::translate("Metric", name) == QString::fromUtf8(name);
         QVERIFY2(!same, name.constData());
+        const QByteArray text(metric.definition.data(),
+                              static_cast<qsizetype>(metric.definition.size()));
+        QVERIFY2(QCoreApplication::translate("MetricDefinition", text) != QString::fromUtf8(text),
+                 text.constData());
     }
     for (const char* device : {"mouse", "keyboard", "gamepad"}) {
         const auto help = haptics::controls(device);

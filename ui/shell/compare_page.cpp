@@ -14,6 +14,7 @@
 #include "reports/attempt_figures.h"
 #include "reports/words.h"
 #include "ui/shell/ledger_view.h"
+#include "ui/shell/metric_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/replay_launcher.h"
@@ -179,7 +180,7 @@ class ComparePage : public Page {
             const int row = table->rowCount();
             table->insertRow(row);
             table->setItem(row, 0, make_cell(metric_name(each.name)));
-            table->item(row, 0)->setToolTip(qstr(std::string(each.definition)));
+            table->item(row, 0)->setToolTip(metric_explanation(each));
             table->setItem(row, 1, make_cell(unit_sign(each.unit)));
             table->setItem(row, 2, make_number_cell(format_value(*a), *a));
             table->setItem(row, 3, make_number_cell(format_value(*b), *b));

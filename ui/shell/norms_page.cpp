@@ -11,6 +11,7 @@
 #include "reports/export.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -91,6 +92,7 @@ class NormsPage : public Page {
         }
         fit_columns(table_, 0);
         table_->setColumnWidth(3, std::min(300, table_->columnWidth(3)));
+        keep_within(table_, 0);
         table_->setFixedHeight(std::clamp<int>(table_->rowCount(), 1, 8) * kTouchTarget + 50);
         table_->setSortingEnabled(true);
         table_->setVisible(!packs_.empty());

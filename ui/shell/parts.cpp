@@ -215,7 +215,9 @@ QVBoxLayout* make_column(QWidget* page, int width) {
 }
 
 QString format_number(double value, int decimals) {
-    return QLocale().toString(value, 'f', decimals);
+    // What rounds to nothing has no sign: "-0.0" reads like a loss.
+    const double half = 0.5 * std::pow(10.0, -decimals);
+    return QLocale().toString(std::abs(value) < half ? 0.0 : value, 'f', decimals);
 }
 
 QString format_value(double value) {
@@ -305,17 +307,6 @@ QString device_name(const std::string& device) {
     if (device == "script:intermediate") return Parts::tr("Scripted intermediate");
     if (device == "script:novice") return Parts::tr("Scripted novice");
     return qstr(device);
-}
-
-QString unit_sign(std::string_view unit) {
-    if (unit == "C") return "°C";
-    if (unit == "deg") return "°";
-    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()))
-        .replace("mm3", "mm³");
-}
-
-QString metric_name(std::string_view english) {
-    return QCoreApplication::translate("Metric", std::string(english).c_str());
 }
 
 }  // namespace placode::ui

@@ -9,6 +9,7 @@
 
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
@@ -141,6 +142,7 @@ class PeoplePage : public Page {
             ++row;
         }
         fit_columns(table_, 2);
+        keep_within(table_, 2);
         table_->setSortingEnabled(true);
         table_->sortByColumn(0, Qt::AscendingOrder);
         for (int r = 0; r < table_->rowCount(); ++r) {

@@ -85,7 +85,9 @@ QHBoxLayout* theme_line(const assessment::ThemeResult& result) {
                         : Result::tr("−%1 points").arg(format_number(result.lost, 1));
     if (result.critical) words = Result::tr("critical error") + ", " + words;
     if (result.before)
-        words += " · " + Result::tr("before: −%1").arg(format_number(*result.before, 1));
+        words += " · " + (*result.before < 0.05
+                              ? Result::tr("before: none lost")
+                              : Result::tr("before: −%1").arg(format_number(*result.before, 1)));
     text->addWidget(make_label(words, "small"));
     line->addLayout(text, 1);
     return line;

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/attempt_figures.h"
+#include "ui/shell/metric_words.h"
 #include "ui/shell/result_cards.h"
 
 namespace placode::ui {
@@ -114,8 +115,7 @@ class MetricsTable {
         const int row = table_->rowCount();
         table_->insertRow(row);
         QTableWidgetItem* name = make_cell(metric_name(definition.name));
-        name->setToolTip(qstr(std::string(definition.definition)) + "\n" +
-                         qstr(std::string(definition.source)));
+        name->setToolTip(metric_explanation(definition));
         name->setData(Qt::UserRole, qstr(std::string(definition.id)));
         table_->setItem(row, 0, name);
         table_->setItem(row, 1, make_number_cell(format_value(value), value));
@@ -174,6 +174,17 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
             "small"));
     QTableWidget* table = MetricsTable(context, data).widget();
     layout->addWidget(table);
+    // A touch screen has no tool tips: a click tells the same below.
+    QLabel* explained = make_label(
+        Metrics::tr("Click a measure to read what it means and where it is from."), "small");
+    explained->setObjectName("metric_explained");
+    QObject::connect(table, &QTableWidget::currentCellChanged, explained,
+                     [table, explained](int row) {
+                         if (row < 0) return;
+                         const QTableWidgetItem* name = table->item(row, 0);
+                         explained->setText(name->text() + ": " + name->toolTip());
+                     });
+    layout->addWidget(explained);
     const auto show = [table, all,
                        wanted = metrics_that_count(context, data.detail.record.task_id)](
                           bool everything) {

@@ -121,7 +121,7 @@ QLineEdit[tone="critical"] { border: 2px solid @critical@; }
 QComboBox::drop-down, QDateEdit::drop-down { border: none; width: 32px; }
 QComboBox::down-arrow, QDateEdit::down-arrow { image: url(@chevron@); width: 16px; height: 16px; }
 QComboBox QAbstractItemView { background: @raised@; border: 1px solid @line@; selection-background-color: @accent_soft@; selection-color: @text@; padding: 4px; }
-QComboBox QAbstractItemView::item { min-height: 36px; padding: 0 8px; }
+QComboBox QAbstractItemView::item { min-height: 44px; padding: 0 8px; }
 QCheckBox, QRadioButton { spacing: 8px; min-height: 44px; background: transparent; }
 QCheckBox:focus, QRadioButton:focus { color: @accent@; }
 QCheckBox::indicator, QRadioButton::indicator { width: 20px; height: 20px; border: 2px solid @field@; background: @raised@; }

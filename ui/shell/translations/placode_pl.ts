@@ -1726,6 +1726,448 @@
     </message>
 </context>
 <context>
+    <name>MetricWords</name>
+    <message>
+        <source>Lower is better.</source>
+        <translation>Mniej znaczy lepiej.</translation>
+    </message>
+    <message>
+        <source>Higher is better.</source>
+        <translation>Więcej znaczy lepiej.</translation>
+    </message>
+    <message>
+        <source>Neither more nor less is better in itself.</source>
+        <translation>Ani więcej, ani mniej nie jest samo w sobie lepsze.</translation>
+    </message>
+    <message>
+        <source>Unit: %1.</source>
+        <translation>Jednostka: %1.</translation>
+    </message>
+    <message>
+        <source>Defined by this program.</source>
+        <translation>Definicja tego programu.</translation>
+    </message>
+    <message>
+        <source>Source: %1.</source>
+        <translation>Źródło: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>MetricDefinition</name>
+    <message>
+        <source>From the first instrument in view to the end.</source>
+        <translation>Od chwili, gdy pierwszy instrument jest w obrazie, do końca.</translation>
+    </message>
+    <message>
+        <source>Share of the planned contour that is cut to the target depth within 1 mm.</source>
+        <translation>Część planowanej linii, która jest przecięta na docelową głębokość w odległości do 1 mm.</translation>
+    </message>
+    <message>
+        <source>Longest uncut stretch of the planned contour.</source>
+        <translation>Najdłuższy nieprzecięty odcinek planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the kerf&apos;s centre from the planned contour.</source>
+        <translation>Średnia odległość środka szczeliny cięcia od planowanej linii.</translation>
+    </message>
+    <message>
+        <source>95th percentile of the distance of the kerf&apos;s centre from the planned contour.</source>
+        <translation>95. percentyl odległości środka szczeliny cięcia od planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Largest distance of the kerf&apos;s centre from the planned contour.</source>
+        <translation>Największa odległość środka szczeliny cięcia od planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Largest distance from the kerf&apos;s centre to the plan or from the plan to it.</source>
+        <translation>Największa odległość środka szczeliny od planu lub planu od niej.</translation>
+    </message>
+    <message>
+        <source>Mean signed distance: negative towards the placode, positive outwards.</source>
+        <translation>Średnia odległość ze znakiem: ujemna w stronę płytki, dodatnia na zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Mean width of what was removed along the contour.</source>
+        <translation>Średnia szerokość tego, co usunięto wzdłuż linii.</translation>
+    </message>
+    <message>
+        <source>Length of the incision whose centre is more than 0.5 mm off the plan.</source>
+        <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu.</translation>
+    </message>
+    <message>
+        <source>Length of the contour beside which tissue over 1 mm outside the skin edge was removed.</source>
+        <translation>Długość linii, obok której usunięto tkankę ponad 1 mm na zewnątrz brzegu skóry.</translation>
+    </message>
+    <message>
+        <source>Length of the contour beside which tissue within 0.5 mm of the placode was removed.</source>
+        <translation>Długość linii, obok której usunięto tkankę bliżej niż 0,5 mm od płytki.</translation>
+    </message>
+    <message>
+        <source>Times an instrument touched the placode.</source>
+        <translation>Ile razy instrument dotknął płytki.</translation>
+    </message>
+    <message>
+        <source>Total time an instrument touched the placode.</source>
+        <translation>Łączny czas, w którym instrument dotykał płytki.</translation>
+    </message>
+    <message>
+        <source>Largest contact force on the placode.</source>
+        <translation>Największa siła nacisku na płytkę.</translation>
+    </message>
+    <message>
+        <source>Time an energised instrument touched the placode.</source>
+        <translation>Czas, w którym instrument pod prądem dotykał płytki.</translation>
+    </message>
+    <message>
+        <source>Largest thermal dose in the placode, equivalent minutes at 43 C, at most 1e6.</source>
+        <translation>Największa dawka cieplna w płytce, w minutach równoważnych przy 43 °C, najwyżej 1e6.</translation>
+    </message>
+    <message>
+        <source>Highest temperature in the placode.</source>
+        <translation>Najwyższa temperatura w płytce.</translation>
+    </message>
+    <message>
+        <source>Arrhenius integral of the placode&apos;s highest temperature with constants of skin: an upper bound, 1 = 63 % dead, at most 1e6.</source>
+        <translation>Całka Arrheniusa z najwyższej temperatury płytki ze stałymi skóry: górne ograniczenie, 1 = 63 % martwych komórek, najwyżej 1e6.</translation>
+    </message>
+    <message>
+        <source>Times a part of the placode passed the warning dose.</source>
+        <translation>Ile razy część płytki przekroczyła dawkę ostrzegawczą.</translation>
+    </message>
+    <message>
+        <source>Share of the placode&apos;s volume beyond the injury dose or temperature.</source>
+        <translation>Część objętości płytki powyżej dawki lub temperatury uszkadzającej.</translation>
+    </message>
+    <message>
+        <source>Volume of the placode that was removed or torn.</source>
+        <translation>Objętość płytki, którą usunięto lub rozerwano.</translation>
+    </message>
+    <message>
+        <source>Times the energy was switched on.</source>
+        <translation>Ile razy włączono prąd.</translation>
+    </message>
+    <message>
+        <source>Time with the pedal down.</source>
+        <translation>Czas z wciśniętym pedałem.</translation>
+    </message>
+    <message>
+        <source>Time with the pedal down and no contact with tissue.</source>
+        <translation>Czas z wciśniętym pedałem bez kontaktu z tkanką.</translation>
+    </message>
+    <message>
+        <source>Times the pedal was down in the air for over 1 s.</source>
+        <translation>Ile razy pedał był wciśnięty w powietrzu ponad 1 s.</translation>
+    </message>
+    <message>
+        <source>Time with the pedal down and the tip within 1 mm of the placode, or over it.</source>
+        <translation>Czas z wciśniętym pedałem i końcówką do 1 mm od płytki lub nad nią.</translation>
+    </message>
+    <message>
+        <source>Energy that reached tissue.</source>
+        <translation>Energia, która dotarła do tkanki.</translation>
+    </message>
+    <message>
+        <source>Time of those activations that stayed on one spot for over 1 s.</source>
+        <translation>Czas tych włączeń, które pozostały w jednym miejscu ponad 1 s.</translation>
+    </message>
+    <message>
+        <source>Largest force of an instrument on tissue.</source>
+        <translation>Największa siła instrumentu działająca na tkankę.</translation>
+    </message>
+    <message>
+        <source>Times the force was above the scene&apos;s limit.</source>
+        <translation>Ile razy siła przekroczyła granicę sceny.</translation>
+    </message>
+    <message>
+        <source>Time with the force above the scene&apos;s limit.</source>
+        <translation>Czas z siłą powyżej granicy sceny.</translation>
+    </message>
+    <message>
+        <source>Rest volume of elements torn by stretch.</source>
+        <translation>Objętość spoczynkowa elementów rozerwanych przez rozciąganie.</translation>
+    </message>
+    <message>
+        <source>Rest volume of skin elements torn by stretch.</source>
+        <translation>Objętość spoczynkowa elementów skóry rozerwanych przez rozciąganie.</translation>
+    </message>
+    <message>
+        <source>Sectors of 5 degrees in which no tissue leads from the placode to the skin.</source>
+        <translation>Wycinki po 5 stopni, w których żadna tkanka nie prowadzi od płytki do skóry.</translation>
+    </message>
+    <message>
+        <source>Area over which scissors parted placode from placode.</source>
+        <translation>Powierzchnia, na której nożyczki rozdzieliły płytkę.</translation>
+    </message>
+    <message>
+        <source>Area of snips that went mostly through skin.</source>
+        <translation>Powierzchnia cięć nożyczek, które przeszły głównie przez skórę.</translation>
+    </message>
+    <message>
+        <source>Times that scissors closed on tissue.</source>
+        <translation>Ile razy nożyczki zamknęły się na tkance.</translation>
+    </message>
+    <message>
+        <source>Loose pieces drawn back to the port.</source>
+        <translation>Luźne kawałki wycofane do portu.</translation>
+    </message>
+    <message>
+        <source>Rest volume of these pieces.</source>
+        <translation>Objętość spoczynkowa tych kawałków.</translation>
+    </message>
+    <message>
+        <source>Share of the marked volume that has left the field.</source>
+        <translation>Część zaznaczonej objętości, która opuściła pole.</translation>
+    </message>
+    <message>
+        <source>Times that jaws closed on tissue.</source>
+        <translation>Ile razy szczęki zamknęły się na tkance.</translation>
+    </message>
+    <message>
+        <source>Time during which held tissue was at least 0.7 mm above where it was grasped.</source>
+        <translation>Czas, w którym trzymana tkanka była co najmniej 0,7 mm nad miejscem uchwycenia.</translation>
+    </message>
+    <message>
+        <source>Times that tissue slid out of the jaws.</source>
+        <translation>Ile razy tkanka wysunęła się ze szczęk.</translation>
+    </message>
+    <message>
+        <source>Grasps with a jaw pressure above the tissue&apos;s limit.</source>
+        <translation>Uchwycenia z naciskiem szczęk powyżej granicy tkanki.</translation>
+    </message>
+    <message>
+        <source>Pulls above the tissue&apos;s limit for over 0.3 s.</source>
+        <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s.</translation>
+    </message>
+    <message>
+        <source>Largest pull of held tissue on the jaws.</source>
+        <translation>Największe pociągnięcie szczęk przez trzymaną tkankę.</translation>
+    </message>
+    <message>
+        <source>Way of the instrument tips, filtered at 10 Hz, 100 Hz.</source>
+        <translation>Droga końcówek instrumentów, filtr 10 Hz, 100 Hz.</translation>
+    </message>
+    <message>
+        <source>Way of the tips along their own shafts.</source>
+        <translation>Droga końcówek wzdłuż własnych trzonów.</translation>
+    </message>
+    <message>
+        <source>Total rotation of the instruments.</source>
+        <translation>Łączny obrót instrumentów.</translation>
+    </message>
+    <message>
+        <source>Path length over time.</source>
+        <translation>Długość drogi przez czas.</translation>
+    </message>
+    <message>
+        <source>Times a tip&apos;s speed rose through 20 mm/s after having been below 10 mm/s.</source>
+        <translation>Ile razy prędkość końcówki przekroczyła 20 mm/s po spadku poniżej 10 mm/s.</translation>
+    </message>
+    <message>
+        <source>Time with all instruments below 1 mm/s and no pedal down.</source>
+        <translation>Czas, w którym wszystkie instrumenty poruszały się wolniej niż 1 mm/s i żaden pedał nie był wciśnięty.</translation>
+    </message>
+    <message>
+        <source>Spectral arc length, median over movements above 5 mm/s that last 0.3 s or more.</source>
+        <translation>Długość łuku widma, mediana ruchów powyżej 5 mm/s trwających co najmniej 0,3 s.</translation>
+    </message>
+    <message>
+        <source>Log dimensionless jerk of the vector velocity, median over the same movements.</source>
+        <translation>Logarytm bezwymiarowego zrywu wektora prędkości, mediana tych samych ruchów.</translation>
+    </message>
+    <message>
+        <source>Log dimensionless jerk of the speed, median over the same movements.</source>
+        <translation>Logarytm bezwymiarowego zrywu prędkości, mediana tych samych ruchów.</translation>
+    </message>
+    <message>
+        <source>Time that instrument tips were outside the picture.</source>
+        <translation>Czas, w którym końcówki instrumentów były poza obrazem.</translation>
+    </message>
+    <message>
+        <source>Times that an instrument tip left the picture.</source>
+        <translation>Ile razy końcówka instrumentu opuściła obraz.</translation>
+    </message>
+    <message>
+        <source>Share of the time that instrument tips were outside the picture.</source>
+        <translation>Część czasu, w której końcówki instrumentów były poza obrazem.</translation>
+    </message>
+    <message>
+        <source>Idle time over the whole time.</source>
+        <translation>Czas bezczynności przez cały czas.</translation>
+    </message>
+    <message>
+        <source>Total rotation of the instruments about their own shafts.</source>
+        <translation>Łączny obrót instrumentów wokół własnych trzonów.</translation>
+    </message>
+    <message>
+        <source>Total change of the shafts&apos; direction up and down, seen from the first pose.</source>
+        <translation>Łączna zmiana kierunku trzonów w górę i w dół, widziana z pierwszego położenia.</translation>
+    </message>
+    <message>
+        <source>Total change of the shafts&apos; direction to the sides, seen from the first pose.</source>
+        <translation>Łączna zmiana kierunku trzonów na boki, widziana z pierwszego położenia.</translation>
+    </message>
+    <message>
+        <source>Planned contour that was cut, over the way of the tip while energy was on.</source>
+        <translation>Przecięta część planowanej linii przez drogę końcówki z włączonym prądem.</translation>
+    </message>
+    <message>
+        <source>Cube root of the box around the tip&apos;s way over its length, busiest instrument.</source>
+        <translation>Pierwiastek sześcienny z prostopadłościanu wokół drogi końcówki przez jej długość, najczynniejszy instrument.</translation>
+    </message>
+    <message>
+        <source>Box around the way of the busiest instrument&apos;s tip.</source>
+        <translation>Prostopadłościan wokół drogi końcówki najczynniejszego instrumentu.</translation>
+    </message>
+    <message>
+        <source>Straight lines over the ways of the tips, over the movements of SPARC.</source>
+        <translation>Odcinki proste przez drogi końcówek, w ruchach wziętych do SPARC.</translation>
+    </message>
+    <message>
+        <source>Times a tip moved faster than 50 mm/s for over 0.2 s.</source>
+        <translation>Ile razy końcówka poruszała się szybciej niż 50 mm/s ponad 0,2 s.</translation>
+    </message>
+    <message>
+        <source>Times an instrument turned faster than 50 degrees a second for over 0.2 s.</source>
+        <translation>Ile razy instrument obracał się szybciej niż 50 stopni na sekundę ponad 0,2 s.</translation>
+    </message>
+    <message>
+        <source>Root of squared jerk without unit, median over the movements of SPARC; 19 at best.</source>
+        <translation>Pierwiastek z kwadratu zrywu bez jednostki, mediana ruchów wziętych do SPARC; najlepszy wynik to 19.</translation>
+    </message>
+    <message>
+        <source>Local maxima of the tips&apos; speeds above 20 mm/s, per minute.</source>
+        <translation>Lokalne maksima prędkości końcówek powyżej 20 mm/s, na minutę.</translation>
+    </message>
+    <message>
+        <source>Way of the left hand&apos;s instrument.</source>
+        <translation>Droga instrumentu lewej ręki.</translation>
+    </message>
+    <message>
+        <source>Way of the right hand&apos;s instruments.</source>
+        <translation>Droga instrumentów prawej ręki.</translation>
+    </message>
+    <message>
+        <source>Correlation of the hands&apos; speeds.</source>
+        <translation>Korelacja prędkości rąk.</translation>
+    </message>
+    <message>
+        <source>Shorter over longer way of the two hands.</source>
+        <translation>Krótsza przez dłuższą drogę obu rąk.</translation>
+    </message>
+    <message>
+        <source>Share of the time with both hands above 5 mm/s.</source>
+        <translation>Część czasu, w której obie ręce poruszały się szybciej niż 5 mm/s.</translation>
+    </message>
+    <message>
+        <source>Share of the time with the left hand alone above 5 mm/s.</source>
+        <translation>Część czasu, w której tylko lewa ręka poruszała się szybciej niż 5 mm/s.</translation>
+    </message>
+    <message>
+        <source>Share of the time with the right hand alone above 5 mm/s.</source>
+        <translation>Część czasu, w której tylko prawa ręka poruszała się szybciej niż 5 mm/s.</translation>
+    </message>
+    <message>
+        <source>Share of the time with no hand above 5 mm/s.</source>
+        <translation>Część czasu, w której żadna ręka nie poruszała się szybciej niż 5 mm/s.</translation>
+    </message>
+    <message>
+        <source>Correlation of the hands&apos; angular speeds.</source>
+        <translation>Korelacja prędkości kątowych rąk.</translation>
+    </message>
+    <message>
+        <source>Root of the tip&apos;s power from 8 to 12 Hz, unfiltered, worst instrument.</source>
+        <translation>Pierwiastek z mocy ruchu końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
+    </message>
+    <message>
+        <source>Root of the power of the tip&apos;s acceleration from 8 to 12 Hz, unfiltered, worst instrument.</source>
+        <translation>Pierwiastek z mocy przyspieszenia końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
+    </message>
+    <message>
+        <source>Mean force of instruments on tissue while they touch it.</source>
+        <translation>Średnia siła instrumentów działająca na tkankę podczas dotyku.</translation>
+    </message>
+    <message>
+        <source>Root mean square of that force.</source>
+        <translation>Średnia kwadratowa tej siły.</translation>
+    </message>
+    <message>
+        <source>Force on tissue summed up over time.</source>
+        <translation>Siła działająca na tkankę zsumowana w czasie.</translation>
+    </message>
+    <message>
+        <source>What the force was above the scene&apos;s limit, summed up over time.</source>
+        <translation>Nadmiar siły ponad granicę sceny zsumowany w czasie.</translation>
+    </message>
+    <message>
+        <source>Force on the placode summed up over time.</source>
+        <translation>Siła działająca na płytkę zsumowana w czasie.</translation>
+    </message>
+    <message>
+        <source>Root mean square of the distance of the kerf&apos;s centre from the planned contour.</source>
+        <translation>Średnia kwadratowa odległości środka szczeliny cięcia od planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Uncut stretches of the planned contour.</source>
+        <translation>Nieprzecięte odcinki planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Times that tissue was stretched beyond its injury limit.</source>
+        <translation>Ile razy tkanka została rozciągnięta ponad granicę urazu.</translation>
+    </message>
+    <message>
+        <source>Largest principal stretch beyond that limit, 1 = at rest.</source>
+        <translation>Największe rozciągnięcie główne ponad tę granicę, 1 = w spoczynku.</translation>
+    </message>
+    <message>
+        <source>Rest volume beyond its injury stretch times how long, spells over 50 ms.</source>
+        <translation>Objętość spoczynkowa rozciągnięta ponad granicę urazu razy czas, okresy ponad 50 ms.</translation>
+    </message>
+    <message>
+        <source>Mean distance from the edge of the incision to where heat damage (Omega) falls to 1, on both sides, along rays across the plan.</source>
+        <translation>Średnia odległość od brzegu nacięcia do miejsca, gdzie uszkodzenie cieplne (Omega) spada do 1, po obu stronach, wzdłuż promieni w poprzek planu.</translation>
+    </message>
+    <message>
+        <source>95th percentile of that distance.</source>
+        <translation>95. percentyl tej odległości.</translation>
+    </message>
+    <message>
+        <source>Largest of these distances; 4 at most.</source>
+        <translation>Największa z tych odległości; najwyżej 4.</translation>
+    </message>
+    <message>
+        <source>Mean distance from the edge of the incision to where the dose falls to 240 equivalent minutes at 43 C.</source>
+        <translation>Średnia odległość od brzegu nacięcia do miejsca, gdzie dawka spada do 240 minut równoważnych przy 43 °C.</translation>
+    </message>
+    <message>
+        <source>Share of the task&apos;s steps that were done.</source>
+        <translation>Część kroków zadania, które wykonano.</translation>
+    </message>
+    <message>
+        <source>Mean distance from the target&apos;s centre where tissue was first touched.</source>
+        <translation>Średnia odległość miejsca pierwszego dotknięcia tkanki od środka celu.</translation>
+    </message>
+    <message>
+        <source>Times that tissue was touched or grasped beside the target.</source>
+        <translation>Ile razy dotknięto lub uchwycono tkankę obok celu.</translation>
+    </message>
+    <message>
+        <source>Share of the planned contour along which the tip passed within 1 mm.</source>
+        <translation>Część planowanej linii, wzdłuż której końcówka przeszła w odległości do 1 mm.</translation>
+    </message>
+    <message>
+        <source>Mean distance of the tip from the planned contour while it was followed.</source>
+        <translation>Średnia odległość końcówki od planowanej linii podczas prowadzenia.</translation>
+    </message>
+    <message>
+        <source>95th percentile of that distance, over stretches of 5 degrees.</source>
+        <translation>95. percentyl tej odległości, na odcinkach po 5 stopni.</translation>
+    </message>
+    <message>
+        <source>Time during which both hands pulled within the task&apos;s limits.</source>
+        <translation>Czas, w którym obie ręce ciągnęły w granicach zadania.</translation>
+    </message>
+</context>
+<context>
     <name>ParticipantPage</name>
     <message>
         <source>Participant %1</source>
@@ -2753,6 +3195,10 @@
         <translation>−%1 pkt</translation>
     </message>
     <message>
+        <source>before: none lost</source>
+        <translation>wcześniej: bez strat</translation>
+    </message>
+    <message>
         <source>before: −%1</source>
         <translation>przedtem: −%1</translation>
     </message>
@@ -2791,6 +3237,10 @@
     <message>
         <source>Own band</source>
         <translation>Własny zakres</translation>
+    </message>
+    <message>
+        <source>Click a measure to read what it means and where it is from.</source>
+        <translation>Kliknij miarę, aby przeczytać, co oznacza i skąd pochodzi.</translation>
     </message>
     <message>
         <source>Own band: mean and standard deviation of your last %1 attempts before this one; the dot is this attempt.</source>

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names, units and explanations of metrics in the program's language.
+
+#include "ui/shell/metric_words.h"
+
+#include <QCoreApplication>
+
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(MetricWords)
+};
+
+QString text_of(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString direction_word(assessment::Direction direction) {
+    switch (direction) {
+        case assessment::Direction::kLowerIsBetter:
+            return Words::tr("Lower is better.");
+        case assessment::Direction::kHigherIsBetter:
+            return Words::tr("Higher is better.");
+        case assessment::Direction::kNeutral:
+            break;
+    }
+    return Words::tr("Neither more nor less is better in itself.");
+}
+
+}  // namespace
+
+QString unit_sign(std::string_view unit) {
+    if (unit == "C") return "°C";
+    if (unit == "deg") return "°";
+    return text_of(unit).replace("mm3", "mm³").replace("mm2", "mm²").replace("s2", "s²");
+}
+
+QString metric_name(std::string_view english) {
+    return QCoreApplication::translate("Metric", std::string(english).c_str());
+}
+
+QString metric_explanation(const assessment::MetricDefinition& metric) {
+    QString text =
+        QCoreApplication::translate("MetricDefinition", std::string(metric.definition).c_str()) +
+        " " + direction_word(metric.direction);
+    if (!metric.unit.empty()) text += " " + Words::tr("Unit: %1.").arg(unit_sign(metric.unit));
+    return text + " " +
+           (metric.source == "Placode" ? Words::tr("Defined by this program.")
+                                       : Words::tr("Source: %1.").arg(text_of(metric.source)));
+}
+
+}  // namespace placode::ui
