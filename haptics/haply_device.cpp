@@ -39,6 +39,7 @@ class HaplyDevice final : public ArmHands {
 
     void stop() noexcept override {
         for (ArmForce& force : last_) force = {};
+        socket_.hand_over();  // else the last forces would not be taken
         send_forces();
         socket_.close();
     }

@@ -11,14 +11,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
+
+#include "haptics/real_time.h"
 
 namespace placode::haptics {
 
 namespace {
 
 constexpr int64_t kRetryNs = 500'000'000, kPatienceNs = 2'000'000'000;
+constexpr int64_t kGoodbyeNs = 100'000'000;
 constexpr size_t kRoom = 1 << 17;  // of the longest message; full states are some kilobytes
 constexpr size_t kOutRoom = 1 << 13;
 constexpr uint8_t kContinuation = 0, kText = 1, kBinary = 2, kClose = 8, kPing = 9, kPong = 10;
@@ -261,10 +265,41 @@ bool WebSocket::next_message(std::string_view& text) noexcept {
     return false;
 }
 
+namespace {
+
+/// Waits for what the socket may be ready for. False when the time is up.
+bool wait_ready(int socket, short events, int64_t until_ns) noexcept {
+    const int64_t left = until_ns - monotonic_ns();
+    if (left <= 0) return false;
+    pollfd p{socket, events, 0};
+    return ::poll(&p, 1, static_cast<int>(left / 1'000'000) + 1) > 0;
+}
+
+}  // namespace
+
+void WebSocket::hand_over() noexcept {
+    const int64_t until = monotonic_ns() + kGoodbyeNs;
+    while (state_ == State::kOpen && !failed_ && out_size_ > 0 &&
+           wait_ready(socket_, POLLOUT, until)) {
+        if (!flush()) failed_ = true;
+    }
+}
+
 void WebSocket::close() noexcept {
-    if (state_ == State::kOpen) {
+    if (state_ == State::kOpen && !failed_) {
+        hand_over();
         const char normal[2] = {0x03, static_cast<char>(0xE8)};
         send_frame(kClose, {normal, 2});
+        hand_over();
+        // Closed with answers unread, a socket is reset, and a reset discards what the other side
+        // has not read yet: the last forces. So no more is sent, and read until the other side
+        // ends.
+        ::shutdown(socket_, SHUT_WR);
+        const int64_t until = monotonic_ns() + kGoodbyeNs;
+        std::array<char, 4096> rest;
+        while (wait_ready(socket_, POLLIN, until) &&
+               ::recv(socket_, rest.data(), rest.size(), MSG_DONTWAIT) > 0) {
+        }
     }
     drop(0);
 }

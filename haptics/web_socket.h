@@ -28,7 +28,9 @@ class WebSocket {
     [[nodiscard]] bool next_message(std::string_view& text) noexcept;
     /// False: not open, or the service does not take what was sent before; nothing was sent.
     bool send_text(std::string_view text) noexcept;
-    /// Says goodbye and closes.
+    /// Gives the other side up to 0.1 s to take what is not sent yet.
+    void hand_over() noexcept;
+    /// Says goodbye, waits up to 0.2 s for the other side, and closes.
     void close() noexcept;
 
     [[nodiscard]] State state() const noexcept { return state_; }
