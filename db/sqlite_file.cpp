@@ -49,10 +49,12 @@ int read_header(const std::string& path, std::array<unsigned char, 100>& header,
         sqlite3_int64 bytes = 0;
         if (file != nullptr && file->pMethods != nullptr &&
             file->pMethods->xFileSize(file, &bytes) == SQLITE_OK) {
-            size = bytes;
             got = static_cast<int>(std::min<sqlite3_int64>(bytes, header.size()));
-            if (got > 0 && file->pMethods->xRead(file, header.data(), got, 0) != SQLITE_OK)
+            // The size again after the header: a program that writes now makes the file longer.
+            if (got > 0 && (file->pMethods->xRead(file, header.data(), got, 0) != SQLITE_OK ||
+                            file->pMethods->xFileSize(file, &bytes) != SQLITE_OK))
                 got = -1;
+            size = bytes;
         }
     }
     sqlite3_close(database);
@@ -111,9 +113,11 @@ void prepare_sqlite_file(const std::string& path, const std::string& operation) 
 }
 
 void claim_sqlite_file(Connection& connection) {
+    // The schema first: a program that fills the file at this moment has written its id before.
+    const bool filled = pragma(connection, "schema_version") != 0;
     const int64_t id = pragma(connection, "application_id");
     if (id != kStoreApplicationId) {
-        if (id != 0 || pragma(connection, "schema_version") != 0)
+        if (id != 0 || filled)
             connection.fail(Kind::kDamaged,
                             "this is the database of another program, not a Placode store; give "
                             "the right file with --store");
