@@ -84,6 +84,7 @@ bool two_arms(const std::string& device, const Station& station) {
 
 CouplingSettings trial_law(const TrialSettings& settings) {
     CouplingSettings law = station_limits(settings.station);
+    law.servo_gap_s = settings.servo_gap_s;
     law.max_force_n = std::min(law.max_force_n, settings.force_n);
     law.thermal_floor_n = std::min(law.thermal_floor_n, law.max_force_n);
     if (settings.force_n <= kFirstForceN)

@@ -28,6 +28,9 @@ struct TrialSettings {
     double force_n =
         kFirstForceN;  ///< Ceiling; the station's and the device's limits hold as well.
     int64_t (*clock_ns)() noexcept = nullptr;  ///< As in DeviceConfig.
+    /// As in CouplingSettings. Only a stand-in without motors may be given a longer gap, on a
+    /// computer whose threads are made to wait.
+    double servo_gap_s = CouplingSettings{}.servo_gap_s;
 };
 
 /// One arm as it is now.

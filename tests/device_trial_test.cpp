@@ -21,6 +21,8 @@ TrialSettings settings(const HaplyService& service) {
     TrialSettings out;
     out.device = "haply";
     out.station.set("haply.port", std::to_string(service.port()));
+    // A busy computer lets the servo wait more than 5 ms again and again: the ramp never ends.
+    out.servo_gap_s = 0.5;
     return out;
 }
 
