@@ -287,7 +287,6 @@ void WebSocket::hand_over() noexcept {
 
 void WebSocket::close() noexcept {
     if (state_ == State::kOpen && !failed_) {
-        hand_over();
         const char normal[2] = {0x03, static_cast<char>(0xE8)};
         send_frame(kClose, {normal, 2});
         hand_over();
