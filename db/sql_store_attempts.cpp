@@ -11,7 +11,7 @@
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
-#include "sim/damage.h"
+#include "sim/event.h"
 
 namespace placode::db {
 namespace {

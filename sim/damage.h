@@ -27,10 +27,6 @@ inline constexpr EventKind kStretchSum{80};
 /// first has element -1 and value = number of rays: its absence says "not recorded".
 inline constexpr EventKind kThermalSpread{81};
 
-/// True for events that stand in hundreds in a recording and say nothing by themselves: lost
-/// elements, sums, hashes. Lists for people leave them out.
-[[nodiscard]] bool only_in_recording(EventKind kind) noexcept;
-
 /// A spell beyond the injury stretch counts from here on, then with its whole length [s].
 inline constexpr double kOverStretchS = 0.05;
 inline constexpr double kSpreadDamage = 1, kSpreadDoseMin = 240;  ///< The iso-lines.

@@ -100,4 +100,9 @@ std::string_view phase_name(Phase phase) noexcept {
     return "unknown";
 }
 
+bool only_in_recording(EventKind kind) noexcept {
+    return kind == EventKind::kVaporised || kind == EventKind::kStateHash || kind == kStretchSum ||
+           kind == kThermalSpread;
+}
+
 }  // namespace placode::sim

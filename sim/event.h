@@ -51,6 +51,10 @@ enum class EventKind : uint16_t {
 };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 
+/// True for events that stand in hundreds in a recording and say nothing by themselves: lost
+/// elements, sums, hashes. Lists for people leave them out.
+[[nodiscard]] bool only_in_recording(EventKind kind) noexcept;
+
 enum class Phase : uint8_t { kInspect = 0, kIncise, kRelease, kResect, kCheck };
 [[nodiscard]] std::string_view phase_name(Phase phase) noexcept;
 

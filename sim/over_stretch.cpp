@@ -75,11 +75,6 @@ void ledger_stretch(const Scene& scene, State& state) noexcept {
     }
 }
 
-bool only_in_recording(EventKind kind) noexcept {
-    return kind == EventKind::kVaporised || kind == EventKind::kStateHash || kind == kStretchSum ||
-           kind == kThermalSpread;
-}
-
 std::vector<Event> closing_events(const Scene& scene, State& state) {
     state.event_count = 0;
     ledger_stretch(scene, state);

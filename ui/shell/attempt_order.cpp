@@ -17,7 +17,7 @@
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/standards.h"
-#include "sim/damage.h"
+#include "sim/event.h"
 
 namespace placode::ui {
 namespace {
