@@ -23,32 +23,28 @@ bool touches(const Scene& scene, const State& state, int t) noexcept {
     return state.tools[t].engaged != 0 && scene.tools[t].kind != ToolKind::kScope;
 }
 
-/// Two tools in contact: n from a to b.
-struct Pair {
-    ToolState &a, &b;
-    double grip_a = 0, grip_b = 0;
-    Vec3 hand_a, hand_b, n;
+/// A tool and the hand that holds it.
+struct Held {
+    ToolState& tool;
+    double grip_n_m = 0;
+    Vec3 hand_m;
 
+    [[nodiscard]] Vec3 way_m() const noexcept { return hand_m - tool.proxy.p; }
     /// What hand and tissue push along n [N].
-    [[nodiscard]] double push_a() const noexcept {
-        return (grip_a * (hand_a - a.proxy.p) + a.substep_force_n).dot(n);
-    }
-    [[nodiscard]] double push_b() const noexcept {
-        return (grip_b * (hand_b - b.proxy.p) + b.substep_force_n).dot(n);
-    }
-    /// By how much the tools would overlap where the hands want them, beyond how they lie now.
-    [[nodiscard]] double wish_m() const noexcept {
-        return ((hand_a - a.proxy.p) - (hand_b - b.proxy.p)).dot(n);
-    }
-    void part(double overlap_m, double longest_m) noexcept {
-        const double sum = grip_a + grip_b;
-        a.proxy.p -= grip_b / sum * overlap_m * n;
-        b.proxy.p += grip_a / sum * overlap_m * n;
-        const Vec3 shift = std::clamp((push_a() + push_b()) / sum, -longest_m, longest_m) * n;
-        a.proxy.p += shift;
-        b.proxy.p += shift;
+    [[nodiscard]] double push_n(const Vec3& n) const noexcept {
+        return (grip_n_m * way_m() + tool.substep_force_n).dot(n);
     }
 };
+
+/// n from a to b.
+void part(Held& a, Held& b, const Vec3& n, double overlap_m, double longest_m) noexcept {
+    const double sum = a.grip_n_m + b.grip_n_m;
+    a.tool.proxy.p -= b.grip_n_m / sum * overlap_m * n;
+    b.tool.proxy.p += a.grip_n_m / sum * overlap_m * n;
+    const Vec3 shift = std::clamp((a.push_n(n) + b.push_n(n)) / sum, -longest_m, longest_m) * n;
+    a.tool.proxy.p += shift;
+    b.tool.proxy.p += shift;
+}
 
 }  // namespace
 
@@ -83,20 +79,20 @@ void part_tools(const Scene& scene, State& state, std::span<const Vec3> hands_m,
                 side.setZero();
                 continue;
             }
-            ToolState &first = state.tools[a], &second = state.tools[b];
-            const ToolGap gap = gap_between(shapes[a], first.proxy, shapes[b], second.proxy);
+            Held first{state.tools[a], scene.tools[a].grip_n_m, hands_m[a]};
+            Held second{state.tools[b], scene.tools[b].grip_n_m, hands_m[b]};
+            const ToolGap gap =
+                gap_between(shapes[a], first.tool.proxy, shapes[b], second.tool.proxy);
             // On the other side of each other than before: they have been carried through.
             const bool through = gap.n.dot(side) < 0 && gap.value_m < kForgetM;
             const double overlap = through ? 2 * gap.reach_m + gap.value_m : -gap.value_m;
-            Pair pair{
-                first,      second,     scene.tools[a].grip_n_m,       scene.tools[b].grip_n_m,
-                hands_m[a], hands_m[b], through ? Vec3(-gap.n) : gap.n};
-            const bool let_go = overlap + pair.wish_m() > kLetGoM;
-            side = gap.value_m > kForgetM || let_go ? Vec3::Zero() : pair.n;
+            const Vec3 n = through ? Vec3(-gap.n) : gap.n;
+            const bool let_go = overlap + (first.way_m() - second.way_m()).dot(n) > kLetGoM;
+            side = gap.value_m > kForgetM || let_go ? Vec3::Zero() : n;
             if (!(overlap > 0) || let_go) continue;
-            pair.part(overlap, std::min(longest_m[a], longest_m[b]));
-            first.steel_n -= std::max(0.0, pair.push_a()) / state.substeps * pair.n;
-            second.steel_n -= std::min(0.0, pair.push_b()) / state.substeps * pair.n;
+            part(first, second, n, overlap, std::min(longest_m[a], longest_m[b]));
+            first.tool.steel_n -= std::max(0.0, first.push_n(n)) / state.substeps * n;
+            second.tool.steel_n -= std::min(0.0, second.push_n(n)) / state.substeps * n;
         }
     }
 }
