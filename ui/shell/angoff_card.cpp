@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "curriculum/task.h"
+#include "ui/shell/metric_words.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/standard_cards.h"
 

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Names, units and explanations of metrics in the program's language.
-
 #include "ui/shell/metric_words.h"
 
 #include <QCoreApplication>
@@ -14,10 +12,6 @@ namespace {
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(MetricWords)
 };
-
-QString text_of(std::string_view text) {
-    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
-}
 
 QString direction_word(assessment::Direction direction) {
     switch (direction) {
@@ -36,7 +30,7 @@ QString direction_word(assessment::Direction direction) {
 QString unit_sign(std::string_view unit) {
     if (unit == "C") return "°C";
     if (unit == "deg") return "°";
-    return text_of(unit).replace("mm3", "mm³").replace("mm2", "mm²").replace("s2", "s²");
+    return qstr(std::string(unit)).replace("mm3", "mm³").replace("mm2", "mm²").replace("s2", "s²");
 }
 
 QString metric_name(std::string_view english) {
@@ -49,8 +43,9 @@ QString metric_explanation(const assessment::MetricDefinition& metric) {
         " " + direction_word(metric.direction);
     if (!metric.unit.empty()) text += " " + Words::tr("Unit: %1.").arg(unit_sign(metric.unit));
     return text + " " +
-           (metric.source == "Placode" ? Words::tr("Defined by this program.")
-                                       : Words::tr("Source: %1.").arg(text_of(metric.source)));
+           (metric.source == "Placode"
+                ? Words::tr("Defined by this program.")
+                : Words::tr("Source: %1.").arg(qstr(std::string(metric.source))));
 }
 
 }  // namespace placode::ui

@@ -66,8 +66,5 @@ void fit_columns(QTableWidget* table, int stretch);
 [[nodiscard]] QString end_word(sim::EndReason reason);
 [[nodiscard]] QString role_names(db::Roles roles);
 [[nodiscard]] QString device_name(const std::string& device);
-[[nodiscard]] QString metric_name(std::string_view english);
-/// "mm3" as it is printed: "mm³"; "C" as "°C".
-[[nodiscard]] QString unit_sign(std::string_view unit);
 
 }  // namespace placode::ui

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "db/norms.h"
+#include "ui/shell/metric_words.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/standard_cards.h"
 

@@ -18,6 +18,7 @@
 #include "haptics/device.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/device_tester.h"
+#include "ui/shell/metric_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
