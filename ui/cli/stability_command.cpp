@@ -160,7 +160,7 @@ void add_stability_command(CLI::App& bench, Context& context) {
     command
         ->add_flag("--full", options->full,
                    "Full length: 600 s at rest and 1,000,000 frames of random pokes for every "
-                   "method (without it 30 s and 50,000); some ten minutes of one core")
+                   "method (without it 30 s and 50,000)")
         ->excludes(quick);
     command->add_option("--report", options->report,
                         "Writes the verdicts to this file (sim/verify/STABILITY.md)");
