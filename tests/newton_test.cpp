@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "deformed.h"
 #include "sim/verify/verification_scene.h"
 
 using namespace placode::sim;
@@ -29,18 +30,8 @@ SoftBodySpec cube_spec(double nu = kNu) {
     return spec;
 }
 
-/// x = F X with noise, so that nothing cancels by accident.
 Coordinates deformed(const ReferenceBody& body, const Mat3& f, double noise = 0) {
-    Coordinates x = body.rest();
-    uint32_t seed = 7;
-    for (Eigen::Index i = 0; i < x.size(); i += 3) {
-        x.segment<3>(i) = f * x.segment<3>(i);
-        for (int a = 0; a < 3; ++a) {
-            seed = seed * 1664525U + 1013904223U;
-            x[i + a] += noise * (static_cast<double>(seed >> 8) / (1 << 24) - 0.5);
-        }
-    }
-    return x;
+    return test::deformed(body.rest(), f, noise, 7);
 }
 
 /// Equilibrium with the normal coordinate of the planes x_a = 0 held, and of x = 2 mm moved.

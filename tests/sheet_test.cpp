@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "deformed.h"
 #include "sim/packing.h"
 #include "sim/verify/newton.h"
 
@@ -100,16 +101,7 @@ SoftBodySpec flap_spec(Method method = Method::kVbd) {
 }
 
 Coordinates disturbed(const Coordinates& rest, const Mat3& f, double noise) {
-    Coordinates x = rest;
-    uint32_t seed = 11;
-    for (Eigen::Index i = 0; i < x.size(); i += 3) {
-        x.segment<3>(i) = f * x.segment<3>(i);
-        for (int a = 0; a < 3; ++a) {
-            seed = seed * 1664525U + 1013904223U;
-            x[i + a] += noise * (static_cast<double>(seed >> 8) / (1 << 24) - 0.5);
-        }
-    }
-    return x;
+    return test::deformed(rest, f, noise, 11);
 }
 
 void put(SoftBodyState& state, Coordinates& x) {
