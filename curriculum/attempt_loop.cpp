@@ -32,8 +32,6 @@ constexpr size_t kCosts = 1024;
 constexpr int64_t kFramesAhead = 400;  // of what is committed, in a fast run
 constexpr int kQuietHands = 50;        // frames without a word from the servo
 
-Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
-
 bool is_electric(sim::ToolKind kind) {
     return kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
 }
@@ -239,7 +237,7 @@ void AttemptLoop::find_targets(const sim::PracticeStep& step, std::array<int32_t
         double nearest = 1;
         for (size_t v = 0; v < scene_->field.depth_m.size(); ++v) {
             if (scene_->field.depth_m[v] > 0) continue;
-            const double way = (to_vec3(state_.body.x[v]).head<2>() - wanted).norm();
+            const double way = (to_vec(state_.body.x[v]).head<2>() - wanted).norm();
             if (way >= nearest) continue;
             nearest = way;
             out[static_cast<size_t>(t)] = static_cast<int32_t>(v);
@@ -257,7 +255,7 @@ void AttemptLoop::look_at_goal() noexcept {
     for (const int32_t v : target_vertex_[static_cast<size_t>(goal_.index)]) {
         if (v < 0) continue;
         goal_.target_m[static_cast<size_t>(goal_.targets++)] =
-            to_vec3(state_.body.x[static_cast<size_t>(v)]);
+            to_vec(state_.body.x[static_cast<size_t>(v)]);
     }
 }
 

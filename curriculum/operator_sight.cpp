@@ -15,8 +15,6 @@ constexpr double kPieceShare = 0.3;   // of the marked volume: less is a shred, 
 constexpr double kBegunShare = 0.85;  // of the marked volume left: look anew where to take hold
 constexpr double kAboutM = 5e-4;      // around the place to take hold: how high the tissue is there
 
-Vec3 to_vec3(const sim::Float4& x) { return {x.x, x.y, x.z}; }
-
 }  // namespace
 
 OperatorSight::OperatorSight(const sim::Scene& scene)
@@ -46,9 +44,9 @@ void OperatorSight::look_at(const sim::State& state, std::span<const sim::Contou
                             std::vector<Vec3>& points, std::vector<Vec3>& normals) const noexcept {
     for (size_t i = 0; i < points.size(); ++i) {
         const auto& v = anchors[i].vertex;
-        const Vec3 a = to_vec3(state.body.x[static_cast<size_t>(v[0])]);
-        const Vec3 b = to_vec3(state.body.x[static_cast<size_t>(v[1])]);
-        const Vec3 c = to_vec3(state.body.x[static_cast<size_t>(v[2])]);
+        const Vec3 a = to_vec(state.body.x[static_cast<size_t>(v[0])]);
+        const Vec3 b = to_vec(state.body.x[static_cast<size_t>(v[1])]);
+        const Vec3 c = to_vec(state.body.x[static_cast<size_t>(v[2])]);
         const auto& w = anchors[i].weight;
         points[i] = static_cast<double>(w[0]) * a + static_cast<double>(w[1]) * b +
                     static_cast<double>(w[2]) * c;
@@ -66,7 +64,7 @@ void OperatorSight::look_at_marked(const sim::State& state) noexcept {
     const auto centre = [&](int32_t t) {
         Vec3 sum = Vec3::Zero();
         for (const int32_t v : corners(scene_.body, state.body, t)) {
-            sum += to_vec3(state.body.x[static_cast<size_t>(v)]) / 4;
+            sum += to_vec(state.body.x[static_cast<size_t>(v)]) / 4;
         }
         return sum;
     };
@@ -116,7 +114,7 @@ void OperatorSight::look_at_placode(const sim::State& state) noexcept {
         const Vec3 tip = state.tools[i].proxy.p;
         double squared = 1;
         for (const int32_t v : placode_vertices_) {
-            const Vec3 x = to_vec3(state.body.x[static_cast<size_t>(v)]);
+            const Vec3 x = to_vec(state.body.x[static_cast<size_t>(v)]);
             squared = std::min(squared, (x - tip).squaredNorm());
         }
         placode_gap_m_[i] = std::sqrt(squared) - scene_.tools[i].tip_radius_m;

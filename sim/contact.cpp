@@ -34,11 +34,6 @@ constexpr double kHardening = 5e4;  // of a contact, for every metre of overlap 
 constexpr double kFacing = 0.5;  // faces that look away from the instrument more than this are not
                                  // touched: their other side is
 
-Vec3 position(const SoftBodyState& body, int v) noexcept {
-    const Float4& x = body.x[v];
-    return {x.x, x.y, x.z};
-}
-
 /// Normalised linear interpolation: for the small turns of a frame as good as slerp, without the
 /// library's sine, whose last bit depends on the processor.
 Quat between(const Quat& from, const Quat& to, double share) noexcept {

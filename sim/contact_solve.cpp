@@ -14,11 +14,6 @@ namespace {
 constexpr uint8_t kSlipMemory = 8;         // substeps without slip until static friction is back
 constexpr double kStiffnessMemory = 0.95;  // per substep: a short lift-off does not forget tissue
 
-Vec3 position(const SoftBodyState& body, int v) noexcept {
-    const Float4& x = body.x[v];
-    return {x.x, x.y, x.z};
-}
-
 double gap_of(const Contact& c, const SoftBodyState& body) noexcept {
     double gap = c.offset_m;
     for (int i = 0; i < c.corners; ++i) gap += c.b[i] * c.n.dot(position(body, c.vertex[i]));

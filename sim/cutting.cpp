@@ -109,11 +109,6 @@ std::vector<int32_t> column_tets(const Scene& scene, const TetLocator& locator,
     return found;
 }
 
-Vec3 position(const State& state, int v) noexcept {
-    const Float4& x = state.body.x[v];
-    return {x.x, x.y, x.z};
-}
-
 /// Largest eigenvalue of a symmetric positive matrix: Newton on the characteristic polynomial from
 /// an upper bound, where it runs down monotonically. Plain arithmetic gives the same bits on every
 /// processor; the trigonometric closed form does not.
@@ -139,7 +134,7 @@ bool surely_below(const Scene& scene, const State& state, int tet, double stretc
     const SoftBodySpec& spec = scene.body.spec();
     const auto& c = corners(scene.body, state.body, tet);
     std::array<Vec3, 4> x;
-    for (size_t i = 0; i < 4; ++i) x[i] = position(state, c[i]);
+    for (size_t i = 0; i < 4; ++i) x[i] = position(state.body, c[i]);
     const float* weight = scene.body.packed().edge_weight_n_m.data() + 6 * static_cast<size_t>(tet);
     double trace = 0;
     for (size_t i = 0; i < 4; ++i) {
@@ -243,7 +238,7 @@ double principal_stretch(const Scene& scene, const State& state, int tet) noexce
     Mat3 rest, now;
     for (int i = 0; i < 3; ++i) {
         rest.col(i) = spec.mesh.rest[r[i + 1]] - spec.mesh.rest[r[0]];
-        now.col(i) = position(state, c[i + 1]) - position(state, c[0]);
+        now.col(i) = position(state.body, c[i + 1]) - position(state.body, c[0]);
     }
     rest = rest_stretch(spec, tet) * rest;
     const Mat3 f = now * rest.inverse();

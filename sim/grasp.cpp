@@ -24,11 +24,6 @@ constexpr float kSlipEnds = 0.1f;         // without slipping this long, the sli
 constexpr float kTractionS = 0.3f;        // a pull above the limit counts from here on [s]
 constexpr double kCarryStep = 1e-4;  // tissue follows closing jaws at most so far a substep [m]
 
-Vec3 position(const SoftBodyState& body, int v) noexcept {
-    const Float4& x = body.x[v];
-    return {x.x, x.y, x.z};
-}
-
 /// Where a held vertex belongs now, in T.
 Vec3 place_T(const Grasp& g, const GraspedVertex& held) noexcept {
     const double closed =

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <numeric>
 
 #include "sim/link_strip.h"
 #include "sim/packing_tets.h"

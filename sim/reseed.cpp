@@ -20,8 +20,6 @@ constexpr double kSlow = 0.02;       // against the mean of the piece [m/s]
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
-
 bool collapsed(const SoftBody& body, const SoftBodyState& state, int tet) noexcept {
     if (state.tet_alive[at(tet)] == 0) return false;
     const auto &k = corners(body, state, tet), &r = body.mesh().tets[at(tet)];

@@ -20,11 +20,6 @@ constexpr double kPastTip = 2e-4;  // the tips' own roundness [m]
 constexpr double kEdge = 1e-4;     // tissue this far beside the blades' edges is still met [m]
 constexpr int kFacesPerFrame = 24;
 
-Vec3 position(const SoftBodyState& body, int v) noexcept {
-    const Float4& x = body.x[v];
-    return {x.x, x.y, x.z};
-}
-
 /// tan of half the opening without the library's last bit: angles stay below 0.8 rad.
 double half_tangent(double angle) noexcept {
     const double a = angle / 2, a2 = a * a;

@@ -147,8 +147,6 @@ void add_bending(const SoftBodySpec& spec, std::vector<SheetElement>& triangles)
     }
 }
 
-Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
-
 /// Corner k of a triangle, in the plane. With e the edge opposite and d from it to the corner,
 /// q = r2 |e x d|^2 = r2 d . (|e|^2 - e e^T) d. The Hessian has the axes e, u (in the plane) and n
 /// (its normal).

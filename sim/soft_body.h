@@ -92,6 +92,7 @@ struct SoftBodySpec {
 struct alignas(16) Float4 {
     float x = 0, y = 0, z = 0, w = 0;
 };
+[[nodiscard]] inline Vec3 to_vec(const Float4& p) noexcept { return {p.x, p.y, p.z}; }
 
 struct PackedElements;  // batches and colours of the kernels, in solver order
 struct Topology;        // connectivity that cutting changes: sim/topology.h
@@ -204,6 +205,11 @@ struct SoftBodyState {
     uint32_t flags = 0;  ///< Bits of StepReport raised by the kernels; the caller clears them.
 };
 
+/// Where a vertex is now [m].
+[[nodiscard]] inline Vec3 position(const SoftBodyState& state, int vertex) noexcept {
+    return to_vec(state.x[static_cast<size_t>(vertex)]);
+}
+
 // Connectivity as it is now. Vertices from vertex_count() on are copies that cutting made; their
 // data at rest are those of origin_of.
 
@@ -241,7 +247,7 @@ struct VertexSystem {
 /// Start of a substep: x_start, start guess. h [s]. Held vertices (w = 0) stay where the
 /// caller put them; a vertex that is not finite returns to its last good place.
 void begin_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
-/// One sweep over all elements (or vertex colours), leaving out `contact_vertex`. Call it
+/// One sweep over all elements (or vertices), leaving out `contact_vertex`. Call it
 /// `iterations` times a substep.
 void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
 /// End of a substep: velocities from positions, damping, tethers that break.

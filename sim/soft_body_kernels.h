@@ -23,13 +23,12 @@ struct KernelArguments {
     bool pair = false;                      ///< XPBD: C_D then C_H instead of the 2x2 block.
 };
 
-/// What the begin and end of a substep read and write. The fourth number of `fall_*` is 0.
+/// What the begin and end of a substep read and write. The fourth number of `fall_m_s` is 0.
 struct MotionArguments {
     Float4 *x = nullptr, *v = nullptr, *x_start = nullptr;
     const uint8_t* free_vertex = nullptr;
     const float* damping_per_s = nullptr;
     float h = 0;                      ///< [s]
-    std::array<float, 4> fall_m{};    ///< h^2 g
     std::array<float, 4> fall_m_s{};  ///< h g
     bool gravity_in_guess = false;    ///< For every vertex, not only for free ones.
 };

@@ -51,7 +51,6 @@ class Substep {
             const double g = s.gravity_m_s2[static_cast<Eigen::Index>(i)];
             arguments_.planned_fall_m[i] = static_cast<float>(h * h * g);
             gravity_[i] = static_cast<float>(h * g);
-            motion_.fall_m[i] = arguments_.planned_fall_m[i];
             motion_.fall_m_s[i] = gravity_[i];
         }
         motion_.x = state.x.data();

@@ -30,7 +30,7 @@ struct Topology {
     std::vector<int32_t> around;               ///< Tets of a vertex: around[first .. first + count)
     std::vector<int32_t> first, count;         ///< (V + spares)
     std::vector<float> mass_kg;                ///< (V + spares)
-    std::vector<uint8_t> whole;                ///< (V) 1 = never split: fixed, sprung, tethered, in a sheet.
+    std::vector<uint8_t> whole;                ///< (V) 1 = never split: held or in a sheet.
     int32_t vertices = 0;                      ///< In use; the spares follow.
     PackedElements packed;                     ///< As the body's, with room to grow.
     std::vector<int32_t> capacity;             ///< (batches) strip steps that fit.

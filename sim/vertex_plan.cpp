@@ -3,7 +3,6 @@
 #include "sim/vertex_plan.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace placode::sim {

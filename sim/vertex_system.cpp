@@ -12,8 +12,6 @@ namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
-
 /// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
 void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
                  Mat3& hessian) noexcept {

@@ -28,8 +28,6 @@ constexpr double kContactStiffness = 300, kContactRatio = 6;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-Vec3 to_vec(const Float4& p) { return {p.x, p.y, p.z}; }
-
 /// What a length, time and mass of the scene are for the kernels. A scene written in other units
 /// gives the kernels the same numbers to the last digit of a double, which almost never is another
 /// float: without this, motion that is not damped away differs by 0.1 to 3e-3 after 0.3 s.

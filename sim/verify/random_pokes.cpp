@@ -33,8 +33,6 @@ class Random {
     uint64_t state_;
 };
 
-Vec3 position(const SoftBodyState& body, int v) { return {body.x[v].x, body.x[v].y, body.x[v].z}; }
-
 /// One hand: goes from way point to way point in straight lines.
 struct Poker {
     std::vector<Vec3> way;
