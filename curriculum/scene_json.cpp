@@ -107,6 +107,7 @@ template <class V, class C>
 void visit_contact(const V& v, C& c) {
     v("stiffness_n_m", c.stiffness_n_m);
     v("margin_m", c.margin_m);
+    v("self_contact", c.self_contact);
     v("placode_warn_force_n", c.placode_warn_force_n);
     v("over_force_n", c.over_force_n);
     v("warn_dose_cem43_min", c.warn_dose_cem43_min);

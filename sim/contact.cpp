@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/self_contact.h"
 #include "sim/step_scratch.h"
 #include "sim/tool_contact.h"
 
@@ -187,6 +188,20 @@ bool add_contact(const Scene& scene, State& state, Contact c, double gap,
     return true;
 }
 
+}  // namespace
+
+bool add_tissue_contact(State& state, const Contact& contact) noexcept {
+    ContactSet& set = state.scratch->contacts;
+    if (set.contact_count == static_cast<int>(set.contacts.size())) return false;
+    for (int k = 0; k < contact.corners; ++k) {
+        if (slot_of(set, state.body, contact.vertex[k]) < 0) return false;
+    }
+    set.contacts[set.contact_count++] = contact;
+    return true;
+}
+
+namespace {
+
 /// Distance of a corner to an instrument; open blades do not touch what is between them.
 Distance distance_of_corner(const Scene& scene, const State& state, int t,
                             const Vec3& x_T) noexcept {
@@ -210,7 +225,7 @@ bool touch_triangle(const Scene& scene, State& state, const SurfaceTriangle& tri
     Contact c;
     c.tool = static_cast<int8_t>(t);
     c.tissue = tri.tissue;
-    c.vertex = tri.vertex;
+    std::copy(tri.vertex.begin(), tri.vertex.end(), c.vertex.begin());
     c.stiffness_n_m = 1;
     if (d.pierced) {
         c.n = -face;  // back to the side that the instrument came from
@@ -260,7 +275,7 @@ ContactSet::ContactSet(const Scene& scene)
       start(kMostCandidates),
       contacts(kMostContacts),
       vertices(kMostVertices),
-      incidence(3 * kMostContacts),
+      incidence(4 * kMostContacts),
       previous(kMostVertices),
       slot(scene.body.vertex_capacity(), -1),
       hessian(scene.body.vertex_capacity()),
@@ -401,6 +416,7 @@ void find_contacts(const Scene& scene, State& state) noexcept {
             break;
         }
     }
+    if (!touch_tissue(scene, state)) state.flags |= kContactsDropped;
     // Who left the colour has lifted off.
     for (int i = 0; i < set.previous_count; ++i) {
         if (set.slot[set.previous[i]] < 0) state.friction[set.previous[i]] = {};

@@ -23,15 +23,19 @@ namespace placode::sim {
 struct Scene;
 struct State;
 
-/// One triangle against one instrument. f = k max(0, -gap), gap = n . (sum b x) + offset.
+/// In place of a tool: the other side is tissue as well.
+inline constexpr int8_t kTissueSide = -1;
+
+/// One triangle against one instrument, or a vertex against a triangle of other tissue.
+/// f = k max(0, -gap), gap = n . (sum b x) + offset.
 struct Contact {
-    std::array<int32_t, 3> vertex{};
-    std::array<double, 3> b{};  // barycentric weights
-    Vec3 n = Vec3::UnitZ();     // from the instrument into the tissue, in W
+    std::array<int32_t, 4> vertex{};
+    std::array<double, 4> b{};  // barycentric weights; those of the other side are negative
+    Vec3 n = Vec3::UnitZ();     // from the other side into the tissue, in W
     double offset_m = 0;
     double stiffness_n_m = 0;
     Tissue tissue = Tissue::kSkin;
-    int8_t tool = 0;
+    int8_t tool = 0;     // or kTissueSide
     int8_t corners = 3;  // the first of `vertex` and `b` that count
 };
 
@@ -39,7 +43,7 @@ struct Contact {
 struct ContactVertex {
     int32_t vertex = 0;
     int32_t first = 0, count = 0;  // into ContactSet::incidence
-    int8_t tool = 0;
+    int8_t tool = kTissueSide;     // that touches it
     float friction = 0, friction_static_ratio = 1;
     Vec3 normal_force_n = Vec3::Zero();
     double stiffness_n_m = 0;  // of the tissue alone, along the normal
@@ -81,6 +85,9 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
 
 /// Closest points of the candidates; marks the contact colour in `contact_vertex`.
 void find_contacts(const Scene& scene, State& state) noexcept;
+
+/// Adds a contact between tissue and tissue to the colour. False when a list is full.
+bool add_tissue_contact(State& state, const Contact& contact) noexcept;
 
 /// One pass over the contact colour, there or back: the two together are symmetric, as sweeps that
 /// carry momentum must be to stay calm. h [s].

@@ -12,6 +12,7 @@ namespace placode::sim {
 namespace {
 
 constexpr uint8_t kSlipMemory = 8;         // substeps without slip until static friction is back
+constexpr double kTissueFriction = 0.2;    // of wet tissue on wet tissue
 constexpr double kStiffnessMemory = 0.95;  // per substep: a short lift-off does not forget tissue
 
 double gap_of(const Contact& c, const SoftBodyState& body) noexcept {
@@ -42,6 +43,24 @@ Friction friction_of(const State& state, const ContactVertex& cv) noexcept {
     const double length = f.slide.norm();
     if (length * f.stiffness_n_m > f.limit_n) f.stiffness_n_m = f.limit_n / length;
     return f;
+}
+
+/// Friction of tissue on tissue within the substep: a spring against the way since its start,
+/// softer where the cone ends. It takes energy only, and forgets: what shall lie still sticks
+/// (sim/pieces).
+void rub(const SoftBodyState& body, const Contact& c, double b, double load_n,
+         VertexSystem& system) noexcept {
+    Vec3 way = Vec3::Zero();
+    for (int i = 0; i < c.corners; ++i) {
+        way += c.b[i] * (position(body, c.vertex[i]) -
+                         to_vec(body.x_start[static_cast<size_t>(c.vertex[i])]));
+    }
+    way -= c.n * c.n.dot(way);
+    double k = c.stiffness_n_m;
+    const double length = way.norm();
+    if (length * k > kTissueFriction * load_n) k = kTissueFriction * load_n / length;
+    system.gradient += k * b * way;
+    system.hessian += k * b * b * (Mat3::Identity() - c.n * c.n.transpose());
 }
 
 /// After a substep: drags the anchor along where the vertex slips, forgets it where it lifts off.
@@ -90,7 +109,10 @@ void solve_contacts(const Scene& scene, State& state, double h, bool backward) n
             if (gap >= 0) continue;
             system.gradient += k * gap * b * c.n;
             system.hessian += (k * b * b) * c.n * c.n.transpose();
-            load -= k * gap * b * c.n;
+            if (c.tool == kTissueSide)
+                rub(state.body, c, b, -k * gap, system);
+            else
+                load -= k * gap * b * c.n;
         }
         cv.normal_force_n = load;
         const double size = load.norm();
@@ -130,6 +152,7 @@ void finish_contacts(State& state) noexcept {
     for (int i = 0; i < set.vertex_count; ++i) set.vertices[i].normal_force_n = Vec3::Zero();
     for (int i = 0; i < set.contact_count; ++i) {
         const Contact& c = set.contacts[i];
+        if (c.tool == kTissueSide) continue;
         const double gap = gap_of(c, state.body);
         if (gap >= 0) continue;
         const double force = -c.stiffness_n_m * gap;
@@ -143,6 +166,10 @@ void finish_contacts(State& state) noexcept {
     }
     for (int i = 0; i < set.vertex_count; ++i) {
         const ContactVertex& cv = set.vertices[i];
+        if (cv.tool == kTissueSide) {
+            state.friction[cv.vertex] = {};
+            continue;
+        }
         ToolState& tool = state.tools[cv.tool];
         const Friction f = friction_of(state, cv);
         tool.substep_force_n += f.stiffness_n_m * f.slide;

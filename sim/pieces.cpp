@@ -26,6 +26,8 @@ constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around
 constexpr double kGroundCell = 0.001;   // [m]
 constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]
 constexpr double kSunkenWall = 0.0005;  // thickness of a sac's wall that lies on the floor [m]
+constexpr float kCalmSpeed = 0.005F;    // of every vertex, where tissue lies on tissue [m/s]
+constexpr uint16_t kCalmFrames = 100;   // until it sticks
 constexpr float kLost = -0.004F;        // below that it lies in any case [m]
 
 bool counts_for_release(Tissue t) noexcept {
@@ -302,6 +304,25 @@ bool lies(const Scene& scene, const State& state, int piece) noexcept {
     return down;
 }
 
+/// True when a piece has lain still on other tissue for a while, or has fallen past everything.
+bool lies_on_tissue(const Scene& scene, State& state, int piece) noexcept {
+    float fastest2 = 0;
+    bool touches = false, lost = false;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        for (const int32_t v : corners(scene.body, state.body, t)) {
+            const Float4& speed = state.body.v[static_cast<size_t>(v)];
+            fastest2 =
+                std::max(fastest2, speed.x * speed.x + speed.y * speed.y + speed.z * speed.z);
+            touches = touches || state.body.contact_vertex[static_cast<size_t>(v)] != 0;
+            lost = lost || state.body.x[static_cast<size_t>(v)].z < kLost;
+        }
+    });
+    Piece& p = state.pieces.list[piece];
+    p.calm = touches && fastest2 < kCalmSpeed * kCalmSpeed ? static_cast<uint16_t>(p.calm + 1)
+                                                           : uint16_t{0};
+    return lost || p.calm >= kCalmFrames;
+}
+
 void take_away(const Scene& scene, State& state, int piece) noexcept {
     Piece& p = state.pieces.list[piece];
     int removed = 0;
@@ -341,7 +362,9 @@ void follow(const Scene& scene, State& state, int piece) noexcept {
         }
     } else if (!p.resting) {
         if (before >= 0) update_free_vertices(scene.body, state.body);
-        if (lies(scene, state, piece)) rest(scene, state, piece, true);
+        const bool down = state.self_contact.enabled() ? lies_on_tissue(scene, state, piece)
+                                                       : lies(scene, state, piece);
+        if (down) rest(scene, state, piece, true);
     }
 }
 

@@ -51,6 +51,7 @@ struct Piece {
     int8_t held_by = -1;  ///< Tool that holds it.
     uint8_t resting = 0;  ///< Sticks where it lies.
     uint8_t leaving = 0;  ///< Being taken away: crumb, or out of the port.
+    uint16_t calm = 0;    ///< Frames that it has lain on other tissue without moving.
 };
 
 /// Loose tissue and the running flood.

@@ -58,6 +58,7 @@ struct Resection {
 struct ContactSettings {
     double stiffness_n_m = 3000;          ///< k of the contact colour [N/m].
     double margin_m = 0.0002;             ///< Contact starts this far out, for time continuity.
+    bool self_contact = false;            ///< Tissue meets tissue: sim/self_contact.h.
     double placode_warn_force_n = 0.005;  ///< Contact of the placode counts above.
     double over_force_n = 0.4;            ///< Force on any tissue that counts as too much.
     double warn_dose_cem43_min = 5, injury_dose_cem43_min = 20, injury_temperature_c = 60;

@@ -232,6 +232,13 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
         const auto& triangle = state.surface.triangles()[at(contacts.candidates[at(i)] / 4)];
         for (const int32_t v : triangle.vertex) wake_vertex(sleep, v);
     }
+    for (size_t g = 0; g < state.self_contact.pairs.size(); ++g) {
+        for (int32_t i = 0; i < state.self_contact.count[g]; ++i) {
+            const TissuePair& pair = state.self_contact.pairs[g][at(i)];
+            wake_vertex(sleep, pair.vertex);
+            for (const int32_t v : corners(scene.body, state.body, pair.tet)) wake_vertex(sleep, v);
+        }
+    }
     for (const Grasp& grasp : state.grasps) {
         for (int i = 0; i < grasp.count; ++i) wake_vertex(sleep, grasp.held[at(i)].vertex);
     }

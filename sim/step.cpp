@@ -217,6 +217,7 @@ State::State(const Scene& scene, int threads)
       body(scene.body),
       sleep(scene.body),
       surface(scene.surface, scene.body.mesh()),
+      self_contact(scene),
       held_by(scene.body.vertex_capacity(), -1),
       friction(scene.body.vertex_capacity()),
       stretch_count(scene.body.tet_count(), 0),
@@ -259,6 +260,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     std::array<Pose, kMaxTools> from, to;
     take_inputs(scene, state, inputs, from, to);
     collect_candidates(scene, state);
+    collect_tissue_pairs(scene, state);
     update_sac(scene, state, solver.frame_s, false);
     wake_tissue(scene, state);
     int64_t mark = now_ns();
@@ -394,6 +396,12 @@ uint64_t state_hash(const State& state) noexcept {
     hash.add(state.sac.pressure_pa);
     hash.add(state.sac.content_m3);
     hash.add(state.splits);
+    for (size_t g = 0; g < state.self_contact.pairs.size(); ++g) {
+        for (int32_t i = 0; i < state.self_contact.count[g]; ++i) {
+            const TissuePair& pair = state.self_contact.pairs[g][static_cast<size_t>(i)];
+            for (const int32_t part : {pair.vertex, pair.tet, pair.face}) hash.add(part);
+        }
+    }
     hash.add(state.release.free_count);
     hash.add(state.release.next);
     hash.add(state.pieces.out);

@@ -15,6 +15,7 @@
 #include "sim/pieces.h"
 #include "sim/scene.h"
 #include "sim/scissors.h"
+#include "sim/self_contact.h"
 #include "sim/sleep.h"
 #include "sim/tool.h"
 #include "sim/workers.h"
@@ -89,6 +90,7 @@ struct State {
     SoftBodyState body;
     Sleep sleep;
     SurfaceState surface;
+    SelfContact self_contact;
     SacState sac;
     std::vector<HeatState> heat;  ///< Empty or one.
     std::array<ToolState, kMaxTools> tools{};

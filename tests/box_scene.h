@@ -18,6 +18,7 @@ struct BoxOptions {
     Material material;
     Method method = Method::kVbd;
     int substeps = 4;
+    int iterations = 1;
     double over_relaxation = 1.0;  ///< 1.2 makes this lattice of stiff tissue tremble.
     Vec3 gravity = Vec3::Zero();
     bool heat = true;
@@ -45,6 +46,7 @@ inline Scene box_scene(const BoxOptions& options) {
     spec.materials.fill(options.material);
     spec.solver.method = options.method;
     spec.solver.substeps = options.substeps;
+    spec.solver.iterations = options.iterations;
     spec.solver.over_relaxation = options.over_relaxation;
     spec.solver.gravity_m_s2 = options.gravity;
     spec.solver.sleep = options.sleep;
