@@ -17,11 +17,12 @@ std::unique_ptr<DeviceGroup> open_openhaptics(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_haply(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_avatar(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_forcedimension(const DeviceConfig& config);
+std::unique_ptr<DeviceGroup> open_mouse_person(const DeviceConfig& config);
 std::unique_ptr<DeviceGroup> open_script(const DeviceConfig& config, OperatorLevel level);
 
 namespace {
 
-constexpr std::string_view kScriptPrefix = "script:";
+constexpr std::string_view kScriptPrefix = "script:", kMousePerson = "script:mouse";
 
 struct Variant {
     std::string_view name, detail;
@@ -45,8 +46,7 @@ std::string known_names() {
     for (const auto& variant : kVariants) names += std::string(variant.name) + ", ";
     for (const auto level : operator_levels())
         names += std::string(kScriptPrefix) + std::string(operator_name(level)) + ", ";
-    names.resize(names.size() - 2);
-    return names;
+    return names + std::string(kMousePerson);
 }
 
 // Opens the device for a moment: what cannot be opened says why, what can says what it is.
@@ -81,6 +81,7 @@ std::unique_ptr<DeviceGroup> open_device(const DeviceConfig& config) {
         throw DeviceError("device \"" + config.name + "\": asked to hold " +
                           std::to_string(config.tools.size()) + " tools; expected 1 to " +
                           std::to_string(sim::kMaxTools));
+    if (name == kMousePerson) return open_mouse_person(config);
     if (name.starts_with(kScriptPrefix)) {
         if (const auto level = operator_level(name.substr(kScriptPrefix.size())))
             return open_script(config, *level);
@@ -100,13 +101,18 @@ std::vector<DeviceListing> list_devices(const Station& station) {
                        true,
                        "scripted operator, seeded, runs in step with the simulation",
                        {}});
+    out.push_back({std::string(kMousePerson),
+                   true,
+                   "the scripted expert with a mouse: window events through the mouse's mapping",
+                   {}});
     return out;
 }
 
 std::vector<ControlHelp> controls(std::string_view device) {
     if (device == "mouse")
         return {{"Move the tip in the picture", "move the mouse"},
-                {"Go deeper / come back", "wheel away from you / towards you (1 mm a notch)"},
+                {"Go deeper / come back",
+                 "wheel away from you / towards you (half a millimetre; with Shift 2 mm)"},
                 {"Cut (yellow pedal)", "hold the left button, or X"},
                 {"Coagulate (blue pedal)", "hold the right button, or C"},
                 {"Precision (a fifth of the motion)", "hold Ctrl"},

@@ -1,16 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripted operators as a device: they hold the handles outside the ports like a human, and see
-// what a person sees on the screen. In step with the simulation, seeded, deterministic. Which
-// operator it is follows from the instruments: a needle makes the ring, a grasper lifts, grasper
-// and scissors resect, all three do the whole dissection.
+// what a person sees on the screen. In step with the simulation, seeded, deterministic.
 #include <algorithm>
 #include <cmath>
 
-#include "haptics/lift_operator.h"
-#include "haptics/operator_model.h"
-#include "haptics/practice_operator.h"
-#include "haptics/resection_operator.h"
+#include "haptics/open_operator.h"
 #include "haptics/trocar.h"
 
 namespace placode::haptics {
@@ -18,27 +13,6 @@ namespace placode::haptics {
 namespace {
 
 constexpr double kRollRadS = 4;  // fingers turn the handle no faster
-
-/// The ring operator as one of several.
-class RingOperator final : public ScriptedOperator {
- public:
-    RingOperator(OperatorLevel level, uint64_t seed, size_t tool, const Vec3& home_m)
-        : model_(operator_profile(level), seed, home_m), tool_(tool) {}
-    void see(const Perception& seen) override {
-        model_.see(seen, tool_ < seen.tools.size() ? seen.tools[tool_] : sim::ToolFeedback{});
-    }
-    [[nodiscard]] bool act(double dt_s, std::span<HandAction> hands) noexcept override {
-        const OperatorAction action = model_.act(dt_s);
-        hands[tool_].tip_m = action.tip_m;
-        hands[tool_].pedals = action.pedals;
-        hands[tool_].engaged = true;
-        return action.finish;
-    }
-
- private:
-    OperatorModel model_;
-    size_t tool_;
-};
 
 class ScriptDevice final : public DeviceGroup {
  public:
@@ -51,30 +25,7 @@ class ScriptDevice final : public DeviceGroup {
             homes.push_back(settings[i].home_tip_m);
             last_position_.push_back(trocars_[i].device_position(homes[i]));
         }
-        ResectionTools tools;
-        int first = -1;  // the needle if there is one, else the first that is no scope
-        for (int i = static_cast<int>(count_) - 1; i >= 0; --i) {
-            const sim::ToolKind kind = config.tools[static_cast<size_t>(i)].kind;
-            if (kind == sim::ToolKind::kNeedle) tools.needle = i;
-            if (kind == sim::ToolKind::kScissors) tools.scissors = i;
-            if (kind == sim::ToolKind::kGrasper) tools.grasper = i;
-            if (kind != sim::ToolKind::kScope) first = i;
-        }
-        if (tools.needle >= 0) first = tools.needle;
-        if (first < 0) first = 0;
-        const auto home = [&](int i) { return homes[static_cast<size_t>(i)]; };
-        if (config.practice) {
-            operator_ = std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes);
-        } else if (tools.scissors >= 0 && tools.grasper >= 0) {
-            operator_ =
-                std::make_unique<ResectionOperator>(level, config.seed, tools, config.tools, homes);
-        } else if (tools.grasper >= 0 && tools.needle < 0) {
-            operator_ = std::make_unique<LiftOperator>(
-                level, config.seed, static_cast<size_t>(tools.grasper), home(tools.grasper));
-        } else {
-            operator_ = std::make_unique<RingOperator>(level, config.seed,
-                                                       static_cast<size_t>(first), home(first));
-        }
+        operator_ = open_operator(config, level, homes);
         // An instrument that shares its port with another waits outside.
         for (size_t i = 0; i < count_; ++i) {
             bool shares = false;
@@ -134,13 +85,8 @@ class ScriptDevice final : public DeviceGroup {
         if (hands_[i].opening.norm() < 1e-6) return rolls_[i];
         DeviceState straight;
         straight.position_m = position_m;
-        const sim::Pose pose = trocars_[i].tip_pose(straight);
-        const Vec3 wanted = hands_[i].opening.normalized();
-        const double x = wanted.dot(pose.q * Vec3::UnitX()), y = wanted.dot(pose.q * Vec3::UnitY());
-        double turn = std::atan2(-x, y) - rolls_[i];
-        constexpr double half = 3.14159265358979323846;
-        while (turn > half / 2) turn -= half;
-        while (turn < -half / 2) turn += half;
+        const double turn =
+            turn_to_open_along(hands_[i].opening, trocars_[i].tip_pose(straight), rolls_[i]);
         rolls_[i] += std::clamp(turn, -kRollRadS * dt, kRollRadS * dt);
         return rolls_[i];
     }

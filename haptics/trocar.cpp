@@ -127,6 +127,7 @@ Mat3 camera_basis(const Vec3& scope_pivot_m) {
 
 std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
                                             std::string_view device) {
+    if (device == "script:mouse") device = "mouse";  // a script that moves a mouse
     const bool tip =
         device == "mouse" || device == "keyboard" || device == "gamepad" || device == "spacemouse";
     Vec3 scope_pivot(-0.045, 0, 0.075);
@@ -139,8 +140,8 @@ std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools
     desk.col(1) = Vec3::UnitZ();
     desk.col(2) = -Vec3::UnitX();
 
-    // A mouse knows two directions: along the tissue, not along the picture, which the scope sees at
-    // a slant; otherwise every motion up in the picture would lift the tip by half its way.
+    // A mouse knows two directions: along the tissue, not along the picture, which the scope sees
+    // at a slant; otherwise every motion up in the picture would lift the tip by half its way.
     Mat3 level;
     level.col(0) = -Vec3::UnitY();
     level.col(1) = Vec3::UnitX();

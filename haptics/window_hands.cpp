@@ -17,18 +17,22 @@ constexpr double kLagLimitM = 0.020;     // A flick is not stored as motion to c
 constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1 kHz.
 constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
 constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
-constexpr double kJawS = 0.150, kJawOpenRad = 0.96;
+constexpr double kJawRadS = 6.4;
+// A button knows open and closed only: the working opening, not the widest, or jaws would gather
+// what lies beside the place that is meant, and each snip would be as long as the blades.
+constexpr double kGrasperOpening = 0.4, kBladeOpening = 0.3;
 constexpr double kRatchet = 0.18;  // of the full jaw force: holds membrane without crushing it
 const Vec3 kReachLow(-0.045, -0.045, -0.025), kReachHigh(0.045, 0.045, 0.040);
 const Vec3 kScopeReach(0.020, 0.020, 0.015);
 
 }  // namespace
 
-uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed) noexcept {
+uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed, bool endless) noexcept {
     if (pressed == 0) spent_ = false;
     if (pressed != 0 && before_ == 0) since_ns_ = t_ns;
     before_ = pressed;
-    if (pressed != 0 && (!allowed || t_ns - since_ns_ > kPedalTimeoutNs)) spent_ = true;
+    const bool late = !endless && t_ns - since_ns_ > kPedalTimeoutNs;
+    if (pressed != 0 && (!allowed || late)) spent_ = true;
     return spent_ ? 0 : pressed;
 }
 
@@ -46,6 +50,9 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
             hands_[i].out = hands_[i].out || (!hands_[i].scope && !hands_[k].scope &&
                                               hands_[k].port == hands_[i].port);
         }
+        hands_[i].jaw_open_rad =
+            (kind == sim::ToolKind::kScissors ? kBladeOpening : kGrasperOpening) *
+            config.tools[i].jaw_open_rad;
         if (kind == sim::ToolKind::kGrasper) {
             hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
         }
@@ -95,6 +102,9 @@ void WindowHands::next_hand(uint32_t presses) noexcept {
         size_t i = active_;
         do i = (i + 1) % hands_.size();
         while (hands_[i].scope && i != active_);
+        WindowHand& left = hands_[active_];
+        left.latched = left.latched || ((held_before_ & sim::kPedalCut) != 0 && !left.energy &&
+                                        pressed_by_ == active_);
         active_ = i;
         // Another instrument through the same port: the old one leaves, the new one comes in at
         // its start.
@@ -105,9 +115,27 @@ void WindowHands::next_hand(uint32_t presses) noexcept {
             hands_[k].position_m.setZero();
             hands_[k].rate_m_s.setZero();
             hands_[k].jaw_rad = 0;
+            hands_[k].latched = false;
         }
         hands_[i].out = false;
     }
+}
+
+// A press belongs to the hand that was active when it began: whoever changes hands with the button
+// down neither cuts nor closes with the new one.
+uint8_t WindowHands::own_press(uint8_t held) noexcept {
+    if (held != 0 && held_before_ == 0) {
+        pressed_by_ = active_;
+        hands_[active_].latched = false;
+    }
+    held_before_ = held;
+    return pressed_by_ == active_ ? held : 0;
+}
+
+void WindowHands::move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept {
+    const double step = pressed || hand.latched ? -kJawRadS * dt_s : kJawRadS * dt_s;
+    hand.jaw_rad = std::clamp(hand.jaw_rad + step, hand.jaw_least_rad,
+                              std::max(hand.jaw_open_rad, hand.jaw_least_rad));
 }
 
 void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
@@ -146,18 +174,14 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
     if (now.is_down(sim::Key::kCut)) pressed |= sim::kPedalCut;
     if (now.is_down(sim::Key::kCoag)) pressed |= sim::kPedalCoag;
-    const uint8_t held = pedals_.update(pressed, t_ns, allowed);
+    const uint8_t held = own_press(pedals_.update(pressed, t_ns, allowed, !hands_[active_].energy));
     before_ = now;
 
     ++sequence_;
     for (size_t i = 0; i < std::min(states.size(), hands_.size()); ++i) {
         WindowHand& hand = hands_[i];
         follow(hand, dt);
-        const bool jaw = i == active_ && !hand.energy && (held & sim::kPedalCut) != 0;
-        const double step = kJawOpenRad * dt / kJawS;
-        if (i == active_)
-            hand.jaw_rad =
-                std::clamp(hand.jaw_rad + (jaw ? -step : step), hand.jaw_least_rad, kJawOpenRad);
+        if (i == active_ && !hand.energy) move_jaw(hand, (held & sim::kPedalCut) != 0, dt);
         DeviceState& out = states[i];
         out = {};
         out.sequence = sequence_;

@@ -16,8 +16,10 @@ namespace placode::haptics {
 /// Pedals from buttons: released after 10 s without a break, and when motion is not allowed.
 class PedalGuard {
  public:
-    /// `pressed`: what is held now. Returns what counts.
-    [[nodiscard]] uint8_t update(uint8_t pressed, int64_t t_ns, bool allowed) noexcept;
+    /// `pressed`: what is held now; `endless`: it closes jaws, which may hold for minutes. Returns
+    /// what counts.
+    [[nodiscard]] uint8_t update(uint8_t pressed, int64_t t_ns, bool allowed,
+                                 bool endless = false) noexcept;
 
  private:
     uint8_t before_ = 0;
@@ -35,6 +37,8 @@ struct WindowHand {
     sim::Hand port = sim::Hand::kRight;  ///< Instruments with the same port take turns.
     bool out = false;                    ///< Waits outside.
     double jaw_least_rad = 0;            ///< A ratchet holds jaws from squeezing further.
+    double jaw_open_rad = 0;             ///< As wide as the button lets them open.
+    bool latched = false;  ///< Left with closed jaws: they stay so until the next press.
 };
 
 /// Group of virtual hands driven from the window. Servo thread only.
@@ -62,13 +66,16 @@ class WindowHands : public DeviceGroup {
  private:
     void follow(WindowHand& hand, double dt_s) noexcept;
     void next_hand(uint32_t presses) noexcept;
+    [[nodiscard]] uint8_t own_press(uint8_t held) noexcept;
+    void move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept;
 
     std::string model_;
     sim::Latest<sim::WindowInput>* window_;
     sim::WindowInput before_, idle_;
     bool seen_ = false;
     std::vector<WindowHand> hands_;
-    size_t active_ = 0;
+    size_t active_ = 0, pressed_by_ = 0;
+    uint8_t held_before_ = 0;
     FootPedals feet_;
     PedalGuard pedals_;
     int64_t last_ns_ = 0;

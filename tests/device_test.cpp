@@ -131,7 +131,10 @@ TEST(Mouse, MovesRightAndUpInThePictureByItsGain) {
 TEST(Mouse, GoesDeeperWithTheWheelAwayFromTheUser) {
     Bench bench("mouse");
     bench.input.wheel += 2;
-    EXPECT_NEAR(bench.read(1000).position_m.z(), -0.002, 1e-6);
+    EXPECT_NEAR(bench.read(1000).position_m.z(), -0.001, 1e-6);
+    bench.hold(Key::kShift);  // for long ways
+    bench.input.wheel -= 2;
+    EXPECT_NEAR(bench.read(1000).position_m.z(), 0.003, 1e-6);
 }
 
 TEST(Mouse, IsFiveTimesFinerWithControl) {
@@ -182,6 +185,54 @@ TEST(Mouse, PressesThePedalsOfTheNeedleOnly) {
     EXPECT_EQ(bench.read(1).pedals, 0);
     bench.hold(Key::kCut);  // a foot pedal
     EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+}
+
+TEST(Mouse, KeepsJawsClosedOverTabUntilTheNextPress) {
+    sim::Latest<sim::WindowInput> window;
+    sim::WindowInput input;
+    DeviceConfig config;
+    config.name = "mouse";
+    config.window = &window;
+    config.tools.resize(2);
+    config.tools[0].kind = sim::ToolKind::kScissors;
+    config.tools[1].kind = sim::ToolKind::kGrasper;
+    config.tools[1].tip_length_m = 0.010;
+    config.tools[1].hand = sim::Hand::kLeft;
+    const auto device = open_device(config);
+    std::vector<DeviceState> states(2);
+    int64_t t = 0;
+    const auto read = [&](int ticks) {
+        for (int i = 0; i < ticks; ++i) {
+            window.publish(input);
+            device->read(t += 1'000'000, states);
+        }
+    };
+    const auto tab = [&] { ++input.presses[static_cast<size_t>(Key::kTab)]; };
+    read(500);
+    tab();  // to the grasper
+    read(500);
+    const double open = states[1].jaw_rad;
+    input.left = true;
+    read(12'000);  // jaws hold as long as it takes
+    const double closed = states[1].jaw_rad;
+    EXPECT_LT(closed, 0.5 * open);
+    tab();
+    read(100);
+    EXPECT_GT(states[0].jaw_rad, 0.1) << "the same press does not close the scissors";
+    input.left = false;
+    read(2000);
+    input.left = true;
+    read(500);
+    EXPECT_LT(states[0].jaw_rad, 0.01) << "a new one does";
+    input.left = false;
+    tab();
+    read(2000);
+    EXPECT_EQ(states[1].jaw_rad, closed) << "back at the grasper: it still holds";
+    input.left = true;
+    read(100);
+    input.left = false;
+    read(500);
+    EXPECT_NEAR(states[1].jaw_rad, open, 1e-9) << "pressed and let go: it opens";
 }
 
 TEST(Mouse, ReleasesThePedalAfterTenSeconds) {

@@ -84,6 +84,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"Move the scope", "Ruch endoskopu"},
     {"middle button", "środkowy przycisk"},
     {"Shift + mouse", "Shift + mysz"},
+    {"Shift + wheel", "Shift + kółko"},
+    {"The same, four times as far", "To samo, czterokrotnie dalej"},
     {"arrows", "strzałki"},
     {"left bumper", "lewy przycisk górny"},
     {"Turn about the shaft", "Obrót wokół osi"},

@@ -78,8 +78,8 @@ void check(Arguments& arguments) {
     if (arguments.headless && hands) {
         throw UsageError("--device " + arguments.device +
                          " needs a window; with --headless use script:expert, script:intermediate, "
-                         "script:novice "
-                         "or play:FILE");
+                         "script:novice, "
+                         "script:mouse or play:FILE");
     }
 }
 
@@ -95,7 +95,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_option(
         "--device", arguments.device,
         "mouse, keyboard, gamepad, spacemouse, openhaptics, haply, avatar, forcedimension, "
-        "script:expert|intermediate|novice, play:FILE");
+        "script:expert|intermediate|novice|mouse, play:FILE");
     app.add_option("--record", arguments.record, "Write the recording here")
         ->type_name("FILE.placode");
     app.add_flag("--headless", arguments.headless, "No window, no display needed");

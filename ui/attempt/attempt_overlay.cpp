@@ -14,6 +14,7 @@ Help controls(const std::string& device) {
     if (device == "mouse") {
         help = {{"mouse", "Move the instrument"},
                 {"wheel", "Deeper, shallower"},
+                {"Shift + wheel", "The same, four times as far"},
                 {"left button", "Cut (yellow pedal)"},
                 {"right button", "Coagulate (blue pedal)"},
                 {"middle button", "Move the scope"},

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mouse can do it: whole attempts through window events, the real mouse device and its mapping,
+// on a coarse field. In step with the simulation, so that the machine's speed changes nothing.
+
+#include <gtest/gtest.h>
+
+#include "assessment/scoring.h"
+#include "curriculum/attempt_runner.h"
+#include "tests/attempt_fixture.h"
+
+namespace placode::curriculum {
+namespace {
+
+struct Outcome {
+    sim::Recording recording;
+    assessment::MetricSet metrics;
+    assessment::Score score;
+};
+
+Outcome by_mouse(const std::string& id) {
+    const Task task = test::changed_task(id, {{"edge_ring_m", "0.0008"},
+                                              {"edge_placode_m", "0.0014"},
+                                              {"edge_outer_m", "0.003"},
+                                              {"settle_s", "0.05"}});
+    Outcome out;
+    out.recording = test::scripted_attempt(task, "mouse");
+    out.metrics = assessment::compute_metrics(out.recording);
+    out.score = assessment::score_attempt(task.rubric, out.metrics, out.recording);
+    return out;
+}
+
+double value(const Outcome& outcome, const char* metric) {
+    return outcome.metrics.find(metric).value_or(-1);
+}
+
+TEST(MousePerson, DoesEveryStepOfTheTutorial) {
+    const Outcome tutorial = by_mouse("familiarisation");
+    EXPECT_EQ(value(tutorial, "steps_done_percent"), 100);
+    EXPECT_EQ(tutorial.score.verdict, assessment::Verdict::kPassed) << tutorial.score.points;
+}
+
+}  // namespace
+}  // namespace placode::curriculum
