@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/packing_tets.h"
+#include "sim/packing_parts.h"
 
 #include <algorithm>
 

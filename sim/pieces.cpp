@@ -8,20 +8,17 @@
 
 #include "sim/cutting.h"
 #include "sim/ledger.h"
+#include "sim/release.h"
 #include "sim/step_scratch.h"
 #include "sim/topology.h"
 
 namespace placode::sim {
 namespace {
 
-// Sectors to either side in which a path may run: 35 degrees are 1.8 mm at the narrowest, some
-// three edges of the mesh; a narrower wedge would miss paths that are there.
-constexpr int kBeside = 3;
 constexpr int kFloodPerFrame = 2500;
 constexpr int kRemovedPerFrame = 8;
 constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
 constexpr double kOutShare = 0.62;      // of the way from lesion to port: the piece is out
-constexpr double kNearLine = 0.0014;    // around a point of the outline [m]
 constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around the lesion
 constexpr double kGroundCell = 0.001;   // [m]
 constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]
@@ -30,12 +27,6 @@ constexpr float kCalmSpeed = 0.005F;    // of every vertex, where tissue lies on
 constexpr uint16_t kCalmFrames = 100;   // until it sticks
 constexpr float kLost = -0.004F;        // below that it lies in any case [m]
 
-bool counts_for_release(Tissue t) noexcept {
-    return t == Tissue::kPlacode || t == Tissue::kZone || t == Tissue::kSkin ||
-           t == Tissue::kThinSkin;
-}
-bool is_skin(Tissue t) noexcept { return t == Tissue::kSkin || t == Tissue::kThinSkin; }
-
 int ground_cell(double x, double y) noexcept {
     const auto cell = [](double c) {
         return std::clamp(static_cast<int>(std::floor(c / kGroundCell)) + kGroundCells / 2, 0,
@@ -43,103 +34,6 @@ int ground_cell(double x, double y) noexcept {
     };
     return cell(x) * kGroundCells + cell(y);
 }
-
-// --- release -----------------------------------------------------------------------------------
-
-/// True when no path leads from the placode in sector `s` to the skin within s - 3 .. s + 3.
-bool sector_free(const Scene& scene, State& state, int s) noexcept {
-    PieceSearch& search = state.scratch->pieces;
-    const uint32_t stamp = ++search.sector_stamp;
-    const auto& tissue = scene.body.mesh().tissue;
-    auto& seen = search.sector_seen;
-    int top = 0;
-    auto& stack = state.scratch->sector_stack;
-    for (int i = search.sector_start[s]; i < search.sector_start[s + 1]; ++i) {
-        const int32_t t = search.sector_tets[i];
-        if (tissue[t] != Tissue::kPlacode || !state.body.tet_alive[t]) continue;
-        seen[t] = stamp;
-        stack[top++] = t;
-    }
-    while (top > 0) {
-        const int32_t t = stack[--top];
-        if (is_skin(tissue[t])) return false;
-        for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
-            if (other < 0 || seen[other] == stamp || !state.body.tet_alive[other]) continue;
-            if (!counts_for_release(tissue[other])) continue;
-            const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
-            if (away > 2 * kBeside) continue;
-            seen[other] = stamp;
-            stack[top++] = other;
-        }
-    }
-    return true;
-}
-
-void update_release(const Scene& scene, State& state) noexcept {
-    ReleaseProgress& r = state.release;
-    const int s = r.next;
-    r.next = (r.next + 1) % kSectors;
-    if (r.checked[s] == state.surface.version()) return;
-    r.checked[s] = state.surface.version();
-    if (r.free[s] || !sector_free(scene, state, s)) return;
-    r.free[s] = 1;  // what is free stays free
-    ++r.free_count;
-    Event e;
-    e.time_s = state.time_s;
-    e.kind = EventKind::kSectorFree;
-    e.tissue = Tissue::kPlacode;
-    e.value = static_cast<float>(s);
-    e.value2 = static_cast<float>(r.free_count);
-    add_event(state, e);
-}
-
-// --- outline of the marked tissue ---------------------------------------------------------------
-
-/// True when no path leads from one side of the outline to the other in the neighbourhood.
-bool parted(const Scene& scene, State& state, const Vec3& where, int32_t from,
-            int32_t to) noexcept {
-    const auto& alive = state.body.tet_alive;
-    if (!alive[from] || !alive[to]) return true;
-    PieceSearch& search = state.scratch->pieces;
-    const uint32_t stamp = ++search.sector_stamp;
-    auto& stack = state.scratch->sector_stack;
-    int top = 0;
-    search.sector_seen[from] = stamp;
-    stack[top++] = from;
-    while (top > 0) {
-        const int32_t t = stack[--top];
-        if (t == to) return false;
-        for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
-            if (other < 0 || search.sector_seen[other] == stamp || !alive[other]) continue;
-            if (!counts_for_release(scene.body.mesh().tissue[other])) continue;
-            if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)
-                continue;
-            search.sector_seen[other] = stamp;
-            stack[top++] = other;
-        }
-    }
-    return true;
-}
-
-void update_outline(const Scene& scene, State& state) noexcept {
-    ResectionProgress& r = state.resection;
-    const auto points = static_cast<int32_t>(r.cut.size());
-    if (points == 0) return;
-    const int i = r.next;
-    r.next = (r.next + 1) % points;
-    if (r.checked[i] == state.surface.version()) return;
-    r.checked[i] = state.surface.version();
-    const auto& sides = scene.resection.across[i];
-    if (r.cut[i] || !parted(scene, state, scene.resection.line[i], sides[0], sides[1])) return;
-    r.cut[i] = 1;
-    ++r.cut_count;
-}
-
-// --- loose pieces ------------------------------------------------------------------------------
 
 template <class Visit>
 void for_tets(const Scene& scene, const State& state, int piece, Visit&& visit) noexcept {
@@ -369,12 +263,6 @@ void follow(const Scene& scene, State& state, int piece) noexcept {
 }
 
 }  // namespace
-
-int sector_of(const Vec3& rest) noexcept {
-    double angle = std::atan2(rest.y(), rest.x()) * 180 / 3.14159265358979323846;
-    if (angle < 0) angle += 360;
-    return std::min(kSectors - 1, static_cast<int>(angle / 5));
-}
 
 PieceSearch::PieceSearch(const Scene& scene)
     : reached(scene.body.tet_count(), 0),

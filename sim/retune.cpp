@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "sim/packing_tets.h"
+#include "sim/packing_parts.h"
 #include "sim/topology.h"
 
 namespace placode::sim {

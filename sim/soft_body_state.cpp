@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "sim/packing_tets.h"
+#include "sim/packing_parts.h"
 #include "sim/topology.h"
 
 namespace placode::sim {

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 
 #include "sim/contact.h"
 #include "sim/cutting.h"
@@ -17,7 +16,6 @@
 namespace placode::sim {
 namespace {
 
-constexpr int kVaporisedPerStep = 64;
 constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
 constexpr int kReseedInterval = 256;     // frames between two searches for collapsed tissue
 constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
@@ -127,121 +125,7 @@ void measure_tips(const Scene& scene, State& state) noexcept {
     }
 }
 
-class Hash {
- public:
-    void bytes(const void* data, size_t size) noexcept {
-        const auto* p = static_cast<const unsigned char*>(data);
-        for (size_t i = 0; i < size; ++i) value_ = (value_ ^ p[i]) * 1099511628211ull;
-    }
-    template <class T>
-    void add(const T& value) noexcept {
-        static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
-        bytes(&value, sizeof value);
-    }
-    void add(const Vec3& v) noexcept {
-        for (int i = 0; i < 3; ++i) add(v[i]);
-    }
-    void add(const Pose& pose) noexcept {
-        add(pose.p);
-        for (int i = 0; i < 4; ++i) add(pose.q.coeffs()[i]);
-    }
-    template <class T>
-    void all(const std::vector<T>& values) noexcept {
-        bytes(values.data(), values.size() * sizeof(T));
-    }
-    [[nodiscard]] uint64_t value() const noexcept { return value_; }
-
- private:
-    uint64_t value_ = 14695981039346656037ull;
-};
-
-void hash_tool(Hash& hash, const ToolState& t) noexcept {
-    hash.add(t.proxy);
-    hash.add(t.hand);
-    hash.add(t.force_n);
-    hash.add(t.substep_force_n);
-    hash.add(t.substep_stiffness_n_m);
-    hash.add(t.substep_overlap_m);
-    hash.add(t.spot);
-    hash.add(t.dwell_centre);
-    for (const float f : {t.contact_s, t.peak_force_n, t.energy_on_s, t.energy_j, t.air_s,
-                          t.dwell_s, t.placode_energised_s, t.over_force_s, t.contact_share,
-                          t.quiet_s, t.over_force_peak_n, t.energised_peak_c}) {
-        hash.add(f);
-    }
-    hash.add(t.power_in_tissue_w);
-    for (const uint8_t b : {t.in_contact, t.energised, t.engaged, t.coagulating}) hash.add(b);
-}
-
-void hash_grasp(Hash& hash, const Grasp& g) noexcept {
-    hash.add(g.count);
-    for (int i = 0; i < g.count; ++i) {
-        hash.add(g.held[i].vertex);
-        for (const float f : g.held[i].at_T) hash.add(f);
-    }
-    for (const float f : {g.jaw_rad, g.meet_rad, g.pinch_n, g.held_s, g.peak_n, g.slip_m,
-                          g.slip_pause_s, g.traction_s}) {
-        hash.add(f);
-    }
-    hash.add(g.shut);
-}
-
 }  // namespace
-
-State::Scratch::Scratch(const Scene& scene)
-    : contacts(scene),
-      vaporised(kVaporisedPerStep),
-      candidates(scene.body.vertex_count()),
-      placode_volume_m3(scene.body.vertex_count(), 0.0f),
-      tether_alive(scene.body.spec().tethers.size(), 1),
-      separation(scene),
-      pieces(scene),
-      sac_thirds(scene.sac.triangles.size()),
-      sector_stack(scene.body.tet_count()),
-      tet_seen(scene.body.tet_count(), 0),
-      over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),
-      gone_by_heat(scene.body.tet_count(), 0) {
-    const TetMesh& mesh = scene.body.mesh();
-    for (int t = 0; t < scene.body.tet_count(); ++t) {
-        for (int i = 1; i < 4; ++i) {
-            const Vec3 edge = mesh.rest[mesh.tets[t][i]] - mesh.rest[mesh.tets[t][i - 1]];
-            longest_edge_m = std::max(longest_edge_m, edge.norm());
-        }
-        if (mesh.tissue[t] != Tissue::kPlacode) continue;
-        for (const int32_t v : mesh.tets[t]) placode_volume_m3[v] += scene.body.volume_m3()[t] / 4;
-    }
-}
-
-State::State(const Scene& scene, int threads)
-    : substeps(scene.body.spec().solver.substeps),
-      body(scene.body),
-      sleep(scene.body),
-      surface(scene.surface, scene.body.mesh()),
-      self_contact(scene),
-      held_by(scene.body.vertex_capacity(), -1),
-      friction(scene.body.vertex_capacity()),
-      stretch_count(scene.body.tet_count(), 0),
-      stretch_reported(scene.body.tet_count(), 0),
-      dose_reported(scene.body.vertex_count(), 0),
-      last_substeps(substeps),
-      workers(std::make_unique<Workers>(threads)),
-      scratch(std::make_unique<Scratch>(scene)) {
-    for (auto& row : tool_side) row.fill(Vec3::Zero());
-    scratch->cut = make_cut_tables(scene, progress);
-    pieces.of.assign(scene.body.tet_count(), -1);
-    pieces.resting.assign(scene.body.vertex_capacity(), 0);
-    pieces.searched = surface.version();
-    release.checked.fill(~surface.version());  // every sector is looked at once before any cut
-    resection.cut.assign(scene.resection.line.size(), 0);
-    resection.checked.assign(scene.resection.line.size(), 0);
-    if (scene.heat) {
-        heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
-        const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);
-        placode_peak_c = placode_now_c = start;
-    }
-}
-
-State::~State() = default;
 
 StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inputs,
                 std::span<ToolFeedback> feedback) noexcept {
@@ -356,77 +240,6 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
         }
     }
     for (Float4& v : state.body.v) v.x = v.y = v.z = 0;
-}
-
-uint64_t state_hash(const State& state) noexcept {
-    Hash hash;
-    hash.add(state.frame);
-    hash.add(state.substeps);
-    hash.add(state.phase);
-    hash.add(state_hash(state.body));
-    hash.all(state.sleep.asleep);
-    hash.all(state.sleep.calm);
-    hash.all(state.body.tether_alive);
-    hash.add(state.surface.version());
-    for (const SurfaceTriangle& t : state.surface.triangles()) {
-        for (const int32_t v : t.vertex) hash.add(v);
-    }
-    for (const HeatState& heat : state.heat) {
-        for (int n = 0; n < heat.warm_count; ++n) {
-            const int v = heat.warm_list[n];
-            hash.add(v);
-            hash.add(heat.enthalpy_j[v]);
-            hash.add(heat.dried[v]);
-            hash.add(heat.cem43_min[v]);
-            hash.add(heat.arrhenius[v]);
-            hash.add(heat.charred[v]);
-        }
-    }
-    for (const ToolState& tool : state.tools) hash_tool(hash, tool);
-    for (const auto& row : state.tool_side) {
-        for (const Vec3& side : row) hash.add(side);
-    }
-    for (const Grasp& grasp : state.grasps) hash_grasp(hash, grasp);
-    for (const Scissors& s : state.scissors) {
-        hash.add(s.jaw_rad);
-        hash.add(s.start_rad);
-        hash.add(s.next);
-        hash.add(s.closing);
-    }
-    hash.add(state.sac.pressure_pa);
-    hash.add(state.sac.content_m3);
-    hash.add(state.splits);
-    for (size_t g = 0; g < state.self_contact.pairs.size(); ++g) {
-        for (int32_t i = 0; i < state.self_contact.count[g]; ++i) {
-            const TissuePair& pair = state.self_contact.pairs[g][static_cast<size_t>(i)];
-            for (const int32_t part : {pair.vertex, pair.tet, pair.face}) hash.add(part);
-        }
-    }
-    hash.add(state.release.free_count);
-    hash.add(state.release.next);
-    hash.add(state.pieces.out);
-    hash.add(state.pieces.crumbs);
-    hash.all(state.pieces.of);
-    hash.all(state.resection.cut);
-    hash.all(state.progress.cut);
-    hash.all(state.progress.column_left);
-    hash.all(state.stretch_count);
-    hash.all(state.stretch_reported);
-    hash.all(state.dose_reported);
-    for (const float f : state.over_stretch_pause_s) hash.add(f);
-    const ContactSet& contacts = state.scratch->contacts;
-    for (int i = 0; i < contacts.vertex_count; ++i) {
-        const FrictionAnchor& anchor = state.friction[contacts.vertices[i].vertex];
-        hash.add(anchor.tool);
-        hash.add(anchor.slipping);
-        for (const float f : anchor.anchor_T) hash.add(f);
-    }
-    for (const float f : {state.placode_peak_cem43_min, state.placode_peak_c,
-                          state.placode_burned_m3, state.removed_m3, state.vapour_rate_m3_s,
-                          state.overheat_pause_s, state.burn_pause_s, state.idle_s}) {
-        hash.add(f);
-    }
-    return hash.value();
 }
 
 void deformed_contour(const Scene& scene, const State& state, std::span<Vec3> out) noexcept {

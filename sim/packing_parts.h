@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Parts of packing that are also needed when a tet is removed, and the XPBD batches.
+// Parts of packing: the batches of VBD and of XPBD, and what is also needed when a tet is removed.
 // Internal to the solver.
 
 #include <span>
@@ -16,6 +16,9 @@ void check_span(int32_t first, int32_t last);
 /// Writes the mu weights of vertex `v` from its living tets, so that removal leaves no residue.
 void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
+
+/// Makes constants, links and batches of vertices for VBD.
+void pack_vertices(const SoftBody& body, PackedElements& packed);
 
 /// Appends batches of disjoint tets for XPBD.
 void pack_tets(const SoftBody& body, PackedElements& packed);
