@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kLongestTrackS = 4 * 3600;
 constexpr size_t kPadding = 9;  // scipy: 3 * max(len(a), len(b))
+// Faster than this many times the analysis rate: the low pass comes before the resampling, or noise
+// above half the analysis rate would fold into the movement. Recordings hold 100 Hz.
+constexpr double kOversampled = 1.5;
 
 /// Transposed direct form II with the given start state.
 void run(const Biquad& f, std::vector<double>& x, double z0, double z1) {
@@ -38,6 +41,33 @@ void filter_positions(std::vector<Vec3>& positions, double cutoff_hz, double rat
         const std::vector<double> smooth = filter_forward_backward(filter, axis);
         for (size_t k = 0; k < axis.size(); ++k) positions[k][i] = smooth[k];
     }
+}
+
+/// Value at n times from start_s on, rate_hz apart, on the lines between what was sampled. Calls
+/// take(k, i, u): the k-th lies the share u of the way from sample i to sample i + 1.
+template <typename Take>
+void resample(std::span<const double> time_s, double start_s, double rate_hz, size_t n,
+              Take&& take) {
+    for (size_t k = 0, i = 0; k < n; ++k) {
+        const double t = start_s + static_cast<double>(k) / rate_hz;
+        while (i + 2 < time_s.size() && time_s[i + 1] < t) ++i;
+        take(k, i, std::clamp((t - time_s[i]) / (time_s[i + 1] - time_s[i]), 0.0, 1.0));
+    }
+}
+
+/// Positions on even steps of the rate at which they came, low pass there.
+void filter_as_recorded(std::vector<double>& time_s, std::vector<Vec3>& position_m,
+                        double cutoff_hz) {
+    const size_t n = time_s.size();
+    const double start_s = time_s.front();
+    const double rate_hz = static_cast<double>(n - 1) / (time_s.back() - start_s);
+    std::vector<Vec3> even(n);
+    resample(time_s, start_s, rate_hz, n, [&](size_t k, size_t i, double u) {
+        even[k] = (1 - u) * position_m[i] + u * position_m[i + 1];
+    });
+    filter_positions(even, cutoff_hz, rate_hz);
+    position_m = std::move(even);
+    for (size_t k = 0; k < n; ++k) time_s[k] = start_s + static_cast<double>(k) / rate_hz;
 }
 
 }  // namespace
@@ -84,33 +114,39 @@ Track make_track(std::span<const double> time_s, std::span<const Vec3> position_
     Track track;
     track.dt_s = 1 / rate_hz;
     const bool turns = orientation.size() == position_m.size();
-    std::vector<size_t> good;
+    std::vector<double> time;
+    std::vector<Vec3> position;
+    std::vector<Quat> turn;
     for (size_t k = 0; k < std::min(time_s.size(), position_m.size()); ++k) {
         if (!std::isfinite(time_s[k]) || !position_m[k].allFinite()) continue;
         if (turns && !(orientation[k].norm() > 0.5)) continue;
         // A clock that jumped by hours says nothing of the movement, and would fill the memory.
-        if (!good.empty() && time_s[k] - time_s[good.front()] > kLongestTrackS) continue;
-        if (good.empty() || time_s[k] > time_s[good.back()]) good.push_back(k);
+        if (!time.empty() && time_s[k] - time.front() > kLongestTrackS) continue;
+        if (!time.empty() && !(time_s[k] > time.back())) continue;
+        time.push_back(time_s[k]);
+        position.push_back(position_m[k]);
+        if (turns) turn.push_back(orientation[k].normalized());
     }
-    if (good.size() < 2) return track;
+    if (time.size() < 2) return track;
 
-    track.start_s = time_s[good.front()];
-    const double span_s = time_s[good.back()] - track.start_s;
+    track.start_s = time.front();
+    const double span_s = time.back() - track.start_s;
     // The small allowance keeps the last sample when the input already has this rate.
     const size_t n = static_cast<size_t>(std::floor(span_s * rate_hz + 1e-6)) + 1;
-    for (size_t k = 0, i = 0; k < n; ++k) {
-        const double t = track.time_s(k);
-        while (i + 2 < good.size() && time_s[good[i + 1]] < t) ++i;
-        const size_t p = good[i], q = good[i + 1];
-        const double u = std::clamp((t - time_s[p]) / (time_s[q] - time_s[p]), 0.0, 1.0);
-        track.position_m.push_back((1 - u) * position_m[p] + u * position_m[q]);
-        if (turns) {
-            track.orientation.push_back(
-                orientation[p].normalized().slerp(u, orientation[q].normalized()));
-        }
-    }
-    if (cutoff_hz > 0 && cutoff_hz < rate_hz / 2)
-        filter_positions(track.position_m, cutoff_hz, rate_hz);
+    track.orientation.resize(turns ? n : 0);
+    if (turns)
+        resample(time, track.start_s, rate_hz, n, [&](size_t k, size_t i, double u) {
+            track.orientation[k] = turn[i].slerp(u, turn[i + 1]);
+        });
+    const bool filtered = cutoff_hz > 0 && cutoff_hz < rate_hz / 2;
+    const bool before =
+        filtered && static_cast<double>(time.size() - 1) > kOversampled * rate_hz * span_s;
+    if (before) filter_as_recorded(time, position, cutoff_hz);
+    track.position_m.resize(n);
+    resample(time, track.start_s, rate_hz, n, [&](size_t k, size_t i, double u) {
+        track.position_m[k] = (1 - u) * position[i] + u * position[i + 1];
+    });
+    if (filtered && !before) filter_positions(track.position_m, cutoff_hz, rate_hz);
 
     // The vector is differentiated first, then its norm is taken.
     track.velocity_m_s.assign(n, Vec3::Zero());

@@ -52,14 +52,13 @@ ForceSummary summarise_force(std::span<const double> time_s, std::span<const dou
         const double dt = time_s[k] - time_s[k - 1], a = force_n[k - 1], b = force_n[k];
         f.impulse_n_s += dt * (a + b) / 2;
         square += dt * (a * a + b * b) / 2;
-        f.excess_impulse_n_s +=
-            dt * (std::max(0.0, a - threshold_n) + std::max(0.0, b - threshold_n)) / 2;
         // The crossing inside a step is taken from the line between its ends.
         const double high = std::max(a, b), low = std::min(a, b);
-        if (low > threshold_n)
-            f.over_s += dt;
-        else if (high > threshold_n)
-            f.over_s += dt * (high - threshold_n) / (high - low);
+        if (high <= threshold_n) continue;
+        const double share = low >= threshold_n ? 1 : (high - threshold_n) / (high - low);
+        f.over_s += share * dt;
+        f.excess_impulse_n_s +=
+            share * dt * (high - threshold_n + std::max(0.0, low - threshold_n)) / 2;
     }
     const double duration = time_s[n - 1] - time_s[0];
     if (duration > 0) {

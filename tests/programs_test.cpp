@@ -285,6 +285,32 @@ TEST_F(Programs, TwoHandsAndATremorHaveTheirClosedForms) {
     EXPECT_NEAR(number_in(shaking.out, "tremor_rms_mm"), 0.1 / std::sqrt(2.0), 1e-5);
 }
 
+TEST_F(Programs, MetricsTakeWhatTheyKnowAmongOtherColumns) {
+    // 50 mm in 2 s with a tremor of 1 mm at 9 Hz, along one axis; its columns in no order.
+    const double pi = std::acos(-1.0);
+    std::string shaken = "force_N,x_raw_mm,note_of_mine,t_s\n", plain = "t_s,x_mm\n";
+    for (int i = 0; i <= 200; ++i) {
+        const double t = 0.01 * i, x = 25 * t + std::sin(18 * pi * t);
+        shaken += "2," + std::to_string(x) + ",7," + std::to_string(t) + "\n";
+        plain += std::to_string(t) + "," + std::to_string(25 * t) + "\n";
+    }
+    write_text(file("shaken.csv"), shaken);
+    write_text(file("plain.csv"), plain);
+    const Outcome both = ctl("--json metrics shaken.csv");
+    ASSERT_EQ(both.status, 0) << both.err;
+    EXPECT_THAT(both.out, HasSubstr("\"columns_not_used\": [\n    \"note_of_mine\"\n  ]"));
+    EXPECT_NEAR(number_in(both.out, "mean_force_n"), 2, 1e-9);
+    // Of 9 Hz a filter of 10 Hz, run twice, leaves 1 / (1 + 0.9^4) = 0.6.
+    const double filtered = number_in(both.out, "path_length_mm");
+    EXPECT_GT(number_in(both.out, "path_length_recorded_mm"), filtered + 1);
+    // 0.01: the filter's reflection of 9 samples bends the ends a little.
+    EXPECT_NEAR(number_in(ctl("--json metrics plain.csv").out, "path_length_mm"), 50, 0.01);
+    EXPECT_NEAR(number_in(ctl("--json metrics plain.csv --raw").out, "mean_speed_mm_s"), 25, 1e-3);
+    // Unknown units are not guessed.
+    write_text(file("metres.csv"), "t_s,x_m\n0,1\n0.01,2\n0.02,3\n0.03,4\n");
+    EXPECT_EQ(ctl("metrics metres.csv").status, 2);
+}
+
 TEST_F(Programs, AContourIsComparedWithItsPlan) {
     const double pi = std::acos(-1.0);
     std::string plan = "x_mm,y_mm\n", arc = plan;

@@ -125,8 +125,16 @@ TEST(TissueMetrics, ForceSummaryOfASquaredSine) {
     EXPECT_NEAR(f.rms_n, expected["rms_N"].get<double>(), 1e-9);
     EXPECT_NEAR(f.impulse_n_s, 4, 1e-9);
     EXPECT_NEAR(f.over_s, expected["time_over_threshold_s_exact"].get<double>(), 2e-3);
-    // Trapezoid of a signal with kinks, at 1 ms.
-    EXPECT_NEAR(f.excess_impulse_n_s, expected["excess_impulse_Ns_exact"].get<double>(), 1e-5);
+    // Lines between samples: h^2 / 12 times the change of slope, pi, is 2.6e-7.
+    EXPECT_NEAR(f.excess_impulse_n_s, expected["excess_impulse_Ns_exact"].get<double>(), 3e-7);
+}
+
+TEST(TissueMetrics, ForceBeyondALimitIsMeasuredFromWhereItsLineCrosses) {
+    const std::vector<double> time{0, 1, 2, 3}, force{0, 2, 0, 1};
+    const ForceSummary f = summarise_force(time, force, 1);
+    EXPECT_DOUBLE_EQ(f.over_s, 1);
+    EXPECT_DOUBLE_EQ(f.excess_impulse_n_s, 0.5);
+    EXPECT_DOUBLE_EQ(summarise_force(time, force, 0).excess_impulse_n_s, f.impulse_n_s);
 }
 
 // --- of a recording ---------------------------------------------------------------------------

@@ -112,11 +112,17 @@ int metrics_of_signal(const Context& context, const Options& options) {
     const SignalFile file = read_signal_file(options.file);
     Json json = Json::object();
     std::vector<std::vector<std::string>> rows{{"metric", "value"}};
-    for (const auto& [key, value] : signal_metrics(file, signal)) {
+    const SignalMetrics metrics = signal_metrics(file, signal);
+    for (const auto& [key, value] : metrics.values) {
         json[key] = value;
         rows.push_back({key, shortest(value)});
     }
-    print(context, json, table(rows));
+    std::string text = table(rows);
+    if (!metrics.columns_not_used.empty()) {
+        json["columns_not_used"] = metrics.columns_not_used;
+        text += "columns not used: " + joined(metrics.columns_not_used) + "\n";
+    }
+    print(context, json, text);
     return 0;
 }
 

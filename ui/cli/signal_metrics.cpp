@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "assessment/bimanual.h"
 #include "assessment/motion_detail.h"
@@ -27,7 +28,8 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 
 constexpr const char* kKnownColumns =
     "t_s,speed_mm_s | t_s,speed | t_s,speed_left_mm_s,speed_right_mm_s | t_s,x_mm | "
-    "t_s,x_mm,y_mm,z_mm[,qw,qx,qy,qz] | t_s,force_N | t_s,T_C";
+    "t_s,x_mm,y_mm,z_mm[,qw,qx,qy,qz] | t_s,force_N | t_s,T_C (several together, in any order; "
+    "x_raw_mm and its like for positions that nobody filtered)";
 
 // Arrhenius sets: Henriques & Moritz 1947 (skin), liver as in Jacques.
 constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
@@ -138,26 +140,6 @@ void add_extent(Values& out, const std::vector<Vec3>& position) {
     if (straight > 0) add(out, "path_inefficiency_percent", 100 * (path / straight - 1));
 }
 
-/// Tremor of unfiltered positions, as recorded or (uneven steps) on the analysis rate.
-void add_tremor(Values& out, const SignalFile& file, size_t axes, double rate_hz) {
-    double power = 0, acceleration = 0;
-    for (size_t axis = 1; axis <= axes; ++axis) {
-        const std::vector<double>& x = file.values[axis];
-        std::vector<double> second;
-        for (size_t i = 1; i + 1 < x.size(); ++i) {
-            second.push_back((x[i + 1] - 2 * x[i] + x[i - 1]) * rate_hz * rate_hz);
-        }
-        const auto p = assessment::band_power(x, rate_hz);
-        const auto a = assessment::band_power(second, rate_hz);
-        if (!p || !a) return;
-        power += *p;
-        acceleration += *a;
-    }
-    add(out, "tremor_power_mm2", power);
-    add(out, "tremor_rms_mm", std::sqrt(power));
-    add(out, "tremor_acceleration_rms_mm_s2", std::sqrt(acceleration));
-}
-
 bool has_even_steps(const SignalFile& file) {
     const auto& time = file.values[0];
     const double mean = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
@@ -182,15 +164,43 @@ std::vector<double> on_analysis_rate(const std::vector<double>& time,
     return even;
 }
 
-Values speed_metrics(const SignalFile& file, const SignalOptions& options) {
-    double rate = rate_of(file, options.raw);
-    std::vector<double> speed = file.values[1];
-    if (!options.raw) {
-        speed = assessment::filter_forward_backward(
-            assessment::butterworth_low_pass(assessment::kCutoffHz, assessment::kAnalysisRateHz),
-            on_analysis_rate(file.values[0], speed));
-        rate = assessment::kAnalysisRateHz;
+/// Tremor of unfiltered positions, as recorded or (uneven steps) on the analysis rate.
+void add_tremor(Values& out, const SignalFile& file, size_t axes) {
+    const bool even = has_even_steps(file);
+    const double rate_hz = even ? rate_of(file, false) : assessment::kAnalysisRateHz;
+    double power = 0, acceleration = 0;
+    for (size_t axis = 1; axis <= axes; ++axis) {
+        const std::vector<double> x =
+            even ? file.values[axis] : on_analysis_rate(file.values[0], file.values[axis]);
+        std::vector<double> second;
+        for (size_t i = 1; i + 1 < x.size(); ++i) {
+            second.push_back((x[i + 1] - 2 * x[i] + x[i - 1]) * rate_hz * rate_hz);
+        }
+        const auto p = assessment::band_power(x, rate_hz);
+        const auto a = assessment::band_power(second, rate_hz);
+        if (!p || !a) return;
+        power += *p;
+        acceleration += *a;
     }
+    add(out, "tremor_power_mm2", power);
+    add(out, "tremor_rms_mm", std::sqrt(power));
+    add(out, "tremor_acceleration_rms_mm_s2", std::sqrt(acceleration));
+}
+
+/// A speed profile as the positions of a track are treated: one filter, one rate.
+std::vector<double> filtered_speed(const SignalFile& file, size_t column) {
+    std::vector<Vec3> line;
+    for (const double speed : file.values[column]) line.emplace_back(speed, 0, 0);
+    std::vector<double> filtered;
+    for (const Vec3& point : assessment::make_track(file.values[0], line, {}).position_m)
+        filtered.push_back(point.x());
+    return filtered;
+}
+
+Values speed_metrics(const SignalFile& file, const SignalOptions& options) {
+    const double recorded = rate_of(file, options.raw);
+    const double rate = options.raw ? recorded : assessment::kAnalysisRateHz;
+    const std::vector<double> speed = options.raw ? file.values[1] : filtered_speed(file, 1);
     Values out;
     add(out, "time_s", file.values[0].back() - file.values[0].front());
     add(out, "path_length_mm", trapezoid(speed, 1 / rate));
@@ -204,7 +214,9 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     double rate = rate_of(file, options.raw);
     std::vector<Vec3> position(count), velocity;
     std::vector<Quat> orientation;
-    for (size_t i = 0; i < count; ++i) position[i] = Vec3(v[1][i], v[2][i], v[3][i]);
+    const size_t axes = v.size() == 2 ? 1 : 3;
+    for (size_t i = 0; i < count; ++i)
+        position[i] = axes == 1 ? Vec3(v[1][i], 0, 0) : Vec3(v[1][i], v[2][i], v[3][i]);
     for (size_t i = 0; v.size() == 8 && i < count; ++i) {
         const Quat q(v[4][i], v[5][i], v[6][i], v[7][i]);
         if (!(q.norm() > 0.5))
@@ -213,6 +225,7 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
         orientation.push_back(q.normalized());
     }
     std::vector<double> speed;
+    const double recorded_path = assessment::path_length(position);
     if (options.raw) {
         for (size_t i = 0; i + 1 < count; ++i)
             velocity.emplace_back((position[i + 1] - position[i]) * rate);
@@ -231,14 +244,16 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     const double time = v[0].back() - v[0].front();
     add(out, "time_s", time);
     add(out, "path_length_mm", assessment::path_length(position));
+    // Tremor and noise lengthen it: what the filter took away is worth knowing.
+    if (!options.raw) add(out, "path_length_recorded_mm", recorded_path);
     add(out, "mean_speed_mm_s", assessment::path_length(position) / time);
     add_speed(out, speed, rate, options);
     add(out, "ldlj_vector", assessment::ldlj_vector(velocity, rate));
     add(out, "jerk_normalised", assessment::normalised_jerk(velocity, rate));
     add(out, "translational_actions",
         assessment::action_count(speed, 1 / rate, kActionMmS, kActionRestS));
-    add_extent(out, position);
-    if (has_even_steps(file)) add_tremor(out, file, 3, rate_of(file, false));
+    if (axes == 3) add_extent(out, position);
+    add_tremor(out, file, axes);
     if (!orientation.empty()) {
         add(out, "depth_path_mm", assessment::depth_path(position, orientation));
         add(out, "angular_path_deg", assessment::angular_path(orientation) * kDegrees);
@@ -253,26 +268,11 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     return out;
 }
 
-/// One axis: what can be said of it is its tremor.
-Values axis_metrics(const SignalFile& file) {
-    Values out;
-    const double rate = rate_of(file, true);
-    add(out, "time_s", file.values[0].back() - file.values[0].front());
-    add_tremor(out, file, 1, rate);
-    return out;
-}
-
 Values bimanual_metrics(const SignalFile& file, const SignalOptions& options) {
-    double rate = rate_of(file, options.raw);
+    const double recorded = rate_of(file, options.raw);
+    const double rate = options.raw ? recorded : assessment::kAnalysisRateHz;
     std::array<std::vector<double>, 2> speed{file.values[1], file.values[2]};
-    if (!options.raw) {
-        rate = assessment::kAnalysisRateHz;
-        for (auto& one : speed) {
-            one = assessment::filter_forward_backward(
-                assessment::butterworth_low_pass(assessment::kCutoffHz, rate),
-                on_analysis_rate(file.values[0], one));
-        }
-    }
+    if (!options.raw) speed = {filtered_speed(file, 1), filtered_speed(file, 2)};
     const auto b = assessment::bimanual_dexterity(speed[0], speed[1], 1 / rate,
                                                   options.bimanual_threshold_mm_s);
     Values out;
@@ -306,7 +306,7 @@ Values force_metrics(const SignalFile& file, const SignalOptions& options) {
     return out;
 }
 
-Values temperature_metrics(const SignalFile& file) {
+Values temperature_metrics(const SignalFile& file, const SignalOptions& /*options*/) {
     (void)rate_of(file, false);
     const auto& time = file.values[0];
     const auto& celsius = file.values[1];
@@ -324,52 +324,100 @@ Values temperature_metrics(const SignalFile& file) {
     return out;
 }
 
-}  // namespace
+Values unitless_speed_metrics(const SignalFile& file, const SignalOptions& options) {
+    // Of a speed without unit only what has none can be said.
+    Values values = speed_metrics(file, options);
+    std::erase_if(values, [](const auto& each) {
+        return each.first != "time_s" && each.first != "sparc" && each.first != "ldlj_speed";
+    });
+    return values;
+}
 
-namespace {
+/// One thing that columns may hold, beside t_s.
+struct Kind {
+    std::vector<std::string> columns;
+    Values (*metrics)(const SignalFile&, const SignalOptions&);
+    bool movement;  ///< Of one tool: only the first kind of a file is used, for they give the same.
+};
 
-Values metrics_of(const SignalFile& file, const std::string& columns,
-                  const SignalOptions& options) {
-    if (columns == "t_s,speed_left_mm_s,speed_right_mm_s") return bimanual_metrics(file, options);
-    if (columns == "t_s,x_mm") return axis_metrics(file);
-    if (columns == "t_s,speed_mm_s") return speed_metrics(file, options);
-    if (columns == "t_s,speed") {
-        // Of a speed without unit only what has none can be said.
-        Values values = speed_metrics(file, options);
-        std::erase_if(values, [](const auto& each) {
-            return each.first != "time_s" && each.first != "sparc" && each.first != "ldlj_speed";
-        });
-        return values;
+// The fuller comes first.
+const std::vector<Kind>& kinds() {
+    static const std::vector<Kind> all{
+        {{"x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}, pose_metrics, true},
+        {{"x_mm", "y_mm", "z_mm"}, pose_metrics, true},
+        {{"x_mm"}, pose_metrics, true},
+        {{"speed_mm_s"}, speed_metrics, true},
+        {{"speed"}, unitless_speed_metrics, true},
+        {{"speed_left_mm_s", "speed_right_mm_s"}, bimanual_metrics, false},
+        {{"force_N"}, force_metrics, false},
+        {{"T_C"}, temperature_metrics, false}};
+    return all;
+}
+
+/// A position that nobody filtered is what `x_mm` holds as well.
+std::string plain_name(const std::string& column) {
+    for (const char* axis : {"x", "y", "z"})
+        if (column == std::string(axis) + "_raw_mm") return std::string(axis) + "_mm";
+    return column;
+}
+
+/// The columns that a kind wants, in its order, with t_s before them; nothing where one is missing.
+std::optional<SignalFile> columns_of(const SignalFile& file, const Kind& kind,
+                                     std::set<size_t>& used) {
+    SignalFile part;
+    part.path = file.path;
+    part.lines = file.lines;
+    std::vector<std::string> wanted{"t_s"};
+    wanted.insert(wanted.end(), kind.columns.begin(), kind.columns.end());
+    std::set<size_t> taken;
+    for (const std::string& name : wanted) {
+        const auto found = std::find_if(file.columns.begin(), file.columns.end(),
+                                        [&](const auto& each) { return plain_name(each) == name; });
+        if (found == file.columns.end()) return std::nullopt;
+        const auto at = static_cast<size_t>(found - file.columns.begin());
+        taken.insert(at);
+        part.columns.push_back(*found);
+        part.values.push_back(file.values[at]);
     }
-    if (columns == "t_s,force_N") return force_metrics(file, options);
-    if (columns == "t_s,T_C") return temperature_metrics(file);
-    return pose_metrics(file, options);
+    used.merge(taken);
+    return part;
 }
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> signal_metrics(const SignalFile& given,
-                                                           const SignalOptions& options) {
-    SignalFile file = given;
-    const std::string columns = joined(file.columns);
-    const bool pose =
-        columns == "t_s,x_mm,y_mm,z_mm" || columns == "t_s,x_mm,y_mm,z_mm,qw,qx,qy,qz";
-    const bool hands = columns == "t_s,speed_left_mm_s,speed_right_mm_s";
-    if (columns != "t_s,speed_mm_s" && columns != "t_s,speed" && columns != "t_s,x_mm" && !hands &&
-        columns != "t_s,force_N" && columns != "t_s,T_C" && !pose)
-        throw InputError(file.path + ":1: found the columns \"" + columns + "\"; expected one of " +
-                         kKnownColumns);
-    // Devices stamp two samples with one time now and then; what is raw is clean already.
-    const int dropped = options.raw ? 0 : drop_repeated_times(file);
-    if (file.values[0].size() < 4)
-        throw InputError(file.path + ": found " + std::to_string(file.values[0].size()) +
-                         " rows; expected at least 4");
-    check_ranges(file, options.raw);
-    Values values = metrics_of(file, columns, options);
-    // What is no number is not known: no metric, rather than null.
-    std::erase_if(values, [](const auto& each) { return !std::isfinite(each.second); });
-    if (dropped > 0) add(values, "dropped_samples", dropped);
-    return values;
+SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& options) {
+    std::vector<std::pair<const Kind*, SignalFile>> parts;
+    std::set<size_t> used;
+    bool moved = false;
+    for (const Kind& kind : kinds()) {
+        if (kind.movement && moved) continue;
+        auto part = columns_of(file, kind, used);
+        if (!part) continue;
+        moved = moved || kind.movement;
+        parts.emplace_back(&kind, std::move(*part));
+    }
+    if (parts.empty())
+        throw InputError(file.path + ":1: found the columns \"" + joined(file.columns) +
+                         "\"; expected one of " + kKnownColumns);
+    SignalMetrics all;
+    for (size_t c = 0; c < file.columns.size(); ++c)
+        if (!used.contains(c)) all.columns_not_used.push_back(file.columns[c]);
+    int dropped = 0;
+    for (auto& [kind, part] : parts) {
+        // Devices stamp two samples with one time now and then; what is raw is clean already.
+        dropped = options.raw ? 0 : drop_repeated_times(part);
+        if (part.values[0].size() < 4)
+            throw InputError(file.path + ": found " + std::to_string(part.values[0].size()) +
+                             " rows; expected at least 4");
+        check_ranges(part, options.raw);
+        for (auto& [key, value] : kind->metrics(part, options)) {
+            // What is no number is not known: no metric, rather than null.
+            if (std::isfinite(value) && (key != "time_s" || all.values.empty()))
+                all.values.emplace_back(key, value);
+        }
+    }
+    if (dropped > 0) add(all.values, "dropped_samples", dropped);
+    return all;
 }
 
 }  // namespace placode::cli

@@ -20,8 +20,13 @@ struct SignalOptions {
     double bimanual_threshold_mm_s = 40;  ///< Two hands: from here on a hand moves.
 };
 
-/// Key with unit and value, in a fixed order. Throws InputError for columns it does not know.
-[[nodiscard]] std::vector<std::pair<std::string, double>> signal_metrics(
-    const SignalFile& file, const SignalOptions& options);
+struct SignalMetrics {
+    std::vector<std::pair<std::string, double>> values;  ///< Key with unit, in a fixed order.
+    std::vector<std::string> columns_not_used;           ///< Nothing is computed from them.
+};
+
+/// Every metric that the columns allow, in whatever order they stand. Throws InputError where there
+/// is nothing that it knows, and for values that cannot be.
+[[nodiscard]] SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& options);
 
 }  // namespace placode::cli
