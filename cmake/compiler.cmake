@@ -107,7 +107,9 @@ function(placode_ui_programs)
   endif()
   # The .ts must exist at configure time: otherwise Qt 6.4 makes an empty one and everything stays
   # English. It is committed; `ninja placode_shell_lupdate` brings it up to date.
-  qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n)
+  # Without line numbers, or every change of a page would touch thousands of its lines.
+  qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
+    LUPDATE_OPTIONS -locations none -no-obsolete)
   placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
   # All but main stands in a library, so that tests can link it.
   file(GLOB attempt_sources CONFIGURE_DEPENDS ui/attempt/*.cpp ui/attempt/*.h)

@@ -60,23 +60,23 @@ class AssignCard : public QFrame {
         target_->completer()->setCompletionMode(QCompleter::PopupCompletion);
         target_->completer()->setFilterMode(Qt::MatchContains);
         addTargets();
-        row->addLayout(make_field(tr("Person or group"), target_), 2);
+        both->addLayout(make_field(tr("Person or group"), target_));
         const QDate today = QDate::currentDate();
         from_ = date(today, "assign_from");
-        row->addLayout(make_field(tr("From"), from_), 1);
+        row->addLayout(make_field(tr("From"), from_));
         due_ = date(today.addDays(28), "assign_due");
-        auto* due = make_field(tr("Due"), due_);
-        row->addLayout(due, 1);
+        row->addLayout(make_field(tr("Due"), due_));
         has_due_ = new QCheckBox(tr("has an end"));
         has_due_->setObjectName("assign_has_due");
         has_due_->setChecked(true);
         connect(has_due_, &QCheckBox::toggled, due_, &QWidget::setEnabled);
         row->addWidget(has_due_, 0, Qt::AlignBottom);
-        both->addLayout(row);
+        row->addStretch();
         QPushButton* assign = make_button(context_, tr("Assign"), "primary", "plus");
         assign->setObjectName("assign_course");
         connect(assign, &QPushButton::clicked, this, [this] { this->assign(); });
-        both->addWidget(assign, 0, Qt::AlignLeft);
+        row->addWidget(assign, 0, Qt::AlignBottom);
+        both->addLayout(row);
         return both;
     }
 

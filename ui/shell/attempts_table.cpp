@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <map>
 
+#include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -82,7 +83,12 @@ QTableWidget* make_attempts_table(AppContext& context,
                                                        : end_word(attempt.end)));
         ++row;
     }
-    fit_columns(table, everybody ? 2 : table->columnCount() - 1);
+    // Device and time stand on the result page, a click away.
+    const int last = table->columnCount() - 1, stretch = everybody ? 2 : last;
+    fit_columns(table, stretch);
+    keep_within(
+        table,
+        {.stretch = stretch, .least_px = everybody ? 320 : 140, .drop = {last - 1, last - 2}});
     table->setSortingEnabled(true);
     table->sortByColumn(0, Qt::DescendingOrder);
     return table;

@@ -7,6 +7,7 @@
 
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
@@ -47,6 +48,7 @@ class AuditPage : public Page {
             ++row;
         }
         fit_columns(table_, 4);
+        keep_within(table_, {.stretch = 4});
         table_->setSortingEnabled(true);
         table_->sortByColumn(0, Qt::DescendingOrder);
         layout->addWidget(table_, 1);

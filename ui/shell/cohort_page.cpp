@@ -21,10 +21,13 @@
 #include "reports/figure.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
+
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 52;  ///< Width of a column [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -212,20 +215,11 @@ class CohortPage : public Page {
         }
         fit_columns(table_, 0);
         table_->setItemDelegate(new HeatDelegate(table_));
-        // Long titles end in dots and are whole in the tool tip.
         for (int c = 2; c < table_->columnCount(); ++c)
-            table_->horizontalHeaderItem(c)->setToolTip(head[c]);
-        table_->horizontalHeader()->setTextElideMode(Qt::ElideRight);
-        for (int c = 2; c < table_->columnCount(); ++c) {
-            const int width = std::clamp(table_->columnWidth(c), 150, 230);
-            table_->setColumnWidth(c, width);
-            // A title at the right edge would lose its beginning.
-            table_->horizontalHeaderItem(c)->setText(
-                QFontMetrics(table_->horizontalHeader()->font())
-                    .elidedText(head[c], Qt::ElideRight, width - 2 * kSpace16));
-        }
-        table_->horizontalHeader()->setMinimumSectionSize(120);
-        table_->setColumnWidth(0, 200);
+            table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
+        table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
+        wrap_titles(table_, 2);
+        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 180, .drop = {1}});
         table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =
@@ -234,11 +228,15 @@ class CohortPage : public Page {
                          column < 2 ? std::string() : tasks_[static_cast<size_t>(column - 2)]);
         });
         layout->addWidget(table_);
-        layout->addWidget(make_label(
-            tr("Last score, verdict and number of attempts. Enter or double click opens them."),
-            "small"));
+        layout->addWidget(make_label(tr("Last score, verdict and number of attempts, or the last "
+                                        "score alone where there are many "
+                                        "tasks. Enter or double click opens them."),
+                                     "small"));
         return make_card(layout);
     }
+
+    /// Then a cell holds the score alone, and how many attempts stand behind it in its tool tip.
+    [[nodiscard]] bool manyTasks() const { return tasks_.size() > 4; }
 
     QTableWidgetItem* cellOf(const Person& person, const std::string& task) {
         const auto found = person.tasks.find(task);
@@ -247,12 +245,13 @@ class CohortPage : public Page {
         const char* sign = cell.standing == Standing::kPassing ? "✓"
                            : needsHelp(cell.standing)          ? "▼"
                                                                : "·";
-        QTableWidgetItem* item = make_number_cell(
-            QString("%1 %2  %3×").arg(sign, format_points(cell.last)).arg(cell.attempts),
-            cell.last);
+        QString words = QString("%1 %2").arg(sign, format_points(cell.last));
+        if (!manyTasks()) words += QString("  %1×").arg(cell.attempts);
+        QTableWidgetItem* item = make_number_cell(words, cell.last);
         item->setToolTip(
             wordOf(cell.standing) + " · " +
-            tr("best %1, passed in a row: %2").arg(format_points(cell.best)).arg(cell.streak));
+            tr("best %1, passed in a row: %2").arg(format_points(cell.best)).arg(cell.streak) +
+            " · " + tr("attempts: %1").arg(cell.attempts));
         const Tokens& colors = context_.colors();
         switch (cell.standing) {
             case Standing::kPassing:

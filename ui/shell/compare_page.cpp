@@ -77,7 +77,7 @@ class ComparePage : public Page {
         chooser_->setObjectName("compare_with");
         chooser_->setAccessibleName(tr("Compare with"));
         chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        chooser_->setMinimumWidth(320);
+        chooser_->setMinimumWidth(420);
         db::AttemptFilter filter;
         filter.task_id = first.task_id;
         filter.limit = kOffered;

@@ -11,6 +11,7 @@
 #include "ui/shell/course_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -84,6 +85,7 @@ class CoursesPage : public Page {
         fit_columns(table_, 0);
         table_->setColumnWidth(1, 160);
         table_->setColumnWidth(4, 230);
+        keep_within(table_, {.stretch = 0, .least_px = 400, .drop = {1, 3}});
         table_->setFixedHeight(std::clamp(table_->rowCount(), 1, 6) * kTouchTarget + 50);
         table_->setSortingEnabled(true);
         table_->sortByColumn(0, Qt::AscendingOrder);

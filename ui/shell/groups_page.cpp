@@ -39,7 +39,7 @@ class GroupsPage : public Page {
         chooser_ = new QComboBox;
         chooser_->setObjectName("group");
         chooser_->setMinimumWidth(200);
-        head->addLayout(make_field(tr("Group"), chooser_), 1);
+        head->addLayout(make_field(tr("Group"), chooser_), 2);
         column->addLayout(head);
         body_ = new QVBoxLayout;
         column->addLayout(body_);

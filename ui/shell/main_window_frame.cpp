@@ -17,6 +17,8 @@ namespace placode::ui {
 namespace {
 
 constexpr int kRailWidth = 216, kNarrowRail = 72;
+constexpr int kScrollBar = 12;       ///< As in the style sheet.
+constexpr int kLongestName = 180;    ///< Of the person in the top bar [px].
 constexpr int kNarrowWindow = 1100;  ///< [px], of the screen's own scale.
 
 /// Who has every role has more pages than a small screen is high.
@@ -74,9 +76,13 @@ void MainWindow::buildFrame() {
 void MainWindow::narrowRail() {
     if (rail_ == nullptr) return;
     const bool narrow = width() < kNarrowWindow;
-    rail_->setFixedWidth(narrow ? kNarrowRail : kRailWidth);
-    if (auto* inside = rail_->findChild<QFrame*>("rail"))
-        inside->setFixedWidth(narrow ? kNarrowRail : kRailWidth);
+    const int rail_width = narrow ? kNarrowRail : kRailWidth;
+    auto* inside = rail_->findChild<QFrame*>("rail");
+    const bool scrolls = inside != nullptr && inside->sizeHint().height() > height();
+    if (inside != nullptr) inside->setFixedWidth(rail_width);
+    rail_->setFixedWidth(rail_width + (scrolls ? kScrollBar : 0));
+    if (auto* search = bar_->findChild<QToolButton*>("search"))
+        search->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     if (auto* name = rail_->findChild<QLabel*>("rail_mark")) name->setVisible(!narrow);
     for (const auto& [button, page] : rail_buttons_) {
         button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
@@ -184,6 +190,7 @@ QWidget* MainWindow::buildTopBar() {
     search->setText(tr("Search"));
     search->setIcon(line_icon("search", context_.colors().text));
     search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    search->setAccessibleName(search->text());
     search->setToolTip(tr("Search pages, tasks, people and attempts (Ctrl+K)"));
     connect(search, &QToolButton::clicked, this, &MainWindow::openSearch);
     search->setVisible(context_.signedIn());
@@ -240,8 +247,10 @@ void MainWindow::addUserMenu(QHBoxLayout* bar) {
     if (!context_.signedIn()) return;
     auto* user = new QToolButton;
     user->setObjectName("user_menu");
-    user->setText(qstr(context_.user().display_name));
-    user->setAccessibleName(tr("Account of %1").arg(user->text()));
+    const QString name = qstr(context_.user().display_name);
+    user->setText(user->fontMetrics().elidedText(name, Qt::ElideRight, kLongestName));
+    user->setToolTip(name);
+    user->setAccessibleName(tr("Account of %1").arg(name));
     user->setIcon(line_icon("account", context_.colors().text));
     user->setIconSize(QSize(20, 20));
     user->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

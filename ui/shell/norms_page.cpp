@@ -92,7 +92,7 @@ class NormsPage : public Page {
         }
         fit_columns(table_, 0);
         table_->setColumnWidth(3, std::min(300, table_->columnWidth(3)));
-        keep_within(table_, 0);
+        keep_within(table_, {.stretch = 0, .least_px = 320, .drop = {4, 2}});
         table_->setFixedHeight(std::clamp<int>(table_->rowCount(), 1, 8) * kTouchTarget + 50);
         table_->setSortingEnabled(true);
         table_->setVisible(!packs_.empty());

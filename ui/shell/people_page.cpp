@@ -15,15 +15,14 @@ namespace placode::ui {
 namespace {
 
 constexpr int kUserIdRole = Qt::UserRole + 1;
+constexpr int kBothBeside = 1060, kNewCard = 320, kLeastTable = 300;  ///< [px]
 
 class PeoplePage : public Page {
     Q_DECLARE_TR_FUNCTIONS(PeoplePage)
  public:
     explicit PeoplePage(AppContext& context) : Page(context) {
         context.require(db::Action::kManageUsers, db::Scope::kOther);
-        auto* layout = new QVBoxLayout(this);
-        layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
-        layout->setSpacing(kSpace16);
+        QVBoxLayout* layout = make_column(this, 1600);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("People"), "display"), 1);
         int waiting = 0;
@@ -40,28 +39,39 @@ class PeoplePage : public Page {
         });
         head->addWidget(more);
         layout->addLayout(head);
-        auto* row = new QHBoxLayout;
-        row->setSpacing(kSpace16);
+        row_ = new QHBoxLayout;
+        row_->setSpacing(kSpace16);
         auto* left = new QVBoxLayout;
         left->setSpacing(kSpace16);
         table_ = make_table({tr("Name"), tr("Log-in name"), tr("Roles"), tr("State"), tr("Since")},
                             tr("People"));
         table_->setObjectName("people_table");
+        table_->setMinimumHeight(kLeastTable);
         connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showSelected(); });
         left->addWidget(table_, 1);
         left->addWidget(selectedCard());
-        row->addLayout(left, 1);
-        auto* right = new QVBoxLayout;
-        right->addWidget(newCard());
-        right->addStretch();
-        row->addLayout(right);
-        layout->addLayout(row, 1);
+        row_->addLayout(left, 1);
+        row_->addWidget(newCard(), 0, Qt::AlignTop);
+        layout->addLayout(row_, 1);
         fill();
     }
 
     [[nodiscard]] QString title() const override { return tr("People"); }
 
  private:
+    /// Beside the list where there is room for both, below it elsewhere.
+    void resizeEvent(QResizeEvent* event) override {
+        Page::resizeEvent(event);
+        const bool wide = width() >= kBothBeside;
+        row_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+        fields_->setDirection(wide ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+        role_boxes_->setDirection(fields_->direction());
+        role_boxes_->setSpacing(wide ? 0 : kSpace24);
+        new_card_->setMinimumWidth(wide ? kNewCard : 0);
+        new_card_->setMaximumWidth(wide ? kNewCard : QWIDGETSIZE_MAX);
+        row_->setAlignment(new_card_, wide ? Qt::AlignTop : Qt::Alignment());
+    }
+
     QWidget* newCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
@@ -73,27 +83,29 @@ class PeoplePage : public Page {
         password_ = new QLineEdit;
         password_->setObjectName("new_password");
         password_->setEchoMode(QLineEdit::Password);
-        layout->addLayout(make_field(tr("Name"), name_));
-        layout->addLayout(make_field(tr("Log-in name"), login_));
-        layout->addLayout(make_field(tr("First password"), password_));
-        auto* roles = new QVBoxLayout;
-        roles->setSpacing(0);
+        fields_ = new QVBoxLayout;
+        fields_->setSpacing(kSpace12);
+        fields_->addLayout(make_field(tr("Name"), name_));
+        fields_->addLayout(make_field(tr("Log-in name"), login_));
+        fields_->addLayout(make_field(tr("First password"), password_));
+        layout->addLayout(fields_);
+        role_boxes_ = new QVBoxLayout;
         for (const db::Role role : {db::Role::kTrainee, db::Role::kEducator, db::Role::kCoordinator,
                                     db::Role::kAdministrator}) {
             auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
             box->setObjectName(QString("role_%1").arg(static_cast<int>(role)));
             box->setChecked(role == db::Role::kTrainee);
             roles_.emplace_back(box, role);
-            roles->addWidget(box);
+            role_boxes_->addWidget(box);
         }
-        layout->addLayout(roles);
+        role_boxes_->addStretch();
+        layout->addLayout(role_boxes_);
         QPushButton* add = make_button(context_, tr("Add the person"), "primary", "plus");
         add->setObjectName("add_person");
         connect(add, &QPushButton::clicked, this, [this] { this->add(); });
         layout->addWidget(add);
-        QFrame* card = make_card(layout);
-        card->setFixedWidth(320);
-        return card;
+        new_card_ = make_card(layout);
+        return new_card_;
     }
 
     QWidget* selectedCard() {
@@ -142,7 +154,7 @@ class PeoplePage : public Page {
             ++row;
         }
         fit_columns(table_, 2);
-        keep_within(table_, 2);
+        keep_within(table_, {.stretch = 2, .least_px = 130, .drop = {4}});
         table_->setSortingEnabled(true);
         table_->sortByColumn(0, Qt::AscendingOrder);
         for (int r = 0; r < table_->rowCount(); ++r) {
@@ -230,6 +242,8 @@ class PeoplePage : public Page {
 
     std::vector<db::UserRecord> people_;
     std::vector<std::pair<QCheckBox*, db::Role>> roles_;
+    QBoxLayout *row_ = nullptr, *fields_ = nullptr, *role_boxes_ = nullptr;
+    QFrame* new_card_ = nullptr;
     QTableWidget* table_ = nullptr;
     QLabel* selected_ = nullptr;
     QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *new_password_ = nullptr;

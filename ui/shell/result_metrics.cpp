@@ -10,6 +10,7 @@
 #include "reports/attempt_figures.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/result_cards.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
@@ -104,6 +105,8 @@ class MetricsTable {
         fit_columns(table_, 0);
         for (int c = 5; c < table_->columnCount(); ++c)
             table_->setColumnWidth(c, (groups_.empty() ? kStripWidth : kNarrowStrip) + 16);
+        // The bands show as well whether it was better than before.
+        keep_within(table_, {.stretch = 0, .least_px = 220, .drop = {4, 3, 7}});
         table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     }
     [[nodiscard]] QTableWidget* widget() const { return table_; }

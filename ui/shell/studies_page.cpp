@@ -13,6 +13,7 @@
 #include "ui/shell/parts.h"
 #include "ui/shell/protocol_card.h"
 #include "ui/shell/study_preview.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
@@ -159,6 +160,7 @@ class StudiesPage : public Page {
                            make_number_cell(sd ? format_number(*sd, 2) : "–", sd.value_or(0)));
         }
         fit_columns(table, 1);
+        keep_within(table, {.stretch = 1});
         table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         table->setFixedHeight(table->rowCount() * kTouchTarget + 46);
         layout->addWidget(table);

@@ -356,10 +356,6 @@
         <translation>Ostatnio</translation>
     </message>
     <message>
-        <source>Last score, verdict and number of attempts. Enter or double click opens them.</source>
-        <translation>Ostatni wynik, ocena i liczba prób. Enter lub dwukrotne kliknięcie je otwiera.</translation>
-    </message>
-    <message>
         <source>best %1, passed in a row: %2</source>
         <translation>najlepiej %1, zaliczone z rzędu: %2</translation>
     </message>
@@ -418,6 +414,14 @@
     <message>
         <source>And %1 more: choose &quot;Only who needs help&quot; to see them in the table.</source>
         <translation>I jeszcze %1: wybierz „Tylko potrzebujący pomocy”, aby zobaczyć ich w tabeli.</translation>
+    </message>
+    <message>
+        <source>Last score, verdict and number of attempts, or the last score alone where there are many tasks. Enter or double click opens them.</source>
+        <translation>Ostatni wynik, ocena i liczba prób, a przy wielu zadaniach sam ostatni wynik. Enter lub dwukrotne kliknięcie je otwiera.</translation>
+    </message>
+    <message>
+        <source>attempts: %1</source>
+        <translation>prób: %1</translation>
     </message>
 </context>
 <context>
@@ -3994,7 +3998,7 @@
     </message>
     <message>
         <source>An educator or administrator who is present confirms that it may begin.</source>
-        <translation>Obecny edukator lub administrator potwierdza rozpoczęcie.</translation>
+        <translation>Obecny instruktor lub administrator potwierdza rozpoczęcie.</translation>
     </message>
     <message>
         <source>The exam begins when a proctor has typed name and password.</source>
@@ -4014,7 +4018,7 @@
     </message>
     <message>
         <source>%1 is neither educator nor administrator and cannot be the proctor.</source>
-        <translation>%1 nie jest edukatorem ani administratorem i nie może nadzorować.</translation>
+        <translation>%1 nie jest instruktorem ani administratorem i nie może nadzorować.</translation>
     </message>
     <message>
         <source>proctor %1</source>
@@ -6627,11 +6631,11 @@
     </message>
     <message>
         <source>There are no groups yet. Give one a name above; courses can then be assigned to all of it at once, and its educators see who is stuck.</source>
-        <translation>Nie ma jeszcze grup. Nadaj powyżej nazwę; kursy można wtedy przydzielać całej grupie naraz, a jej edukatorzy widzą, kto utknął.</translation>
+        <translation>Nie ma jeszcze grup. Nadaj powyżej nazwę; kursy można wtedy przydzielać całej grupie naraz, a jej instruktorzy widzą, kto utknął.</translation>
     </message>
     <message>
         <source>Only an educator of this group or an administrator may change it.</source>
-        <translation>Zmienić ją może tylko edukator tej grupy lub administrator.</translation>
+        <translation>Zmienić ją może tylko instruktor tej grupy lub administrator.</translation>
     </message>
     <message>
         <source>Person</source>
@@ -6643,7 +6647,7 @@
     </message>
     <message>
         <source>educator</source>
-        <translation>edukator</translation>
+        <translation>instruktor</translation>
     </message>
     <message>
         <source>As</source>
@@ -6675,7 +6679,7 @@
     </message>
     <message>
         <source>%1 has not the role educator; an administrator can give it.</source>
-        <translation>%1 nie ma roli edukatora; może ją nadać administrator.</translation>
+        <translation>%1 nie ma roli instruktora; może ją nadać administrator.</translation>
     </message>
     <message>
         <source>Take out of the group</source>
