@@ -19,13 +19,15 @@ std::unique_ptr<DeviceGroup> open_mouse(const DeviceConfig& config);
 namespace {
 
 constexpr int64_t kPollNs = 16'000'000;  // as a window at 60 Hz reports
-constexpr int64_t kNotchNs = 110'000'000;
+constexpr int64_t kNotchNs = 90'000'000;
+constexpr int64_t kFingerNs = 120'000'000;  // the left hand finds Ctrl or Shift
 constexpr int64_t kChangeNs = 350'000'000;  // eye and mind go over to the other hand
 constexpr double kCountM = 0.25e-3 / 31.5, kNotchM = 0.0005, kFine = 0.2, kRollRad = 0.004;
-constexpr double kMostMS = 0.025;                        // of the tip: 100 mm/s on the desk
+constexpr double kMostMS = 0.0375;                       // of the tip: 150 mm/s on the desk
 constexpr double kNearM = 2.5e-4, kNearDepthM = 1.2e-4;  // there, at the tissue
 constexpr double kAirM = 1e-3, kAirDepthM = 5e-4;        // and on the way to it
-constexpr double kAtTissueM = 0.0022;  // of height over the planned line counts as at the tissue
+constexpr double kLeap = 1.3;                            // notches
+constexpr double kAtTissueM = 0.0012;  // of height over the planned line counts as at the tissue
 constexpr double kNearRollRad = 0.12;
 constexpr double kUnsteady = 0.12;  // a stroke of the mouse is that much longer or shorter, rms
 
@@ -152,6 +154,8 @@ class MousePersonDevice final : public DeviceGroup {
         input_.down[k] = down;
     }
 
+    [[nodiscard]] bool holds(sim::Key key) const noexcept { return input_.is_down(key); }
+
     /// One report of the window.
     void use_mouse(int64_t t_ns) noexcept {
         input_.t_ns = t_ns;
@@ -198,26 +202,29 @@ class MousePersonDevice final : public DeviceGroup {
         const Vec3 gap = w.position_m - aimed(hand);
         const double angle = w.jaws && hand == active_ ? turn(hand) : 0;
         const bool twist = std::abs(angle) > 0.5 * kNearRollRad;
-        // Depth: big steps while far, a fifth of them with Ctrl for the last of it.
+        // At the tissue Ctrl is held, a fifth of everything, but for leaps out of it.
         const double z = gap.z();
-        const bool fine = !twist && w.at_tissue && std::abs(z) < 0.6 * kNotchM &&
-                          std::abs(z) > 0.6 * kFine * kNotchM;
-        press(sim::Key::kShift, twist);
-        press(sim::Key::kControl, fine);
+        const bool fine = w.at_tissue && std::abs(z) < kLeap * kNotchM;
+        if (holds(sim::Key::kShift) != twist || holds(sim::Key::kControl) != fine) {
+            press(sim::Key::kShift, twist);
+            press(sim::Key::kControl, fine);
+            busy_until_ns_ = t_ns + kFingerNs;
+            return;
+        }
         const double gain = fine ? kFine : 1.0;
         if (twist) {
-            input_.mouse_x += std::clamp(std::round(angle / kRollRad), -40.0, 40.0);
+            input_.mouse_x += std::clamp(std::round(angle / (gain * kRollRad)), -60.0, 60.0);
             busy_until_ns_ = t_ns + 2 * kPollNs;
             return;
         }
-        if (t_ns >= notch_ns_ && (fine || std::abs(z) >= 0.6 * kNotchM)) {
+        if (t_ns >= notch_ns_ && std::abs(z) >= 0.6 * gain * kNotchM) {
             const double notch = z < 0 ? 1 : -1;
             input_.wheel += notch;
             aim_[hand].z() -= gain * kNotchM * notch;
             notch_ns_ = t_ns + kNotchNs;
         }
         Vec3 step(gap.x(), gap.y(), 0);
-        const double most = kMostMS * static_cast<double>(kPollNs) * 1e-9;
+        const double most = gain * kMostMS * static_cast<double>(kPollNs) * 1e-9;
         if (step.norm() > most) step *= most / step.norm();
         step *= 1 + kUnsteady * random_.normal();
         const double dx = std::round(step.x() / (gain * kCountM)),

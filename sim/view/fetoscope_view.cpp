@@ -182,7 +182,7 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
 
     maps.bind();
     light(tool, snapshot);
-    tool.set("tissue_bounce", Vec3(0.30, 0.085, 0.07));
+    tool.set("tissue_bounce", Vec3(0.20, 0.082, 0.072));
     instruments.draw(snapshot, tool);
 
     light(tissue, snapshot);

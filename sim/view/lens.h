@@ -29,6 +29,8 @@ class Lens {
     void wipe();
     [[nodiscard]] double fog() const { return fog_; }  ///< 0 clear .. 0.8
     [[nodiscard]] const std::vector<LensDrop>& drops() const { return drops_; }
+    /// Little is seen: somebody should wipe.
+    [[nodiscard]] bool dirty() const { return wipe_s_ < 0 && (fog_ > 0.28 || drops_.size() >= 4); }
     /// Edge of the cloth from -1.3 to 1.3 across the picture; 2 = no wiping.
     [[nodiscard]] double cloth() const { return wipe_s_ < 0 ? 2.0 : -1.3 + 2.6 * wipe_s_ / kWipeS; }
 

@@ -66,6 +66,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"No sound on this computer", "Brak dźwięku na tym komputerze"},
     {"Sound off", "Dźwięk wyłączony"},
     {"Sound on", "Dźwięk włączony"},
+    {"L wipes the lens", "L przeciera optykę"},
     {"Wipe the lens", "Przetarcie optyki"},
     {"Lens wiped", "Optyka przetarta"},
     {"Sound off, louder, softer", "Dźwięk: wył., głośniej, ciszej"},

@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Vector3f;
 constexpr float kTopDepthMm = 0.02F;
+constexpr float kRimFresh = 0.6F;
 
 // z = a + b x + c y + d x^2 + e y^2 through the edge of the field: how the back goes on beyond it.
 struct Quadric {
@@ -136,7 +137,9 @@ void TissueMesh::rebuild(const Snapshot& snapshot) {
         std::copy_n(rest_mm_[v].data(), 3, out + 6);
         out[9] = depth_mm_[v];
         out[13] = 37;
-        out[15] = fresh_[c];
+        // The rim belongs to both sides: what was seared and bled there runs over its edge.
+        const bool rim = fresh_[c] == 0 && slot_of_[2 * v + 1] >= 0;
+        out[15] = rim ? kRimFresh : static_cast<float>(fresh_[c]);
     }
 }
 
@@ -148,13 +151,18 @@ void TissueMesh::place(const Snapshot& snapshot) {
         const auto& x = snapshot.x[static_cast<size_t>(vertex_of_[c])];
         position_[c] = 1000 * Vector3f(x[0], x[1], x[2]);
     }
-    for (int pass = 0; pass < 4; ++pass) {
+    // Shrinking and swelling by turns: the zigzag of the elements goes, the depth of the cut stays.
+    // Source: Taubin 1995, "Curve and surface smoothing without shrinkage".
+    constexpr float kShrink = 0.55F, kSwell = -0.58F;
+    constexpr int kRimPasses = 4;  // the rim alone, first: blades leave single elements standing
+    for (int pass = 0; pass < kRimPasses + 8; ++pass) {
         scratch_ = position_;
         for (size_t c = 0; c < n; ++c) {
             const auto v = static_cast<size_t>(vertex_of_[c]);
             if (touched_[v] == 0) continue;
             const int twin = slot_of_[2 * v + (fresh_[c] != 0 ? 0 : 1)];
             if (twin >= 0 && fresh_[c] != 0) continue;  // set together with its other half
+            if (twin < 0 && pass < kRimPasses) continue;
             Vector3f sum = Vector3f::Zero();
             int count = 0;
             for (const int half : {static_cast<int>(c), twin}) {
@@ -166,9 +174,10 @@ void TissueMesh::place(const Snapshot& snapshot) {
                 }
             }
             if (count == 0) continue;
-            const float share = twin >= 0 ? 0.45F : 0.55F;
+            const bool shrinks = pass < kRimPasses || (pass - kRimPasses) % 2 == 0;
             const Vector3f moved =
-                scratch_[c] + share * (sum / static_cast<float>(count) - scratch_[c]);
+                scratch_[c] +
+                (shrinks ? kShrink : kSwell) * (sum / static_cast<float>(count) - scratch_[c]);
             position_[c] = moved;
             if (twin >= 0) position_[static_cast<size_t>(twin)] = moved;
         }

@@ -160,7 +160,7 @@ void add_scissors(ToolShape& shape, float jaw_mm, float radius, float length) {
     std::vector<ProfilePoint> profile{{jaw_mm - 0.5F, 0.02F, ToolMaterial::kSteel},
                                       {jaw_mm - 0.4F, 0.8F * radius, ToolMaterial::kSteel},
                                       {jaw_mm + 2.0F, 0.95F * radius, ToolMaterial::kSteel}};
-    add_shaft(profile, jaw_mm + 2.1F, radius, length, ToolMaterial::kSteel);
+    add_shaft(profile, jaw_mm + 2.1F, radius, length, ToolMaterial::kInsulation);
     add_revolution(shape, profile);
 }
 

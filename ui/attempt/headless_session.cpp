@@ -30,6 +30,7 @@ void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
             const sim::Snapshot& snapshot = runner.snapshot();
             if (!snapshot.x.empty()) {
                 view->observe(snapshot);
+                if (view->lens().dirty()) view->wipe_lens();  // a script cannot press L
                 if (shots.due(snapshot.time_s)) {
                     overlay.practice.goal = runner.practice();
                     view->draw(snapshot, overlay);

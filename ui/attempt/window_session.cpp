@@ -39,6 +39,7 @@ class WindowSession {
           sound_(sound_settings(arguments)) {
         // Until the first key, so that nobody starts in the dark; steps say it themselves.
         overlay_.show_help = overlay_.practice.steps.empty() && !arguments.exam;
+        scripted_ = arguments.device.rfind("script:", 0) == 0;
     }
 
     void run() {
@@ -241,10 +242,19 @@ class WindowSession {
         if (notice_until_ <= Clock::now() && status.warning.empty() && overlay_.notice == notice_) {
             overlay_.notice.clear();
         }
+        tend_lens();
         view_.draw(snapshot, overlay_);
         if (snapshot.x.empty()) return;
         if (shots_.due(snapshot.time_s)) shots_.save(view_, snapshot.time_s);
         if (screenshot_asked_) extra_screenshot(snapshot.time_s);
+    }
+
+    /// Says once how a lens is wiped that lets little through; a script wipes it.
+    void tend_lens() {
+        const bool dirty = view_.lens().dirty();
+        if (dirty && scripted_) view_.wipe_lens();
+        if (dirty && !lens_told_ && !scripted_ && !overlay_.exam) note("L wipes the lens");
+        lens_told_ = dirty;
     }
 
     void note(const char* text) {
@@ -272,6 +282,7 @@ class WindowSession {
     Sound sound_;
     SoundScore score_;
     sim::WindowInput input_, before_;
+    bool scripted_ = false, lens_told_ = false;
     bool help_seen_ = false, hold_left_ = false, screenshot_asked_ = false, hide_enter_ = false;
     uint32_t hidden_enter_ = 0, last_enter_ = 0;
     double hidden_wheel_ = 0, last_wheel_ = 0;

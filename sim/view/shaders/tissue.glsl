@@ -103,23 +103,31 @@ void main() {
     wet = mix(wet, 0.35, w_skin * vernix);
     wet *= mix(1.0, 0.6 + 0.6 * n1.g, w_skin);
 
-    // --- what was cut open just now bleeds a little and shines
-    vec3 raw = mix(albedo * vec3(0.85, 0.45, 0.42), kBlood * 2.0 + 0.15 * albedo, 0.25 + 0.55 * n2.r);
+    // --- what was cut open just now bleeds a little and shines; deeper, blood stands darker
+    float deep = smoothstep(0.15, 1.1, depth) * fresh;
+    vec3 raw = mix(albedo * vec3(0.80, 0.40, 0.38), kBlood * mix(1.9, 0.9, deep) + 0.12 * albedo,
+                   0.25 + 0.55 * n2.r);
     albedo = mix(albedo, raw, 0.92 * fresh);
     wet = mix(wet, 1.0, fresh);
 
     // --- heat
     float omega = v_damage.x, dried = v_damage.y, charred = v_damage.z;
     float ragged = 0.6 * (n1.g - 0.5) + 0.35 * (n2.r - 0.5);
-    albedo = mix(albedo, albedo * vec3(0.72, 0.42, 0.42), smoothstep(0.08, 0.35, omega + 0.2 * ragged) *
-                                                          (1.0 - smoothstep(0.4, 0.8, omega)));
-    float blanch = smoothstep(0.3, 1.0, omega + 0.5 * ragged);
-    albedo = mix(albedo, kBlanch * (0.55 + 0.3 * n2.g) * vec3(1.0, 0.93, 0.86), 0.80 * blanch * (1.0 - 0.75 * fresh));
+    // Dose grows tenfold within a tenth of a millimetre: on its logarithm the borders are as soft as
+    // in tissue.
+    float dose = log2(max(omega, 1e-4)) + 3.0 * ragged;
+    albedo = mix(albedo, albedo * vec3(0.80, 0.50, 0.50), 0.7 * smoothstep(-5.0, -2.2, dose) *
+                                                          (1.0 - smoothstep(-1.6, 0.2, dose)));
+    float blanch = smoothstep(-2.2, 1.4, dose);
+    albedo = mix(albedo, mix(kBlanch, film, 0.30) * (0.50 + 0.35 * n2.g) * vec3(1.0, 0.91, 0.83),
+                 0.74 * blanch * (1.0 - 0.75 * fresh));
     // Cut walls are seared brown and red, not white: blood cooks into them.
     albedo = mix(albedo, mix(vec3(0.150, 0.042, 0.026), kTan * vec3(0.55, 0.36, 0.34), saturate(2.0 * n1.r - 0.6)), 0.70 * fresh * blanch);
     float tan_part = smoothstep(0.25, 0.90, dried + 0.7 * ragged);
     vec3 seared = mix(kTan, vec3(0.205, 0.062, 0.036), 0.80 * fresh);
-    albedo = mix(albedo, seared * (0.40 + 0.7 * n2.r), 0.80 * tan_part);
+    seared *= mix(vec3(1.15, 0.98, 0.84), vec3(0.50, 0.27, 0.22), saturate(2.6 * n1.g - 0.7));
+    albedo = mix(albedo, seared * (0.40 + 0.7 * n2.r), mix(0.80, 0.62, fresh) * tan_part);
+    albedo *= 1.0 - deep * mix(0.22, 0.45, tan_part);
     float burnt = smoothstep(0.04, 0.60, charred + 0.6 * ragged * step(0.01, charred));
     albedo = mix(albedo, kChar * (1.0 + 3.5 * n2.g), burnt);
     rough = mix(mix(rough, 0.55, max(blanch, tan_part)), 0.9, burnt);
