@@ -11,7 +11,7 @@ namespace {
 // By trial on a 12 W ring (20 mm3 boil away in 35 s) seen from 30 mm: the first droplets after some
 // 10 s, a picture that wants wiping when the ring is closed. Nearer by half, four times as fast.
 constexpr double kReferenceMm = 25;
-constexpr double kDropsPerMm3 = 0.30, kFogPerMm3 = 0.024;
+constexpr double kDropsPerMm3 = 0.30, kFogPerMm3 = 0.017;
 constexpr double kFogDriesS = 35, kDropDriesS = 120, kFogMost = 0.8;
 constexpr double kSmearFog = 0.35;  // the lens on wet tissue
 constexpr double kMostStepS = 2;    // snapshots are further apart while pictures are saved

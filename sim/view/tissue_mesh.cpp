@@ -143,6 +143,11 @@ void TissueMesh::rebuild(const Snapshot& snapshot) {
     }
 }
 
+bool TissueMesh::on_rim(size_t c) const {
+    const auto v = static_cast<size_t>(vertex_of_[c]);
+    return slot_of_[2 * v] >= 0 && slot_of_[2 * v + 1] >= 0;
+}
+
 // Positions; around the cut they are smoothed for the eye only. Both halves of a rim vertex must
 // move alike, or the crease would open.
 void TissueMesh::place(const Snapshot& snapshot) {
@@ -154,7 +159,8 @@ void TissueMesh::place(const Snapshot& snapshot) {
     // Shrinking and swelling by turns: the zigzag of the elements goes, the depth of the cut stays.
     // Source: Taubin 1995, "Curve and surface smoothing without shrinkage".
     constexpr float kShrink = 0.55F, kSwell = -0.58F;
-    constexpr int kRimPasses = 4;  // the rim alone, first: blades leave single elements standing
+    // First all of the cut, then its rim as a line: blades leave single elements standing.
+    constexpr int kAllPasses = 2, kRimPasses = 8;
     for (int pass = 0; pass < kRimPasses + 8; ++pass) {
         scratch_ = position_;
         for (size_t c = 0; c < n; ++c) {
@@ -162,14 +168,17 @@ void TissueMesh::place(const Snapshot& snapshot) {
             if (touched_[v] == 0) continue;
             const int twin = slot_of_[2 * v + (fresh_[c] != 0 ? 0 : 1)];
             if (twin >= 0 && fresh_[c] != 0) continue;  // set together with its other half
-            if (twin < 0 && pass < kRimPasses) continue;
+            const bool along = pass >= kAllPasses && pass < kRimPasses;
+            if (twin < 0 && along) continue;
             Vector3f sum = Vector3f::Zero();
             int count = 0;
             for (const int half : {static_cast<int>(c), twin}) {
                 if (half < 0) continue;
                 const auto h = static_cast<size_t>(half);
                 for (int k = near_start_[h]; k < near_start_[h + 1]; ++k) {
-                    sum += scratch_[static_cast<size_t>(near_[static_cast<size_t>(k)])];
+                    const auto other = static_cast<size_t>(near_[static_cast<size_t>(k)]);
+                    if (along && !on_rim(other)) continue;
+                    sum += scratch_[other];
                     ++count;
                 }
             }
@@ -194,8 +203,8 @@ void TissueMesh::shade() {
         for (size_t e = 0; e < 3; ++e) normal_[indices_[k + e]] += area;
     }
     for (Vector3f& m : normal_) m = m.squaredNorm() > 1e-20F ? m.normalized() : Vector3f(0, 0, 1);
-    // One round of averaging on the skin, three in the cut where the facets are coarse.
-    for (int pass = 0; pass < 3; ++pass) {
+    // One round of averaging on the skin, six in the cut where the facets are coarse.
+    for (int pass = 0; pass < 6; ++pass) {
         scratch_ = normal_;
         for (size_t c = 0; c < n; ++c) {
             if (pass > 0 && fresh_[c] == 0) continue;

@@ -31,6 +31,7 @@ class TissueMesh {
     void rebuild(const Snapshot& snapshot);
     void place(const Snapshot& snapshot);
     void shade();
+    [[nodiscard]] bool on_rim(size_t c) const;  // of a cut, by compact vertex
     void build_skirt(const ViewField& field);
     [[nodiscard]] bool drawn(const SurfaceTriangle& triangle) const;
 

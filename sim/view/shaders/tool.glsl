@@ -15,7 +15,7 @@ vec3 surroundings(vec3 r) {
     float down = smoothstep(0.05, -0.95, r.z);
     vec3 c = mix(vec3(0.030, 0.022, 0.020), tissue_bounce, down);
     // The wet field glitters: bright patches, so that polished faces are never of one colour.
-    c *= 0.55 + 0.9 * texture(noise_map, r.xy * 0.45 + vec2(0.13, 0.41)).g;
+    c *= 0.25 + 1.6 * texture(noise_map, r.xy * 0.30 + vec2(0.13, 0.41)).g;
     return c + vec3(0.9) * pow(saturate(dot(r, -view_axis)), 24.0);
 }
 
@@ -35,7 +35,7 @@ void main() {
         vec3 f = f0 + (1.0 - f0) * pow(1.0 - saturate(dot(n, v)), 5.0);
         result = f * surroundings(r) * reach * 0.75;
         result += f0 * min(highlight(n, v, l, a, 1.0), 14.0) * reach;
-        result += f0 * 0.16 * (0.25 + 0.75 * nl) * reach * (0.6 + 0.7 * scratch);
+        result += f0 * 0.05 * (0.3 + 0.7 * nl) * reach * (0.6 + 0.7 * scratch);
     } else if (v_rest.x < 1.5) {  // insulation
         vec3 base = vec3(0.007, 0.008, 0.009);
         result = base * nl * reach + highlight(n, v, l, 0.10, 0.04) * reach * (0.7 + 0.5 * scratch);
