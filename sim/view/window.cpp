@@ -91,8 +91,10 @@ class GlfwWindow final : public GlContext {
         glfwSetWindowUserPointer(window_, this);
         // A click that begins and ends between two polls (a slow picture) still counts.
         glfwSetInputMode(window_, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
-        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int, int action, int) {
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
             self(w).on_key(key, action);
+            if (action == GLFW_PRESS && (mods & GLFW_MOD_CONTROL) != 0)
+                self(w).on_letter(glfwGetKeyName(key, scancode));
         });
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { self(w).on_char(code); });
         glfwSetScrollCallback(window_,
@@ -170,6 +172,11 @@ class GlfwWindow final : public GlContext {
             typed_ += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
             typed_ += static_cast<char>(0x80 | (code & 0x3F));
         }
+    }
+    // With Ctrl held (precision) a key types no letter, but L must wipe the lens all the same.
+    void on_letter(const char* name) {
+        if (name != nullptr && name[0] != '\0' && name[1] == '\0')
+            on_char(static_cast<unsigned char>(name[0]));
     }
     void on_key(int key, int action) {
         if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE && typed_.size() < 256)
