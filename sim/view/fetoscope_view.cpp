@@ -50,6 +50,49 @@ void build_wall(GlMesh& mesh) {
     mesh.indices(indices);
 }
 
+// What is seen through an opened sac: the floor of the canal under a film of fluid.
+bool build_floor(const CanalFloor& floor, GlMesh& mesh) {
+    constexpr double kLowest = -0.02, kBelow = 1e-4;  // [m] none there; under what lies on it
+    constexpr float kDepthMm = 1.33F, kHollow = 0.35F, kBodyC = 37;
+    std::vector<float> vertices;
+    std::vector<unsigned> indices;
+    const auto height = [&](int i, int j) {
+        return static_cast<double>(floor.height_m[static_cast<size_t>(j * floor.columns + i)]);
+    };
+    const auto slope = [&](int i, int j, int di, int dj) {
+        const int a = std::clamp(i + di, 0, floor.columns - 1),
+                  b = std::clamp(i - di, 0, floor.columns - 1);
+        const int c = std::clamp(j + dj, 0, floor.rows - 1),
+                  d = std::clamp(j - dj, 0, floor.rows - 1);
+        const double up = std::max(height(a, c), kLowest), down = std::max(height(b, d), kLowest);
+        return (up - down) / (2 * floor.cell_m);
+    };
+    for (int j = 0; j < floor.rows; ++j) {
+        for (int i = 0; i < floor.columns; ++i) {
+            const Vec3 p(floor.x_m + i * floor.cell_m, floor.y_m + j * floor.cell_m,
+                         height(i, j) - kBelow);
+            const Eigen::Vector3f mm = (1000 * p).cast<float>();
+            const Eigen::Vector3f n =
+                Vec3(-slope(i, j, 1, 0), -slope(i, j, 0, 1), 1).normalized().cast<float>();
+            const float row[kTissueVertexFloats] = {mm.x(), mm.y(), mm.z(),  n.x(),    n.y(), n.z(),
+                                                    mm.x(), mm.y(), mm.z(),  kDepthMm, 0,     0,
+                                                    0,      kBodyC, kHollow, 0};
+            vertices.insert(vertices.end(), std::begin(row), std::end(row));
+            if (i + 1 == floor.columns || j + 1 == floor.rows) continue;
+            const std::array<double, 4> corners{height(i, j), height(i + 1, j), height(i, j + 1),
+                                                height(i + 1, j + 1)};
+            if (*std::min_element(corners.begin(), corners.end()) < kLowest) continue;
+            const auto a = static_cast<unsigned>(j * floor.columns + i);
+            const unsigned b = a + static_cast<unsigned>(floor.columns);
+            for (const unsigned v : {a, a + 1, b, b, a + 1, b + 1}) indices.push_back(v);
+        }
+    }
+    if (indices.empty()) return false;
+    mesh.vertices(vertices.data(), vertices.size(), false);
+    mesh.indices(indices);
+    return true;
+}
+
 }  // namespace
 
 struct FetoscopeView::Impl {
@@ -70,7 +113,7 @@ struct FetoscopeView::Impl {
         tool{"tissue_vertex", "tool"};
     GlProgram smoke_program{"smoke_vertex", "smoke"}, guide{"guide_vertex", "guide"},
         mask{"screen_vertex", "mask"};
-    GlMesh tissue_gl, skirt_gl, wall_gl, smoke_gl, guide_gl;
+    GlMesh tissue_gl, skirt_gl, floor_gl, wall_gl, smoke_gl, guide_gl;
     ToolRenderer instruments;
     PostProcess post;
     TextPainter painter;
@@ -87,7 +130,7 @@ struct FetoscopeView::Impl {
     double last_time_s = -1;
     Clock::time_point last_picture{};
     unsigned error = 0;
-    bool software = false;
+    bool software = false, has_floor = false;
 };
 
 FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
@@ -106,6 +149,8 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
         skirt_gl.vertices(mesh.skirt_vertices().data(), mesh.skirt_vertices().size(), false);
         skirt_gl.indices(mesh.skirt_indices());
     }
+    floor_gl.create(layout);
+    has_floor = build_floor(field.floor, floor_gl);
     build_wall(wall_gl);
     smoke_gl.create({4, 2});
     guide_gl.create({4});
@@ -194,6 +239,7 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
     tissue_gl.draw(GL_TRIANGLES);
     skirt_gl.draw(GL_TRIANGLES);
+    if (has_floor) floor_gl.draw(GL_TRIANGLES);
 
     light(wall, snapshot);
     wall_gl.draw(GL_TRIANGLES);

@@ -16,6 +16,7 @@ ViewField view_field(const Scene& scene, uint64_t seed) {
     field.rest_triangles.assign(triangles.begin(), triangles.end());
     field.placode_edge = scene.geometry.placode_edge;
     field.skin_edge = scene.geometry.skin_edge;
+    if (scene.sac.present()) field.floor = scene.sac.floor;
     field.tools = scene.tools;
     field.seed = seed;
     return field;

@@ -17,6 +17,7 @@ struct ViewField {
     std::vector<float> depth_m;                   ///< (V) below the rest surface; empty = 0.
     std::vector<SurfaceTriangle> rest_triangles;  ///< Boundary at rest.
     std::vector<Vec3> placode_edge, skin_edge;    ///< Closed outlines on the surface [m].
+    CanalFloor floor;                             ///< Below a sac; empty without one.
     std::vector<ToolSpec> tools;
     uint64_t seed = 1;  ///< Vessels, flecks and hairs.
 };
