@@ -34,6 +34,10 @@ constexpr Prefix kPrefixes[]{
     {"task_time", Theme::kTime},
     {"path_length", Theme::kTime},
     {"idle", Theme::kTime},
+    {"target_", Theme::kPrecision},
+    {"trace_", Theme::kPrecision},
+    {"out_of_view", Theme::kPrecision},
+    {"steps_", Theme::kSteps},
 };
 
 double lost_in(const Rubric& rubric, Theme theme, const std::vector<Reason>& reasons,

@@ -13,14 +13,16 @@ namespace placode::assessment {
 
 /// What a line of a rubric is about.
 enum class Theme : uint8_t {
-    kPlacode,   ///< Neural tissue left alone.
-    kIncision,  ///< On the line, complete.
-    kRelease,   ///< What the task wants done: lifted, free, resected, taken out.
-    kTissue,    ///< Skin and soft tissue: force, tears, jaws.
-    kEnergy,    ///< Pedals.
-    kTime,      ///< Time and way.
+    kPlacode,    ///< Neural tissue left alone.
+    kIncision,   ///< On the line, complete.
+    kRelease,    ///< What the task wants done: lifted, free, resected, taken out.
+    kTissue,     ///< Skin and soft tissue: force, tears, jaws.
+    kEnergy,     ///< Pedals.
+    kTime,       ///< Time and way.
+    kPrecision,  ///< Targets hit, lines followed, instruments kept in view.
+    kSteps,      ///< Steps of a practice task done.
 };
-inline constexpr int kThemes = 6;
+inline constexpr int kThemes = 8;
 [[nodiscard]] Theme theme_of(std::string_view metric);
 
 struct ThemeResult {

@@ -19,6 +19,12 @@ std::string day_of(const std::string& utc) {
 }
 
 std::string points(double value) { return sim::rounded_text(value, 4); }
+/// With the decimal sign of Polish.
+std::string points_pl(double value) {
+    std::string text = points(value);
+    std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+}
 
 /// Everything a sentence may need.
 struct Case {
@@ -60,7 +66,8 @@ LocalText why_refresh(const Case& c) {
     return {"\"" + c.title.en + "\" was mastered, but not repeated since; from " + day +
                 " the skill fades. Reach " + b + " points once more.",
             "„" + c.title.pl + "” zaliczono, ale od tego czasu nie powtarzano; od " + day +
-                " umiejętność słabnie. Osiągnij jeszcze raz " + b + " pkt."};
+                " umiejętność słabnie. Osiągnij jeszcze raz " +
+                points_pl(c.stage.benchmark_points) + " pkt."};
 }
 
 LocalText why_start(const Case& c) {
@@ -74,7 +81,7 @@ LocalText why_start(const Case& c) {
             points(c.stage.benchmark_points) + " points, " + std::to_string(c.stage.consecutive) +
             (c.stage.consecutive == 1 ? " time." : " times in a row."),
         "„" + c.title.pl + "” to pierwszy otwarty etap, którego jeszcze nie było: " +
-            points(c.stage.benchmark_points) + " pkt, " + std::to_string(c.stage.consecutive) +
+            points_pl(c.stage.benchmark_points) + " pkt, " + std::to_string(c.stage.consecutive) +
             (c.stage.consecutive == 1 ? " raz." : " razy z rzędu.")};
     add_limit(c, text);
     return text;
@@ -88,12 +95,14 @@ LocalText why_continue(const Case& c, int to_go) {
             "W ostatniej próbie był błąd krytyczny, więc liczenie zaczyna się od nowa.");
     else if (c.own.streak == 0)
         add(text, "Best so far: " + points(c.own.best_points) + " of the " + b + " points needed.",
-            "Najlepszy wynik: " + points(c.own.best_points) + " z potrzebnych " + b + " pkt.");
+            "Najlepszy wynik: " + points_pl(c.own.best_points) + " z potrzebnych " +
+                points_pl(c.stage.benchmark_points) + " pkt.");
     add(text,
         "\"" + c.title.en + "\" needs " + n + (to_go == 1 ? " more attempt" : " more in a row") +
             " at " + b + " points or above.",
         "Do zaliczenia „" + c.title.pl + "” brakuje jeszcze: " + n + " " + attempts_pl(to_go) +
-            (to_go == 1 ? "" : " z rzędu") + " na " + b + " pkt lub wyżej.");
+            (to_go == 1 ? "" : " z rzędu") + " na " + points_pl(c.stage.benchmark_points) +
+            " pkt lub wyżej.");
     add_limit(c, text);
     return text;
 }
@@ -104,7 +113,7 @@ LocalText why_exam(const Case& c) {
         "Exam, attempt " + number + ": \"" + c.title.en + "\" without aids, seed " +
             std::to_string(c.own.next_seed) + ", " + points(c.stage.benchmark_points) + " points.",
         "Egzamin, próba " + number + ": „" + c.title.pl + "” bez pomocy, ziarno " +
-            std::to_string(c.own.next_seed) + ", " + points(c.stage.benchmark_points) + " pkt."};
+            std::to_string(c.own.next_seed) + ", " + points_pl(c.stage.benchmark_points) + " pkt."};
     if (c.stage.exam.proctor)
         add(text, "A proctor has to be present.", "Musi być obecna osoba nadzorująca.");
     add_limit(c, text);

@@ -230,6 +230,10 @@ QString theme_words(assessment::Theme theme) {
             return translated("Theme", "Use of energy");
         case assessment::Theme::kTime:
             return translated("Theme", "Time");
+        case assessment::Theme::kPrecision:
+            return translated("Theme", "Precision and view");
+        case assessment::Theme::kSteps:
+            return translated("Theme", "Steps of the task");
     }
     return {};
 }

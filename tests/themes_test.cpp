@@ -48,6 +48,8 @@ TEST(Themes, KnowWhatAMetricIsAbout) {
     EXPECT_EQ(theme_of("crush_count"), Theme::kTissue);
     EXPECT_EQ(theme_of("lift_hold_s"), Theme::kRelease);
     EXPECT_EQ(theme_of("task_time_s"), Theme::kTime);
+    EXPECT_EQ(theme_of("trace_error_p95_mm"), Theme::kPrecision);
+    EXPECT_EQ(theme_of("steps_done_percent"), Theme::kSteps);
 }
 
 TEST(Themes, SumsTheLinesOfATheme) {

@@ -60,6 +60,19 @@ std::string last_error() {
     return text != nullptr ? text : "unknown reason";
 }
 
+/// A window higher than the screen would hide the forces at its lower edge, and the way out.
+void fit_to_screen(int& width, int& height) {
+    GLFWmonitor* screen = glfwGetPrimaryMonitor();
+    if (screen == nullptr) return;
+    int x = 0, y = 0, widest = 0, highest = 0;
+    glfwGetMonitorWorkarea(screen, &x, &y, &widest, &highest);
+    if (widest <= 0 || highest <= 0) return;
+    const double share =
+        std::min({1.0, static_cast<double>(widest) / width, static_cast<double>(highest) / height});
+    width = static_cast<int>(width * share);
+    height = static_cast<int>(height * share);
+}
+
 class GlfwWindow final : public GlContext {
  public:
     explicit GlfwWindow(const ContextSettings& settings) {
@@ -78,6 +91,8 @@ class GlfwWindow final : public GlContext {
             const GLFWvidmode* mode = glfwGetVideoMode(monitor);
             width = mode->width;
             height = mode->height;
+        } else {
+            fit_to_screen(width, height);
         }
         window_ = glfwCreateWindow(width, height, settings.title.c_str(), monitor, nullptr);
         if (window_ == nullptr) {

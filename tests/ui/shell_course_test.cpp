@@ -32,17 +32,6 @@ class ShellCourseTest : public QObject {
     void traineeSeesNoEditor();
 
  private:
-    [[nodiscard]] int64_t idOf(const std::string& login) {
-        return shell_->context().store().user_by_login(login)->id;
-    }
-    void sizes(const QString& name) {
-        for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
-            shell_->window().resize(size);
-            QTest::qWait(80);
-            QVERIFY2(shell_->fits(), qPrintable(name));
-            shell_->whole(QString("%1_%2").arg(name).arg(size.width()));
-        }
-    }
     std::unique_ptr<ShellHarness> shell_;
 };
 
@@ -61,20 +50,22 @@ void ShellCourseTest::educatorMakesAGroup() {
     auto* table = shell.find<QTableWidget>("group_table");
     QCOMPARE(table->rowCount(), 1);  // Who makes a group teaches it.
     auto* person = shell.find<QComboBox>("group_person");
-    person->setCurrentIndex(person->findData(QVariant::fromValue<qint64>(idOf("demo.trainee"))));
+    person->setCurrentIndex(
+        person->findData(QVariant::fromValue<qint64>(shell.idOf("demo.trainee"))));
     QVERIFY(shell.click("group_add"));
     QCOMPARE(shell.find<QTableWidget>("group_table")->rowCount(), 2);
     const auto groups = shell.context().store().groups();
     QCOMPARE(groups.size(), size_t{1});
-    QCOMPARE(groups[0].members, std::vector<int64_t>{idOf("demo.trainee")});
-    QCOMPARE(groups[0].educators, std::vector<int64_t>{idOf("demo.educator")});
+    QCOMPARE(groups[0].members, std::vector<int64_t>{shell.idOf("demo.trainee")});
+    QCOMPARE(groups[0].educators, std::vector<int64_t>{shell.idOf("demo.educator")});
     // A trainee cannot be made an educator of a group.
     shell.find<QComboBox>("group_role")->setCurrentIndex(1);
     person = shell.find<QComboBox>("group_person");
-    person->setCurrentIndex(person->findData(QVariant::fromValue<qint64>(idOf("demo.trainee"))));
+    person->setCurrentIndex(
+        person->findData(QVariant::fromValue<qint64>(shell.idOf("demo.trainee"))));
     QVERIFY(shell.click("group_add"));
     QVERIFY(shell.bannerSays("has not the role educator"));
-    sizes("60_groups");
+    QVERIFY(shell.fitsInBothSizes("60_groups"));
 }
 
 void ShellCourseTest::editorSaysAtTheFieldWhatIsWrong() {
@@ -105,7 +96,7 @@ void ShellCourseTest::editorSaysAtTheFieldWhatIsWrong() {
     QVERIFY(!shell.find<QPushButton>("publish_course")->isEnabled());
     QVERIFY(shell.type("stage_seeds", "11, x"));
     QVERIFY(seeds->text().contains("\"x\" is no whole number"));
-    sizes("61_editor_problem");
+    QVERIFY(shell.fitsInBothSizes("61_editor_problem"));
     QVERIFY(shell.type("stage_seeds", "11, 12"));
     QVERIFY(shell.find<QLabel>("problem_stage_exam_seeds")->isHidden());
     shell.find<QSpinBox>("stage_consecutive")->setValue(3);
@@ -130,7 +121,7 @@ void ShellCourseTest::changesAreUndone() {
     QVERIFY(shell.arrives(PageId::kCourseEditor));
     QCOMPARE(shell.find<QLineEdit>("title_en")->text(), QString("Ring and exam"));
     QVERIFY(shell.find<QPushButton>("undo")->isEnabled());
-    sizes("62_editor_polish");
+    QVERIFY(shell.fitsInBothSizes("62_editor_polish"));
     shell.context().setLanguage("en");
     QVERIFY(shell.arrives(PageId::kCourseEditor));
 }
@@ -166,6 +157,7 @@ void ShellCourseTest::importedFileBecomesTheNextVersion() {
     QVERIFY(shell.type("publish_reason", "From the other site"));
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
+    QVERIFY(shell.bannerSays("version 2, is published"));
     QCOMPARE(shell.context().store().definition("course", "ring_exam")->version, 2);
     QCOMPARE(shell.context().store().definition("course", "ring_exam", 1)->version, 1);
 }
@@ -183,16 +175,16 @@ void ShellCourseTest::courseIsAssignedToTheGroupAndEnded() {
     shell.find<QDateEdit>("assign_due")->setDate(due);
     QVERIFY(shell.click("assign_course"));
     QVERIFY(shell.bannerSays("Assigned to Group Autumn 2026"));
-    const auto held = shell.context().store().assignments(idOf("demo.trainee"));
+    const auto held = shell.context().store().assignments(shell.idOf("demo.trainee"));
     QCOMPARE(held.size(), size_t{1});
     QCOMPARE(held[0].course_id, std::string("ring_exam"));
     QCOMPARE(held[0].course_version, 2);
     QCOMPARE(QString::fromStdString(held[0].due_utc).left(10), due.toString(Qt::ISODate));
-    sizes("63_courses");
+    QVERIFY(shell.fitsInBothSizes("63_courses"));
     shell.confirmNext();
     QVERIFY(shell.click("end_assignment_0"));
     QVERIFY(shell.bannerSays("The assignment has ended"));
-    QVERIFY(shell.context().store().assignments(idOf("demo.trainee")).empty());
+    QVERIFY(shell.context().store().assignments(shell.idOf("demo.trainee")).empty());
 }
 
 void ShellCourseTest::damagedFileIsRefusedWithItsPlace() {

@@ -104,7 +104,7 @@ void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
     QVERIFY(shell.type("new_login", "weak"));
     QVERIFY(shell.type("new_password", "short"));
     QVERIFY(shell.click("add_person"));
-    QVERIFY(shell.bannerSays("5 characters"));
+    QVERIFY(shell.bannerSays("too short: 5 of at least 10 characters"));
     shell.shot("04_banner_weak_password");
     QVERIFY(!shell.context().store().user_by_login("weak"));
 }

@@ -103,6 +103,7 @@ void ShellGalleryTest::initTestCase() {
     shell_ = std::make_unique<ShellHarness>();
     QVERIFY(shell_->setUpWithDemonstration());
     db::Store& store = shell_->context().store();
+    store.act_as("ada");
     std::vector<int64_t> novices, experts;
     for (int i = 1; i <= kPeopleALevel; ++i) {
         novices.push_back(add("novice" + std::to_string(i), "Novice " + std::to_string(i), false));

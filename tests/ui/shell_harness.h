@@ -170,6 +170,22 @@ class ShellHarness {
         }
     }
 
+    [[nodiscard]] int64_t idOf(const std::string& login) const {
+        return context_->store().user_by_login(login)->id;
+    }
+
+    /// Whether the page fits on a desk and on a small screen, with a picture of each.
+    [[nodiscard]] bool fitsInBothSizes(const QString& name) {
+        bool all = true;
+        for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
+            window_->resize(size);
+            QTest::qWait(80);
+            all = fits() && all;
+            whole(QString("%1_%2").arg(name).arg(size.width()));
+        }
+        return all;
+    }
+
     /// True when nothing on the page is cut off at the side.
     [[nodiscard]] bool fits() const {
         for (const QScrollArea* area : window_->page()->findChildren<QScrollArea*>())

@@ -40,17 +40,6 @@ class ShellTrainingTest : public QObject {
     void ownDataAreSavedAndErasureIsAskedAndDone();
 
  private:
-    [[nodiscard]] int64_t idOf(const std::string& login) {
-        return shell_->context().store().user_by_login(login)->id;
-    }
-    void sizes(const QString& name) {
-        for (const QSize size : {QSize(1920, 1080), QSize(1024, 768)}) {
-            shell_->window().resize(size);
-            QTest::qWait(80);
-            QVERIFY2(shell_->fits(), qPrintable(name));
-            shell_->whole(QString("%1_%2").arg(name).arg(size.width()));
-        }
-    }
     [[nodiscard]] bool runAttempt() {
         return shell_->click("start_attempt") && shell_->arrives(PageId::kRunning) &&
                shell_->arrives(PageId::kResult, kAttemptSeconds);
@@ -103,7 +92,7 @@ void ShellTrainingTest::administratorInvitesAndTakesInAList() {
     QVERIFY(passwords.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(passwords.readAll()).split('\n');
     QVERIFY(lines[1].startsWith("piotr,"));
-    sizes("70_admissions");
+    QVERIFY(shell.fitsInBothSizes("70_admissions"));
     QVERIFY(shell.signIn("piotr", lines[1].mid(6).trimmed()));
 }
 
@@ -120,12 +109,13 @@ void ShellTrainingTest::traineeRegistersWithTheCode() {
     QVERIFY(shell.type("join_again", "quiet river 7"));
     QVERIFY(shell.click("join"));
     QVERIFY(shell.bannerSays("refused"));
-    sizes("71_join");
+    QVERIFY(shell.fitsInBothSizes("71_join"));
     QVERIFY(shell.type("join_code", code_));
     QVERIFY(shell.type("join_password", "quiet river 7"));
     QVERIFY(shell.type("join_again", "quiet river 7"));
     QVERIFY(shell.click("join"));
     QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.bannerSays("Your account is made"));
     QVERIFY(shell.signIn("nina", "quiet river 7"));
     QVERIFY(shell.arrives(PageId::kToday));
     QVERIFY(shell.find<QPushButton>("open_next") != nullptr);
@@ -174,7 +164,7 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     shell.whole("73_controls");
     // The task that teaches the controls asks for each of them; all were done.
     QVERIFY(runAttempt());
-    const auto taught = shell.context().store().attempts(idOf("nina"));
+    const auto taught = shell.context().store().attempts(shell.idOf("nina"));
     QCOMPARE(taught.size(), size_t{1});
     QCOMPARE(taught[0].task_id, std::string(kFirstTask));
     QCOMPARE(shell.context().store().attempt(taught[0].id).metrics.find("steps_done_percent"),
@@ -188,7 +178,7 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     device->setCurrentIndex(device->findData("mouse"));
     QVERIFY(runAttempt());
     QVERIFY(shell.text("result_points").contains("points"));
-    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{2});
     QCOMPARE(attempts[1].task_id, std::string(kTask));
     QVERIFY(attempts[1].exam.course_id.empty());
@@ -213,7 +203,7 @@ void ShellTrainingTest::examNeedsItsProctor() {
     QVERIFY(shell.type("proctor_password", "long enough here"));
     QVERIFY(shell.click("start_attempt"));
     QVERIFY(shell.bannerSays("cannot be the proctor"));
-    sizes("75_exam");
+    QVERIFY(shell.fitsInBothSizes("75_exam"));
     QVERIFY(shell.type("proctor_login", "demo.educator"));
     QVERIFY(shell.type("proctor_password", "placode-demo"));
     QVERIFY(shell.click("start_attempt"));
@@ -221,7 +211,7 @@ void ShellTrainingTest::examNeedsItsProctor() {
     QVERIFY(shell.find<QLabel>("live_ring")->isHidden());  // Time only.
     shell.shot("76_exam_running");
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
-    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{3});
     QCOMPARE(attempts[2].exam.course_id, std::string("lift_exam"));
     QCOMPARE(attempts[2].exam.stage_id, std::string("lift_as_exam"));
@@ -241,11 +231,11 @@ void ShellTrainingTest::masteredCourseGivesTheCertificate() {
     QFile file(shell.save_as);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");
-    const auto issued = shell.context().store().certificates(idOf("nina"));
+    const auto issued = shell.context().store().certificates(shell.idOf("nina"));
     QCOMPARE(issued.size(), size_t{1});
     QCOMPARE(issued[0].course_id, std::string("lift_exam"));
     QVERIFY(shell.text("certificate_code").contains(QString::fromStdString(issued[0].code)));
-    sizes("77_certificate");
+    QVERIFY(shell.fitsInBothSizes("77_certificate"));
 }
 
 void ShellTrainingTest::educatorReviewsAndRemarks() {
@@ -261,7 +251,7 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
     QVERIFY(shell.click("comment_add"));
-    const auto attempts = shell.context().store().attempts(idOf("nina"));
+    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
     const auto remarks = shell.context().store().comments(attempts[2].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
@@ -275,7 +265,7 @@ void ShellTrainingTest::attemptsAreSeenSideBySide() {
         QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 30000));
     QVERIFY(shell.find<QTableWidget>("compare_metrics")->rowCount() > 10);
     QVERIFY(shell.text("compare_points_0").contains("points"));
-    sizes("78_compare");
+    QVERIFY(shell.fitsInBothSizes("78_compare"));
     QVERIFY(
         QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 30000));
     shell.find<QComboBox>("compare_speed")->setCurrentIndex(6);
@@ -306,7 +296,7 @@ void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
     QVERIFY(shell.bannerSays("refused"));  // Too easy.
     QVERIFY(shell.type("new_pin", "7391"));
     QVERIFY(shell.click("set_pin"));
-    QVERIFY(shell.context().store().has_pin(idOf("nina")));
+    QVERIFY(shell.context().store().has_pin(shell.idOf("nina")));
     QVERIFY(shell.arrives(PageId::kLogin, 20));  // Locked by itself.
     QVERIFY(!shell.context().signedIn());
     QVERIFY(shell.text("login_note").contains("Locked"));
@@ -333,10 +323,10 @@ void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
 void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.signIn("nina", "quiet river 7"));
-    const int64_t nina = idOf("nina");
+    const int64_t nina = shell.idOf("nina");
     shell.window().open({PageId::kAccount, 0, {}, {}});
     QVERIFY(shell.arrives(PageId::kAccount));
-    sizes("79_account");
+    QVERIFY(shell.fitsInBothSizes("79_account"));
     shell.save_as = shell.path("mine");
     QVERIFY(shell.click("save_my_data"));
     QVERIFY(shell.bannerSays("Your data is in", 30));
@@ -362,7 +352,7 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     QVERIFY(shell.bannerSays("was erased"));
     QVERIFY(!shell.context().store().user_by_login("nina").has_value());
     QCOMPARE(shell.context().store().attempts(nina).size(), size_t{3});  // Nameless.
-    sizes("79_erased");
+    QVERIFY(shell.fitsInBothSizes("79_erased"));
 }
 
 }  // namespace placode::ui

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 
 #include "reports/people_file.h"
+#include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -59,6 +60,7 @@ class AccountPage : public Page {
             (*field)->setObjectName(object);
             layout->addLayout(make_field(name, *field));
         }
+        new_->setPlaceholderText(password_rule());
         message_ = make_label({}, "critical");
         message_->hide();
         layout->addWidget(message_);
@@ -73,6 +75,8 @@ class AccountPage : public Page {
         message_->hide();
         if (new_->text() != again_->text())
             return say(tr("The two passwords differ. Type them again."));
+        if (const QString problem = password_problem(new_->text()); !problem.isEmpty())
+            return say(problem);
         context_.guard(tr("Changing the password"), [this] {
             const db::SignIn check =
                 context_.store().sign_in(context_.user().login, old_->text().toStdString());

@@ -12,6 +12,7 @@
 
 #include "reports/export.h"
 #include "reports/people_file.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -67,7 +68,7 @@ class AdmissionsPage : public Page {
         until_->setObjectName("invite_until");
         until_->setCalendarPopup(true);
         until_->setMinimumWidth(150);
-        until_->setDisplayFormat(QLocale().dateFormat(QLocale::ShortFormat));
+        until_->setDisplayFormat(kDayFormat);
         row->addLayout(make_field(tr("Last day"), until_), 1);
         QPushButton* invite = make_button(context_, tr("Make a code"), "primary", "plus");
         invite->setObjectName("invite");
@@ -117,7 +118,7 @@ class AdmissionsPage : public Page {
             invitations_->setItem(row, 0, make_cell(qstr(each.note)));
             invitations_->setItem(row, 1, make_cell(role_names(each.roles)));
             invitations_->setItem(row, 2, make_cell(qstr(each.invited_by)));
-            invitations_->setItem(row, 3, make_cell(qstr(each.expires_utc).left(10)));
+            invitations_->setItem(row, 3, make_cell(day_text(each.expires_utc)));
             invitations_->setItem(
                 row, 4,
                 make_cell(each.used_utc.empty() ? tr("not yet") : format_when(each.used_utc)));

@@ -12,15 +12,11 @@
 
 #include "db/access.h"
 #include "db/course_conduct.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
-
-QString day_text(const std::string& utc) {
-    const QDate day = QDate::fromString(qstr(utc).left(10), Qt::ISODate);
-    return day.isValid() ? QLocale().toString(day, QLocale::ShortFormat) : QStringLiteral("–");
-}
 
 class AssignCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(AssignCard)
@@ -83,7 +79,7 @@ class AssignCard : public QFrame {
     static QDateEdit* date(const QDate& day, const char* object) {
         auto* edit = new QDateEdit(day);
         edit->setCalendarPopup(true);
-        edit->setDisplayFormat(QLocale().dateFormat(QLocale::ShortFormat));
+        edit->setDisplayFormat(kDayFormat);
         edit->setObjectName(object);
         edit->setMinimumHeight(kTouchTarget);
         edit->setMinimumWidth(150);

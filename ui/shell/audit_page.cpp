@@ -41,7 +41,9 @@ class AuditPage : public Page {
                 make_number_cell(format_when(entry.at_utc), static_cast<double>(entry.id));
             when->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
             table_->setItem(row, 0, when);
-            table_->setItem(row, 1, make_cell(qstr(entry.actor)));
+            table_->setItem(
+                row, 1,
+                make_cell(entry.actor == "unknown" ? tr("nobody signed in") : qstr(entry.actor)));
             table_->setItem(row, 2, make_cell(qstr(entry.action)));
             table_->setItem(row, 3, make_cell(qstr(entry.object)));
             table_->setItem(row, 4, make_cell(qstr(entry.detail)));

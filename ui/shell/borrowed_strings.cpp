@@ -312,6 +312,8 @@ namespace {
     QT_TRANSLATE_NOOP("Theme", "Gentle with tissue"),
     QT_TRANSLATE_NOOP("Theme", "Use of energy"),
     QT_TRANSLATE_NOOP("Theme", "Time"),
+    QT_TRANSLATE_NOOP("Theme", "Precision and view"),
+    QT_TRANSLATE_NOOP("Theme", "Steps of the task"),
 };
 
 [[maybe_unused]] const char* const kStationMeanings[] = {

@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QTimer>
 
+#include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -40,7 +41,7 @@ class JoinPage : public Page {
         row->addStretch();
         layout->addLayout(row);
         connect(make, &QPushButton::clicked, this, [this] { join(); });
-        connect(again_, &QLineEdit::returnPressed, this, [this] { join(); });
+        connect(fields_.again, &QLineEdit::returnPressed, this, [this] { join(); });
         connect(leave, &QPushButton::clicked, this, [this] {
             Q_EMIT go({PageId::kLogin, 0, {}, {}});
         });
@@ -51,51 +52,29 @@ class JoinPage : public Page {
 
     [[nodiscard]] QString title() const override { return tr("Make your account"); }
     [[nodiscard]] QVariantMap state() const override {
-        return {{"code", code_->text()}, {"name", name_->text()}, {"login", login_->text()}};
+        QVariantMap state = fields_.state();
+        state["code"] = code_->text();
+        return state;
     }
 
  private:
     void addFields(QVBoxLayout* layout, const Place& place) {
-        const auto field = [&](const char* object, const QVariant& text) {
-            auto* line = new QLineEdit(text.toString());
-            line->setObjectName(object);
-            return line;
-        };
-        code_ = field("join_code", place.state.value("code"));
-        name_ = field("join_name", place.state.value("name"));
-        login_ = field("join_login", place.state.value("login"));
-        password_ = field("join_password", {});
-        again_ = field("join_again", {});
-        password_->setEchoMode(QLineEdit::Password);
-        again_->setEchoMode(QLineEdit::Password);
+        code_ = new QLineEdit(place.state.value("code").toString());
+        code_->setObjectName("join_code");
         layout->addLayout(make_field(tr("Code of the invitation"), code_));
-        auto* first = new QHBoxLayout;
-        first->setSpacing(kSpace16);
-        first->addLayout(make_field(tr("Your name"), name_));
-        first->addLayout(make_field(tr("Log-in name"), login_));
-        auto* second = new QHBoxLayout;
-        second->setSpacing(kSpace16);
-        second->addLayout(make_field(tr("Password"), password_));
-        second->addLayout(make_field(tr("Password again"), again_));
-        layout->addLayout(first);
-        layout->addLayout(second);
+        fields_.addTo(layout, place.state,
+                      {"join_name", "join_login", "join_password", "join_again"});
     }
 
     void join() {
         message_->hide();
-        if (code_->text().trimmed().isEmpty() || login_->text().trimmed().isEmpty() ||
-            name_->text().trimmed().isEmpty())
-            return say(tr("Give the code, your name and a log-in name."));
-        if (password_->text() != again_->text())
-            return say(tr("The two passwords differ. Type them again."));
-        db::NewUser user;
-        user.login = login_->text().trimmed().toStdString();
-        user.display_name = name_->text().trimmed().toStdString();
-        user.password = password_->text().toStdString();
+        if (code_->text().trimmed().isEmpty()) return say(tr("Type the code of the invitation."));
+        if (const QString problem = fields_.problem(); !problem.isEmpty()) return say(problem);
+        const db::NewUser user = fields_.user();
         context_.guard(tr("Making the account"), [&] {
             context_.store().accept_invitation(code_->text().trimmed().toStdString(), user);
             Q_EMIT notice(tr("Your account is made. Sign in with it."));
-            Q_EMIT go({PageId::kLogin, 0, {}, {{"login", login_->text().trimmed()}}});
+            Q_EMIT go({PageId::kLogin, 0, {}, {{"login", QString::fromStdString(user.login)}}});
         });
     }
 
@@ -104,8 +83,8 @@ class JoinPage : public Page {
         message_->show();
     }
 
-    QLineEdit *code_ = nullptr, *name_ = nullptr, *login_ = nullptr, *password_ = nullptr,
-              *again_ = nullptr;
+    AccountFields fields_;
+    QLineEdit* code_ = nullptr;
     QLabel* message_ = nullptr;
 };
 

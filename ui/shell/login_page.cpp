@@ -69,7 +69,7 @@ class LoginPage : public Page {
         password_ = new QLineEdit;
         password_->setObjectName("password");
         password_->setEchoMode(QLineEdit::Password);
-        layout->addLayout(make_field(tr("Name"), login_));
+        layout->addLayout(make_field(tr("Log-in name"), login_));
         layout->addLayout(make_field(tr("Password"), password_));
         pin_hint_ = make_label(tr("Your PIN is enough here: you signed in not long ago."), "small");
         pin_hint_->setObjectName("pin_hint");

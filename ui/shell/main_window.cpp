@@ -152,19 +152,26 @@ void MainWindow::showPlace(const Place& place) {
         });
         return;
     }
+    // Focus that was on the old page goes to the new one: left alone, it would fall on the first
+    // button of the rail and look like the page that is open.
+    const QWidget* focus = focusWidget();
+    const bool focused = shown_ && focus != nullptr && shown_->isAncestorOf(focus);
     if (shown_) shown_->deleteLater();
     if (shown_) shown_->hide();
     page_ = made;
     shown_ = made;
     content_->addWidget(made);
+    if (made->accessibleName().isEmpty()) made->setAccessibleName(made->title());
+    if (focused) made->setFocus(Qt::OtherFocusReason);
     // Queued: a page may ask to leave from inside one of its own handlers.
     connect(made, &Page::go, this, &MainWindow::open, Qt::QueuedConnection);
     connect(made, &Page::back, this, &MainWindow::goBack, Qt::QueuedConnection);
-    connect(made, &Page::notice, this, [this](const QString& text) {
-        // After the page change that often comes with it.
+    // Twice queued: after the page change that often comes with it, before it or behind it.
+    const auto show = [this](const QString& text) {
         QMetaObject::invokeMethod(
             this, [this, text] { banner_->showNotice(text); }, Qt::QueuedConnection);
-    });
+    };
+    connect(made, &Page::notice, this, show, Qt::QueuedConnection);
     rememberPlace();
     updateFrame();
 }

@@ -9,6 +9,7 @@
 #include "db/norms.h"
 #include "db/signature.h"
 #include "reports/export.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -83,7 +84,7 @@ class NormsPage : public Page {
                 row, 1,
                 make_cell(qstr(each.pack.centre) +
                           (each.pack.demonstration ? " · " + tr("DEMONSTRATION") : QString())));
-            table_->setItem(row, 2, make_cell(qstr(each.pack.made_utc).left(10)));
+            table_->setItem(row, 2, make_cell(day_text(each.pack.made_utc)));
             table_->setItem(row, 3, make_cell(groups.join(", ")));
             table_->item(row, 3)->setToolTip(groups.join(", "));
             table_->setItem(row, 4, make_cell(qstr(db::fingerprint(each.norms.public_key))));

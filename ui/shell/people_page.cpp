@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLineEdit>
 
+#include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -82,6 +83,7 @@ class PeoplePage : public Page {
         login_->setObjectName("new_login");
         password_ = new QLineEdit;
         password_->setObjectName("new_password");
+        password_->setPlaceholderText(password_rule());
         password_->setEchoMode(QLineEdit::Password);
         fields_ = new QVBoxLayout;
         fields_->setSpacing(kSpace12);
@@ -116,7 +118,7 @@ class PeoplePage : public Page {
         new_password_ = new QLineEdit;
         new_password_->setObjectName("reset_password_field");
         new_password_->setEchoMode(QLineEdit::Password);
-        new_password_->setPlaceholderText(tr("New password"));
+        new_password_->setPlaceholderText(password_rule());
         new_password_->setAccessibleName(tr("New password"));
         new_password_->setFixedWidth(200);
         reset_ = make_button(context_, tr("Set password"), "secondary", "key");
@@ -209,6 +211,8 @@ class PeoplePage : public Page {
             if (user.roles == 0)
                 throw StoreError(StoreError::Kind::kRefused,
                                  tr("A person needs at least one role.").toStdString());
+            if (const QString problem = password_problem(password_->text()); !problem.isEmpty())
+                throw StoreError(StoreError::Kind::kRefused, problem.toStdString());
             context_.store().create_user(user);
             for (QLineEdit* field : {name_, login_, password_}) field->clear();
             fill();
@@ -220,6 +224,8 @@ class PeoplePage : public Page {
         const db::UserRecord* person = selected();
         if (person == nullptr) return;
         context_.guard(tr("Setting the password"), [&] {
+            if (const QString problem = password_problem(new_password_->text()); !problem.isEmpty())
+                throw db::StoreError(db::StoreError::Kind::kRefused, problem.toStdString());
             context_.store().set_password(person->id, new_password_->text().toStdString());
             new_password_->clear();
             Q_EMIT notice(tr("%1 has a new password.").arg(qstr(person->display_name)));

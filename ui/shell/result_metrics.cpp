@@ -8,6 +8,7 @@
 #include <set>
 
 #include "reports/attempt_figures.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/result_cards.h"
 #include "ui/shell/table_width.h"
@@ -171,10 +172,10 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
                            .arg(data.earlier.size()),
                        "small"));
     if (data.norms)
-        layout->addWidget(make_label(
-            Metrics::tr("Bands of experts and novices: norm pack of %1, %2.")
-                .arg(qstr(data.norms->pack.centre), qstr(data.norms->pack.made_utc).left(10)),
-            "small"));
+        layout->addWidget(
+            make_label(Metrics::tr("Bands of experts and novices: norm pack of %1, %2.")
+                           .arg(qstr(data.norms->pack.centre), day_text(data.norms->pack.made_utc)),
+                       "small"));
     QTableWidget* table = MetricsTable(context, data).widget();
     layout->addWidget(table);
     // A touch screen has no tool tips: a click tells the same below.

@@ -4,10 +4,9 @@
 // demonstration account a role.
 
 #include <QCheckBox>
-#include <QHBoxLayout>
-#include <QLineEdit>
 #include <QTimer>
 
+#include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -44,38 +43,15 @@ class SetupPage : public Page {
         layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
         column->addWidget(card);
         column->addStretch(2);
-        QTimer::singleShot(0, this, [this] { name_->setFocus(Qt::OtherFocusReason); });
+        QTimer::singleShot(0, this, [this] { fields_.name->setFocus(Qt::OtherFocusReason); });
     }
 
     [[nodiscard]] QString title() const override { return tr("First start"); }
-    [[nodiscard]] QVariantMap state() const override {
-        return {{"name", name_->text()}, {"login", login_->text()}};
-    }
+    [[nodiscard]] QVariantMap state() const override { return fields_.state(); }
 
  private:
     void addFields(QVBoxLayout* layout, const Place& place) {
-        name_ = new QLineEdit(place.state.value("name").toString());
-        name_->setObjectName("display_name");
-        name_->setPlaceholderText(tr("for example Anna Nowak"));
-        login_ = new QLineEdit(place.state.value("login").toString());
-        login_->setObjectName("login");
-        login_->setPlaceholderText(tr("short, for signing in"));
-        password_ = new QLineEdit;
-        password_->setObjectName("password");
-        password_->setEchoMode(QLineEdit::Password);
-        again_ = new QLineEdit;
-        again_->setObjectName("password_again");
-        again_->setEchoMode(QLineEdit::Password);
-        auto* first = new QHBoxLayout;
-        first->setSpacing(kSpace16);
-        first->addLayout(make_field(tr("Your name"), name_));
-        first->addLayout(make_field(tr("Log-in name"), login_));
-        auto* second = new QHBoxLayout;
-        second->setSpacing(kSpace16);
-        second->addLayout(make_field(tr("Password"), password_));
-        second->addLayout(make_field(tr("Password again"), again_));
-        layout->addLayout(first);
-        layout->addLayout(second);
+        fields_.addTo(layout, place.state, {"display_name", "login", "password", "password_again"});
         trains_ = new QCheckBox(tr("I also train here (trainee)"));
         trains_->setObjectName("also_trainee");
         demonstration_ = new QCheckBox(tr("Add demonstration accounts to look around"));
@@ -91,20 +67,14 @@ class SetupPage : public Page {
 
     void create() {
         message_->hide();
-        if (login_->text().trimmed().isEmpty() || name_->text().trimmed().isEmpty())
-            return say(tr("Give your name and a log-in name."));
-        if (password_->text() != again_->text())
-            return say(tr("The two passwords differ. Type them again."));
-        db::NewUser user;
-        user.login = login_->text().trimmed().toStdString();
-        user.display_name = name_->text().trimmed().toStdString();
-        user.password = password_->text().toStdString();
+        if (const QString problem = fields_.problem(); !problem.isEmpty()) return say(problem);
+        db::NewUser user = fields_.user();
         user.roles = static_cast<db::Roles>(db::Role::kAdministrator);
         if (trains_->isChecked()) user.roles |= static_cast<db::Roles>(db::Role::kTrainee);
         context_.guard(tr("Creating the administrator"), [&] {
             context_.store().create_user(user);
             if (demonstration_->isChecked()) addDemonstrationAccounts();
-            context_.settings().setValue("last_login", login_->text().trimmed());
+            context_.settings().setValue("last_login", QString::fromStdString(user.login));
             Q_EMIT notice(tr("The administrator was created. Sign in to add people."));
             Q_EMIT go({PageId::kLogin, 0, {}, {}});
         });
@@ -131,7 +101,7 @@ class SetupPage : public Page {
         message_->show();
     }
 
-    QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *again_ = nullptr;
+    AccountFields fields_;
     QCheckBox *trains_ = nullptr, *demonstration_ = nullptr;
     QLabel* message_ = nullptr;
 };

@@ -266,6 +266,7 @@ class TaskPage : public Page {
         layout->addWidget(make_label(tr("Controls"), "heading"));
         controls_ = make_label({});
         controls_->setObjectName("controls");
+        controls_->setTextFormat(Qt::RichText);
         layout->addWidget(controls_);
         return make_card(layout);
     }
@@ -280,14 +281,21 @@ class TaskPage : public Page {
         controls_->setText(controlsOf(name));
     }
 
-    [[nodiscard]] static QString controlsOf(const QString& device) {
-        QStringList lines;
+    /// A table: what one wants to do, and below it which control does it.
+    [[nodiscard]] QString controlsOf(const QString& device) const {
+        QString rows;
+        const QString muted = context_.colors().muted.name();
         for (const haptics::ControlHelp& help : haptics::controls(device.toStdString()))
-            lines << QCoreApplication::translate("Controls", help.action.c_str()) + ": " +
-                         QCoreApplication::translate("Controls", help.input.c_str());
-        if (lines.isEmpty()) return tr("Nothing to hold. Escape in the window opens the menu.");
-        lines << tr("F1 in the window shows them again, Escape pauses.");
-        return lines.join("\n");
+            rows +=
+                QString("<p style='margin:0 0 8px 0'><span style='color:%1'>%2</span><br>%3</p>\n")
+                    .arg(muted,
+                         QCoreApplication::translate("Controls", help.action.c_str())
+                             .toHtmlEscaped(),
+                         QCoreApplication::translate("Controls", help.input.c_str())
+                             .toHtmlEscaped());
+        if (rows.isEmpty()) return tr("Nothing to hold. Escape in the window opens the menu.");
+        return rows + "<p style='margin:0'>" +
+               tr("F1 in the window shows them again, Escape pauses.") + "</p>";
     }
 
     void start() {

@@ -120,6 +120,10 @@ QLineEdit:disabled, QComboBox:disabled { color: @muted@; background: @surface@; 
 QLineEdit[tone="critical"] { border: 2px solid @critical@; }
 QComboBox::drop-down, QDateEdit::drop-down { border: none; width: 32px; }
 QComboBox::down-arrow, QDateEdit::down-arrow { image: url(@chevron@); width: 16px; height: 16px; }
+QSpinBox::up-button, QDoubleSpinBox::up-button { subcontrol-origin: border; subcontrol-position: center right; width: 32px; height: 40px; border: none; border-left: 1px solid @line@; }
+QSpinBox::down-button, QDoubleSpinBox::down-button { subcontrol-origin: border; subcontrol-position: center right; right: 33px; width: 32px; height: 40px; border: none; border-left: 1px solid @line@; }
+QSpinBox::up-arrow, QDoubleSpinBox::up-arrow { image: url(@plus@); width: 16px; height: 16px; }
+QSpinBox::down-arrow, QDoubleSpinBox::down-arrow { image: url(@minus@); width: 16px; height: 16px; }
 QComboBox QAbstractItemView { background: @raised@; border: 1px solid @line@; selection-background-color: @accent_soft@; selection-color: @text@; padding: 4px; }
 QComboBox QAbstractItemView::item { min-height: 44px; padding: 0 8px; }
 QCheckBox, QRadioButton { spacing: 8px; min-height: 44px; background: transparent; }
@@ -188,6 +192,8 @@ QString style_sheet(ThemeKind theme) {
         {"@field@", t.field.name()},
         {"@scroll@", mixed(t.line, t.muted, 0.35).name()},
         {"@chevron@", light ? ":/icons/chevron-light.svg" : ":/icons/chevron-dark.svg"},
+        {"@plus@", light ? ":/icons/plus-light.svg" : ":/icons/plus-dark.svg"},
+        {"@minus@", light ? ":/icons/minus-light.svg" : ":/icons/minus-dark.svg"},
         {"@check@", light ? ":/icons/check-light.svg" : ":/icons/check-dark.svg"},
     };
     QString sheet = QString::fromLatin1(kSheet);

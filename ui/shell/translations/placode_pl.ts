@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="pl_PL">
 <context>
+    <name>AccountFields</name>
+    <message>
+        <source>at least %1 characters</source>
+        <translation>co najmniej %1 znaków</translation>
+    </message>
+    <message>
+        <source>The password is too short: %1 of at least %2 characters.</source>
+        <translation>Hasło jest za krótkie: %1 z co najmniej %2 znaków.</translation>
+    </message>
+    <message>
+        <source>for example Anna Nowak</source>
+        <translation>na przykład Anna Nowak</translation>
+    </message>
+    <message>
+        <source>short, for signing in</source>
+        <translation>krótki, do logowania</translation>
+    </message>
+    <message>
+        <source>Your name</source>
+        <translation>Imię i nazwisko</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
+    </message>
+    <message>
+        <source>Password</source>
+        <translation>Hasło</translation>
+    </message>
+    <message>
+        <source>Password again</source>
+        <translation>Powtórz hasło</translation>
+    </message>
+    <message>
+        <source>Give your name and a log-in name.</source>
+        <translation>Podaj imię i nazwisko oraz login.</translation>
+    </message>
+    <message>
+        <source>The two passwords differ. Type them again.</source>
+        <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
+    </message>
+</context>
+<context>
     <name>AccountPage</name>
     <message>
         <source>My account</source>
@@ -279,6 +322,10 @@
     <message>
         <source>Shown: %1 of %2</source>
         <translation>Pokazano: %1 z %2</translation>
+    </message>
+    <message>
+        <source>nobody signed in</source>
+        <translation>nikt niezalogowany</translation>
     </message>
 </context>
 <context>
@@ -1258,10 +1305,6 @@
         <translation>Fetoskopowa operacja rozszczepu kręgosłupa: ćwicz, zobacz, powtórz.</translation>
     </message>
     <message>
-        <source>Name</source>
-        <translation>Login</translation>
-    </message>
-    <message>
         <source>Password</source>
         <translation>Hasło</translation>
     </message>
@@ -1304,6 +1347,10 @@
     <message>
         <source>Three wrong PINs: type your password.</source>
         <translation>Trzy błędne kody PIN: wpisz hasło.</translation>
+    </message>
+    <message>
+        <source>Log-in name</source>
+        <translation>Login</translation>
     </message>
 </context>
 <context>
@@ -3465,30 +3512,6 @@
         <translation>Pierwsze uruchomienie</translation>
     </message>
     <message>
-        <source>for example Anna Nowak</source>
-        <translation>na przykład Anna Nowak</translation>
-    </message>
-    <message>
-        <source>short, for signing in</source>
-        <translation>krótki, do logowania</translation>
-    </message>
-    <message>
-        <source>Your name</source>
-        <translation>Imię i nazwisko</translation>
-    </message>
-    <message>
-        <source>Log-in name</source>
-        <translation>Login</translation>
-    </message>
-    <message>
-        <source>Password</source>
-        <translation>Hasło</translation>
-    </message>
-    <message>
-        <source>Password again</source>
-        <translation>Powtórz hasło</translation>
-    </message>
-    <message>
         <source>I also train here (trainee)</source>
         <translation>Ja też tu ćwiczę (uczestnik szkolenia)</translation>
     </message>
@@ -3499,14 +3522,6 @@
     <message>
         <source>demo.trainee, demo.educator, demo.coordinator, each with the password &quot;%1&quot;; their data is marked as demonstration everywhere.</source>
         <translation>demo.trainee, demo.educator, demo.coordinator, każde z hasłem „%1”; ich dane są wszędzie oznaczone jako demonstracja.</translation>
-    </message>
-    <message>
-        <source>Give your name and a log-in name.</source>
-        <translation>Podaj imię i nazwisko oraz login.</translation>
-    </message>
-    <message>
-        <source>The two passwords differ. Type them again.</source>
-        <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
     </message>
     <message>
         <source>Creating the administrator</source>
@@ -4050,6 +4065,14 @@
     <message>
         <source>Time</source>
         <translation>Czas</translation>
+    </message>
+    <message>
+        <source>Precision and view</source>
+        <translation>Precyzja i pole widzenia</translation>
+    </message>
+    <message>
+        <source>Steps of the task</source>
+        <translation>Kroki zadania</translation>
     </message>
 </context>
 <context>
@@ -6709,36 +6732,16 @@
         <translation>Kod zaproszenia</translation>
     </message>
     <message>
-        <source>Your name</source>
-        <translation>Imię i nazwisko</translation>
-    </message>
-    <message>
-        <source>Log-in name</source>
-        <translation>Login</translation>
-    </message>
-    <message>
-        <source>Password</source>
-        <translation>Hasło</translation>
-    </message>
-    <message>
-        <source>Password again</source>
-        <translation>Hasło ponownie</translation>
-    </message>
-    <message>
-        <source>Give the code, your name and a log-in name.</source>
-        <translation>Podaj kod, imię i nazwisko oraz login.</translation>
-    </message>
-    <message>
-        <source>The two passwords differ. Type them again.</source>
-        <translation>Hasła się różnią. Wpisz je ponownie.</translation>
-    </message>
-    <message>
         <source>Making the account</source>
         <translation>Zakładanie konta</translation>
     </message>
     <message>
         <source>Your account is made. Sign in with it.</source>
         <translation>Konto jest gotowe. Zaloguj się.</translation>
+    </message>
+    <message>
+        <source>Type the code of the invitation.</source>
+        <translation>Wpisz kod z zaproszenia.</translation>
     </message>
 </context>
 <context>
