@@ -1,19 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mouse: the pointer's motion is the tip's motion in the picture, at constant gain.
+#include "haptics/mouse_mapping.h"
 #include "haptics/window_hands.h"
 
 namespace placode::haptics {
 
 namespace {
-
-// 0.25 mm at the tip for 1 mm on the desk, for a mouse of 800 counts per inch (31.5 per mm).
-constexpr double kGainM = 0.25e-3 / 31.5;
-// One notch of the wheel: half of what the zone is thick; with Shift for the way to the tissue and
-// out through the port.
-constexpr double kWheelM = 0.0005, kQuickWheelM = 0.002;
-constexpr double kPrecision = 0.2;  // With Ctrl.
-constexpr double kRollRadPerCount = 0.004;
 
 class MouseDevice final : public WindowHands {
  public:
@@ -22,16 +15,16 @@ class MouseDevice final : public WindowHands {
  protected:
     void move(const sim::WindowInput& now, const sim::WindowInput& before, double,
               WindowHand& active, WindowHand* scope) noexcept override {
-        const double gain = now.is_down(sim::Key::kControl) ? kPrecision : 1.0;
+        const double gain = now.is_down(sim::Key::kControl) ? kMousePrecision : 1.0;
         const double dx = now.mouse_x - before.mouse_x, dy = now.mouse_y - before.mouse_y;
         // Wheel away from the user goes into the picture, away from the viewer (-z in D).
         const bool shift = now.is_down(sim::Key::kShift);
-        const double notch = shift ? kQuickWheelM : kWheelM;
-        const Vec3 step(kGainM * dx, -kGainM * dy, -notch * (now.wheel - before.wheel));
+        const double notch = shift ? kMouseQuickNotchM : kMouseNotchM;
+        const Vec3 step(kMouseCountM * dx, -kMouseCountM * dy, -notch * (now.wheel - before.wheel));
         if (now.middle && scope != nullptr) {
             scope->target_m += gain * step;
         } else if (shift) {
-            active.roll_rad += gain * kRollRadPerCount * dx;
+            active.roll_rad += gain * kMouseRollRad * dx;
             active.target_m.z() += gain * step.z();
         } else {
             active.target_m += gain * step;

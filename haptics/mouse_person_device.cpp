@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/mouse_mapping.h"
 #include "haptics/open_operator.h"
 #include "haptics/trocar.h"
 
@@ -20,9 +21,8 @@ namespace {
 
 constexpr int64_t kPollNs = 16'000'000;  // as a window at 60 Hz reports
 constexpr int64_t kNotchNs = 90'000'000;
-constexpr int64_t kFingerNs = 120'000'000;  // the left hand finds Ctrl or Shift
-constexpr int64_t kChangeNs = 350'000'000;  // eye and mind go over to the other hand
-constexpr double kCountM = 0.25e-3 / 31.5, kNotchM = 0.0005, kFine = 0.2, kRollRad = 0.004;
+constexpr int64_t kFingerNs = 120'000'000;               // the left hand finds Ctrl or Shift
+constexpr int64_t kChangeNs = 350'000'000;               // eye and mind go over to the other hand
 constexpr double kMostMS = 0.0375;                       // of the tip: 150 mm/s on the desk
 constexpr double kNearM = 2.5e-4, kNearDepthM = 1.2e-4;  // there, at the tissue
 constexpr double kAirM = 1e-3, kAirDepthM = 5e-4;        // and on the way to it
@@ -204,34 +204,34 @@ class MousePersonDevice final : public DeviceGroup {
         const bool twist = std::abs(angle) > 0.5 * kNearRollRad;
         // At the tissue Ctrl is held, a fifth of everything, but for leaps out of it.
         const double z = gap.z();
-        const bool fine = w.at_tissue && std::abs(z) < kLeap * kNotchM;
+        const bool fine = w.at_tissue && std::abs(z) < kLeap * kMouseNotchM;
         if (holds(sim::Key::kShift) != twist || holds(sim::Key::kControl) != fine) {
             press(sim::Key::kShift, twist);
             press(sim::Key::kControl, fine);
             busy_until_ns_ = t_ns + kFingerNs;
             return;
         }
-        const double gain = fine ? kFine : 1.0;
+        const double gain = fine ? kMousePrecision : 1.0;
         if (twist) {
-            input_.mouse_x += std::clamp(std::round(angle / (gain * kRollRad)), -60.0, 60.0);
+            input_.mouse_x += std::clamp(std::round(angle / (gain * kMouseRollRad)), -60.0, 60.0);
             busy_until_ns_ = t_ns + 2 * kPollNs;
             return;
         }
-        if (t_ns >= notch_ns_ && std::abs(z) >= 0.6 * gain * kNotchM) {
+        if (t_ns >= notch_ns_ && std::abs(z) >= 0.6 * gain * kMouseNotchM) {
             const double notch = z < 0 ? 1 : -1;
             input_.wheel += notch;
-            aim_[hand].z() -= gain * kNotchM * notch;
+            aim_[hand].z() -= gain * kMouseNotchM * notch;
             notch_ns_ = t_ns + kNotchNs;
         }
         Vec3 step(gap.x(), gap.y(), 0);
         const double most = gain * kMostMS * static_cast<double>(kPollNs) * 1e-9;
         if (step.norm() > most) step *= most / step.norm();
         step *= 1 + kUnsteady * random_.normal();
-        const double dx = std::round(step.x() / (gain * kCountM)),
-                     dy = std::round(-step.y() / (gain * kCountM));
+        const double dx = std::round(step.x() / (gain * kMouseCountM)),
+                     dy = std::round(-step.y() / (gain * kMouseCountM));
         input_.mouse_x += dx;
         input_.mouse_y += dy;
-        aim_[hand] += gain * kCountM * Vec3(dx, -dy, 0);
+        aim_[hand] += gain * kMouseCountM * Vec3(dx, -dy, 0);
     }
 
     /// Where the device is going; an instrument that came in anew begins at its start.
