@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/box_distance.h"
 #include "sim/step_scratch.h"
 #include "sim/tool_shape.h"
 #include "sim/topology.h"
@@ -20,6 +21,7 @@ constexpr double kReachM = 0.0008;  // at 0.1 m/s tissue moves 0.4 mm until it i
 constexpr double kGapM = 5e-5;      // between two surfaces that touch
 constexpr double kDeepestM = 4e-4;  // deeper in, a vertex belongs to the other side
 constexpr double kBesideM = 1e-4;   // so far beside a face a vertex still touches it
+constexpr double kStaleM = 1e-4;    // boxes may be those of the frame before
 constexpr int64_t kBesideFrames = 12;
 
 int32_t local_face(const std::array<int32_t, 4>& tet, const std::array<int32_t, 3>& face) noexcept {
@@ -60,15 +62,7 @@ class NearestFace {
     TissuePair find() noexcept {
         state_.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
-                double d2 = 0;
-                for (int k = 0; k < 3; ++k) {
-                    const auto i = static_cast<size_t>(k);
-                    const double low = static_cast<double>(box.low[i]) - stale(),
-                                 high = static_cast<double>(box.high[i]) + stale();
-                    const double d = std::max({low - at_[k], at_[k] - high, 0.0});
-                    d2 += d * d;
-                }
-                return d2 >= best2_;
+                return squared_distance(box, at_, kStaleM) >= best2_;
             },
             [&](int slot) noexcept {
                 look_at(state_.surface.triangles()[static_cast<size_t>(slot)]);
@@ -77,9 +71,6 @@ class NearestFace {
     }
 
  private:
-    /// Boxes may be those of the frame before: see collect_candidates().
-    [[nodiscard]] static double stale() noexcept { return 1e-4; }
-
     void look_at(const SurfaceTriangle& face) noexcept {
         Triangle x;
         Vec3 rest_centre = Vec3::Zero();

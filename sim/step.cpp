@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "sim/box_distance.h"
 #include "sim/contact.h"
 #include "sim/cutting.h"
 #include "sim/diathermy.h"
@@ -81,20 +82,12 @@ void measure_tips(const Scene& scene, State& state) noexcept {
             [&](const SurfaceTree::Box& box) noexcept {
                 // The boxes are those of the start of this frame or of the one before, see
                 // collect_candidates(); the tissue has moved a little since.
-                double d2 = 0;
-                for (int k = 0; k < 3; ++k) {
-                    const double low = box.low[k] - 2 * kFrameMotion,
-                                 high = box.high[k] + 2 * kFrameMotion;
-                    const double d = std::max({low - centre[k], centre[k] - high, 0.0});
-                    d2 += d * d;
-                }
-                return d2 >= best;
+                return squared_distance(box, centre, 2 * kFrameMotion) >= best;
             },
             [&](int i) noexcept {
                 Triangle tri;
                 for (int k = 0; k < 3; ++k) {
-                    const Float4& x = state.body.x[triangles[i].vertex[k]];
-                    tri[k] = Vec3(x.x, x.y, x.z);
+                    tri[k] = position(state.body, triangles[i].vertex[k]);
                 }
                 const Vec3 w = closest_on_triangle(centre, tri);
                 const Vec3 d = centre - w.x() * tri[0] - w.y() * tri[1] - w.z() * tri[2];
@@ -106,9 +99,9 @@ void measure_tips(const Scene& scene, State& state) noexcept {
         tool.tip_gap_m = 1;
         if (nearest < 0) continue;
         const SurfaceTriangle& tri = triangles[nearest];
-        const Float4 &a = state.body.x[tri.vertex[0]], &b = state.body.x[tri.vertex[1]],
-                     &e = state.body.x[tri.vertex[2]];
-        const Vec3 pa(a.x, a.y, a.z), pb(b.x, b.y, b.z), pe(e.x, e.y, e.z);
+        const Vec3 pa = position(state.body, tri.vertex[0]),
+                   pb = position(state.body, tri.vertex[1]),
+                   pe = position(state.body, tri.vertex[2]);
         const Vec3 at = weight.x() * pa + weight.y() * pb + weight.z() * pe;
         const bool inside = (pb - pa).cross(pe - pa).dot(centre - at) < 0;
         tool.tip_gap_m = (inside ? -std::sqrt(best) : std::sqrt(best)) - radius;
@@ -248,8 +241,7 @@ void deformed_contour(const Scene& scene, const State& state, std::span<Vec3> ou
         const ContourAnchor& a = scene.contour_anchors[i];
         out[i] = Vec3::Zero();
         for (int k = 0; k < 3; ++k) {
-            const Float4& x = state.body.x[a.vertex[k]];
-            out[i] += a.weight[k] * Vec3(x.x, x.y, x.z);
+            out[i] += a.weight[k] * position(state.body, a.vertex[k]);
         }
     }
 }
