@@ -13,14 +13,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-namespace {
-
-World* const world = World::install();
-
-}  // namespace
-
-INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), engine_name);
-
 // --- accounts ----------------------------------------------------------------------------------
 
 TEST_P(StoreTest, APersonWithTheRightPasswordSignsIn) {

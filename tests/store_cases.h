@@ -85,4 +85,8 @@ class StoreTest : public EngineTest {
     int64_t now_ms = 1'700'000'000'000;
 };
 
+inline World* const world = World::install();
+
+INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), engine_name);
+
 }  // namespace placode::test

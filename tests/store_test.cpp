@@ -19,14 +19,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-namespace {
-
-World* const world = World::install();
-
-}  // namespace
-
-INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), engine_name);
-
 // --- review --------------------------------------------------------------------------------------
 
 TEST_P(StoreTest, RemarksStandAtTheirTimesUntilTheyAreRemoved) {
