@@ -226,7 +226,6 @@ void ShellDevicesTest::pedalsAreMapped() {
     QVERIFY(shell_->click("pedal_coag"));
     QCOMPARE(station().number("pedals.coag_key"), 48.0);
     QVERIFY(station().number("pedals.cut_key") != 48.0);
-    QTest::qWait(50);  // its notice is queued, and would cover what the next test provokes
     ::close(pipe);
     // Attempts would look for the pipe.
     haptics::Station without = station();

@@ -21,8 +21,10 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     buildFrame();
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
     connect(&context, &AppContext::userChanged, this, &MainWindow::onUserChanged);
-    connect(&context, &AppContext::problemReported, this,
-            [this](const Problem& problem) { banner_->showProblem(problem); });
+    connect(&context, &AppContext::problemReported, this, [this](const Problem& problem) {
+        ++problems_;
+        banner_->showProblem(problem);
+    });
     connect(&context, &AppContext::busyChanged, this, [this](const QString& what) {
         busy_text_->setText(what);
         busy_->setVisible(!what.isEmpty());
@@ -166,14 +168,21 @@ void MainWindow::showPlace(const Place& place) {
     // Queued: a page may ask to leave from inside one of its own handlers.
     connect(made, &Page::go, this, &MainWindow::open, Qt::QueuedConnection);
     connect(made, &Page::back, this, &MainWindow::goBack, Qt::QueuedConnection);
-    // Twice queued: after the page change that often comes with it, before it or behind it.
-    const auto show = [this](const QString& text) {
-        QMetaObject::invokeMethod(
-            this, [this, text] { banner_->showNotice(text); }, Qt::QueuedConnection);
-    };
-    connect(made, &Page::notice, this, show, Qt::QueuedConnection);
+    connect(made, &Page::notice, this, &MainWindow::announce);
     rememberPlace();
     updateFrame();
+}
+
+// Twice queued: after the page change that often comes with it, before it or behind it. A problem
+// that has come up meanwhile is not covered.
+void MainWindow::announce(const QString& text) {
+    const auto show = [this, text, before = problems_] {
+        if (problems_ == before) banner_->showNotice(text);
+    };
+    const auto queue = [this, show] {
+        QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
+    };
+    QMetaObject::invokeMethod(this, queue, Qt::QueuedConnection);
 }
 
 void MainWindow::showRetry(const QString& text, const std::function<void()>& again) {

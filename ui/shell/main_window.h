@@ -48,6 +48,7 @@ class MainWindow : public QMainWindow {
     void rebuild();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
+    void announce(const QString& text);
     void goBack();
     void onUserChanged();
     void onAttemptEnded(const AttemptEnding& ending);
@@ -83,6 +84,7 @@ class MainWindow : public QMainWindow {
     QTimer idle_;
     Place locked_place_;
     int64_t locked_user_ = 0;
+    int problems_ = 0;  ///< Reported so far.
 };
 
 }  // namespace placode::ui
