@@ -12,7 +12,7 @@
 
 #include "sim/cutting.h"
 #include "sim/separation.h"
-#include "tests/box_scene.h"
+#include "tests/cut_field.h"
 
 namespace placode::sim {
 namespace {
@@ -20,49 +20,11 @@ namespace {
 using test::BoxOptions;
 using test::upright;
 
-BoxOptions block() {
-    BoxOptions options;
-    options.size_m = Vec3(0.008, 0.008, 0.002);
-    options.cells = {16, 16, 4};
-    options.tissue = Tissue::kZone;
-    options.material.youngs_modulus_pa = 10000;
-    options.material.damping_per_s = 60;
-    options.material.fail_stretch = options.material.injury_stretch = 100;
-    options.gravity = Vec3(0, 0, -9.81);
-    options.heat = false;
-    options.spare_vertices = 2000;
-    options.tool.kind = ToolKind::kGrasper;
-    options.tool.tip_radius_m = 0.0005;
-    options.tool.tip_length_m = 0.010;
-    options.tool.grip_n_m = 1e7;
-    options.tool.pivot_m = Vec3(0, 0, 0.080);
-    return options;
-}
+BoxOptions block() { return test::grasped_block(Vec3(0.008, 0.008, 0.002), {16, 16, 4}); }
 
-struct Field {
-    explicit Field(Scene made) : scene(std::move(made)), state(scene, 1) {}
+struct Field : test::CutField {
+    explicit Field(Scene made) : CutField(std::move(made), 1) {}
 
-    /// Parts every face between tets inside and outside of a region at rest.
-    void cut_out(const std::function<bool(const Vec3&)>& inside) {
-        for (int t = 0; t < scene.body.tet_count(); ++t) {
-            if (!inside(rest_centroid(scene, t))) continue;
-            for (int f = 0; f < 4; ++f) {
-                const int other =
-                    scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
-                if (other >= 0 && !inside(rest_centroid(scene, other))) {
-                    cut_face(scene, state, t, f);
-                }
-            }
-        }
-    }
-    void run(const Vec3& tip, double jaw, int frames) {
-        ToolInput input = upright(tip);
-        input.jaw_rad = static_cast<float>(jaw);
-        for (int i = 0; i < frames; ++i) {
-            test::frame(scene, state, input, feedback);
-            for (int e = 0; e < state.event_count; ++e) events.push_back(state.events[e]);
-        }
-    }
     /// Moves the tip at 0.1 m/s.
     void move(const Vec3& from, const Vec3& to, double jaw) {
         const int frames = static_cast<int>((to - from).norm() / 1e-4) + 1;
@@ -88,11 +50,6 @@ struct Field {
         }
         return n > 0 ? sum / n : 0;
     }
-
-    Scene scene;
-    State state;
-    ToolFeedback feedback;
-    std::vector<Event> events;
 };
 
 bool in_patch(const Vec3& p) {

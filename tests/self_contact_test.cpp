@@ -12,63 +12,25 @@
 #include "sim/cutting.h"
 #include "sim/separation.h"
 #include "sim/step_scratch.h"
-#include "tests/box_scene.h"
+#include "tests/cut_field.h"
 
 namespace placode::sim {
 namespace {
 
-using Inside = std::function<bool(const Vec3&)>;
+using test::Inside;
 
-test::BoxOptions block() {
-    test::BoxOptions options;
-    options.size_m = Vec3(0.010, 0.008, 0.002);
-    options.cells = {20, 16, 4};
-    options.tissue = Tissue::kZone;
-    options.material.youngs_modulus_pa = 10000;
-    options.material.damping_per_s = 60;
-    options.material.fail_stretch = options.material.injury_stretch = 100;
-    options.gravity = Vec3(0, 0, -9.81);
-    options.heat = false;
-    options.spare_vertices = 2000;
-    options.tool.kind = ToolKind::kGrasper;
-    options.tool.tip_radius_m = 0.0005;
-    options.tool.tip_length_m = 0.010;
-    options.tool.grip_n_m = 1e7;
-    options.tool.pivot_m = Vec3(0, 0, 0.080);
-    return options;
+Scene field_scene(bool listed, int iterations) {
+    test::BoxOptions options = test::grasped_block(Vec3(0.010, 0.008, 0.002), {20, 16, 4});
+    options.iterations = iterations;
+    Scene made = test::box_scene(options);
+    made.contact.self_contact = listed;
+    return made;
 }
 
-/// A field with a grasper over it.
-struct Field {
+struct Field : test::CutField {
     explicit Field(bool listed, int threads = 1, int iterations = 1)
-        : scene([&] {
-              test::BoxOptions options = block();
-              options.iterations = iterations;
-              Scene made = test::box_scene(options);
-              made.contact.self_contact = listed;
-              return made;
-          }()),
-          state(scene, threads) {}
+        : CutField(field_scene(listed, iterations), threads) {}
 
-    /// Parts every face between tets inside and outside of a region at rest, but where it hangs.
-    void cut_out(
-        const Inside& inside, const Inside& hangs = [](const Vec3&) { return false; }) {
-        for (int t = 0; t < scene.body.tet_count(); ++t) {
-            const Vec3 here = rest_centroid(scene, t);
-            if (!inside(here) || hangs(here)) continue;
-            for (int f = 0; f < 4; ++f) {
-                const int other =
-                    scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];
-                if (other >= 0 && !inside(rest_centroid(scene, other)))
-                    cut_face(scene, state, t, f);
-            }
-        }
-    }
-    void run(const Vec3& tip, double jaw, int frames) {
-        ToolInput input = test::upright(tip);
-        input.jaw_rad = static_cast<float>(jaw);
-        for (int i = 0; i < frames; ++i) test::frame(scene, state, input, feedback);
-    }
     void move(const Vec3& to, double jaw) {
         const Vec3 from = tip;
         const int frames = static_cast<int>((to - from).norm() / 5e-5) + 1;
@@ -148,9 +110,6 @@ struct Field {
         return sum;
     }
 
-    Scene scene;
-    State state;
-    ToolFeedback feedback;
     Vec3 tip = Vec3(0, 0, 0.010);
 };
 
