@@ -12,8 +12,6 @@
 namespace placode::db {
 namespace {
 
-using Key = std::pair<int64_t, std::string>;  // Person and task.
-
 std::string finished(const AttemptConditions& conditions) {
     return conditions.sql + (conditions.sql.empty() ? " WHERE " : " AND ") + is_finished("t");
 }
@@ -21,84 +19,93 @@ std::string finished(const AttemptConditions& conditions) {
 std::string sums_sql(const AttemptConditions& where) {
     return "SELECT t.account_id, t.task_id, COUNT(*) AS n, SUM(CASE WHEN t.verdict = 2 THEN 1 ELSE "
            "0 END) AS failed, SUM(CASE WHEN t.verdict = 0 THEN 1 ELSE 0 END) AS passed, "
-           "MAX(t.points) AS best, AVG(t.points) AS mean, MIN(t.started_utc) AS begun, "
-           "MAX(t.started_utc) AS last FROM attempts t" +
+           "MAX(t.points) AS best, AVG(t.points) AS mean, MAX(t.started_utc) AS last, "
+           "MAX(CASE WHEN t.verdict <> 0 THEN t.started_utc END) AS missed FROM attempts t" +
            finished(where) + " GROUP BY t.account_id, t.task_id";
 }
 
-/// Sums of every person in every task, with the first and the last attempt's points.
-std::vector<TaskStanding> read_sums(Connection& connection, const AttemptConditions& where) {
-    const auto of_the_same = [](const std::string& table, const std::string& at) {
-        return " JOIN attempts " + table + " ON " + table + ".account_id = s.account_id AND " +
-               table + ".task_id = s.task_id AND " + table + ".started_utc = s." + at + " AND " +
-               is_finished(table);
-    };
-    Statement query(connection,
-                    "SELECT s.account_id, COALESCE(p.display_name, ''), s.task_id, s.n, s.failed, "
-                    "s.best, s.mean, t.points, s.last, s.passed, b.points FROM (" +
-                        sums_sql(where) + ") s" + of_the_same("t", "last") +
-                        of_the_same("b", "begun") +
-                        " LEFT JOIN persons p ON p.account_id = s.account_id ORDER BY p.login_key, "
-                        "s.account_id, s.task_id, t.id, b.id DESC");
+/// " FROM attempts x WHERE" it is one of g's person and task.
+std::string from_own(const std::string& x) {
+    return " FROM attempts " + x + " WHERE " + x + ".account_id = g.account_id AND " + x +
+           ".task_id = g.task_id AND " + is_finished(x);
+}
+
+/// A column of the first attempt of g's person and task in that order, after `offset` others;
+/// `none` where there are fewer.
+std::string of_attempt(const std::string& column, const std::string& order, int offset,
+                       const std::string& none) {
+    return "COALESCE((SELECT x." + column + from_own("x") + " ORDER BY " + order +
+           " LIMIT 1 OFFSET " + std::to_string(offset) + "), " + none + ")";
+}
+
+/// How many attempts follow the last one that was not passed (of two in a second, the later one).
+std::string streak_sql() {
+    return "CASE WHEN g.missed IS NULL THEN g.n ELSE (SELECT COUNT(*)" + from_own("x") +
+           " AND (x.started_utc, x.id) > (g.missed, (SELECT MAX(y.id)" + from_own("y") +
+           " AND y.started_utc = g.missed AND y.verdict <> 0))) END";
+}
+
+/// A row for each of the last attempts of everybody in every task, oldest first; sums and the first
+/// attempt's points stand in each. One question, because grouping reads every attempt.
+std::string standings_sql(const AttemptConditions& where) {
+    const std::string forward = "x.started_utc, x.id", back = "x.started_utc DESC, x.id DESC";
+    const int before = assessment::kStuckTrials - 1;
+    // Materialized: PostgreSQL would look for the beginning again for every attempt.
+    return "WITH f AS MATERIALIZED (SELECT g.account_id, g.task_id, g.n, g.failed, g.passed, "
+           "g.best, g.mean, g.last, " +
+           of_attempt("points", forward, 0, "0") + " AS first_points, " +
+           of_attempt("started_utc", back, before, "''") + " AS from_utc, " +
+           of_attempt("id", back, before, "0") + " AS from_id, " + streak_sql() +
+           " AS streak FROM (" + sums_sql(where) +
+           ") g) SELECT f.account_id, f.task_id, x.points, x.verdict, COALESCE(p.display_name, "
+           "''), f.n, f.failed, f.passed, f.best, f.mean, f.last, f.first_points, f.streak FROM f "
+           "JOIN "
+           "attempts x ON x.account_id = f.account_id AND x.task_id = f.task_id AND " +
+           is_finished("x") +
+           " AND (x.started_utc, x.id) >= (f.from_utc, f.from_id) LEFT JOIN persons p ON "
+           "p.account_id = f.account_id ORDER BY p.login_key, f.account_id, f.task_id, " +
+           forward;
+}
+
+/// Points and verdict from column `first` on.
+assessment::TrialOutcome outcome(const Statement& row, int first) {
+    return {row.real(first), static_cast<assessment::Verdict>(row.integer(first + 1)) ==
+                                 assessment::Verdict::kPassed};
+}
+
+TaskStanding standing_of(const Statement& row) {
+    TaskStanding one;
+    one.user_id = row.integer(0);
+    one.task_id = row.text(1);
+    one.user_name = row.text(4);
+    one.attempts = one.trials.attempts = static_cast<int>(row.integer(5));
+    one.failed = static_cast<int>(row.integer(6));
+    one.trials.passed = static_cast<int>(row.integer(7));
+    one.best_points = one.trials.best = row.real(8);
+    one.mean_points = row.real(9);
+    one.last_utc = row.text(10);
+    one.first_points = row.real(11);
+    one.trials.streak = static_cast<int>(row.integer(12));
+    return one;
+}
+
+/// Sums of everybody in every task, with the last outcomes of each.
+std::vector<TaskStanding> read_standings(Connection& connection, const AttemptConditions& where) {
+    Statement query(connection, standings_sql(where));
     query.run_list(where.values);
     std::vector<TaskStanding> found;
     while (query.next()) {
-        TaskStanding one;
-        one.user_id = query.integer(0);
-        one.user_name = query.text(1);
-        one.task_id = query.text(2);
-        one.attempts = one.trials.attempts = static_cast<int>(query.integer(3));
-        one.failed = static_cast<int>(query.integer(4));
-        one.best_points = one.trials.best = query.real(5);
-        one.mean_points = query.real(6);
-        one.last_points = query.real(7);
-        one.last_utc = query.text(8);
-        one.trials.passed = static_cast<int>(query.integer(9));
-        one.first_points = query.real(10);
-        // Two attempts of the same second: the later number is the last, the earlier the first.
-        if (!found.empty() && found.back().user_id == one.user_id &&
-            found.back().task_id == one.task_id)
-            found.back() = std::move(one);
-        else
-            found.push_back(std::move(one));
+        if (found.empty() || found.back().user_id != query.integer(0) ||
+            found.back().task_id != query.text(1))
+            found.push_back(standing_of(query));
+        found.back().last_points = query.real(2);
+        found.back().trials.last.push_back(outcome(query, 2));
     }
     return found;
 }
 
-/// Start and number of the `number`th attempt from the end; "" and 0 where there are fewer.
-std::string from_the_end(const char* column, int number, const char* none) {
-    return std::string("COALESCE((SELECT x.") + column +
-           " FROM attempts x WHERE x.account_id = g.account_id AND x.task_id = g.task_id AND " +
-           is_finished("x") + " ORDER BY x.started_utc DESC, x.id DESC LIMIT 1 OFFSET " +
-           std::to_string(number - 1) + "), " + none + ")";
-}
-
-/// The last outcomes of each, oldest first.
-std::map<Key, std::vector<assessment::TrialOutcome>> read_last(Connection& connection,
-                                                               const AttemptConditions& where) {
-    const int n = assessment::kStuckTrials;
-    // Materialized: PostgreSQL would look for the beginning again for every attempt.
-    Statement query(
-        connection,
-        "WITH f AS MATERIALIZED (SELECT g.account_id, g.task_id, " +
-            from_the_end("started_utc", n, "''") + " AS from_utc, " + from_the_end("id", n, "0") +
-            " AS from_id FROM (SELECT t.account_id, t.task_id FROM attempts t" + finished(where) +
-            " GROUP BY t.account_id, t.task_id) g) SELECT f.account_id, f.task_id, x.points, "
-            "x.verdict FROM f JOIN attempts x ON x.account_id = f.account_id AND x.task_id = "
-            "f.task_id AND " +
-            is_finished("x") +
-            " AND (x.started_utc, x.id) >= (f.from_utc, f.from_id) ORDER BY "
-            "f.account_id, f.task_id, x.started_utc, x.id");
-    query.run_list(where.values);
-    std::map<Key, std::vector<assessment::TrialOutcome>> last;
-    while (query.next())
-        last[{query.integer(0), query.text(1)}].push_back(
-            {query.real(2),
-             static_cast<assessment::Verdict>(query.integer(3)) == assessment::Verdict::kPassed});
-    return last;
-}
-
-/// What sums do not tell, asked for the few of whom it matters.
+/// What sums do not tell, asked for the few of whom it matters: whether the best attempt lies
+/// before the last ones of somebody who passed none of those.
 class Closer {
  public:
     explicit Closer(Connection& connection)
@@ -110,22 +117,18 @@ class Closer {
     void complete(TaskStanding& one) {
         assessment::TrialSummary& trials = one.trials;
         const auto& last = trials.last;
-        for (auto each = last.rbegin(); each != last.rend() && each->passed; ++each)
-            ++trials.streak;
-        const bool all = trials.streak == static_cast<int>(last.size());
         if (trials.attempts <= static_cast<int>(last.size())) return;
         double best = 0;
-        for (const assessment::TrialOutcome& each : last) best = std::max(best, each.points);
-        // The best of all lies before the last ones, or passed among them: nothing more to ask.
+        bool passed = false;
+        for (const assessment::TrialOutcome& each : last) {
+            best = std::max(best, each.points);
+            passed = passed || each.passed;
+        }
         trials.best_before = trials.best;
-        const bool passed =
-            std::any_of(last.begin(), last.end(), [](const auto& each) { return each.passed; });
-        if (!all && (passed || best < trials.best)) return;
+        if (passed || best < trials.best) return;
         outcomes_.run(one.user_id, one.task_id);
         std::vector<assessment::TrialOutcome> every;
-        while (outcomes_.next())
-            every.push_back({outcomes_.real(0), static_cast<assessment::Verdict>(outcomes_.integer(
-                                                    1)) == assessment::Verdict::kPassed});
+        while (outcomes_.next()) every.push_back(outcome(outcomes_, 0));
         trials = assessment::summarise_trials(every);
     }
 
@@ -137,14 +140,10 @@ class Closer {
 
 std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("sum up attempts of");
-    const AttemptConditions where = conditions_of(0, group_id, task_id);
-    std::vector<TaskStanding> found = read_sums(connection_, where);
-    auto last = read_last(connection_, where);
+    std::vector<TaskStanding> found =
+        read_standings(connection_, conditions_of(0, group_id, task_id));
     Closer closer(connection_);
-    for (TaskStanding& one : found) {
-        one.trials.last = std::move(last[{one.user_id, one.task_id}]);
-        closer.complete(one);
-    }
+    for (TaskStanding& one : found) closer.complete(one);
     return found;
 }
 
