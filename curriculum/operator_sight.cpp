@@ -107,17 +107,24 @@ void OperatorSight::look_at_marked(const sim::State& state) noexcept {
     grasp_place_[0] = place;
 }
 
-/// The placode is red, what surrounds it is not: how near each tip is to it.
+/// The placode is red, what surrounds it is not: how near it is to each tip, and to all that lies
+/// between the blades of scissors.
 void OperatorSight::look_at_placode(const sim::State& state) noexcept {
     for (size_t i = 0; i < scene_.tools.size(); ++i) {
-        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
-        const Vec3 tip = state.tools[i].proxy.p;
+        const sim::ToolSpec& tool = scene_.tools[i];
+        if (tool.kind == sim::ToolKind::kScope) continue;
+        const bool blades = tool.kind == sim::ToolKind::kScissors;
+        const double length = blades ? tool.tip_length_m : 0;
+        const double slope = blades ? std::tan(state.scissors[i].jaw_rad / 2) : 0;
+        const sim::Pose to_tool = state.tools[i].proxy.inverse();
         double squared = 1;
         for (const int32_t v : placode_vertices_) {
-            const Vec3 x = to_vec(state.body.x[static_cast<size_t>(v)]);
-            squared = std::min(squared, (x - tip).squaredNorm());
+            const Vec3 p = to_tool * to_vec(state.body.x[static_cast<size_t>(v)]);
+            const double z = std::clamp(p.z(), -length, 0.0), wide = slope * (length + z);
+            const Vec3 nearest(0, std::clamp(p.y(), -wide, wide), z);
+            squared = std::min(squared, (p - nearest).squaredNorm());
         }
-        placode_gap_m_[i] = std::sqrt(squared) - scene_.tools[i].tip_radius_m;
+        placode_gap_m_[i] = std::sqrt(squared) - tool.tip_radius_m;
     }
 }
 

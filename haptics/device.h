@@ -85,7 +85,8 @@ struct Perception {
     double marked_left = 1;                ///< Share of the marked tissue that still hangs on.
     double marked_held = 0;                ///< Share of it that lies loose in the jaws.
     std::array<bool, sim::kMaxTools> touches{}, holds{};  ///< Per tool.
-    /// Distance of each tip to the placode [m]; far where none is seen.
+    /// Distance of the placode to each tip, or to what lies between blades [m]; far where none is
+    /// seen.
     std::array<double, sim::kMaxTools> placode_gap_m{1, 1, 1, 1};
     std::array<double, sim::kMaxTools> pull_n{};  ///< Traction of jaws that hold.
     bool piece_free = false;                      ///< What the jaws hold hangs on nothing any more.

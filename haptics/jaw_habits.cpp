@@ -20,6 +20,7 @@ JawHabits intermediate() {
     h.snip_step_m = 0.0008;
     h.wander_m = 3e-4;
     h.outward_m = 2e-4;
+    h.clear_m = 3e-4;
     h.passes = 3;
     h.leaves = 0.35;
     return h;
@@ -39,6 +40,7 @@ JawHabits novice() {
     h.depth_m = 0.0014;
     h.wander_m = 6e-4;
     h.outward_m = 6e-4;
+    h.clear_m = -1;  // does not look
     h.passes = 2;
     h.leaves = 0.6;
     return h;

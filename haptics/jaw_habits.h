@@ -24,6 +24,7 @@ struct JawHabits {
     double depth_m = 0.0008;      ///< Tips below the surface.
     double wander_m = 1e-4;       ///< Snips beside the line, rms.
     double outward_m = 0;         ///< Mean error away from the marked tissue.
+    double clear_m = 6e-4;        ///< Blades do not close nearer to the placode than that.
     int passes = 4;               ///< Along what is not parted yet.
     double leaves = 0.15;         ///< Share of the marked tissue that is left where it is.
     [[nodiscard]] double squeezed_rad() const noexcept { return meet_rad * (1 - squeeze); }

@@ -97,6 +97,7 @@ void ResectionOperator::see(const Perception& seen) {
     marked_left_ = seen.marked_left;
     marked_held_ = seen.marked_held;
     pull_n_ = seen.pull_n[grasper];
+    placode_gap_m_ = seen.placode_gap_m[static_cast<size_t>(tools_.scissors)];
 }
 
 void ResectionOperator::go(Right next) noexcept {
@@ -168,6 +169,14 @@ void ResectionOperator::aim() noexcept {
     if (beside_.dot(middle - point_) > 0) beside_ = -beside_;
 }
 
+/// Counts a try for all that the blades have covered.
+void ResectionOperator::count_try() noexcept {
+    const double covered_m = jaw_habits(level_).snip_step_m;
+    for (size_t i = 0; i < line_.size(); ++i) {
+        if ((line_[i] - point_).norm() < covered_m && tries_[i] < 255) ++tries_[i];
+    }
+}
+
 Vec3 ResectionOperator::tip_goal(double above_m) const noexcept {
     return point_ + above_m * up_ + out_m_ * beside_;
 }
@@ -209,17 +218,17 @@ void ResectionOperator::right(double dt_s, std::span<HandAction> hands) noexcept
             break;
         case Right::kEnter:
             aim();
-            if (scissors_.glide(tip_goal(-habit.depth_m), kEnterMS, dt_s)) go(Right::kSnip);
+            if (!scissors_.glide(tip_goal(-habit.depth_m), kEnterMS, dt_s)) break;
+            if (placode_gap_m_ < habit.clear_m) {
+                count_try();  // not here: the placode would come between the blades
+                go(Right::kOpen);
+            } else {
+                go(Right::kSnip);
+            }
             break;
         case Right::kSnip:
             if (scissors_.jaw(0, habit.snip_rad_s, dt_s) && right_s_ > 0.05) {
-                // Counted for all that the blades have covered.
-                const size_t n = line_.size();
-                for (size_t i = 0; i < n; ++i) {
-                    if ((line_[i] - point_).norm() < habit.snip_step_m && tries_[i] < 255) {
-                        ++tries_[i];
-                    }
-                }
+                count_try();
                 go(Right::kOpen);
             }
             break;

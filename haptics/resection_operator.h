@@ -64,6 +64,7 @@ class ResectionOperator final : public ScriptedOperator {
     void grasp_again() noexcept;
     void carry() noexcept;
     void aim() noexcept;
+    void count_try() noexcept;
     [[nodiscard]] Vec3 tip_goal(double above_m) const noexcept;
     [[nodiscard]] Vec3 hold_place(double above_m) const noexcept;
 
@@ -78,7 +79,7 @@ class ResectionOperator final : public ScriptedOperator {
     std::vector<uint8_t> cut_, tries_;
     Vec3 place_ = Vec3::Zero(), place_normal_ = Vec3::UnitZ();
     bool placed_ = false, holds_ = false, touches_ = false, piece_free_ = false;
-    double marked_left_ = 1, marked_held_ = 0, pull_n_ = 0;
+    double marked_left_ = 1, marked_held_ = 0, pull_n_ = 0, placode_gap_m_ = 1;
     int pieces_out_ = 0;
     sim::ToolFeedback needle_feedback_;
     std::vector<uint8_t> free_here_;  // by point of the planned line
