@@ -98,6 +98,14 @@ class ShellHarness {
         return field->text() == text;
     }
 
+    /// Chooses what a box holds under `value`, whatever its words are.
+    [[nodiscard]] bool choose(const QString& name, const QString& value) {
+        auto* box = find<QComboBox>(name);
+        if (box == nullptr || box->findData(value) < 0) return false;
+        box->setCurrentIndex(box->findData(value));
+        return true;
+    }
+
     [[nodiscard]] QString text(const QString& name) const {
         const auto* label = find<QLabel>(name);
         return label != nullptr ? label->text() : QString();

@@ -135,7 +135,7 @@ void ShellProtocolsTest::aQuestionnaireIsBuiltFromTheForm() {
     QVERIFY(press("element_add"));
     QCOMPARE(list()->count(), 3);
     QVERIFY(shell_->type("form_id", "weight"));
-    shell_->find<QComboBox>("form_kind")->setCurrentText("number");
+    QVERIFY(shell_->choose("form_kind", "number"));
     QVERIFY(shell_->type("form_text_en", "How heavy?"));
     QVERIFY(shell_->type("form_text_pl", "Jak wiele?"));
     QVERIFY(shell_->type("form_number_min", "1"));
@@ -249,7 +249,7 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QVERIFY(statusSays("not a multiple"));
     QVERIFY(shell_->type("form_block_size", "4"));
     QVERIFY(press("element_add"));
-    shell_->find<QComboBox>("form_kind")->setCurrentText("questionnaire");
+    QVERIFY(shell_->choose("form_kind", "questionnaire"));
     QVERIFY(shell_->type("form_questionnaire", "nowhere"));
     QVERIFY(statusSays("nowhere"));
     QVERIFY(shell_->type("form_questionnaire", "kinds"));

@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
+#include "ui/shell/audit_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -13,6 +14,12 @@ namespace placode::ui {
 namespace {
 
 constexpr int kShownEntries = 1000;
+
+/// The words, and behind them the code that a log or the command line names.
+bool found_in(const QTableWidgetItem& cell, const QString& wanted) {
+    return cell.text().contains(wanted, Qt::CaseInsensitive) ||
+           cell.toolTip().contains(wanted, Qt::CaseInsensitive);
+}
 
 class AuditPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(AuditPage)
@@ -44,7 +51,9 @@ class AuditPage : public Page {
             table_->setItem(
                 row, 1,
                 make_cell(entry.actor == "unknown" ? tr("nobody signed in") : qstr(entry.actor)));
-            table_->setItem(row, 2, make_cell(qstr(entry.action)));
+            QTableWidgetItem* what = make_cell(audit_words(entry.action));
+            what->setToolTip(qstr(entry.action));
+            table_->setItem(row, 2, what);
             table_->setItem(row, 3, make_cell(qstr(entry.object)));
             table_->setItem(row, 4, make_cell(qstr(entry.detail)));
             ++row;
@@ -68,7 +77,7 @@ class AuditPage : public Page {
         for (int row = 0; row < table_->rowCount(); ++row) {
             bool fits = wanted.isEmpty();
             for (int column = 0; column < table_->columnCount() && !fits; ++column)
-                fits = table_->item(row, column)->text().contains(wanted, Qt::CaseInsensitive);
+                fits = found_in(*table_->item(row, column), wanted);
             table_->setRowHidden(row, !fits);
             shown += fits ? 1 : 0;
         }

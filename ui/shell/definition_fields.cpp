@@ -6,6 +6,7 @@
 
 #include "curriculum/definitions.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
@@ -15,10 +16,29 @@ struct DefinitionFields {
 };
 using Kind = FormFieldKind;
 
-QStringList tasks() {
-    QStringList ids{QString()};
-    for (const std::string& id : curriculum::list_definitions("tasks")) ids << qstr(id);
-    return ids;
+std::vector<FormOption> tasks(AppContext& context) {
+    std::vector<FormOption> options{{QString(), DefinitionFields::tr("none")}};
+    for (const std::string& id : curriculum::list_definitions("tasks"))
+        options.push_back({qstr(id), task_title(context, id)});
+    return options;
+}
+
+std::vector<FormOption> step_kinds() {
+    return {{"consent", DefinitionFields::tr("Consent")},
+            {"questionnaire", DefinitionFields::tr("Questionnaire")},
+            {"briefing", DefinitionFields::tr("Briefing: text to read")},
+            {"familiarisation", DefinitionFields::tr("Familiarisation: free practice")},
+            {"procedure", DefinitionFields::tr("Procedure: a recorded task")}};
+}
+
+std::vector<FormOption> item_kinds() {
+    return {{"likert", DefinitionFields::tr("Likert scale")},
+            {"number", DefinitionFields::tr("Number")},
+            {"choice", DefinitionFields::tr("One choice")},
+            {"multiple", DefinitionFields::tr("Several choices")},
+            {"date", DefinitionFields::tr("Date")},
+            {"visual_analogue", DefinitionFields::tr("Visual analogue scale")},
+            {"text", DefinitionFields::tr("Text")}};
 }
 
 }  // namespace
@@ -51,17 +71,14 @@ std::vector<FormField> arms_fields() {
          Kind::kInteger}};
 }
 
-std::vector<FormField> step_fields() {
+std::vector<FormField> step_fields(AppContext& context) {
     return {{"id", DefinitionFields::tr("Id: letters, digits, _")},
-            {"kind",
-             DefinitionFields::tr("Kind"),
-             Kind::kChoice,
-             {"consent", "questionnaire", "briefing", "familiarisation", "procedure"}},
+            {"kind", DefinitionFields::tr("Kind"), Kind::kChoice, step_kinds()},
             {"title", DefinitionFields::tr("Title"), Kind::kLocal},
             {"text", DefinitionFields::tr("Text to read, a paragraph a line: English | Polish"),
              Kind::kLocalLines},
             {"questionnaire", DefinitionFields::tr("Questionnaire: its id")},
-            {"task", DefinitionFields::tr("Task"), Kind::kChoice, tasks()},
+            {"task", DefinitionFields::tr("Task"), Kind::kChoice, tasks(context)},
             {"max_s", DefinitionFields::tr("At most [s] (familiarisation)"), Kind::kNumber},
             {"time_limit_s", DefinitionFields::tr("Time limit [s] (procedure; empty = none)"),
              Kind::kNumber},
@@ -85,10 +102,7 @@ std::vector<FormField> questionnaire_fields() {
 std::vector<FormField> item_fields() {
     return {
         {"id", DefinitionFields::tr("Id: letters, digits, _")},
-        {"kind",
-         DefinitionFields::tr("Kind"),
-         Kind::kChoice,
-         {"likert", "number", "choice", "multiple", "date", "visual_analogue", "text"}},
+        {"kind", DefinitionFields::tr("Kind"), Kind::kChoice, item_kinds()},
         {"text", DefinitionFields::tr("Question"), Kind::kLocal},
         {"scale_min", DefinitionFields::tr("Scale from"), Kind::kInteger},
         {"scale_max", DefinitionFields::tr("Scale to"), Kind::kInteger},
@@ -105,6 +119,22 @@ std::vector<FormField> item_fields() {
         {"reverse", DefinitionFields::tr("Turned round in scale scores"), Kind::kFlag},
         {"identifying", DefinitionFields::tr("Names a person: leaves only with permission"),
          Kind::kFlag}};
+}
+
+QString element_name(const OrderedJson& element) {
+    const auto text_at = [&](const char* key) {
+        const auto found = element.find(key);
+        return found != element.end() && found->is_string() ? qstr(found->get<std::string>())
+                                                            : QString();
+    };
+    if (!element.is_object()) return "?";
+    QString kind = text_at("kind");
+    for (const auto& options : {step_kinds(), item_kinds()}) {
+        for (const FormOption& option : options) {
+            if (option.value == kind) kind = option.words.section(':', 0, 0);
+        }
+    }
+    return text_at("id") + "  (" + kind + ")";
 }
 
 QString empty_definition(bool study) {

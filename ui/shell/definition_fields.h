@@ -7,12 +7,17 @@
 
 namespace placode::ui {
 
+class AppContext;
+
 [[nodiscard]] std::vector<FormField> study_fields();
 [[nodiscard]] std::vector<FormField> consent_fields();
 [[nodiscard]] std::vector<FormField> arms_fields();
-[[nodiscard]] std::vector<FormField> step_fields();
+[[nodiscard]] std::vector<FormField> step_fields(AppContext& context);
 [[nodiscard]] std::vector<FormField> questionnaire_fields();
 [[nodiscard]] std::vector<FormField> item_fields();
+
+/// What a list of steps or items calls an element: "procedure_1 (Procedure)".
+[[nodiscard]] QString element_name(const OrderedJson& element);
 
 /// The least definition that is right.
 [[nodiscard]] QString empty_definition(bool study);

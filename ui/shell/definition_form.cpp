@@ -183,10 +183,13 @@ void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
         case FormFieldKind::kChoice: {
             auto* box = new QComboBox;
             box->setObjectName(name);
-            box->addItems(field.options);
-            box->setCurrentText(text_of(value));
-            connect(box, &QComboBox::currentTextChanged, this, [this, key](const QString& text) {
-                set(key, read(text, FormFieldKind::kText));
+            for (const FormOption& option : field.options) box->addItem(option.words, option.value);
+            const QString now = text_of(value);
+            // What this program does not know stays as it is until another is chosen.
+            if (box->findData(now) < 0) box->addItem(now, now);
+            box->setCurrentIndex(box->findData(now));
+            connect(box, &QComboBox::currentIndexChanged, this, [this, key, box] {
+                set(key, read(box->currentData().toString(), FormFieldKind::kText));
             });
             column->addLayout(make_field(field.label, box));
             return;
@@ -245,14 +248,6 @@ void DefinitionForm::addLines(QVBoxLayout* column, const FormField& field) {
         set(key, list.empty() ? OrderedJson() : list);
     });
     column->addLayout(make_field(field.label, edit));
-}
-
-QString element_name(const OrderedJson& element) {
-    if (!element.is_object()) return "?";
-    const auto at = [&](const char* key) {
-        return element.contains(key) ? text_of(element[key]) : QString();
-    };
-    return at("id") + "  (" + at("kind") + ")";
 }
 
 }  // namespace placode::ui

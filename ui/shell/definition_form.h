@@ -29,11 +29,16 @@ enum class FormFieldKind : uint8_t {
     kScales     ///< [{"id", "title", "items", "method"}, ..]: "id | mean A B C | english | polish".
 };
 
+/// A choice: what the definition holds, and what is read.
+struct FormOption {
+    QString value, words;
+};
+
 struct FormField {
     const char* key;
     QString label;
     FormFieldKind kind = FormFieldKind::kText;
-    QStringList options = {};
+    std::vector<FormOption> options = {};
     bool default_flag = false;  ///< kFlag: what an absent key means; that value is not written.
 };
 
@@ -51,8 +56,5 @@ class DefinitionForm : public QWidget {
 
     OrderedJson* object_ = nullptr;
 };
-
-/// What a list of steps or items calls an element: "procedure_1 (procedure)".
-[[nodiscard]] QString element_name(const OrderedJson& element);
 
 }  // namespace placode::ui

@@ -141,6 +141,7 @@ void MainWindow::goBack() {
     if (trail_.empty()) return showPlace(home());
     const Place last = trail_.back();
     trail_.pop_back();
+    banner_->hide();
     showPlace(last);
 }
 

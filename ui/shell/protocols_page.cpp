@@ -278,7 +278,7 @@ class ProtocolsPage : public Page {
         else {
             OrderedJson& element = elements()[static_cast<size_t>(row - firstRow())];
             if (!element.is_object()) element = OrderedJson::object();
-            form_->showObject(&element, isStudy() ? step_fields() : item_fields());
+            form_->showObject(&element, isStudy() ? step_fields(context_) : item_fields());
         }
     }
 

@@ -329,6 +329,289 @@
     </message>
 </context>
 <context>
+    <name>AuditWords</name>
+    <message>
+        <source>imported an attempt</source>
+        <translation>zaimportowano próbę</translation>
+    </message>
+    <message>
+        <source>scored an attempt again</source>
+        <translation>ponownie oceniono próbę</translation>
+    </message>
+    <message>
+        <source>saved an attempt</source>
+        <translation>zapisano próbę</translation>
+    </message>
+    <message>
+        <source>declared an attempt void</source>
+        <translation>unieważniono próbę</translation>
+    </message>
+    <message>
+        <source>wrote a comment</source>
+        <translation>dodano komentarz</translation>
+    </message>
+    <message>
+        <source>removed a comment</source>
+        <translation>usunięto komentarz</translation>
+    </message>
+    <message>
+        <source>brought a comment back</source>
+        <translation>przywrócono komentarz</translation>
+    </message>
+    <message>
+        <source>sealed a consent form</source>
+        <translation>opieczętowano formularz zgody</translation>
+    </message>
+    <message>
+        <source>assigned a course</source>
+        <translation>przydzielono kurs</translation>
+    </message>
+    <message>
+        <source>issued a certificate</source>
+        <translation>wystawiono certyfikat</translation>
+    </message>
+    <message>
+        <source>granted more attempts</source>
+        <translation>przyznano dodatkowe próby</translation>
+    </message>
+    <message>
+        <source>published a course</source>
+        <translation>opublikowano kurs</translation>
+    </message>
+    <message>
+        <source>took a course back</source>
+        <translation>cofnięto przydział kursu</translation>
+    </message>
+    <message>
+        <source>began an exam</source>
+        <translation>rozpoczęto egzamin</translation>
+    </message>
+    <message>
+        <source>exported a cohort</source>
+        <translation>wyeksportowano dane grupy</translation>
+    </message>
+    <message>
+        <source>made a group</source>
+        <translation>utworzono grupę</translation>
+    </message>
+    <message>
+        <source>changed who is in a group</source>
+        <translation>zmieniono skład grupy</translation>
+    </message>
+    <message>
+        <source>exported a norm pack</source>
+        <translation>wyeksportowano pakiet norm</translation>
+    </message>
+    <message>
+        <source>took in a norm pack</source>
+        <translation>przyjęto pakiet norm</translation>
+    </message>
+    <message>
+        <source>made the centre&apos;s signing key</source>
+        <translation>utworzono klucz podpisu ośrodka</translation>
+    </message>
+    <message>
+        <source>trusted another centre&apos;s key</source>
+        <translation>zaufano kluczowi innego ośrodka</translation>
+    </message>
+    <message>
+        <source>put a norm pack to use</source>
+        <translation>zastosowano pakiet norm</translation>
+    </message>
+    <message>
+        <source>published a questionnaire</source>
+        <translation>opublikowano kwestionariusz</translation>
+    </message>
+    <message>
+        <source>rated an attempt</source>
+        <translation>oceniono próbę (ocena eksperta)</translation>
+    </message>
+    <message>
+        <source>deleted a recovered recording</source>
+        <translation>usunięto odzyskane nagranie</translation>
+    </message>
+    <message>
+        <source>wrote a cohort&apos;s report</source>
+        <translation>utworzono raport grupy</translation>
+    </message>
+    <message>
+        <source>wrote a study&apos;s figures</source>
+        <translation>zapisano wykresy badania</translation>
+    </message>
+    <message>
+        <source>wrote an attempt&apos;s report</source>
+        <translation>utworzono raport próby</translation>
+    </message>
+    <message>
+        <source>wrote a study&apos;s report</source>
+        <translation>utworzono raport badania</translation>
+    </message>
+    <message>
+        <source>wrote a trainee&apos;s report</source>
+        <translation>utworzono raport szkolącego się</translation>
+    </message>
+    <message>
+        <source>published a rubric</source>
+        <translation>opublikowano kryteria oceny</translation>
+    </message>
+    <message>
+        <source>locked the station</source>
+        <translation>zablokowano stanowisko</translation>
+    </message>
+    <message>
+        <source>signed in</source>
+        <translation>zalogowano się</translation>
+    </message>
+    <message>
+        <source>tried to sign in to a deactivated account</source>
+        <translation>próba logowania na wyłączone konto</translation>
+    </message>
+    <message>
+        <source>came back with the PIN</source>
+        <translation>powrót po podaniu PIN</translation>
+    </message>
+    <message>
+        <source>wrong password</source>
+        <translation>błędne hasło</translation>
+    </message>
+    <message>
+        <source>wrong PIN</source>
+        <translation>błędny PIN</translation>
+    </message>
+    <message>
+        <source>set a pass mark</source>
+        <translation>ustalono próg zaliczenia</translation>
+    </message>
+    <message>
+        <source>saved the station&apos;s devices</source>
+        <translation>zapisano urządzenia stanowiska</translation>
+    </message>
+    <message>
+        <source>made a backup</source>
+        <translation>utworzono kopię zapasową</translation>
+    </message>
+    <message>
+        <source>restored a backup</source>
+        <translation>przywrócono kopię zapasową</translation>
+    </message>
+    <message>
+        <source>saved a questionnaire&apos;s answers</source>
+        <translation>zapisano odpowiedzi kwestionariusza</translation>
+    </message>
+    <message>
+        <source>saved a signed consent</source>
+        <translation>zapisano podpisaną zgodę</translation>
+    </message>
+    <message>
+        <source>looked at a consent&apos;s signature</source>
+        <translation>obejrzano podpis pod zgodą</translation>
+    </message>
+    <message>
+        <source>corrected an answer</source>
+        <translation>poprawiono odpowiedź</translation>
+    </message>
+    <message>
+        <source>made a study&apos;s key of names</source>
+        <translation>utworzono klucz nazwisk badania</translation>
+    </message>
+    <message>
+        <source>named a participant in the key</source>
+        <translation>wpisano nazwisko uczestnika do klucza</translation>
+    </message>
+    <message>
+        <source>opened a study&apos;s key of names</source>
+        <translation>otwarto klucz nazwisk badania</translation>
+    </message>
+    <message>
+        <source>took in a participant</source>
+        <translation>włączono uczestnika</translation>
+    </message>
+    <message>
+        <source>published a protocol</source>
+        <translation>opublikowano protokół</translation>
+    </message>
+    <message>
+        <source>locked a participant&apos;s record</source>
+        <translation>zamknięto dokumentację uczestnika</translation>
+    </message>
+    <message>
+        <source>signed a participant&apos;s record</source>
+        <translation>podpisano dokumentację uczestnika</translation>
+    </message>
+    <message>
+        <source>unlocked a participant&apos;s record</source>
+        <translation>otwarto dokumentację uczestnika</translation>
+    </message>
+    <message>
+        <source>entered a questionnaire a second time</source>
+        <translation>wprowadzono kwestionariusz po raz drugi</translation>
+    </message>
+    <message>
+        <source>went through a step of a protocol</source>
+        <translation>wykonano krok protokołu</translation>
+    </message>
+    <message>
+        <source>withdrew a participant</source>
+        <translation>wycofano uczestnika</translation>
+    </message>
+    <message>
+        <source>activated an account</source>
+        <translation>włączono konto</translation>
+    </message>
+    <message>
+        <source>asked for erasure</source>
+        <translation>poproszono o usunięcie danych</translation>
+    </message>
+    <message>
+        <source>created an account</source>
+        <translation>utworzono konto</translation>
+    </message>
+    <message>
+        <source>took a copy of the own data</source>
+        <translation>pobrano kopię własnych danych</translation>
+    </message>
+    <message>
+        <source>deactivated an account</source>
+        <translation>wyłączono konto</translation>
+    </message>
+    <message>
+        <source>erased a person</source>
+        <translation>usunięto dane osoby</translation>
+    </message>
+    <message>
+        <source>invited somebody</source>
+        <translation>zaproszono osobę</translation>
+    </message>
+    <message>
+        <source>followed an invitation</source>
+        <translation>skorzystano z zaproszenia</translation>
+    </message>
+    <message>
+        <source>changed a password</source>
+        <translation>zmieniono hasło</translation>
+    </message>
+    <message>
+        <source>set a PIN</source>
+        <translation>ustawiono PIN</translation>
+    </message>
+    <message>
+        <source>removed the PIN</source>
+        <translation>usunięto PIN</translation>
+    </message>
+    <message>
+        <source>exported a study as %1</source>
+        <translation>wyeksportowano badanie jako %1</translation>
+    </message>
+    <message>
+        <source>wrote the analysis %1</source>
+        <translation>zapisano analizę %1</translation>
+    </message>
+    <message>
+        <source>used a study&apos;s key of names: %1</source>
+        <translation>użyto klucza nazwisk badania: %1</translation>
+    </message>
+</context>
+<context>
     <name>CohortPage</name>
     <message>
         <source>Cohort</source>
@@ -5289,6 +5572,58 @@
     <message>
         <source>Names a person: leaves only with permission</source>
         <translation>Wskazuje osobę: opuszcza program tylko za zgodą</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Zgoda</translation>
+    </message>
+    <message>
+        <source>Questionnaire</source>
+        <translation>Kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Briefing: text to read</source>
+        <translation>Instruktaż: tekst do przeczytania</translation>
+    </message>
+    <message>
+        <source>Familiarisation: free practice</source>
+        <translation>Zapoznanie: swobodne ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Procedure: a recorded task</source>
+        <translation>Procedura: nagrywane zadanie</translation>
+    </message>
+    <message>
+        <source>Likert scale</source>
+        <translation>Skala Likerta</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Liczba</translation>
+    </message>
+    <message>
+        <source>One choice</source>
+        <translation>Jedna odpowiedź</translation>
+    </message>
+    <message>
+        <source>Several choices</source>
+        <translation>Kilka odpowiedzi</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Data</translation>
+    </message>
+    <message>
+        <source>Visual analogue scale</source>
+        <translation>Wizualna skala analogowa</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Tekst</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>brak</translation>
     </message>
 </context>
 <context>
