@@ -149,6 +149,8 @@ HeatState::HeatState(const HeatModel& model, int vertices, int)
       charred(vertices, 0.0f),
       warm(vertices, 0),
       warm_list(vertices, -1),
+      in_order(vertices, -1),
+      wakes(vertices, 0),
       power_w(vertices, 0.0),
       enthalpy_j(vertices, 0.0),
       capacity_j_k(model.capacity_j_k_.begin(), model.capacity_j_k_.end()),
@@ -162,6 +164,16 @@ struct HeatStepper {
     const SoftBody& body;
     const HeatModel& model;
     HeatState& state;
+
+    /// A look at every vertex: a sort of what has come in would not be cheaper.
+    void put_in_order() const noexcept {
+        if (state.ordered_count == state.warm_count) return;
+        int count = 0;
+        for (int v = 0; v < static_cast<int>(state.warm.size()); ++v) {
+            if (state.warm[v] == 1) state.in_order[count++] = v;
+        }
+        state.ordered_count = count;
+    }
 
     /// Boils what is above 100 C while there is water, then temperature from enthalpy. The latent
     /// heat leaves with the steam at once, so that dry tissue cools like any other.
@@ -183,42 +195,56 @@ struct HeatStepper {
         state.temperature_c[v] = static_cast<float>(base + h / c);
     }
 
-    /// Heat flow into every warm vertex; wakes the neighbours of warm ones for the next step. Both
-    /// ends of an edge use the same number, so nothing is lost on the way.
+    /// Heat flow into every warm vertex. Both ends of an edge use the same number, so nothing is
+    /// lost on the way.
     void conduct() const noexcept {
         const double base = model.settings_.body_temperature_c;
         const double reference = std::max(base, model.settings_.gas_temperature_c);
-        const int count = state.warm_count;
-        for (int n = 0; n < count; ++n) {
-            const int i = state.warm_list[n];
+        for (int n = 0; n < state.ordered_count; ++n) {
+            const int i = state.in_order[n];
             const float ti = state.temperature_c[i];
             const bool wakes = std::abs(ti - base) > kSpreadK;
             double sum = 0;
+            bool at_edge = false;
             for (int e = model.edge_start_[i]; e < model.edge_start_[i + 1]; ++e) {
                 const int j = model.edge_to_[e];
-                if (state.warm[j] == 1) {
+                if (state.warm[j] == 1)
                     sum += static_cast<double>(state.edge_w_k[e]) * (state.temperature_c[j] - ti);
-                } else if (wakes && state.warm[j] == 0 && state.edge_w_k[e] != 0) {
-                    state.warm[j] = 2;  // from the next step on
-                    state.warm_list[state.warm_count++] = j;
-                }
+                else
+                    at_edge = true;
             }
             const double excess = ti - reference;
             const double cooling =
                 excess > 0 ? model.settings_.surface_cooling_w_m2k * state.exposed_m2[i] * excess
                            : 0.0;
+            state.wakes[i] = wakes && at_edge ? 1 : 0;
             state.flux_w[i] = sum - cooling;
             state.power_w[i] = std::max(state.power_w[i], 0.0);
             cooling_w += cooling;
         }
-        for (int n = count; n < state.warm_count; ++n) state.warm[state.warm_list[n]] = 1;
+    }
+
+    /// Neighbours of warm vertices take part from the next step on, in the order in which warmth
+    /// came to the vertices.
+    void spread() const noexcept {
+        const int count = state.warm_count;
+        for (int n = 0; n < count; ++n) {
+            const int i = state.warm_list[n];
+            if (state.wakes[i] == 0) continue;
+            for (int e = model.edge_start_[i]; e < model.edge_start_[i + 1]; ++e) {
+                const int j = model.edge_to_[e];
+                if (state.warm[j] != 0 || state.edge_w_k[e] == 0) continue;
+                state.warm[j] = 1;
+                state.warm_list[state.warm_count++] = j;
+            }
+        }
     }
 
     /// New enthalpies, temperatures and damage of the vertices that were warm.
-    void advance(int count, double dt) const noexcept {
+    void advance(double dt) const noexcept {
         const HeatSettings& s = model.settings_;
-        for (int n = 0; n < count; ++n) {
-            const int v = state.warm_list[n];
+        for (int n = 0; n < state.ordered_count; ++n) {
+            const int v = state.in_order[n];
             state.enthalpy_j[v] += dt * (state.flux_w[v] + state.power_w[v]);
             state.energy_in_j += dt * state.power_w[v];
             const double before = state.temperature_c[v];
@@ -321,10 +347,11 @@ int step_heat(const SoftBody& body, const HeatModel& model, HeatState& state,
     const int steps = std::max(1, static_cast<int>(std::ceil(dt / model.stable_step_s())));
     HeatStepper stepper{body, model, state};
     for (int n = 0; n < steps; ++n) {
-        const int count = state.warm_count;
+        stepper.put_in_order();
         stepper.cooling_w = 0;
         stepper.conduct();
-        stepper.advance(count, dt / steps);
+        stepper.spread();
+        stepper.advance(dt / steps);
         state.energy_lost_j += stepper.cooling_w * dt / steps;
     }
     for (int n = 0; n < state.warm_count; ++n) state.power_w[state.warm_list[n]] = 0;

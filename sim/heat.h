@@ -75,6 +75,10 @@ struct HeatState {
     std::vector<uint8_t> warm;         ///< (V)
     std::vector<int32_t> warm_list;    ///< Warm vertices, first `warm_count`.
     int warm_count = 0;
+    /// The same vertices in rising order, kept by step_heat(): memory is read forwards.
+    std::vector<int32_t> in_order;
+    int ordered_count = 0;
+    std::vector<uint8_t> wakes;        ///< (V) scratch of one step: 1 = warm beside what is not
     std::vector<double> power_w;       ///< (V) source of this step, cleared by it
     std::vector<double> enthalpy_j;    ///< (V) above body temperature: the state proper
     std::vector<double> capacity_j_k;  ///< (V) of the tets still there
