@@ -39,7 +39,10 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
     // may have moved since.
     const bool refit = state.frame % 2 == 0 || set.fitted != state.surface.version();
     if (refit && !state.sleep.still()) {
-        state.surface.refit(state.body.x);
+        if (state.sleep.enabled())
+            state.surface.refit(state.body.x, state.sleep.leaf_moves);
+        else
+            state.surface.refit(state.body.x);
         set.fitted = state.surface.version();
     }
     const double stale = refit ? 0 : kTissueReach;
@@ -64,7 +67,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
                 const Vec3 high(box.high[0], box.high[1], box.high[2]);
                 const double radius = 0.5 * (high - low).norm() + stale;
                 const Vec3 centre_T = to_tool * (0.5 * (low + high));
-                return signed_distance(shape, centre_T).value_m > limit + radius;
+                return distance_value(shape, centre_T) > limit + radius;
             },
             [&](int i) noexcept {
                 const auto& v = triangles[i].vertex;
@@ -75,7 +78,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
                     std::sqrt(std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(),
                                         (c - centre).squaredNorm()}));
                 const Vec3 centre_T = to_tool * centre;
-                const double distance = signed_distance(shape, centre_T).value_m;
+                const double distance = distance_value(shape, centre_T);
                 if (distance > limit + radius) return;
                 if (set.candidate_count == static_cast<int>(set.candidates.size())) {
                     state.flags |= kContactsDropped;

@@ -7,6 +7,7 @@
 #include "sim/packing.h"
 #include "sim/space_order.h"
 #include "sim/step_scratch.h"
+#include "sim/surface_tree.h"
 #include "sim/topology.h"
 
 namespace placode::sim {
@@ -49,6 +50,17 @@ bool batch_awake(const Sleep& sleep, const VertexBatch& batch) noexcept {
         if (block < 0 || sleep.asleep[at(block)] == 0) return true;
     }
     return false;
+}
+
+void mark_leaves(Sleep& sleep) noexcept {
+    for (size_t n = 0; n + 1 < sleep.leaf_start.size(); ++n) {
+        uint8_t moves = 0;
+        for (int32_t i = sleep.leaf_start[n]; i < sleep.leaf_start[n + 1]; ++i) {
+            const int32_t b = sleep.leaf_block[at(i)];
+            if (b == sleep.blocks() || sleep.asleep[at(b)] == 0) moves = 1;
+        }
+        sleep.leaf_moves[n] = moves;
+    }
 }
 
 /// Runs of batches and vertices, and who is beside whom, after blocks woke or fell asleep.
@@ -101,6 +113,7 @@ void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept
             if (sleep.vertex_asleep[at(sleep.border[at(i)])] == 0) sleep.beside[at(b)] = 1;
         }
     }
+    mark_leaves(sleep);
 }
 
 /// Around new copies of vertices nothing sleeps any more: borders know the mesh as it was.
@@ -218,6 +231,27 @@ Sleep::Sleep(const SoftBody& body) {
     since.resize(member.size());
     before.resize(border.size());
     chunk.resize((at(body.vertex_capacity()) + kChunk - 1) / kChunk);
+}
+
+void Sleep::follow_leaves(const SurfaceTree& tree, const TetMesh& mesh) {
+    if (!enabled()) return;
+    std::vector<std::vector<int32_t>> in(at(tree.nodes()));
+    std::vector<int32_t> home = block;
+    for (const int32_t v : unblocked) home[at(v)] = blocks();
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        auto& leaf = in[at(tree.leaf_of(static_cast<int>(t)))];
+        for (const int32_t v : mesh.tets[t]) {
+            if (home[at(v)] >= 0) leaf.push_back(home[at(v)]);  // what is fixed does not move
+        }
+    }
+    for (auto& leaf : in) {
+        std::sort(leaf.begin(), leaf.end());
+        leaf.erase(std::unique(leaf.begin(), leaf.end()), leaf.end());
+        leaf_start.push_back(static_cast<int32_t>(leaf_block.size()));
+        leaf_block.insert(leaf_block.end(), leaf.begin(), leaf.end());
+    }
+    leaf_start.push_back(static_cast<int32_t>(leaf_block.size()));
+    leaf_moves.assign(in.size(), 1);
 }
 
 void wake_tissue(const Scene& scene, State& state) noexcept {

@@ -19,10 +19,14 @@ namespace placode::sim {
 
 struct Scene;
 struct State;
+class SurfaceTree;
 
 /// Sized by the constructor, never grows.
 struct Sleep {
     explicit Sleep(const SoftBody& body);
+
+    /// Learns which blocks lie in which leaf of the surface's tree.
+    void follow_leaves(const SurfaceTree& tree, const TetMesh& mesh);
 
     [[nodiscard]] bool enabled() const noexcept { return !calm.empty(); }
     [[nodiscard]] int blocks() const noexcept { return static_cast<int>(calm.size()); }
@@ -37,10 +41,12 @@ struct Sleep {
     }
 
     // constant
-    std::vector<int32_t> block;                 ///< (V) -1 = none: fixed, tethered.
-    std::vector<int32_t> member_start, member;  ///< Vertices of a block.
-    std::vector<int32_t> border_start, border;  ///< Movable vertices next to a block.
-    std::vector<int32_t> unblocked;             ///< Movable vertices without a block.
+    std::vector<int32_t> block;                   ///< (V) -1 = none: fixed, tethered.
+    std::vector<int32_t> member_start, member;    ///< Vertices of a block.
+    std::vector<int32_t> border_start, border;    ///< Movable vertices next to a block.
+    std::vector<int32_t> unblocked;               ///< Movable vertices without a block.
+    std::vector<int32_t> leaf_start, leaf_block;  ///< Blocks in a node of the surface's tree;
+                                                  ///< `blocks()` stands for what has none.
     // changing
     std::vector<uint8_t> asleep, calm;         ///< (blocks) calm: looks in a row.
     std::vector<uint8_t> restless;             ///< (blocks) 1 = was cut and never sleeps again.
@@ -48,7 +54,8 @@ struct Sleep {
     std::vector<std::array<float, 3>> since;   ///< (members) where they were when calm began.
     std::vector<std::array<float, 3>> before;  ///< (borders) where they were when it fell asleep.
     std::vector<uint8_t> vertex_asleep;        ///< (V + spares) 1 = not solved, or fixed.
-    std::vector<uint8_t> chunk;                ///< (ceil((V + spares) / 16)) private.
+    std::vector<uint8_t> leaf_moves;  ///< (nodes of the surface's tree) 1 = has awake vertices.
+    std::vector<uint8_t> chunk;       ///< (ceil((V + spares) / 16)) private.
     int asleep_count = 0;
     int32_t known_vertices = 0;  ///< Copies up to here have been looked at.
 };

@@ -51,6 +51,7 @@ State::State(const Scene& scene, int threads)
       last_substeps(substeps),
       workers(std::make_unique<Workers>(threads)),
       scratch(std::make_unique<Scratch>(scene)) {
+    sleep.follow_leaves(surface.tree(), scene.body.mesh());
     for (auto& row : tool_side) row.fill(Vec3::Zero());
     scratch->cut = make_cut_tables(scene, progress);
     pieces.of.assign(scene.body.tet_count(), -1);

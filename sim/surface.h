@@ -60,6 +60,10 @@ class SurfaceState {
     /// Boxes around the triangles; refit before asking. Slots are indices into triangles().
     [[nodiscard]] const SurfaceTree& tree() const noexcept { return tree_; }
     void refit(std::span<const Float4> x) noexcept { tree_.refit(triangles(), x); }
+    /// The same where only leaves of `moves` (by node) have moved, and what was cut.
+    void refit(std::span<const Float4> x, std::span<const uint8_t> moves) noexcept {
+        tree_.refit(triangles(), x, moves);
+    }
     /// True when the face of `tet` opposite to local vertex `f` is boundary.
     [[nodiscard]] bool on_surface(int tet, int f) const noexcept {
         return slot_of_face_[4 * tet + f] >= 0;

@@ -44,6 +44,9 @@ SurfaceTree::SurfaceTree(const TetMesh& mesh, size_t capacity, size_t tet_capaci
     build(centroid, order, 0, static_cast<int>(order.size()), -1);
     count_.assign(boxes_.size(), 0);
     first_.assign(boxes_.size(), -1);
+    pending_.assign(boxes_.size(), 1);
+    moved_.assign(boxes_.size(), 1);
+    fresh_.assign(boxes_.size(), 0);
 }
 
 int SurfaceTree::build(const std::vector<Vec3>& centroid, std::vector<int32_t>& order, int first,
@@ -82,6 +85,7 @@ void SurfaceTree::insert(int slot, int tet) noexcept {
     previous_[slot] = -1;
     if (head >= 0) previous_[head] = slot;
     first_[leaf] = slot;
+    pending_[leaf] = 1;
     for (int32_t n = leaf; n >= 0; n = parent_[n]) ++count_[n];
 }
 
@@ -90,6 +94,7 @@ void SurfaceTree::remove(int slot) noexcept {
     (before >= 0 ? next_[before] : first_[leaf]) = behind;
     if (behind >= 0) previous_[behind] = before;
     leaf_[slot] = next_[slot] = previous_[slot] = -1;
+    pending_[leaf] = 1;
     for (int32_t n = leaf; n >= 0; n = parent_[n]) --count_[n];
 }
 
@@ -104,29 +109,47 @@ void SurfaceTree::renumber(int from, int to) noexcept {
     leaf_[from] = next_[from] = previous_[from] = -1;
 }
 
-void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles,
-                        std::span<const Float4> x) noexcept {
+void SurfaceTree::fit(int node, std::span<const SurfaceTriangle> triangles,
+                      std::span<const Float4> x) noexcept {
     const Lanes huge = {kHuge, kHuge, kHuge, kHuge};
-    for (int n = static_cast<int>(boxes_.size()) - 1; n >= 0; --n) {
-        if (count_[n] == 0) continue;
-        Lanes low = huge, high = -huge;
-        if (after_[n] == n + 1) {
-            for (int32_t s = first_[n]; s >= 0; s = next_[s]) {
-                for (const int32_t v : triangles[s].vertex) {
-                    const Lanes p = load(x[v]);
-                    low = least(p, low);
-                    high = most(p, high);
-                }
-            }
-        } else {
-            for (const int child : {n + 1, static_cast<int>(after_[n + 1])}) {
-                if (count_[child] == 0) continue;
-                low = least(low, load(boxes_[child].low));
-                high = most(high, load(boxes_[child].high));
+    Lanes low = huge, high = -huge;
+    if (after_[node] == node + 1) {
+        for (int32_t s = first_[node]; s >= 0; s = next_[s]) {
+            for (const int32_t v : triangles[s].vertex) {
+                const Lanes p = load(x[v]);
+                low = least(p, low);
+                high = most(p, high);
             }
         }
-        store(boxes_[n].low, low);
-        store(boxes_[n].high, high);
+    } else {
+        for (const int child : {node + 1, static_cast<int>(after_[node + 1])}) {
+            if (count_[child] == 0) continue;
+            low = least(low, load(boxes_[child].low));
+            high = most(high, load(boxes_[child].high));
+        }
+    }
+    store(boxes_[node].low, low);
+    store(boxes_[node].high, high);
+}
+
+void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles,
+                        std::span<const Float4> x) noexcept {
+    for (int n = nodes() - 1; n >= 0; --n) {
+        if (count_[n] != 0) fit(n, triangles, x);
+    }
+}
+
+void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x,
+                        std::span<const uint8_t> moves) noexcept {
+    for (int n = nodes() - 1; n >= 0; --n) {
+        if (after_[n] == n + 1) {
+            fresh_[n] = moves[n] | moved_[n] | pending_[n];
+            moved_[n] = moves[n];
+            pending_[n] = 0;
+        } else {
+            fresh_[n] = fresh_[n + 1] | fresh_[after_[n + 1]];
+        }
+        if (fresh_[n] != 0 && count_[n] != 0) fit(n, triangles, x);
     }
 }
 

@@ -35,6 +35,12 @@ class SurfaceTree {
 
     /// Boxes from the present positions. Sum over the leaves: every triangle is read once.
     void refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x) noexcept;
+    /// The same boxes from fewer reads: only leaves where `moves` (by node) is not 0 or was not at
+    /// the last call, and those that got or lost triangles, are looked at.
+    void refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x,
+               std::span<const uint8_t> moves) noexcept;
+    [[nodiscard]] int nodes() const noexcept { return static_cast<int>(boxes_.size()); }
+    [[nodiscard]] int leaf_of(int tet) const noexcept { return leaf_of_tet_[tet]; }
 
     struct Box {
         std::array<float, 4> low{}, high{};  ///< [m]; the fourth is padding.
@@ -63,6 +69,8 @@ class SurfaceTree {
  private:
     int build(const std::vector<Vec3>& centroid, std::vector<int32_t>& order, int first, int last,
               int parent);
+    void fit(int node, std::span<const SurfaceTriangle> triangles,
+             std::span<const Float4> x) noexcept;
 
     std::vector<Box> boxes_;
     std::vector<int32_t> after_;   // node behind the whole branch; n + 1 = leaf
@@ -71,6 +79,9 @@ class SurfaceTree {
     std::vector<int32_t> first_;   // of the list of a leaf, -1 = none
     std::vector<int32_t> leaf_of_tet_;
     std::vector<int32_t> leaf_, next_, previous_;  // by slot
+    std::vector<uint8_t> pending_;  // by node: 1 = the box may be wrong whatever moves
+    std::vector<uint8_t> moved_;    // by node: `moves` of the last refit
+    std::vector<uint8_t> fresh_;    // by node: fitted in this refit
 };
 
 }  // namespace placode::sim

@@ -126,30 +126,60 @@ ToolShape make_tool_shape(const ToolSpec& spec) noexcept {
 
 // In the half plane (distance from the axis, distance behind the near end) the surface is an arc, a
 // straight flank tangent to both arcs, and an arc. Source: Quilez, "Round cone" distance function.
-Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
+namespace {
+
+/// Where a point lies beside a round cone, in the half-plane of the axis.
+struct Beside {
+    double rho = 0, s = 0;  // from the axis; behind the first centre
+    double a = 0, b = 0;    // cosine and sine of the cone's half angle
+    double value_m = 0;
+    int end = 0;  // -1 = at the first sphere, 1 = at the last, 0 = between them
+};
+
+Beside beside(const RoundCone& part, const Vec3& p_T) noexcept {
+    Beside at;
     const double h = part.far_m - part.near_m;
-    const double b = (part.near_radius_m - part.far_radius_m) / h;
-    const double a = std::sqrt(1 - b * b);
-    const double rho = length2(p_T.x(), p_T.y());
-    const double s = -p_T.z() - part.near_m;
-    const Vec3 radial = rho > 1e-12 ? Vec3(p_T.x() / rho, p_T.y() / rho, 0) : Vec3::UnitX();
-    const double k = -b * rho + a * s;
+    at.b = (part.near_radius_m - part.far_radius_m) / h;
+    at.a = std::sqrt(1 - at.b * at.b);
+    at.rho = length2(p_T.x(), p_T.y());
+    at.s = -p_T.z() - part.near_m;
+    const double k = -at.b * at.rho + at.a * at.s;
+    if (k >= 0 && k <= at.a * h) {
+        at.value_m = at.a * at.rho + at.b * at.s - part.near_radius_m;
+        return at;
+    }
+    at.end = k < 0 ? -1 : 1;
+    if (at.end > 0) at.s -= h;
+    at.value_m = length2(at.rho, at.s) - (at.end < 0 ? part.near_radius_m : part.far_radius_m);
+    return at;
+}
+
+}  // namespace
+
+Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
+    const Beside at = beside(part, p_T);
     Distance d;
-    if (k >= 0 && k <= a * h) {
-        d.value_m = a * rho + b * s - part.near_radius_m;
-        d.gradient = a * radial - b * Vec3::UnitZ();
+    d.value_m = at.value_m;
+    const Vec3 radial =
+        at.rho > 1e-12 ? Vec3(p_T.x() / at.rho, p_T.y() / at.rho, 0) : Vec3::UnitX();
+    if (at.end == 0) {
+        d.gradient = at.a * radial - at.b * Vec3::UnitZ();
         return d;
     }
-    const bool near = k < 0;
-    const double z = near ? s : s - h;
-    const double length = length2(rho, z);
-    d.value_m = length - (near ? part.near_radius_m : part.far_radius_m);
+    const double length = length2(at.rho, at.s);
     if (length > 1e-12) {
-        d.gradient = (rho / length) * radial - (z / length) * Vec3::UnitZ();
+        d.gradient = (at.rho / length) * radial - (at.s / length) * Vec3::UnitZ();
     } else {
-        d.gradient = Vec3(0, 0, near ? 1 : -1);
+        d.gradient = Vec3(0, 0, at.end < 0 ? 1 : -1);
     }
     return d;
+}
+
+double distance_value(const ToolShape& shape, const Vec3& p_T) noexcept {
+    double best = beside(shape.parts[0], p_T).value_m;
+    for (int i = 1; i < shape.count; ++i)
+        best = std::min(best, beside(shape.parts[i], p_T).value_m);
+    return best;
 }
 
 Distance signed_distance(const ToolShape& shape, const Vec3& p_T) noexcept {
@@ -202,7 +232,7 @@ TriangleDistance nearest_on_triangle(const ToolShape& shape, const Triangle& tri
     for (int i = 0; i < shape.count; ++i) {
         const RoundCone& part = shape.parts[i];
         // The distance changes by no more than the way, so most triangles end here.
-        if (signed_distance(part, centre).value_m > best.value_m + size) continue;
+        if (beside(part, centre).value_m > best.value_m + size) continue;
         bool pierced = false;
         Vec3 w = nearest_to_axis(part, tri, pierced);
         Vec3 x = w.x() * tri[0] + w.y() * tri[1] + w.z() * tri[2];

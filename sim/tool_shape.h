@@ -46,6 +46,9 @@ struct Distance {
 /// bound of the true depth where parts overlap.
 [[nodiscard]] Distance signed_distance(const ToolShape& shape, const Vec3& p_T) noexcept;
 
+/// The value of signed_distance() alone, to the last bit: for the many places that are far away.
+[[nodiscard]] double distance_value(const ToolShape& shape, const Vec3& p_T) noexcept;
+
 /// Closest points of segment p0-p1 and segment q0-q1: returns the squared distance, `s` and `t` say
 /// how far along each. Source: Ericson 2005, section 5.1.9.
 double segment_segment(const Vec3& p0, const Vec3& p1, const Vec3& q0, const Vec3& q1, double& s,

@@ -63,6 +63,32 @@ TEST(Sleep, ANeedleWakesItsSurroundingsOnly) {
     EXPECT_FALSE(state.body.awake.all);
 }
 
+TEST(Sleep, TheSurfaceTreeKnowsEveryTriangleThoughMostSleep) {
+    const Scene scene = box_scene(sheet(true));
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    for (int n = 0; n < 300; ++n) {
+        ToolFeedback feedback;
+        frame(scene, state, upright(press(n)), feedback);
+        if (n % 10 != 0) continue;
+        // As the last refit left them, up to what tissue moves in two frames.
+        constexpr float kMoved = 1e-5F;
+        const SurfaceTree::Box* box = nullptr;
+        state.surface.tree().walk(
+            [&](const SurfaceTree::Box& next) {
+                box = &next;
+                return false;
+            },
+            [&](int i) {
+                for (const int32_t v : state.surface.triangles()[static_cast<size_t>(i)].vertex) {
+                    const Float4& x = state.body.x[static_cast<size_t>(v)];
+                    EXPECT_GE(x.z, box->low[2] - kMoved);
+                    EXPECT_LE(x.z, box->high[2] + kMoved);
+                }
+            });
+    }
+}
+
 TEST(Sleep, ForceAndShapeAreThoseOfTissueThatIsAwake) {
     Vec3 force[2];
     std::vector<Float4> x[2];

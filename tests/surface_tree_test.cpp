@@ -102,6 +102,54 @@ TEST(SurfaceTree, FindsWhatAScanFindsOnABentBodyWithHoles) {
     EXPECT_LT(asked, scanned / 5);
 }
 
+TEST(SurfaceTree, LookingAtWhatMovesGivesTheSameBoxes) {
+    const TetMesh mesh = box_mesh(Vec3(0.012, 0.010, 0.003), {12, 10, 3}, Tissue::kSkin);
+    const Surface surface(mesh);
+    SurfaceState whole(surface, mesh), part(surface, mesh);
+    std::vector<uint8_t> alive(mesh.tets.size(), 1);
+    std::vector<Float4> x = bent(mesh, 0);
+    std::vector<uint8_t> moves(static_cast<size_t>(part.tree().nodes()), 0);
+    std::mt19937 random(3);
+    int moved = 0;
+    for (int round = 1; round < 60; ++round) {
+        std::fill(moves.begin(), moves.end(), uint8_t{0});
+        const int cut = static_cast<int>(random() % mesh.tets.size());
+        if (alive[cut]) {
+            alive[cut] = 0;
+            whole.remove_tet(surface, mesh, alive, cut);
+            part.remove_tet(surface, mesh, alive, cut);
+        }
+        // In every third round what moved before has fallen asleep, after a last motion that no
+        // refit has seen.
+        const bool falls_asleep = round % 3 == 0;
+        if (!falls_asleep) moved = static_cast<int>(random() % mesh.tets.size());
+        const auto& corners = mesh.tets[static_cast<size_t>(moved)];
+        for (const int32_t v : corners) x[static_cast<size_t>(v)].z += 1e-4F;
+        for (size_t t = 0; t < mesh.tets.size() && !falls_asleep; ++t) {
+            for (const int32_t v : mesh.tets[t]) {
+                if (std::count(corners.begin(), corners.end(), v) == 0) continue;
+                moves[static_cast<size_t>(part.tree().leaf_of(static_cast<int>(t)))] = 1;
+            }
+        }
+        whole.refit(x);
+        part.refit(x, moves);
+        std::vector<SurfaceTree::Box> expected, found;
+        const auto keep = [](std::vector<SurfaceTree::Box>& boxes) {
+            return [&boxes](const SurfaceTree::Box& box) {
+                boxes.push_back(box);
+                return false;
+            };
+        };
+        whole.tree().walk(keep(expected), [](int) {});
+        part.tree().walk(keep(found), [](int) {});
+        ASSERT_EQ(found.size(), expected.size());
+        for (size_t n = 0; n < found.size(); ++n) {
+            ASSERT_EQ(found[n].low, expected[n].low) << "round " << round << ", box " << n;
+            ASSERT_EQ(found[n].high, expected[n].high) << "round " << round << ", box " << n;
+        }
+    }
+}
+
 TEST(SurfaceTree, ABodyThatIsGoneIsEmpty) {
     const TetMesh mesh = box_mesh(Vec3(0.002, 0.002, 0.002), {2, 2, 2}, Tissue::kSkin);
     const Surface surface(mesh);

@@ -52,6 +52,7 @@ TEST(ToolShape, GradientIsTheDerivativeOfTheDistance) {
     for (int i = 0; i < 500; ++i) {
         const Vec3 p(u(random), u(random), -0.002 + u(random));
         const Distance d = signed_distance(shape, p);
+        EXPECT_EQ(distance_value(shape, p), d.value_m);
         EXPECT_NEAR(d.gradient.norm(), 1, 1e-12);
         if (d.value_m < 1e-4) continue;  // kinks lie inside and on the seams
         Vec3 numeric;
