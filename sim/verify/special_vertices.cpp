@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/verify/special_vertices.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace placode::sim {
+namespace {
+
+constexpr int kPasses = 2;  // over the contact colour for each sweep, as in sim/step
+// Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
+// and x what the touched vertices answer at once, as in sim/contact.cpp: more bursts on fine
+// patches.
+constexpr double kContactStiffness = 300, kContactRatio = 6;
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+}  // namespace
+
+SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& units,
+                                 const SoftBody& body, SoftBodyState& state, double h_body)
+    : setup_(setup),
+      units_(units),
+      body_(body),
+      state_(state),
+      h_body_(h_body),
+      vbd_(setup.scene.solver.method == SolveMethod::kVbd),
+      spheres_(units.scaled(setup.scene.spheres)),
+      slot_(at(body.vertex_count()), -1) {
+    if (!setup.contacts) return;
+    contacts_ = std::make_unique<SphereContacts>(body_.mesh(), spheres_, setup.free_sheet());
+    anchor_.resize(at(body_.vertex_count()));
+    k_ = kContactStiffness * units_.stress() * setup.scene.material.youngs_modulus_pa *
+         contacts_->mean_edge_m();
+    force_.assign(spheres_.size(), Vec3::Zero());
+}
+
+void SpecialVertices::start_frame() {
+    std::fill(force_.begin(), force_.end(), Vec3::Zero());
+    frame_substeps_ = 0;
+}
+
+Vec3 SpecialVertices::force(size_t sphere) const {
+    return force_[sphere] / (units_.force() * std::max(1, frame_substeps_));
+}
+
+float SpecialVertices::held_at(int32_t v, int axis) const {
+    return static_cast<float>(units_.length * setup_.held_at(v, axis, time_));
+}
+
+void SpecialVertices::put_on_axes(int32_t v) {
+    Float4& x = state_.x[at(v)];
+    const uint8_t axes = setup_.held[at(v)];
+    if (axes & kAxisX) x.x = held_at(v, 0);
+    if (axes & kAxisY) x.y = held_at(v, 1);
+    if (axes & kAxisZ) x.z = held_at(v, 2);
+}
+
+void SpecialVertices::add(int32_t v) {
+    if (slot_[at(v)] >= 0) return;
+    slot_[at(v)] = static_cast<int32_t>(special_.size());
+    special_.push_back(v);
+    state_.contact_vertex[at(v)] = 1;
+}
+
+void SpecialVertices::find(double time_s) {
+    time_ = time_s;
+    for (const int32_t v : special_) {
+        slot_[at(v)] = -1;
+        state_.contact_vertex[at(v)] = 0;
+    }
+    special_.clear();
+    if (vbd_) {
+        for (const int32_t v : setup_.partly_held()) add(v);
+    }
+    find_touches();
+    set_stiffness();
+    incidence_.assign(special_.size(), {});
+    for (size_t t = 0; t < touches_.size(); ++t) {
+        for (int i = 0; i < 3; ++i)
+            incidence_[at(slot_[at(touches_[t].vertex[at(i)])])].push_back(
+                static_cast<int32_t>(4 * t) + i);
+    }
+    for (size_t i = 0; i < special_.size(); ++i) {
+        if (incidence_[i].empty()) continue;
+        // Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp.
+        Float4& x = state_.x[at(special_[i])];
+        if (x.w == 0) continue;
+        const Float4& before = state_.x_start[at(special_[i])];
+        x = {before.x, before.y, before.z, x.w};
+    }
+}
+
+void SpecialVertices::find_touches() {
+    touches_.clear();
+    if (!contacts_) return;
+    double fastest = 0;
+    for (const SphereObstacle& s : spheres_) fastest = std::max(fastest, s.velocity_m_s.norm());
+    const VerificationSolver& solver = setup_.scene.solver;
+    const double h = solver.frame_s / solver.substeps;  // velocities are those of the scene's time
+    const double margin = 0.2 * contacts_->mean_edge_m() + 2 * h * fastest;
+    contacts_->find([this](int32_t v) { return to_vec(state_.x_start[at(v)]); }, time_, margin,
+                    touches_);
+    drop_doubles();
+    for (SphereTouch& t : touches_) {
+        double place = 0;
+        for (int i = 0; i < 3; ++i) {
+            add(t.vertex[at(i)]);
+            place += t.b[i] * t.n.dot(to_vec(state_.x_start[at(t.vertex[at(i)])]));
+        }
+        t.gap_m -= place;  // from here on the offset of gap = n . (sum b x) + offset
+    }
+}
+
+/// A corner or an edge is touched once, however many triangles meet there.
+void SpecialVertices::drop_doubles() {
+    std::set<std::array<int32_t, 4>> seen;
+    std::erase_if(touches_, [&](const SphereTouch& t) {
+        std::array<int32_t, 4> key{-1, -1, -1, t.sphere};
+        for (int i = 0; i < 3; ++i) {
+            if (t.b[i] > 0) key[at(i)] = t.vertex[at(i)];
+        }
+        std::sort(key.begin(), key.begin() + 3);
+        return !seen.insert(key).second;
+    });
+}
+
+void SpecialVertices::set_stiffness() {
+    answer_.resize(special_.size());
+    for (size_t i = 0; i < special_.size() && !touches_.empty(); ++i)
+        answer_[i] = vertex_system(body_, state_, special_[i], h_body_).hessian;
+    touch_n_m_.clear();
+    for (const SphereTouch& t : touches_) {
+        double gives = 0;
+        for (int i = 0; i < 3; ++i) {
+            const Mat3& k = answer_[at(slot_[at(t.vertex[at(i)])])];
+            gives += t.b[i] * t.b[i] / t.n.dot(k * t.n);
+        }
+        touch_n_m_.push_back(std::min(k_, kContactRatio / gives));
+    }
+}
+
+double SpecialVertices::gap(const SphereTouch& t) const {
+    double g = t.gap_m;
+    for (int i = 0; i < 3; ++i) g += t.b[i] * t.n.dot(to_vec(state_.x[at(t.vertex[at(i)])]));
+    return g;
+}
+
+double SpecialVertices::grip_n_m(int32_t v) const {
+    return std::min(k_, kContactRatio * answer_[at(slot_[at(v)])].trace() / 3);
+}
+
+/// Dry friction with a memory: a spring to the place where the vertex sticks to the sphere.
+SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) const {
+    Grip grip;
+    const Anchor& a = anchor_[at(v)];
+    const double size = load.norm();
+    if (a.sphere < 0 || !(size > 0)) return grip;
+    const SphereObstacle& s = spheres_[at(a.sphere)];
+    grip.normal = load / size;
+    const Vec3 way = to_vec(state_.x[at(v)]) - (s.centre_at(time_) + a.from_centre);
+    grip.slide = way - grip.normal * grip.normal.dot(way);
+    grip.limit_n = s.friction * size;
+    grip.stiffness_n_m = grip_n_m(v);
+    const double length = grip.slide.norm();
+    if (length * grip.stiffness_n_m > grip.limit_n) grip.stiffness_n_m = grip.limit_n / length;
+    return grip;
+}
+
+void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
+    for (int a = 0; a < 3; ++a) {
+        if ((setup_.held[at(v)] >> a & 1) == 0) continue;
+        system.gradient[a] = 0;
+        system.hessian.row(a).setZero();
+        system.hessian.col(a).setZero();
+        system.hessian(a, a) = 1;
+    }
+}
+
+void SpecialVertices::solve_vertex(size_t i) {
+    const int32_t v = special_[i];
+    Float4& x = state_.x[at(v)];
+    if (x.w == 0) return;
+    put_on_axes(v);
+    VertexSystem system = vertex_system(body_, state_, v, h_body_);
+    Vec3 load = Vec3::Zero();
+    for (const int32_t entry : incidence_[i]) {
+        const SphereTouch& t = touches_[at(entry / 4)];
+        const double b = t.b[entry % 4], g = gap(t), k = touch_n_m_[at(entry / 4)];
+        if (g >= 0 || b == 0) continue;
+        system.gradient += k * g * b * t.n;
+        system.hessian += k * b * b * t.n * t.n.transpose();
+        load -= k * g * b * t.n;
+    }
+    if (load.squaredNorm() > 0) {
+        const Grip grip = grip_of(v, load);
+        system.gradient += grip.stiffness_n_m * grip.slide;
+        system.hessian +=
+            grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose());
+    }
+    hold_axes(v, system);
+    Vec3 step = -system.hessian.llt().solve(system.gradient);
+    const double longest = static_cast<double>(body_.shortest_edge_m()[at(v)]) / 4;
+    const double length = step.norm();
+    if (!std::isfinite(length)) return;
+    if (length > longest) step *= longest / length;
+    x.x += static_cast<float>(step.x());
+    x.y += static_cast<float>(step.y());
+    x.z += static_cast<float>(step.z());
+}
+
+void SpecialVertices::solve() {
+    for (int pass = 0; pass < kPasses; ++pass) {
+        for (size_t i = 0; i < special_.size(); ++i) solve_vertex(i);
+    }
+}
+
+void SpecialVertices::finish() {
+    if (!contacts_) return;
+    ++frame_substeps_;
+    std::vector<Vec3> load(special_.size(), Vec3::Zero());
+    std::vector<int> sphere(special_.size(), -1);
+    deepest_ = 0;
+    for (size_t n = 0; n < touches_.size(); ++n) {
+        const SphereTouch& t = touches_[n];
+        const double g = gap(t), k = touch_n_m_[n];
+        if (g >= 0) continue;
+        deepest_ = std::max(deepest_, -g);
+        force_[at(t.sphere)] += k * g * t.n;
+        for (int i = 0; i < 3; ++i) {
+            const auto slot = at(slot_[at(t.vertex[at(i)])]);
+            load[slot] -= k * g * t.b[i] * t.n;
+            sphere[slot] = t.sphere;
+        }
+    }
+    stick(load, sphere);
+}
+
+/// Friction on the spheres; anchors are dragged along where they slip.
+void SpecialVertices::stick(const std::vector<Vec3>& load, const std::vector<int>& sphere) {
+    for (size_t i = 0; i < special_.size(); ++i) {
+        const int32_t v = special_[i];
+        Anchor& anchor = anchor_[at(v)];
+        if (!(load[i].norm() > 0)) {
+            anchor.sphere = -1;
+            continue;
+        }
+        const SphereObstacle& s = spheres_[at(sphere[i])];
+        Vec3 place = to_vec(state_.x[at(v)]);
+        if (anchor.sphere == sphere[i]) {
+            const Grip grip = grip_of(v, load[i]);
+            force_[at(sphere[i])] += grip.stiffness_n_m * grip.slide;
+            place -= grip.stiffness_n_m / grip_n_m(v) * grip.slide;
+        }
+        anchor = {sphere[i], place - s.centre_at(time_)};
+    }
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The vertices that the kernels leave to others: those that spheres touch, with dry friction, and,
+// with vbd, those that only some axes hold. As sim/contact, for bodies without instruments. Private
+// to sim/verify.
+
+#include <memory>
+#include <vector>
+
+#include "sim/soft_body.h"
+#include "sim/verify/kernel_units.h"
+#include "sim/verify/solve_setup.h"
+#include "sim/verify/sphere_contact.h"
+
+namespace placode::sim {
+
+/// Positions and forces in the kernels' units, times in the scene's.
+class SpecialVertices {
+ public:
+    SpecialVertices(const SolveSetup& setup, const KernelUnits& units, const SoftBody& body,
+                    SoftBodyState& state, double h_body);
+
+    /// Start of a frame: forces are summed anew.
+    void start_frame();
+    /// Start of a substep that ends at `time_s`, after the start guess: who is touched.
+    void find(double time_s);
+    /// Passes over all of them after a sweep.
+    void solve();
+    /// End of a substep: forces on the spheres, and where vertices stick from now on.
+    void finish();
+    /// Axes that are held go where their region is.
+    void put_on_axes(int32_t v);
+
+    /// Force of the tissue on a sphere, mean over the frame so far.
+    [[nodiscard]] Vec3 force(size_t sphere) const;
+    [[nodiscard]] size_t spheres() const { return force_.size(); }
+    [[nodiscard]] double deepest() const { return deepest_; }
+    /// Where a held coordinate is at the substep's end.
+    [[nodiscard]] float held_at(int32_t v, int axis) const;
+    void set_time(double time_s) { time_ = time_s; }
+
+ private:
+    struct Anchor {
+        int sphere = -1;
+        Vec3 from_centre = Vec3::Zero();
+    };
+    struct Grip {
+        Vec3 slide = Vec3::Zero(), normal = Vec3::UnitZ();
+        double stiffness_n_m = 0, limit_n = 0;
+    };
+    void find_touches();
+    void drop_doubles();
+    void set_stiffness();
+    void add(int32_t v);
+    void solve_vertex(size_t i);
+    void hold_axes(int32_t v, VertexSystem& system) const;
+    [[nodiscard]] double gap(const SphereTouch& t) const;
+    [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const;
+    [[nodiscard]] double grip_n_m(int32_t v) const;
+    void stick(const std::vector<Vec3>& load, const std::vector<int>& sphere);
+
+    const SolveSetup& setup_;
+    const KernelUnits& units_;
+    const SoftBody& body_;
+    SoftBodyState& state_;
+    const double h_body_;
+    const bool vbd_;
+    const std::vector<SphereObstacle> spheres_;
+    std::unique_ptr<SphereContacts> contacts_;
+    double time_ = 0, k_ = 0, deepest_ = 0;
+    std::vector<int32_t> special_, slot_;
+    std::vector<std::vector<int32_t>> incidence_;  // touch * 4 + corner, of each special vertex
+    std::vector<SphereTouch> touches_;
+    std::vector<double> touch_n_m_;  // stiffness of each
+    std::vector<Mat3> answer_;       // Hessian of each special vertex, its neighbours held
+    std::vector<Anchor> anchor_;
+    std::vector<Vec3> force_;
+    int frame_substeps_ = 0;
+};
+
+}  // namespace placode::sim
