@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placode-sim and recordings on the command line: recorded, killed, damaged, imported.
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "db/recording_file.h"
+#include "db/store.h"
+#include "tests/programs_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+test::World* const world = test::World::install();
+
+void write_recording(const std::string& path) {
+    const auto sink = db::create_recording_file(path);
+    sim::RecordingHeader header;
+    header.task_id = "diathermy_ring";
+    header.task_json = "{}";
+    header.tools.emplace_back();
+    sink->begin(header);
+    for (int half = 0; half < 4; ++half) {
+        std::vector<sim::Input> inputs(500);
+        std::vector<sim::Sample> samples(50);
+        for (size_t i = 0; i < inputs.size(); ++i)
+            inputs[i].frame = half * 500 + static_cast<int64_t>(i);
+        for (size_t i = 0; i < samples.size(); ++i) {
+            samples[i].time_s = half * 0.5 + 0.01 * static_cast<double>(i + 1);
+            samples[i].tools[0].tip_m[0] = static_cast<float>(0.001 * samples[i].time_s);
+        }
+        sink->append(inputs, samples, {});
+    }
+    sink->finish({sim::EndReason::kFinished, 2.0, 1, 0});
+}
+
+void damage_chunk(const std::string& path, int chunk) {
+    sqlite3* database = nullptr;
+    ASSERT_EQ(sqlite3_open(path.c_str(), &database), SQLITE_OK);
+    const std::string sql = "UPDATE chunks SET checksum = 'x' WHERE id = " + std::to_string(chunk);
+    ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+    sqlite3_close(database);
+}
+
+}  // namespace
+
+TEST_F(Programs, ADamagedRecordingNamesTheChunkAndCanBeRecovered) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    EXPECT_EQ(ctl("metrics " + path).status, 0);
+    damage_chunk(path, 5);
+    const Outcome damaged = ctl("metrics " + path);
+    EXPECT_EQ(damaged.status, 2);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr(path), HasSubstr("chunk 5"), HasSubstr("1.00 s"),
+                                   HasSubstr("--recover")));
+    const Outcome recovered = ctl("--json metrics --recover " + path);
+    EXPECT_EQ(recovered.status, 0) << recovered.err;
+    EXPECT_THAT(recovered.out, AllOf(HasSubstr("\"interrupted\""), HasSubstr("chunk 5")));
+    write_text(path, read_text(path).substr(0, 6000));
+    EXPECT_EQ(ctl("score " + path).status, 2);
+    EXPECT_EQ(ctl("metrics " + file("missing.placode")).status, 2);
+    EXPECT_FALSE(fs::exists(store)) << "metrics need no store";
+}
+
+TEST_F(Programs, ATaskWithAWrongUnitNamesFileAndPlace) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    std::string task = read_text(PLACODE_SOURCE_DIR "/data/tasks/diathermy_ring.json");
+    ASSERT_NE(task.find("\"time_limit_s\""), std::string::npos);
+    task.replace(task.find("\"time_limit_s\""), 14, "\"time_limit_min\"");
+    write_text(file("task.json"), task);
+    const Outcome wrong = ctl("score " + path + " --task " + file("task.json"));
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err,
+                AllOf(HasSubstr("task.json"), HasSubstr("time_limit_min"), HasSubstr("/")));
+    EXPECT_EQ(ctl("score " + path + " --task no_such_task").status, 2);
+}
+
+TEST_F(Programs, TheDemonstrationIsMadeOnceAndACancelledAttemptLeavesNothing) {
+    const Outcome first = ctl("--json demo --attempts 0");
+    ASSERT_EQ(first.status, 0) << first.err;
+    EXPECT_THAT(first.out, AllOf(HasSubstr("demo-anna"), HasSubstr("\"password\"")));
+    const Outcome second = ctl("--json demo --attempts 0");
+    EXPECT_EQ(second.status, 0);
+    EXPECT_THAT(second.out, HasSubstr("\"created_users\": []"));
+    EXPECT_THAT(ctl("user list").out, HasSubstr("active, demonstration"));
+    EXPECT_EQ(ctl("--as demo-educator attempts", "PLACODE_PASSWORD=placode-demo").status, 0);
+    // Ctrl-C after two seconds: the attempt takes far longer.
+    const std::string command = "env TMPDIR='" + folder +
+                                "' timeout --preserve-status -s INT 2 '" PLACODE_BIN_DIR
+                                "/placodectl' --json --store sqlite:" +
+                                store + " demo --task diathermy_ring --attempts 1 > '" +
+                                file("out") + "' 2> '" + file("err") + "'";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << read_text(file("err"));
+    EXPECT_THAT(read_text(file("out")), HasSubstr("\"cancelled\": true"));
+    EXPECT_THAT(ctl("attempts").out, HasSubstr("no attempts"));
+    for (const auto& entry : fs::directory_iterator(folder))
+        EXPECT_EQ(entry.path().string().find("placode-demo-"), std::string::npos) << entry;
+}
+
+TEST_F(Programs, ADeviceThatIsNotThereIsNamedWithWhatThereIs) {
+    for (const char* device : {"warp", "openhaptics"}) {
+        const Outcome outcome =
+            run("placode-sim", std::string("--headless --task diathermy_ring_small --device ") +
+                                   device + " --record a.placode");
+        EXPECT_EQ(outcome.status, 2) << device;
+        EXPECT_THAT(outcome.err, AllOf(HasSubstr(device), HasSubstr("script:expert")));
+        EXPECT_FALSE(fs::exists(file("a.placode")));
+    }
+}
+
+TEST_F(Programs, AnAttemptWithAWrongTaskNeverStarts) {
+    std::string task = read_text(PLACODE_SOURCE_DIR "/data/tasks/diathermy_ring.json");
+    task.replace(task.find("\"time_limit_s\""), 14, "\"time_limit_min\"");
+    write_text(file("task.json"), task);
+    const std::string rest = " --headless --fast --device script:expert --record a.placode";
+    const Outcome wrong = run("placode-sim", "--task task.json" + rest);
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_THAT(wrong.err, AllOf(HasSubstr("task.json"), HasSubstr("time_limit_min")));
+    EXPECT_FALSE(fs::exists(file("a.placode")));
+    EXPECT_EQ(run("placode-sim", "--task nowhere" + rest).status, 2);
+    EXPECT_EQ(run("placode-sim", "--fly").status, 2);
+}
+
+TEST_F(Programs, ARecordingIsNeverOverwrittenAndADamagedOneIsNotReplayed) {
+    const std::string path = file("a.placode");
+    write_recording(path);
+    const std::string before = read_text(path);
+    const Outcome taken = run("placode-sim",
+                              "--task diathermy_ring_small --headless --fast --duration 0.1 "
+                              "--device script:expert --record a.placode");
+    EXPECT_NE(taken.status, 0);
+    EXPECT_THAT(taken.err, HasSubstr("not overwritten"));
+    EXPECT_EQ(read_text(path), before);
+    damage_chunk(path, 3);
+    const Outcome damaged = run("placode-sim", "--headless --fast --device play:a.placode");
+    EXPECT_EQ(damaged.status, 2);
+    EXPECT_THAT(damaged.err, AllOf(HasSubstr("a.placode"), HasSubstr("chunk 3")));
+}
+
+TEST_F(Programs, AnAttemptIsRecordedMeasuredAndScored) {
+    const Outcome attempt = run("placode-sim",
+                                "--task diathermy_ring_small --headless --fast --duration 0.5 "
+                                "--device script:expert --seed 7 --record a.placode");
+    ASSERT_EQ(attempt.status, 0) << attempt.err;
+    const Outcome score = ctl("score --json a.placode");
+    ASSERT_EQ(score.status, 0) << score.err;
+    EXPECT_NEAR(number_in(score.out, "duration_s"), 0.5, 0.0011);  // Whole frames of 1 ms.
+    EXPECT_EQ(number_in(score.out, "seed"), 7);
+    EXPECT_THAT(score.out, AllOf(HasSubstr("\"demonstration\": true"), HasSubstr("\"reasons\"")));
+    EXPECT_EQ(ctl("score a.placode --task diathermy_ring_small").status, 0);
+}
+
+TEST_F(Programs, AKilledAttemptLosesAtMostHalfASecond) {
+    // Killed at moments that differ from attempt to attempt; in real time, as a trainee would lose
+    // it. The status lines (ten a second) say how far it had come.
+    for (const int extra_ms : {0, 110, 170}) {
+        const std::string name = "killed" + std::to_string(extra_ms) + ".placode";
+        const std::string command = "cd '" + folder + "' && HOME='" + folder +
+                                    "' exec '" PLACODE_BIN_DIR
+                                    "/placode-sim' --task diathermy_ring_small --headless "
+                                    "--device script:novice --status --record " +
+                                    name;
+        int pipe_ends[2];
+        ASSERT_EQ(::pipe(pipe_ends), 0);
+        const pid_t child = ::fork();
+        ASSERT_GE(child, 0);
+        if (child == 0) {
+            ::dup2(pipe_ends[1], STDOUT_FILENO);
+            ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+            ::_exit(127);
+        }
+        ::close(pipe_ends[1]);
+        std::FILE* lines = ::fdopen(pipe_ends[0], "r");
+        double reported_s = 0;
+        bool killed = false;
+        for (std::array<char, 4096> line; std::fgets(line.data(), line.size(), lines);) {
+            reported_s = nlohmann::json::parse(line.data()).at("t_s");
+            if (killed || reported_s < 1.2) continue;
+            ::usleep(static_cast<useconds_t>(extra_ms) * 1000);
+            ::kill(child, SIGKILL);
+            killed = true;
+        }
+        std::fclose(lines);
+        int status = 0;
+        ::waitpid(child, &status, 0);
+        ASSERT_TRUE(killed && WIFSIGNALED(status)) << "ended before it could be killed";
+        const sim::Recording recording = db::read_recording_file(file(name));
+        EXPECT_EQ(recording.end.reason, sim::EndReason::kInterrupted);
+        EXPECT_GE(recording.end.duration_s, reported_s - 0.5) << extra_ms;
+        EXPECT_GE(recording.inputs.size(), (reported_s - 0.5) * 1000);
+    }
+}
+
+TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
+    ASSERT_EQ(ctl("demo --attempts 0").status, 0);
+    const Outcome attempt = run("placode-sim",
+                                "--task diathermy_ring_small --headless --fast --duration 0.3 "
+                                "--device script:expert --record b.placode");
+    ASSERT_EQ(attempt.status, 0) << attempt.err;
+    const Outcome saved = ctl("--json import b.placode --user demo-anna");
+    ASSERT_EQ(saved.status, 0) << saved.err;
+    EXPECT_EQ(number_in(saved.out, "attempt"), 1);
+    EXPECT_THAT(ctl("attempts --user demo-anna").out, HasSubstr("diathermy_ring_small"));
+    EXPECT_EQ(ctl("import b.placode --user nobody").status, 2);
+}

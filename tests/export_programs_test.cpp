@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Attempts and studies leave the store on the command line, in every format.
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+
+#include "db/recording_file.h"
+#include "db/store.h"
+#include "tests/programs_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+test::World* const world = test::World::install();
+
+}  // namespace
+
+TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
+    ASSERT_NE(world, nullptr);
+    const std::string recording = file("a.placode");
+    ASSERT_EQ(run("placode-sim",
+                  "--task diathermy_ring_small --headless --fast --duration 0.3 --device "
+                  "script:expert --record a.placode")
+                  .status,
+              0);
+    const std::string zofia = "Zażółć, \"Zofia\"";
+    {
+        const auto direct = db::open_store("sqlite:" + store);
+        const int64_t user = direct->create_user({"zofia", zofia, "long enough 1", 1, true});
+        direct->create_user({"carl", "Carl", "long enough 1", 4, true});
+        db::AttemptResult result;
+        const sim::Recording read = db::read_recording_file(recording);
+        result.header = read.header;
+        result.end = read.end;
+        result.events = read.events;
+        result.metrics = assessment::compute_metrics(read);
+        result.score.points = 12.5;
+        result.recording_file = recording;
+        direct->save_attempt(user, result);
+        db::AnswerRecord answers;
+        answers.study_id = "pilot/1";
+        answers.participant = direct->new_participant("pilot/1");
+        answers.questionnaire_id = "face_validity";
+        answers.answers = {{"A", "5"}, {"B", "4"}};
+        direct->save_answers(answers);
+    }
+    const Outcome attempts = ctl("--as zofia attempts --json", kRight);
+    EXPECT_EQ(attempts.status, 0) << attempts.err;
+    EXPECT_EQ(number_in(attempts.out, "points"), 12.5);
+    const Outcome user = ctl("--as zofia export csv --user zofia --out exported", kRight);
+    EXPECT_EQ(user.status, 0) << user.err;
+    EXPECT_THAT(read_text(file("exported/user_1_attempts.csv")),
+                AllOf(HasSubstr("12.5"), HasSubstr("path_length_mm")));
+    const Outcome study = ctl("--as carl export csv --study pilot/1 --out exported", kRight);
+    EXPECT_EQ(study.status, 0) << study.err;
+    EXPECT_THAT(read_text(file("exported/pilot_1_face_validity.csv")), HasSubstr("P001-"));
+    EXPECT_EQ(ctl("--as carl export csv --study none", kRight).status, 2);
+    EXPECT_EQ(ctl("export csv").status, 2) << "neither study nor user";
+    const Outcome report = ctl("--as zofia report attempt 1 --out a.pdf", kRight);
+    EXPECT_EQ(report.status, 0) << report.err;
+    EXPECT_THAT(read_text(file("a.pdf")), testing::StartsWith("%PDF-"));
+    EXPECT_EQ(ctl("--as carl report attempt 1 --out b.pdf", kRight).status, 1);
+    EXPECT_FALSE(fs::exists(file("b.pdf")));
+    EXPECT_EQ(ctl("report attempt 99 --out b.pdf").status, 2);
+    EXPECT_EQ(ctl("report attempt first --out b.pdf").status, 2);
+    EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("export.csv"), HasSubstr("report.pdf")));
+}
+
+TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
+    add_user("carl", "coordinator");
+    const auto carl = [&](const std::string& arguments) {
+        return ctl("--as carl " + arguments, kRight);
+    };
+    const Outcome made = carl("study demo");
+    ASSERT_EQ(made.status, 0) << made.err;
+    EXPECT_THAT(made.out, HasSubstr("14 SIMULATED participants"));
+    EXPECT_EQ(carl("study demo").status, 2) << "never twice";
+    const Outcome status = carl("--json study status face_content_validity");
+    EXPECT_EQ(number_in(status.out, "total"), 8);
+    EXPECT_EQ(number_in(status.out, "done"), 3) << "consent and two questionnaires";
+    EXPECT_THAT(status.out, HasSubstr("\"next\": \"briefing\""));
+
+    // A person's way through the protocol, and what is refused on it.
+    const Outcome enrolled = carl("study enrol face_content_validity");
+    const std::string code = enrolled.out.substr(0, 6);
+    EXPECT_EQ(code.substr(0, 4), "P015") << enrolled.out;
+    const std::string answer = "study answer face_content_validity " + code + " ";
+    EXPECT_THAT(carl(answer + "sus sus01=5").err, HasSubstr("needs an answer"));
+    const std::string sus =
+        "sus sus01=5 sus02=4 sus03=2 sus04=1 sus05=2 sus06=3 sus07=2 sus08=4 sus09=5 sus10=2";
+    EXPECT_THAT(carl(answer + sus).err, HasSubstr("has not consented"));
+    const std::string consent = "study consent face_content_validity " + code + " --agreed read";
+    EXPECT_THAT(carl(consent).err, HasSubstr("\"voluntary\" is required"));
+    EXPECT_EQ(carl(consent + " voluntary data").status, 0);
+    const Outcome answered = carl("--json " + answer + sus);
+    EXPECT_EQ(answered.status, 0) << answered.err;
+    EXPECT_EQ(number_in(answered.out, "sus_score"), 55);
+    EXPECT_EQ(carl("study step face_content_validity " + code + " nap").status, 2);
+    EXPECT_EQ(carl("study step face_content_validity P015-Z briefing").status, 2);
+    EXPECT_EQ(carl("study step face_content_validity " + code + " briefing").status, 0);
+    EXPECT_EQ(
+        carl("study withdraw face_content_validity " + code + " --mode stop --reason 'not given'")
+            .status,
+        0);
+    EXPECT_EQ(carl(answer + sus).status, 2) << "nothing more is recorded";
+
+    for (const char* format : {"csv", "spss", "redcap", "fhir", "odm", "xapi", "bundle"}) {
+        const Outcome exported = carl(std::string("--json export ") + format +
+                                      " --study face_content_validity --out " + format);
+        EXPECT_EQ(exported.status, 0) << exported.err;
+        EXPECT_THAT(exported.out, AllOf(HasSubstr("\"read_back\": \"identical\""),
+                                        HasSubstr("\"demonstration\": true"),
+                                        HasSubstr("\"participants_left_out\": 1")));
+    }
+    EXPECT_EQ(carl("export motion-bids --study face_content_validity").status, 2) << "no attempts";
+    const Outcome report = carl("--json report study face_content_validity --out study.pdf");
+    EXPECT_EQ(report.status, 0) << report.err;
+    EXPECT_THAT(read_text(file("study.pdf")), testing::StartsWith("%PDF-"));
+    EXPECT_TRUE(fs::exists(file("study_figures/likert_face_validity_1.svg")));
+    EXPECT_EQ(carl("report study none --out none.pdf").status, 2);
+    EXPECT_FALSE(fs::exists(file("none.pdf")));
+    EXPECT_EQ(carl("export word --study face_content_validity").status, 2);
+    const std::string wide = read_text(file("csv/face_content_validity_face_validity.csv"));
+    EXPECT_THAT(wide, Not(HasSubstr(code)));
+    // Names of persons: a coordinator may not, and the reason is needed.
+    EXPECT_THAT(carl("export csv --study face_content_validity --identifying 'audit of 2026'").err,
+                HasSubstr("personal data"));
+    EXPECT_EQ(ctl("export csv --study face_content_validity --identifying no").status, 2);
+    EXPECT_EQ(ctl("export csv --study face_content_validity --out n --identifying 'audit of 2026'")
+                  .status,
+              0);
+    EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("WITH IDENTIFYING FIELDS: audit of 2026"),
+                                        HasSubstr("study.withdraw")));
+    EXPECT_THAT(carl("questionnaire list").out, AllOf(HasSubstr("sus"), HasSubstr("first use")));
+    write_text(file("q.json"), R"({"id":"sus","version":1,"title":{"en":"x"},"items":[
+        {"id":"a","kind":"text","text":{"en":"x"}}]})");
+    EXPECT_THAT(carl("questionnaire publish q.json").err, HasSubstr("next version"));
+}
