@@ -8,6 +8,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QScreen>
 #include <cstdio>
 
 #include "ui/shell/main_window.h"
@@ -58,6 +59,22 @@ int measure_pages(AppContext& context, MainWindow& window, const QString& login)
 }  // namespace
 }  // namespace placode::ui
 
+namespace {
+
+constexpr QSize kFrame{4, 40};  ///< Of the desktop around a window [px].
+
+/// A desk at 200 % has half the pixels: what would hang over its edge is shrunk, then maximised.
+void show_on_screen(QWidget& window) {
+    const QSize room = window.screen()->availableGeometry().size() - kFrame;
+    window.setMinimumSize(window.minimumSize().boundedTo(room));
+    const bool fits = window.size().boundedTo(room) == window.size();
+    if (fits) return window.show();
+    window.resize(window.size().boundedTo(room));
+    window.showMaximized();
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName("placode");
@@ -89,7 +106,7 @@ int main(int argc, char** argv) {
     options.theme = parser.value("theme");
     placode::ui::AppContext context(options);
     placode::ui::MainWindow window(context);
-    window.show();
+    show_on_screen(window);
     window.begin();
     if (parser.isSet("time-pages"))
         return placode::ui::measure_pages(context, window, parser.value("time-pages"));
