@@ -8,7 +8,9 @@
 #include "ui/shell/audit_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
 #include "ui/shell/table_width.h"
+#include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
@@ -42,6 +44,7 @@ class AuditPage : public Page {
         table_->setObjectName("audit_table");
         table_->setSortingEnabled(false);
         table_->setRowCount(static_cast<int>(trail.size()));
+        const AuditNames names = knownNames();
         int row = 0;
         for (const db::AuditRecord& entry : trail) {
             QTableWidgetItem* when =
@@ -54,8 +57,8 @@ class AuditPage : public Page {
             QTableWidgetItem* what = make_cell(audit_words(entry.action));
             what->setToolTip(qstr(entry.action));
             table_->setItem(row, 2, what);
-            table_->setItem(row, 3, make_cell(qstr(entry.object)));
-            table_->setItem(row, 4, make_cell(qstr(entry.detail)));
+            table_->setItem(row, 3, thingCell(entry.object, names));
+            table_->setItem(row, 4, thingCell(entry.detail, names));
             ++row;
         }
         fit_columns(table_, 4);
@@ -71,6 +74,26 @@ class AuditPage : public Page {
     [[nodiscard]] QVariantMap state() const override { return {{"search", search_->text()}}; }
 
  private:
+    [[nodiscard]] AuditNames knownNames() {
+        AuditNames names;
+        db::Store& store = context_.store();
+        for (const db::UserRecord& each : store.users())
+            if (!each.display_name.empty()) names.people[each.id] = qstr(each.display_name);
+        for (const db::GroupRecord& each : store.groups()) names.groups[each.id] = qstr(each.name);
+        for (const std::string& id : curriculum::list_definitions("tasks"))
+            names.titles[qstr(id)] = task_title(context_, id);
+        for (const std::string& id : store.study_ids())
+            names.titles[qstr(id)] = study_title(context_, id);
+        return names;
+    }
+
+    /// Behind the words stands what the store wrote, where it says it otherwise.
+    static QTableWidgetItem* thingCell(const std::string& written, const AuditNames& names) {
+        QTableWidgetItem* cell = make_cell(audit_thing(qstr(written), names));
+        if (cell->text() != qstr(written)) cell->setToolTip(cell->text() + '\n' + qstr(written));
+        return cell;
+    }
+
     void filter() {
         const QString wanted = search_->text().trimmed();
         int shown = 0;

@@ -3,8 +3,11 @@
 #include "ui/shell/audit_words.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
+
+#include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
@@ -104,7 +107,75 @@ QString text_of(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+// What is counted: "attempt 12".
+constexpr auto kCounted = std::to_array<Words>({
+    {"assignment", QT_TRANSLATE_NOOP("AuditWords", "assignment %1")},
+    {"attempt", QT_TRANSLATE_NOOP("AuditWords", "attempt %1")},
+    {"comment", QT_TRANSLATE_NOOP("AuditWords", "comment %1")},
+    {"group", QT_TRANSLATE_NOOP("AuditWords", "group %1")},
+    {"invitation", QT_TRANSLATE_NOOP("AuditWords", "invitation %1")},
+    {"norm pack", QT_TRANSLATE_NOOP("AuditWords", "norm pack %1")},
+    {"user", QT_TRANSLATE_NOOP("AuditWords", "person %1")},
+});
+
+// A detail that is one word of the store's own.
+constexpr auto kDetails = std::to_array<Words>({
+    {"attempts stay without a name",
+     QT_TRANSLATE_NOOP("AuditWords", "attempts stay without a name")},
+    {"cohort", QT_TRANSLATE_NOOP("AuditWords", "everybody")},
+    {"educator", QT_TRANSLATE_NOOP("AuditWords", "educator")},
+    {"member", QT_TRANSLATE_NOOP("AuditWords", "member")},
+    {"out", QT_TRANSLATE_NOOP("AuditWords", "not in the group any more")},
+    {"with attempts", QT_TRANSLATE_NOOP("AuditWords", "with attempts")},
+});
+
+QString counted(const QString& kind, const QString& number, const AuditNames& names) {
+    const auto& known = kind == "group" ? names.groups : names.people;
+    const auto found = known.find(number.toLongLong());
+    if ((kind == "user" || kind == "group") && found != known.end()) return found->second;
+    for (const Words& each : kCounted)
+        if (kind == text_of(each.action)) return translated(each.english).arg(number);
+    return kind + ' ' + number;
+}
+
+QString title_of(const QString& id, const AuditNames& names) {
+    const auto found = names.titles.find(id);
+    return found == names.titles.end() ? id : found->second;
+}
+
 }  // namespace
+
+QString audit_thing(const QString& text, const AuditNames& names) {
+    static const QRegularExpression kNumbers(
+        "^((assignment|attempt|comment|group|invitation|norm pack|user) \\d+ ?)+$"),
+        kNumber("(assignment|attempt|comment|group|invitation|norm pack|user) (\\d+)"),
+        kRoles("^roles (\\d+)$"), kVersion("^(\\S+) version (\\d+)( code (\\S+))?$"),
+        kStudy("^study (\\S+)$"), kFirst("^(\\S+) (?:of )?(.+)$");
+    for (const Words& each : kDetails)
+        if (text == text_of(each.action)) return translated(each.english);
+    if (kNumbers.match(text).hasMatch()) {
+        QStringList parts;
+        for (auto found = kNumber.globalMatch(text); found.hasNext();) {
+            const QRegularExpressionMatch one = found.next();
+            parts << counted(one.captured(1), one.captured(2), names);
+        }
+        return parts.join(" · ");
+    }
+    if (const auto roles = kRoles.match(text); roles.hasMatch())
+        return role_names(static_cast<db::Roles>(roles.captured(1).toUInt()));
+    if (const auto version = kVersion.match(text); version.hasMatch()) {
+        QString words = translated(QT_TRANSLATE_NOOP("AuditWords", "%1, version %2"))
+                            .arg(title_of(version.captured(1), names), version.captured(2));
+        if (!version.captured(4).isEmpty()) words += " · " + version.captured(4);
+        return words;
+    }
+    if (const auto study = kStudy.match(text); study.hasMatch())
+        return title_of(study.captured(1), names);
+    const auto first = kFirst.match(text);
+    if (first.hasMatch() && names.titles.contains(first.captured(1)))
+        return title_of(first.captured(1), names) + " · " + first.captured(2);
+    return title_of(text, names);
+}
 
 QString audit_words(std::string_view action) {
     const auto* known = std::ranges::lower_bound(kWords, action, {}, &Words::action);
