@@ -13,6 +13,7 @@
 #include "assessment/ledger.h"
 #include "reports/attempt_figures.h"
 #include "reports/words.h"
+#include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/pages.h"
@@ -208,6 +209,7 @@ class ComparePage : public Page {
         std::array<int64_t, 2> ids{};
         std::array<QString, 2> files;
         std::array<std::shared_ptr<sim::Recording>, 2> read;
+        auto there = std::make_shared<bool>(true);
         for (size_t i = 0; i < 2; ++i) {
             ids[i] = halves_[i].detail.record.id;
             halves_[i].folder = std::make_shared<QTemporaryDir>();
@@ -216,14 +218,16 @@ class ComparePage : public Page {
         }
         context_.background(
             wait, tr("Reading the recordings"),
-            [ids, files, read](db::Store& store) {
-                for (size_t i = 0; i < 2; ++i) {
-                    store.extract_recording(ids[i], files[i].toStdString());
-                    *read[i] = recording_of_file(files[i]);
-                }
+            [ids, files, read, there](db::Store& store) {
+                for (size_t i = 0; i < 2; ++i)
+                    *there = take_recording(store, ids[i], files[i], *read[i]) && *there;
             },
-            [this, wait, files, read](bool done) {
+            [this, wait, files, read, there](bool done) {
                 if (!done) return wait->setText(tr("A recording cannot be shown."));
+                if (!*there)
+                    return wait->setText(
+                        tr("One of the two was kept without a recording: measures can be compared, "
+                           "watching both needs two recordings."));
                 wait->hide();
                 for (size_t i = 0; i < 2; ++i) {
                     halves_[i].recording = read[i];

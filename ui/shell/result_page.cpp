@@ -5,9 +5,13 @@
 // person's own band, remarks, and what to do next.
 
 #include <QHBoxLayout>
+#include <QPushButton>
+#include <QRegularExpression>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 #include <memory>
 
+#include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/result_cards.h"
 #include "ui/shell/training.h"
@@ -101,11 +105,11 @@ class ResultPage : public Page {
     }
 
     void addButtons(QHBoxLayout* line, bool own) {
-        QPushButton* watch = make_button(context_, tr("Watch"), "secondary", "play");
-        watch->setObjectName("watch");
-        watch->setToolTip(tr("See this attempt again in the simulator's window"));
-        connect(watch, &QPushButton::clicked, this, [this] { this->watch(0); });
-        line->addWidget(watch);
+        watch_ = make_button(context_, tr("Watch"), "secondary", "play");
+        watch_->setObjectName("watch");
+        watch_->setToolTip(tr("See this attempt again in the simulator's window"));
+        connect(watch_, &QPushButton::clicked, this, [this] { watch(0); });
+        line->addWidget(watch_);
         QPushButton* compare = make_button(context_, tr("Compare"), "secondary");
         compare->setObjectName("compare");
         compare->setToolTip(tr("See this attempt beside another one"));
@@ -113,11 +117,11 @@ class ResultPage : public Page {
             Q_EMIT go({PageId::kCompare, data_.detail.record.id, {}, {}});
         });
         line->addWidget(compare);
-        QPushButton* report = make_button(context_, tr("Report"), "secondary", "report");
-        report->setObjectName("report_pdf");
-        report->setToolTip(tr("Write a PDF of this attempt"));
-        connect(report, &QPushButton::clicked, this, [this] { writeReport(); });
-        line->addWidget(report);
+        report_ = make_button(context_, tr("Report"), "secondary", "report");
+        report_->setObjectName("report_pdf");
+        report_->setToolTip(tr("Write a PDF of this attempt"));
+        connect(report_, &QPushButton::clicked, this, [this] { writeReport(); });
+        line->addWidget(report_);
         if (!own || !context_.may(db::Action::kPerformAttempt)) return;
         const QString task = qstr(data_.detail.record.task_id);
         QPushButton* again = make_button(context_, tr("Again"), "secondary", "again");
@@ -149,12 +153,17 @@ class ResultPage : public Page {
         QLabel* wait = make_label(tr("Reading the recording …"), "muted");
         pictures_->addWidget(wait);
         auto recording = std::make_shared<sim::Recording>();
+        auto there = std::make_shared<bool>(false);
         const int64_t id = data_.detail.record.id;
         context_.background(
             this, tr("Reading the recording"),
-            [recording, id](db::Store& store) { *recording = stored_recording(store, id); },
-            [this, recording, wait](bool done) {
+            [recording, there, id](db::Store& store) {
+                const QTemporaryDir folder;
+                *there = take_recording(store, id, folder.filePath("attempt.placode"), *recording);
+            },
+            [this, recording, there, wait](bool done) {
                 if (!done) return wait->setText(tr("The recording cannot be shown."));
+                if (!*there) return withoutRecording(wait);
                 recording_ = recording;
                 wait->hide();
                 const auto show = [this](double time_s) { watch(time_s); };
@@ -162,6 +171,18 @@ class ResultPage : public Page {
                 pictures_->addWidget(make_map_card(context_, recording));
                 pictures_->addWidget(make_ways_card(context_, recording));
             });
+    }
+
+    void withoutRecording(QLabel* said) {
+        said->setText(
+            tr("This attempt was kept without a recording. Score, reasons and measures are "
+               "complete; the pictures, the report and watching it again need one."));
+        said->setObjectName("no_recording");
+        watch_->setEnabled(false);
+        report_->setEnabled(false);
+        for (auto* show :
+             findChildren<QPushButton*>(QRegularExpression("^(show_reason|comment_show)_\\d+$")))
+            show->hide();
     }
 
     void writeReport() {
@@ -188,6 +209,7 @@ class ResultPage : public Page {
 
     ResultData data_;
     QVBoxLayout* pictures_ = nullptr;
+    QPushButton *watch_ = nullptr, *report_ = nullptr;
     std::shared_ptr<sim::Recording> recording_;
 };
 

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "reports/words.h"
+#include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/replay_launcher.h"
 #include "ui/shell/result_cards.h"
@@ -159,17 +160,21 @@ class WatchPage : public Page {
 
     void readRecording() {
         auto recording = std::make_shared<sim::Recording>();
+        auto there = std::make_shared<bool>(false);
         auto folder = std::make_shared<QTemporaryDir>();
         const QString file = folder->filePath("attempt.placode");
         const int64_t id = record_.id;
         context_.background(
             this, tr("Reading the recording"),
-            [recording, id, file](db::Store& store) {
-                store.extract_recording(id, file.toStdString());
-                *recording = recording_of_file(file);
+            [recording, there, id, file](db::Store& store) {
+                *there = take_recording(store, id, file, *recording);
             },
-            [this, recording, folder, file](bool done) {
+            [this, recording, there, folder, file](bool done) {
                 if (!done) return wait_->setText(tr("The recording cannot be shown."));
+                if (!*there)
+                    return wait_->setText(
+                        tr("This attempt was kept without a recording, so it cannot be watched. "
+                           "Its result is complete."));
                 wait_->hide();
                 folder_ = folder;
                 file_ = file;
