@@ -3,8 +3,10 @@
 // Result: the field with damage or energy, the incision, and the ways of the instruments.
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QStackedLayout>
+#include <algorithm>
+#include <vector>
 
 #include "reports/words.h"
 #include "ui/shell/result_cards.h"
@@ -30,6 +32,45 @@ QString map_words(const std::vector<assessment::LedgerEntry>& entries) {
     return lines.isEmpty() ? Pictures::tr("No damage was recorded.") : lines.join("; ");
 }
 
+/// Pictures beside each other, as many as have room, the rest below.
+class Shelf : public QWidget {
+ public:
+    explicit Shelf(int least) : least_(least), grid_(new QGridLayout(this)) {
+        grid_->setContentsMargins(0, 0, 0, 0);
+        grid_->setSpacing(kSpace16);
+    }
+    void add(QWidget* picture) {
+        pictures_.push_back(picture);
+        arrange(static_cast<int>(pictures_.size()));
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {least_, grid_->minimumSize().height()};
+    }
+
+ protected:
+    void resizeEvent(QResizeEvent*) override {
+        const int most = static_cast<int>(pictures_.size());
+        const int columns = std::clamp((width() + kSpace16) / (least_ + kSpace16), 1, most);
+        if (columns != columns_) arrange(columns);
+    }
+
+ private:
+    void arrange(int columns) {
+        columns_ = columns;
+        for (QWidget* each : pictures_) grid_->removeWidget(each);
+        for (int i = 0; i < static_cast<int>(pictures_.size()); ++i) {
+            grid_->addWidget(pictures_[static_cast<size_t>(i)], i / columns, i % columns);
+            grid_->setColumnStretch(i, i < columns ? 1 : 0);
+        }
+        updateGeometry();
+    }
+    int least_, columns_ = 0;
+    QGridLayout* grid_;
+    std::vector<QWidget*> pictures_;
+};
+
+constexpr int kLeastMap = 280, kLeastWay = 260;
+
 }  // namespace
 
 QWidget* make_map_card(AppContext& context,
@@ -40,20 +81,21 @@ QWidget* make_map_card(AppContext& context,
     const reports::ChartStyle style = chart_style(context.theme());
     auto entries = std::make_shared<std::vector<assessment::LedgerEntry>>(
         assessment::damage_ledger(recording->events, recording->header.geometry));
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSpace16);
+    auto* shelf = new Shelf(kLeastMap);
     const auto add = [&](const QString& name, const QString& words, const char* object,
                          const std::function<void(QPainter&, const QRectF&)>& draw) {
-        auto* column = new QVBoxLayout;
+        auto* titled = new QWidget;
+        auto* column = new QVBoxLayout(titled);
+        column->setContentsMargins(0, 0, 0, 0);
         column->setSpacing(kSpace4);
-        QWidget* picture = make_picture(draw, QSize(280, 320), name, words);
+        QWidget* picture = make_picture(draw, QSize(kLeastMap, 320), name, words);
         picture->setObjectName(object);
         picture->setMaximumHeight(380);
         QLabel* title = make_label(name, "muted");
         title->setAlignment(Qt::AlignHCenter);
         column->addWidget(title);
         column->addWidget(picture, 1);
-        row->addLayout(column, 1);
+        shelf->add(titled);
     };
     add(Pictures::tr("Damage"), map_words(*entries), "damage_map",
         [recording, entries, style](QPainter& painter, const QRectF& where) {
@@ -72,7 +114,7 @@ QWidget* make_map_card(AppContext& context,
         "incision", [recording, style](QPainter& painter, const QRectF& where) {
             reports::draw_incision(painter, where, *recording, style);
         });
-    layout->addLayout(row);
+    layout->addWidget(shelf);
     return make_card(layout);
 }
 
@@ -82,8 +124,7 @@ QWidget* make_ways_card(AppContext& context,
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(Pictures::tr("Ways of the instruments"), "heading"));
     const reports::ChartStyle style = chart_style(context.theme());
-    auto* row = new QHBoxLayout;
-    row->setSpacing(kSpace16);
+    auto* shelf = new Shelf(kLeastWay);
     const QString names[]{Pictures::tr("Ways from above"), Pictures::tr("Ways from the left side"),
                           Pictures::tr("Ways from the feet")};
     for (int i = 0; i < 3; ++i) {
@@ -92,13 +133,13 @@ QWidget* make_ways_card(AppContext& context,
                 reports::draw_trajectory(painter, where, *recording, static_cast<reports::Side>(i),
                                          style);
             },
-            QSize(260, 270), names[i],
+            QSize(kLeastWay, 270), names[i],
             Pictures::tr("Path length and time stand among the measures."));
         picture->setObjectName(QString("way_%1").arg(i));
         picture->setMaximumHeight(330);
-        row->addWidget(picture, 1);
+        shelf->add(picture);
     }
-    layout->addLayout(row);
+    layout->addWidget(shelf);
     layout->addWidget(make_label(
         Pictures::tr("Thick where energy flowed into tissue. Dashed line: the plan."), "small"));
     return make_card(layout);

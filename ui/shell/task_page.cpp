@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
+#include <QPainter>
 #include <QPixmap>
 #include <map>
 #include <set>
@@ -31,6 +32,36 @@ bool is_haptic(const std::string& device) {
     return device == "openhaptics" || device == "haply" || device == "avatar" ||
            device == "forcedimension";
 }
+
+/// As wide as its column, with every pixel that the screen has.
+class TaskPicture : public QWidget {
+ public:
+    explicit TaskPicture(QPixmap picture) : picture_(std::move(picture)) {
+        QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+        policy.setHeightForWidth(true);
+        setSizePolicy(policy);
+        setMaximumWidth(kWidest);
+    }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override {
+        return width * picture_.height() / picture_.width();
+    }
+    [[nodiscard]] QSize sizeHint() const override { return {kWidest, heightForWidth(kWidest)}; }
+    [[nodiscard]] QSize minimumSizeHint() const override {
+        return {kNarrowest, heightForWidth(kNarrowest)};
+    }
+
+ protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.drawPixmap(QRect(0, 0, width(), heightForWidth(width())), picture_);
+    }
+
+ private:
+    static constexpr int kNarrowest = 280, kWidest = 560;
+    QPixmap picture_;
+};
 
 class TaskPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(TaskPage)
@@ -167,11 +198,10 @@ class TaskPage : public Page {
         layout->addWidget(make_label(tr("Step by step"), "heading"));
         const auto file = curriculum::data_folder() / "pictures" / (task_.id + ".jpg");
         if (const QPixmap picture(qstr(file.string())); !picture.isNull()) {
-            auto* label = new QLabel;
-            label->setObjectName("task_picture");
-            label->setPixmap(picture.scaledToWidth(560, Qt::SmoothTransformation));
-            label->setAccessibleName(tr("The task as a scripted expert does it"));
-            layout->addWidget(label);
+            auto* shown = new TaskPicture(picture);
+            shown->setObjectName("task_picture");
+            shown->setAccessibleName(tr("The task as a scripted expert does it"));
+            layout->addWidget(shown);
         }
         int number = 1;
         for (const curriculum::LocalText& step : task_.instructions) {
