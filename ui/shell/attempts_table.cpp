@@ -86,9 +86,10 @@ QTableWidget* make_attempts_table(AppContext& context,
     // Device and time stand on the result page, a click away.
     const int last = table->columnCount() - 1, stretch = everybody ? 2 : last;
     fit_columns(table, stretch);
-    keep_within(
-        table,
-        {.stretch = stretch, .least_px = everybody ? 320 : 140, .drop = {last - 1, last - 2}});
+    keep_within(table, {.stretch = stretch,
+                        .least_px = everybody ? 320 : 140,
+                        .keep_px = everybody ? 170 : 110,
+                        .drop = {last - 1, last - 2}});
     table->setSortingEnabled(true);
     table->sortByColumn(0, Qt::DescendingOrder);
     return table;

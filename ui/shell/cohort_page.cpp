@@ -27,7 +27,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 52;  ///< Width of a column [px].
+constexpr int kFewTasks = 170, kManyTasks = 116, kLeastTask = 58;  ///< Width of a column [px].
 
 using assessment::CohortCell;
 using assessment::Standing;
@@ -201,6 +201,7 @@ class CohortPage : public Page {
         QStringList head{tr("Person"), tr("Last seen")};
         for (const std::string& task : tasks_) head << task_title(context_, task);
         table_ = make_table(head, tr("People by tasks"));
+        use_title_header(table_, 2);
         table_->setObjectName("cohort_table");
         table_->setSortingEnabled(false);
         table_->setSelectionBehavior(QAbstractItemView::SelectItems);
@@ -218,8 +219,8 @@ class CohortPage : public Page {
         for (int c = 2; c < table_->columnCount(); ++c)
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
-        wrap_titles(table_, 2);
-        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 180, .drop = {1}});
+        wrap_titles(table_);
+        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 150, .drop = {1}});
         table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =

@@ -4,6 +4,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QPainter>
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -15,6 +16,8 @@ namespace placode::ui {
 namespace {
 
 constexpr int kLeastColumn = 52, kTitleLines = 3, kTitlePadding = 20;
+constexpr int kTitlePx = 12, kTitleLine = 17;       ///< Letters and lines of a title [px].
+constexpr int kUpright = 100, kTurnedHeight = 168;  ///< Least width across; height turned [px].
 
 /// Largest width that every column may have so that all of them fit into `room`.
 int widest_allowed(std::vector<int> wanted, int room) {
@@ -81,12 +84,12 @@ class WidthKeeper : public QObject {
 };
 
 /// Words on lines of `width` px, the last line and words without room end in dots.
-QString in_lines(const QString& title, const QFontMetrics& words, int width) {
+QString in_lines(const QString& title, const QFontMetrics& words, int width, int most) {
     QStringList lines;
     QString line;
     for (const QString& word : title.split(' ')) {
         const QString longer = line.isEmpty() ? word : line + ' ' + word;
-        if (line.isEmpty() || lines.size() + 1 == kTitleLines ||
+        if (line.isEmpty() || lines.size() + 1 == most ||
             words.horizontalAdvance(longer) <= width) {
             line = longer;
         } else {
@@ -98,27 +101,77 @@ QString in_lines(const QString& title, const QFontMetrics& words, int width) {
     return lines.join('\n');
 }
 
+/// Titles of narrow columns are turned: across, a column of 60 px shows three letters of them.
+class TitleHeader : public QHeaderView {
+ public:
+    TitleHeader(int first, QWidget* parent)
+        : QHeaderView(Qt::Horizontal, parent), first_(first), bold_(font()) {
+        setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        setHighlightSections(false);
+        bold_.setPixelSize(kTitlePx);
+        bold_.setWeight(QFont::DemiBold);
+        connect(this, &QHeaderView::sectionResized, this, [this] { arrange(); });
+    }
+    /// Takes the titles of now as those to show.
+    void learn() {
+        for (int c = first_; c < count(); ++c) {
+            QTableWidgetItem* title = item(c);
+            title->setToolTip(title->text());
+            title->setData(Qt::AccessibleTextRole, title->text());
+            title->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        }
+        arrange();
+    }
+
+ protected:
+    void paintSection(QPainter* painter, const QRect& rect, int column) const override {
+        painter->save();
+        QHeaderView::paintSection(painter, rect, column);
+        painter->restore();
+        if (!turned_ || column < first_) return;
+        painter->save();
+        painter->setFont(bold_);
+        painter->setPen(palette().color(QPalette::Disabled, QPalette::Text));
+        painter->translate(rect.left(), rect.bottom());
+        painter->rotate(-90);
+        const QRect room(kSpace8, 0, rect.height() - kSpace16, rect.width());
+        painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                          in_lines(item(column)->toolTip(), QFontMetrics(bold_), room.width(),
+                                   std::max(1, room.width() > 0 ? rect.width() / kTitleLine : 1)));
+        painter->restore();
+    }
+
+ private:
+    [[nodiscard]] QTableWidgetItem* item(int column) const {
+        return qobject_cast<QTableWidget*>(parentWidget())->horizontalHeaderItem(column);
+    }
+    void arrange() {
+        turned_ = false;
+        for (int c = first_; c < count(); ++c)
+            turned_ = turned_ || (!isSectionHidden(c) && sectionSize(c) < kUpright);
+        const QFontMetrics words(bold_);
+        for (int c = first_; c < count(); ++c)
+            item(c)->setText(turned_ ? QString()
+                                     : in_lines(item(c)->toolTip(), words,
+                                                sectionSize(c) - kTitlePadding, kTitleLines));
+        setFixedHeight(turned_ ? kTurnedHeight : kTitleLines * words.lineSpacing() + kSpace16);
+    }
+    int first_;
+    bool turned_ = false;
+    QFont bold_;
+};
+
 }  // namespace
 
-void wrap_titles(QTableWidget* table, int first) {
-    QHeaderView* header = table->horizontalHeader();
-    QFont bold = header->font();
-    bold.setWeight(QFont::DemiBold);
-    const QFontMetrics words(bold);
-    const auto wrap = [table, first, words](int column, int width) {
-        QTableWidgetItem* title = table->horizontalHeaderItem(column);
-        if (column >= first && title != nullptr)
-            title->setText(in_lines(title->toolTip(), words, width - kTitlePadding));
-    };
-    for (int c = first; c < table->columnCount(); ++c) {
-        QTableWidgetItem* title = table->horizontalHeaderItem(c);
-        title->setToolTip(title->text());
-        title->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        wrap(c, table->columnWidth(c));
-    }
-    header->setFixedHeight(kTitleLines * words.lineSpacing() + kSpace16);
-    QObject::connect(header, &QHeaderView::sectionResized, table,
-                     [wrap](int column, int, int width) { wrap(column, width); });
+void use_title_header(QTableWidget* table, int first) {
+    auto* header = new TitleHeader(first, table);
+    table->setHorizontalHeader(header);
+    header->setSectionsClickable(true);
+    header->show();
+}
+
+void wrap_titles(QTableWidget* table) {
+    if (auto* header = dynamic_cast<TitleHeader*>(table->horizontalHeader())) header->learn();
 }
 
 void keep_within(QTableWidget* table, const TableFit& fit) {

@@ -21,8 +21,10 @@ struct TableFit {
 /// what is cut off ends in dots and stands in the tool tip. Called after fit_columns().
 void keep_within(QTableWidget* table, const TableFit& fit);
 
-/// Titles from column `first` on in up to three lines, right-aligned, broken at words whenever the
-/// width of a column changes; what has no room ends in dots and stands in the tool tip.
-void wrap_titles(QTableWidget* table, int first);
+/// A header whose titles from column `first` on stand in up to three lines, broken at words, or
+/// upright where columns are narrow; what has no room ends in dots and stands in the tool tip.
+/// Called before fit_columns(), and wrap_titles() once the widths are set.
+void use_title_header(QTableWidget* table, int first);
+void wrap_titles(QTableWidget* table);
 
 }  // namespace placode::ui
