@@ -121,6 +121,19 @@ std::vector<FormField> item_fields() {
          Kind::kFlag}};
 }
 
+QString definition_title(const std::string& json, const std::string& id, const QString& language) {
+    const OrderedJson read = OrderedJson::parse(json, nullptr, false);
+    const auto title = read.is_object() ? read.find("title") : read.end();
+    if (!read.is_object() || title == read.end()) return qstr(id);
+    if (title->is_string()) return qstr(title->get<std::string>());
+    for (const std::string& each : {language.toStdString(), std::string("en")}) {
+        if (!title->is_object() || !title->contains(each) || !(*title)[each].is_string()) continue;
+        const auto words = (*title)[each].get<std::string>();
+        if (!words.empty()) return qstr(words);
+    }
+    return qstr(id);
+}
+
 QString element_name(const OrderedJson& element) {
     const auto text_at = [&](const char* key) {
         const auto found = element.find(key);
@@ -134,7 +147,7 @@ QString element_name(const OrderedJson& element) {
             if (option.value == kind) kind = option.words.section(':', 0, 0);
         }
     }
-    return text_at("id") + "  (" + kind + ")";
+    return kind.isEmpty() ? text_at("id") : kind + "  ·  " + text_at("id");
 }
 
 QString empty_definition(bool study) {

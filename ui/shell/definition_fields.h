@@ -17,6 +17,9 @@ class AppContext;
 [[nodiscard]] std::vector<FormField> item_fields();
 
 /// What a list of steps or items calls an element: "procedure_1 (Procedure)".
+/// Of a definition's text, in a language or in English; `id` when there is none.
+[[nodiscard]] QString definition_title(const std::string& json, const std::string& id,
+                                       const QString& language);
 [[nodiscard]] QString element_name(const OrderedJson& element);
 
 /// The least definition that is right.

@@ -68,9 +68,14 @@ class ProtocolsPage : public Page {
     [[nodiscard]] std::string kindText() const { return kind_.toStdString(); }
 
     QLayout* head() {
-        auto* row = new QHBoxLayout;
+        auto* both = new QVBoxLayout;
+        both->setSpacing(kSpace12);
+        auto* title = new QHBoxLayout;
+        title->addWidget(make_label(tr("Protocols"), "display"), 1);
+        both->addLayout(title);
+        auto* row = new QHBoxLayout;  // Of its own: titles of studies are long.
         row->setSpacing(kSpace8);
-        row->addWidget(make_label(tr("Protocols"), "display"), 1);
+        both->addLayout(row);
         auto* kinds = new QComboBox;
         kinds->setObjectName("definition_kind");
         kinds->setAccessibleName(tr("Kind"));
@@ -89,20 +94,29 @@ class ProtocolsPage : public Page {
             if (!mayLeave()) return;
             setText(textOf(chooser_->currentData().toString()));
         });
-        row->addWidget(chooser_);
-        row->addWidget(make_action(context_, this, tr("New"), "quiet", "plus", "definition_new",
-                                   [this] { setText(empty_definition(isStudy())); }));
-        return row;
+        row->addWidget(chooser_, 1);
+        title->addWidget(make_action(context_, this, tr("New"), "quiet", "plus", "definition_new",
+                                     [this] { setText(empty_definition(isStudy())); }));
+        return both;
     }
 
     /// Every published version, then what is shipped.
     void fillChooser() {
         for (const auto& each : context_.store().definitions(kindText()))
-            chooser_->addItem(tr("%1, version %2, published").arg(qstr(each.id)).arg(each.version),
+            chooser_->addItem(tr("%1, version %2, published")
+                                  .arg(definition_title(each.json, each.id, context_.language()))
+                                  .arg(each.version),
                               qstr(each.id) + "/" + QString::number(each.version));
         const std::string folder = isStudy() ? "studies" : "questionnaires";
         for (const std::string& id : curriculum::list_definitions(folder))
-            chooser_->addItem(tr("%1, shipped").arg(qstr(id)), qstr(id));
+            chooser_->addItem(
+                tr("%1, shipped")
+                    .arg(definition_title(textOf(qstr(id)).toStdString(), id, context_.language())),
+                qstr(id));
+        for (int i = 0; i < chooser_->count(); ++i)
+            chooser_->setItemData(i, chooser_->itemData(i), Qt::ToolTipRole);
+        chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        chooser_->setMinimumContentsLength(26);
     }
 
     [[nodiscard]] QString textOf(const QString& name) const {
@@ -377,8 +391,7 @@ class ProtocolsPage : public Page {
 
     void importFile() {
         if (!mayLeave()) return;
-        const QString path =
-            context_.askOpenFile(this, tr("Import a definition"), "JSON (*.json)");
+        const QString path = context_.askOpenFile(this, tr("Import a definition"), "JSON (*.json)");
         if (path.isEmpty()) return;
         context_.guard(tr("Importing a definition"), [&] {
             setText(qstr(reports::read_file(path.toStdString())));

@@ -64,7 +64,10 @@ class StudiesPage : public Page {
         if (ids.size() < 2) return;
         auto* chooser = new QComboBox;
         chooser->setAccessibleName(tr("Questionnaire"));
-        for (const std::string& id : ids) chooser->addItem(qstr(id), qstr(id));
+        chooser->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        chooser->setMinimumWidth(300);
+        for (const std::string& id : ids)
+            chooser->addItem(context_.in(newest_questionnaire(context_, id).title), qstr(id));
         chooser->setCurrentIndex(std::max(0, chooser->findData(chosen_)));
         connect(chooser, &QComboBox::activated, this, [this, chooser] {
             Q_EMIT go(
@@ -124,7 +127,8 @@ class StudiesPage : public Page {
         format->setAccessibleName(tr("Export format"));
         for (const auto& each : reports::export_formats())
             if (QString(each.name) != "motion-bids")  // there are no attempts here
-                format->addItem(QString::fromUtf8(each.title), QString(each.name));
+                format->addItem(QCoreApplication::translate("ExportFormat", each.title),
+                                QString(each.name));
         format->setEnabled(may);
         head->addWidget(format);
         QPushButton* button = make_button(context_, tr("Export"), "secondary", "download");

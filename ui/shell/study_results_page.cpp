@@ -47,6 +47,11 @@ class StudyResultsPage : public Page {
             column->addWidget(make_label(
                 tr("No study has participants yet. Enrol the first one on the page Studies."),
                 "muted"));
+            QPushButton* open = make_action(context, this, tr("Open the studies"), "primary",
+                                            "next", "open_studies", [this] {
+                                                Q_EMIT go({PageId::kStudies, 0, {}, {}});
+                                            });
+            column->addWidget(open, 0, Qt::AlignLeft);
             column->addStretch();
             return;
         }
