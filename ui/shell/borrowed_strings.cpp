@@ -120,7 +120,8 @@ namespace {
     QT_TRANSLATE_NOOP("Controls", "Move the tip in the picture"),
     QT_TRANSLATE_NOOP("Controls", "move the mouse"),
     QT_TRANSLATE_NOOP("Controls", "Go deeper / come back"),
-    QT_TRANSLATE_NOOP("Controls", "wheel away from you / towards you (1 mm a notch)"),
+    QT_TRANSLATE_NOOP("Controls",
+                      "wheel away from you / towards you (half a millimetre; with Shift 2 mm)"),
     QT_TRANSLATE_NOOP("Controls", "Cut (yellow pedal)"),
     QT_TRANSLATE_NOOP("Controls", "hold the left button, or X"),
     QT_TRANSLATE_NOOP("Controls", "Coagulate (blue pedal)"),
@@ -156,6 +157,28 @@ namespace {
     QT_TRANSLATE_NOOP("Controls", "right stick sideways"),
     QT_TRANSLATE_NOOP("Controls", "hold Space on the keyboard"),
     QT_TRANSLATE_NOOP("Controls", "Start, or Enter on the keyboard"),
+    QT_TRANSLATE_NOOP("Controls", "push the cap sideways and up or down"),
+    QT_TRANSLATE_NOOP("Controls", "push the cap away from you / pull it"),
+    QT_TRANSLATE_NOOP("Controls", "hold the left button, or the yellow pedal"),
+    QT_TRANSLATE_NOOP("Controls", "hold the right button, or the blue pedal"),
+    QT_TRANSLATE_NOOP("Controls", "twist the cap"),
+    QT_TRANSLATE_NOOP("Controls", "Move the handle outside the body"),
+    QT_TRANSLATE_NOOP("Controls", "move the arm; the port inverts"),
+    QT_TRANSLATE_NOOP("Controls", "yellow pedal, or the first button"),
+    QT_TRANSLATE_NOOP("Controls", "blue pedal, or the third button"),
+    QT_TRANSLATE_NOOP("Controls", "Close the jaws"),
+    QT_TRANSLATE_NOOP("Controls", "hold the first button, or the arm's gripper"),
+    QT_TRANSLATE_NOOP("Controls", "turn the stylus"),
+    QT_TRANSLATE_NOOP("Controls", "Clutch: move the arm, not the handle"),
+    QT_TRANSLATE_NOOP("Controls", "hold the second button"),
+    QT_TRANSLATE_NOOP("Controls", "Other instrument"),
+    QT_TRANSLATE_NOOP("Controls", "tap the second button, or Tab"),
+    QT_TRANSLATE_NOOP("Controls", "Move the instrument in its port"),
+    QT_TRANSLATE_NOOP("Controls", "move the handle; the port inverts"),
+    QT_TRANSLATE_NOOP("Controls", "yellow pedal"),
+    QT_TRANSLATE_NOOP("Controls", "blue pedal"),
+    QT_TRANSLATE_NOOP("Controls", "close the handle"),
+    QT_TRANSLATE_NOOP("Controls", "turn the handle"),
 };
 
 [[maybe_unused]] const char* const kDevices[] = {
@@ -168,6 +191,17 @@ namespace {
     QT_TRANSLATE_NOOP("Device", "Haply Inverse3"),
     QT_TRANSLATE_NOOP("Device", "Follou Haptic Avatar"),
     QT_TRANSLATE_NOOP("Device", "Force Dimension omega, delta, sigma, lambda"),
+};
+
+[[maybe_unused]] const char* const kExportFormats[] = {
+    QT_TRANSLATE_NOOP("ExportFormat", "CSV (wide, long, codebook)"),
+    QT_TRANSLATE_NOOP("ExportFormat", "SPSS (.sav)"),
+    QT_TRANSLATE_NOOP("ExportFormat", "REDCap (dictionary and records)"),
+    QT_TRANSLATE_NOOP("ExportFormat", "FHIR R4 (Questionnaire, QuestionnaireResponse)"),
+    QT_TRANSLATE_NOOP("ExportFormat", "CDISC ODM 1.3.2"),
+    QT_TRANSLATE_NOOP("ExportFormat", "xAPI statements"),
+    QT_TRANSLATE_NOOP("ExportFormat", "Motion-BIDS (trajectories)"),
+    QT_TRANSLATE_NOOP("ExportFormat", "All of these with manifest and checksums"),
 };
 
 [[maybe_unused]] const char* const kReasons[] = {

@@ -75,7 +75,7 @@ class CourseEditorPage : public Page {
             if (place.text.isEmpty()) {
                 course.id = "my_course";
                 for (int n = 2; known(course.id); ++n) course.id = "my_course_" + std::to_string(n);
-                course.title = {tr("New course").toStdString(), {}};
+                course.title = {"New course", {}};  // The English title, whoever sits here.
             } else {
                 course = db::find_course(context_.store(), place.text.toStdString());
                 ++course.version;
@@ -306,7 +306,9 @@ class CourseEditorPage : public Page {
         const auto progress = curriculum::course_progress(course, {});
         preview_->addWidget(make_label(context_.in(course.title), "title"));
         const auto next = curriculum::next_step(course, progress, db::task_titles(course), {}, "");
-        QLabel* why = make_label(context_.in(next.reason), "muted");
+        QLabel* why = make_label(course.stages.empty() ? tr("Here stands what a trainee will see.")
+                                                       : context_.in(next.reason),
+                                 "muted");
         why->setObjectName("preview_next");
         preview_->addWidget(why);
         for (size_t i = 0; i < course.stages.size(); ++i) {

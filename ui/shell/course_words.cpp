@@ -31,9 +31,11 @@ QString stage_rule_words(const curriculum::CourseStage& stage) {
     QStringList parts;
     parts << (stage.mode == curriculum::StageMode::kFamiliarisation && stage.benchmark_points <= 0
                   ? CourseWords::tr("Counts whatever the score")
-                  : CourseWords::tr("Benchmark %1 points, %2 times in a row")
-                        .arg(format_points(stage.benchmark_points))
-                        .arg(stage.consecutive));
+              : stage.consecutive == 1 ? CourseWords::tr("Benchmark %1 points, once")
+                                             .arg(format_points(stage.benchmark_points))
+                                       : CourseWords::tr("Benchmark %1 points, %2 times in a row")
+                                             .arg(format_points(stage.benchmark_points))
+                                             .arg(stage.consecutive));
     if (stage.max_attempts > 0)
         parts << CourseWords::tr("attempts at most: %1").arg(stage.max_attempts);
     if (stage.remind_after_days > 0)

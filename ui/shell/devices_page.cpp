@@ -124,6 +124,8 @@ class DevicesPage : public Page {
         QLabel* detail = make_label(
             device.found.isEmpty() ? detailOf(device) : device.found.join(", "), "small");
         detail->setObjectName("detail_" + device.name);
+        if (const QString need = needs(device.name); !device.available && !need.isEmpty())
+            words->addWidget(make_label(need, "small"));
         words->addWidget(detail);
         line->addLayout(words, 1);
         if (device.available && !device.found.isEmpty()) {
@@ -134,6 +136,22 @@ class DevicesPage : public Page {
             line->addWidget(start, 0, Qt::AlignTop);
         }
         return box;
+    }
+
+    /// What the device needs, for who cannot read the driver's English.
+    [[nodiscard]] QString needs(const QString& device) const {
+        if (context_.language() == "en") return {};  // The driver's reason says so already.
+        if (device == "spacemouse")
+            return tr(
+                "Needs its driver, spacenavd: sudo apt install spacenavd, then switch it on.");
+        if (device == "openhaptics")
+            return tr("Needs OpenHaptics and the Touch driver of 3D Systems.");
+        if (device == "haply") return tr("Needs the Haply Inverse service, running.");
+        if (device == "avatar")
+            return tr("Needs to be plugged in and switched on, and a user of the group dialout.");
+        if (device == "forcedimension")
+            return tr("Needs the libraries of the Force Dimension SDK.");
+        return {};
     }
 
     // The reason why a device does not open is the driver's own, in English like every exact

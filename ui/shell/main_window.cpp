@@ -54,6 +54,7 @@ void MainWindow::begin() {
 }
 
 void MainWindow::rebuild() {
+    setLocale(QLocale());  // Dates and numbers of what is built next speak the new language.
     Place here = place_;
     if (page_) here.state = page_->state();
     // The old frame lives on for a moment: it may hold the very button that was pressed.

@@ -18,6 +18,13 @@
 namespace placode::ui {
 namespace {
 
+/// A level of another centre may be any word.
+QString level_word(const std::string& level) {
+    if (level == "expert") return QCoreApplication::translate("NormsPage", "experts");
+    if (level == "novice") return QCoreApplication::translate("NormsPage", "novices");
+    return qstr(level);
+}
+
 class NormsPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(NormsPage)
  public:
@@ -75,7 +82,7 @@ class NormsPage : public Page {
             const db::NormPackRecord& each = packs_[static_cast<size_t>(row)];
             QStringList groups;
             for (const curriculum::NormGroup& group : each.pack.groups)
-                groups << tr("%1 (people: %2)").arg(qstr(group.level)).arg(group.persons);
+                groups << tr("%1 (people: %2)").arg(level_word(group.level)).arg(group.persons);
             auto* task = make_cell(task_title(context_, each.pack.task_id));
             task->setData(Qt::UserRole, row);
             task->setToolTip(task->text());

@@ -214,7 +214,8 @@ class ProtocolCard : public QFrame {
         format->setObjectName("study_export_format");
         format->setAccessibleName(tr("Export format"));
         for (const auto& each : reports::export_formats())
-            format->addItem(QString::fromUtf8(each.title), QString(each.name));
+            format->addItem(QCoreApplication::translate("ExportFormat", each.title),
+                            QString(each.name));
         row->addWidget(format);
         const bool may = context_.may(db::Action::kExportStudy);
         identifying_ = new QLineEdit;

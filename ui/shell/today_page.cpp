@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 
 #include "db/standards.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -48,7 +49,8 @@ class TodayPage : public Page {
         if (stage == nullptr) {
             layout->addWidget(make_label(
                 finished ? tr("Every stage is mastered.") : QStringLiteral("–"), "title"));
-            layout->addWidget(make_label(context_.in(training_.next.reason), "muted"));
+            layout->addWidget(
+                make_label(with_day_words(context_.in(training_.next.reason)), "muted"));
             if (finished)
                 layout->addWidget(
                     make_label(tr("Repeat any task from the course to keep the skill."), "muted"));
@@ -59,7 +61,8 @@ class TodayPage : public Page {
         } else {
             const QString id = qstr(stage->task_id);
             layout->addWidget(make_label(training_.taskTitle(context_, stage->task_id), "title"));
-            layout->addWidget(make_label(context_.in(training_.next.reason), "muted"));
+            layout->addWidget(
+                make_label(with_day_words(context_.in(training_.next.reason)), "muted"));
             open = make_button(context_, tr("Open the task"), "primary", "play");
             const QVariantMap state = task_state(training_.course, stage->rule);
             connect(open, &QPushButton::clicked, this, [this, id, state] {

@@ -610,6 +610,62 @@
         <source>used a study&apos;s key of names: %1</source>
         <translation>użyto klucza nazwisk badania: %1</translation>
     </message>
+    <message>
+        <source>assignment %1</source>
+        <translation>przydział %1</translation>
+    </message>
+    <message>
+        <source>attempt %1</source>
+        <translation>próba %1</translation>
+    </message>
+    <message>
+        <source>comment %1</source>
+        <translation>komentarz %1</translation>
+    </message>
+    <message>
+        <source>group %1</source>
+        <translation>grupa %1</translation>
+    </message>
+    <message>
+        <source>invitation %1</source>
+        <translation>zaproszenie %1</translation>
+    </message>
+    <message>
+        <source>norm pack %1</source>
+        <translation>pakiet norm %1</translation>
+    </message>
+    <message>
+        <source>person %1</source>
+        <translation>osoba %1</translation>
+    </message>
+    <message>
+        <source>attempts stay without a name</source>
+        <translation>próby zostają bez nazwiska</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>wszyscy</translation>
+    </message>
+    <message>
+        <source>educator</source>
+        <translation>instruktor</translation>
+    </message>
+    <message>
+        <source>member</source>
+        <translation>członek</translation>
+    </message>
+    <message>
+        <source>not in the group any more</source>
+        <translation>już poza grupą</translation>
+    </message>
+    <message>
+        <source>with attempts</source>
+        <translation>razem z próbami</translation>
+    </message>
+    <message>
+        <source>%1, version %2</source>
+        <translation>%1, wersja %2</translation>
+    </message>
 </context>
 <context>
     <name>CohortPage</name>
@@ -840,10 +896,6 @@
         <translation>Głębiej / z powrotem</translation>
     </message>
     <message>
-        <source>wheel away from you / towards you (1 mm a notch)</source>
-        <translation>kółko od siebie / do siebie (1 mm na ząbek)</translation>
-    </message>
-    <message>
         <source>Cut (yellow pedal)</source>
         <translation>Cięcie (żółty pedał)</translation>
     </message>
@@ -982,6 +1034,98 @@
     <message>
         <source>Start, or Enter on the keyboard</source>
         <translation>Start albo Enter na klawiaturze</translation>
+    </message>
+    <message>
+        <source>wheel away from you / towards you (half a millimetre; with Shift 2 mm)</source>
+        <translation>kółko od siebie / do siebie (pół milimetra; z Shift 2 mm)</translation>
+    </message>
+    <message>
+        <source>push the cap sideways and up or down</source>
+        <translation>przesuwaj gałkę na boki i w górę lub w dół</translation>
+    </message>
+    <message>
+        <source>push the cap away from you / pull it</source>
+        <translation>pchnij gałkę od siebie / pociągnij do siebie</translation>
+    </message>
+    <message>
+        <source>hold the left button, or the yellow pedal</source>
+        <translation>przytrzymaj lewy przycisk lub żółty pedał</translation>
+    </message>
+    <message>
+        <source>hold the right button, or the blue pedal</source>
+        <translation>przytrzymaj prawy przycisk lub niebieski pedał</translation>
+    </message>
+    <message>
+        <source>twist the cap</source>
+        <translation>obracaj gałkę</translation>
+    </message>
+    <message>
+        <source>Move the handle outside the body</source>
+        <translation>Ruch uchwytu na zewnątrz ciała</translation>
+    </message>
+    <message>
+        <source>move the arm; the port inverts</source>
+        <translation>poruszaj ramieniem; port odwraca ruch</translation>
+    </message>
+    <message>
+        <source>yellow pedal, or the first button</source>
+        <translation>żółty pedał lub pierwszy przycisk</translation>
+    </message>
+    <message>
+        <source>blue pedal, or the third button</source>
+        <translation>niebieski pedał lub trzeci przycisk</translation>
+    </message>
+    <message>
+        <source>Close the jaws</source>
+        <translation>Zamykanie szczęk</translation>
+    </message>
+    <message>
+        <source>hold the first button, or the arm's gripper</source>
+        <translation>przytrzymaj pierwszy przycisk lub chwytak ramienia</translation>
+    </message>
+    <message>
+        <source>turn the stylus</source>
+        <translation>obracaj rysik</translation>
+    </message>
+    <message>
+        <source>Clutch: move the arm, not the handle</source>
+        <translation>Sprzęgło: ruch ramienia bez ruchu uchwytu</translation>
+    </message>
+    <message>
+        <source>hold the second button</source>
+        <translation>przytrzymaj drugi przycisk</translation>
+    </message>
+    <message>
+        <source>Other instrument</source>
+        <translation>Inne narzędzie</translation>
+    </message>
+    <message>
+        <source>tap the second button, or Tab</source>
+        <translation>naciśnij krótko drugi przycisk lub Tab</translation>
+    </message>
+    <message>
+        <source>Move the instrument in its port</source>
+        <translation>Ruch narzędzia w porcie</translation>
+    </message>
+    <message>
+        <source>move the handle; the port inverts</source>
+        <translation>poruszaj uchwytem; port odwraca ruch</translation>
+    </message>
+    <message>
+        <source>yellow pedal</source>
+        <translation>żółty pedał</translation>
+    </message>
+    <message>
+        <source>blue pedal</source>
+        <translation>niebieski pedał</translation>
+    </message>
+    <message>
+        <source>close the handle</source>
+        <translation>zamknij uchwyt</translation>
+    </message>
+    <message>
+        <source>turn the handle</source>
+        <translation>obracaj uchwyt</translation>
     </message>
 </context>
 <context>
@@ -2898,7 +3042,7 @@
     </message>
     <message>
         <source>DEMONSTRATION</source>
-        <translation>POKAZ</translation>
+        <translation>DEMONSTRACJA</translation>
     </message>
     <message>
         <source>withdrew</source>
@@ -3684,6 +3828,10 @@
         <source>See this attempt beside another one</source>
         <translation>Zobacz tę próbę obok innej</translation>
     </message>
+    <message>
+        <source>This attempt was kept without a recording. Score, reasons and measures are complete; the pictures, the report and watching it again need one.</source>
+        <translation>Ta próba została zapisana bez nagrania. Wynik, powody i pomiary są kompletne; nagrania wymagają tylko obrazy, raport i ponowne obejrzenie.</translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
@@ -3871,7 +4019,7 @@
     </message>
     <message>
         <source>DEMONSTRATION</source>
-        <translation>POKAZ</translation>
+        <translation>DEMONSTRACJA</translation>
     </message>
     <message>
         <source>novice</source>
@@ -4441,7 +4589,7 @@
     <name>WatchPage</name>
     <message>
         <source>Reading the recording …</source>
-        <translation>Czytanie zapisu …</translation>
+        <translation>Odczyt nagrania …</translation>
     </message>
     <message>
         <source>Watch</source>
@@ -4505,11 +4653,11 @@
     </message>
     <message>
         <source>Reading the recording</source>
-        <translation>Czytanie zapisu</translation>
+        <translation>Odczyt nagrania</translation>
     </message>
     <message>
         <source>The recording cannot be shown.</source>
-        <translation>Nie można pokazać zapisu.</translation>
+        <translation>Nie można pokazać nagrania.</translation>
     </message>
     <message>
         <source>Click the time line to go there</source>
@@ -4578,6 +4726,10 @@
     <message>
         <source>Back to the ratings</source>
         <translation>Wróć do ocen</translation>
+    </message>
+    <message>
+        <source>This attempt was kept without a recording, so it cannot be watched. Its result is complete.</source>
+        <translation>Ta próba została zapisana bez nagrania, więc nie można jej obejrzeć. Jej wynik jest kompletny.</translation>
     </message>
 </context>
 <context>
@@ -5112,6 +5264,26 @@
     <message>
         <source>The pedal was saved for this computer.</source>
         <translation>Pedał zapisano dla tego komputera.</translation>
+    </message>
+    <message>
+        <source>Needs its driver, spacenavd: sudo apt install spacenavd, then switch it on.</source>
+        <translation>Potrzebny sterownik spacenavd: sudo apt install spacenavd, potem włącz urządzenie.</translation>
+    </message>
+    <message>
+        <source>Needs OpenHaptics and the Touch driver of 3D Systems.</source>
+        <translation>Potrzebne OpenHaptics i sterownik Touch firmy 3D Systems.</translation>
+    </message>
+    <message>
+        <source>Needs the Haply Inverse service, running.</source>
+        <translation>Potrzebna działająca usługa Haply Inverse.</translation>
+    </message>
+    <message>
+        <source>Needs to be plugged in and switched on, and a user of the group dialout.</source>
+        <translation>Musi być podłączone i włączone, a użytkownik należeć do grupy dialout.</translation>
+    </message>
+    <message>
+        <source>Needs the libraries of the Force Dimension SDK.</source>
+        <translation>Potrzebne biblioteki Force Dimension SDK.</translation>
     </message>
 </context>
 <context>
@@ -6208,6 +6380,10 @@
         <source>After</source>
         <translation>Po</translation>
     </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Otwórz badania</translation>
+    </message>
 </context>
 <context>
     <name>StudyParts</name>
@@ -6273,6 +6449,10 @@
     <message>
         <source>%1 files written: %2</source>
         <translation>Zapisane pliki: %1, w %2</translation>
+    </message>
+    <message>
+        <source>Open the studies</source>
+        <translation>Otwórz badania</translation>
     </message>
 </context>
 <context>
@@ -6585,11 +6765,11 @@
     </message>
     <message>
         <source>Reading the recordings …</source>
-        <translation>Czytanie nagrań …</translation>
+        <translation>Odczyt nagrań …</translation>
     </message>
     <message>
         <source>Reading the recordings</source>
-        <translation>Czytanie nagrań</translation>
+        <translation>Odczyt nagrań</translation>
     </message>
     <message>
         <source>A recording cannot be shown.</source>
@@ -6613,7 +6793,7 @@
     </message>
     <message>
         <source>As operated</source>
-        <translation>Jak operowano</translation>
+        <translation>Jak podczas próby</translation>
     </message>
     <message>
         <source>From above</source>
@@ -6674,6 +6854,10 @@
     <message>
         <source>Pause</source>
         <translation>Pauza</translation>
+    </message>
+    <message>
+        <source>One of the two was kept without a recording: measures can be compared, watching both needs two recordings.</source>
+        <translation>Jedna z prób została zapisana bez nagrania: pomiary można porównać, obejrzenie obu wymaga dwóch nagrań.</translation>
     </message>
 </context>
 <context>
@@ -6810,6 +6994,10 @@
         <source>Course written: %1</source>
         <translation>Zapisano kurs: %1</translation>
     </message>
+    <message>
+        <source>Here stands what a trainee will see.</source>
+        <translation>Tu będzie widać to, co zobaczy kursant.</translation>
+    </message>
 </context>
 <context>
     <name>CourseWords</name>
@@ -6904,6 +7092,10 @@
     <message>
         <source>%1 stands twice in the list.</source>
         <translation>%1 występuje na liście dwa razy.</translation>
+    </message>
+    <message>
+        <source>Benchmark %1 points, once</source>
+        <translation>Próg %1 pkt, jeden raz</translation>
     </message>
 </context>
 <context>
@@ -7177,6 +7369,14 @@
         <source>The pack of %1 was imported.</source>
         <translation>Zaimportowano pakiet: %1.</translation>
     </message>
+    <message>
+        <source>experts</source>
+        <translation>eksperci</translation>
+    </message>
+    <message>
+        <source>novices</source>
+        <translation>początkujący</translation>
+    </message>
 </context>
 <context>
     <name>StageWords</name>
@@ -7393,6 +7593,41 @@
     <message>
         <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric&apos;s next version and score the attempts again.</source>
         <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w rubryce: usuń jej wiersz, opublikuj następną wersję rubryki i oceń próby ponownie.</translation>
+    </message>
+</context>
+<context>
+    <name>ExportFormat</name>
+    <message>
+        <source>CSV (wide, long, codebook)</source>
+        <translation>CSV (tabela szeroka i długa, opis zmiennych)</translation>
+    </message>
+    <message>
+        <source>SPSS (.sav)</source>
+        <translation>SPSS (.sav)</translation>
+    </message>
+    <message>
+        <source>REDCap (dictionary and records)</source>
+        <translation>REDCap (słownik i rekordy)</translation>
+    </message>
+    <message>
+        <source>FHIR R4 (Questionnaire, QuestionnaireResponse)</source>
+        <translation>FHIR R4 (kwestionariusz i odpowiedzi)</translation>
+    </message>
+    <message>
+        <source>CDISC ODM 1.3.2</source>
+        <translation>CDISC ODM 1.3.2</translation>
+    </message>
+    <message>
+        <source>xAPI statements</source>
+        <translation>xAPI (zdania o aktywności)</translation>
+    </message>
+    <message>
+        <source>Motion-BIDS (trajectories)</source>
+        <translation>Motion-BIDS (trajektorie)</translation>
+    </message>
+    <message>
+        <source>All of these with manifest and checksums</source>
+        <translation>Wszystkie, ze spisem i sumami kontrolnymi</translation>
     </message>
 </context>
 </TS>
