@@ -6,6 +6,7 @@
 // languages.
 
 #include <QAbstractSpinBox>
+#include <QProcess>
 #include <set>
 
 #include "db/norms.h"
@@ -45,12 +46,14 @@ class ShellGalleryTest : public QObject {
  private:
     [[nodiscard]] int64_t add(const std::string& login, const std::string& name, bool expert);
     void addAttempt(int64_t user, int number, double points, const std::string& task = kTask);
+    void record();
     void addNorms(const std::vector<int64_t>& novices, const std::vector<int64_t>& experts);
     void lookAt(const TourStop& stop, const QString& who, QStringList& wrong);
     void settle();
 
     std::unique_ptr<ShellHarness> shell_;
     int64_t trainee_ = 0;
+    QString recording_;  ///< Of the trainee's attempts: seconds of a novice's real one.
 };
 
 int64_t ShellGalleryTest::add(const std::string& login, const std::string& name, bool expert) {
@@ -85,7 +88,9 @@ void ShellGalleryTest::addAttempt(int64_t user, int number, double points,
     result.score.verdict =
         points >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
     result.score.rubric_id = "ring_incision";
-    result.score.reasons = {{"ring", "92 % of the ring is cut; 8 % is missing.", 8, 12, false}};
+    result.score.reasons = {
+        {"ring", "The ring was left open: only 92 % is cut through.", 8, 12, false}};
+    if (user == trainee_) result.recording_file = recording_.toStdString();
     (void)shell_->context().store().save_attempt(user, result);
 }
 
@@ -99,6 +104,16 @@ void ShellGalleryTest::addNorms(const std::vector<int64_t>& novices,
     store.use_norms(pack);
 }
 
+void ShellGalleryTest::record() {
+    recording_ = shell_->path("seconds.placode");
+    QProcess simulator;
+    simulator.start(PLACODE_BIN_DIR "/placode-sim",
+                    {"--task", kTask, "--device", "script:novice", "--headless", "--fast",
+                     "--demonstration", "--duration", "14", "--record", recording_});
+    QVERIFY(simulator.waitForFinished(300000));
+    QVERIFY2(QFile::exists(recording_), simulator.readAllStandardError().constData());
+}
+
 void ShellGalleryTest::initTestCase() {
     shell_ = std::make_unique<ShellHarness>();
     QVERIFY(shell_->setUpWithDemonstration());
@@ -110,6 +125,7 @@ void ShellGalleryTest::initTestCase() {
         experts.push_back(add("expert" + std::to_string(i), "Expert " + std::to_string(i), true));
     }
     trainee_ = store.user_by_login("demo.trainee")->id;
+    record();
     for (const std::string& task : curriculum::list_definitions("tasks"))
         if (task != kTask) addAttempt(novices[1], 0, 60, task);
     // Eight good ones, then a bad time.
