@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QRegularExpression>
 
 #include "ui/shell/audit_words.h"
 #include "ui/shell/pages.h"
@@ -51,9 +52,7 @@ class AuditPage : public Page {
                 make_number_cell(format_when(entry.at_utc), static_cast<double>(entry.id));
             when->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
             table_->setItem(row, 0, when);
-            table_->setItem(
-                row, 1,
-                make_cell(entry.actor == "unknown" ? tr("nobody signed in") : qstr(entry.actor)));
+            table_->setItem(row, 1, make_cell(actorWords(entry.actor)));
             QTableWidgetItem* what = make_cell(audit_words(entry.action));
             what->setToolTip(qstr(entry.action));
             table_->setItem(row, 2, what);
@@ -92,6 +91,14 @@ class AuditPage : public Page {
         QTableWidgetItem* cell = make_cell(audit_thing(qstr(written), names));
         if (cell->text() != qstr(written)) cell->setToolTip(cell->text() + '\n' + qstr(written));
         return cell;
+    }
+
+    /// Who worked by the command line was nobody of the program's people.
+    static QString actorWords(const std::string& actor) {
+        if (actor == "unknown") return tr("nobody signed in");
+        static const QRegularExpression kLocal("^local administrator \\((.*)\\)$");
+        const QRegularExpressionMatch local = kLocal.match(qstr(actor));
+        return local.hasMatch() ? tr("command line (%1)").arg(local.captured(1)) : qstr(actor);
     }
 
     void filter() {

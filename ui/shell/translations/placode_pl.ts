@@ -327,6 +327,10 @@
         <source>nobody signed in</source>
         <translation>nikt niezalogowany</translation>
     </message>
+    <message>
+        <source>command line (%1)</source>
+        <translation>wiersz poleceń (%1)</translation>
+    </message>
 </context>
 <context>
     <name>AuditWords</name>
