@@ -88,7 +88,7 @@ QTableWidget* make_attempts_table(AppContext& context,
     fit_columns(table, stretch);
     keep_within(table, {.stretch = stretch,
                         .least_px = everybody ? 320 : 140,
-                        .keep_px = everybody ? 170 : 110,
+                        .keep_px = everybody ? 128 : 110,
                         .drop = {last - 1, last - 2}});
     table->setSortingEnabled(true);
     table->sortByColumn(0, Qt::DescendingOrder);

@@ -61,7 +61,7 @@ class AuditPage : public Page {
             ++row;
         }
         fit_columns(table_, 4);
-        keep_within(table_, {.stretch = 4});
+        keep_within(table_, {.stretch = 4, .keep_px = 150});
         table_->setSortingEnabled(true);
         table_->sortByColumn(0, Qt::DescendingOrder);
         layout->addWidget(table_, 1);

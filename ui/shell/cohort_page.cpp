@@ -220,8 +220,8 @@ class CohortPage : public Page {
             table_->setColumnWidth(c, manyTasks() ? kManyTasks : kFewTasks);
         table_->horizontalHeader()->setMinimumSectionSize(kLeastTask);
         wrap_titles(table_);
-        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 150, .drop = {1}});
-        table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 20);
+        keep_within(table_, {.stretch = 0, .least_px = 180, .keep_px = 180, .drop = {1}});
+        table_->setMinimumHeight(std::min(10, table_->rowCount() + 3) * kTouchTarget + 20);
         connect(table_, &QTableWidget::cellActivated, this, [this](int row, int column) {
             const auto index =
                 static_cast<size_t>(table_->item(row, 0)->data(Qt::UserRole).toInt());

@@ -120,6 +120,7 @@ class TitleHeader : public QHeaderView {
             title->setData(Qt::AccessibleTextRole, title->text());
             title->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         }
+        learned_ = true;
         arrange();
     }
 
@@ -146,6 +147,7 @@ class TitleHeader : public QHeaderView {
         return qobject_cast<QTableWidget*>(parentWidget())->horizontalHeaderItem(column);
     }
     void arrange() {
+        if (!learned_) return;
         turned_ = false;
         for (int c = first_; c < count(); ++c)
             turned_ = turned_ || (!isSectionHidden(c) && sectionSize(c) < kUpright);
@@ -157,7 +159,7 @@ class TitleHeader : public QHeaderView {
         setFixedHeight(turned_ ? kTurnedHeight : kTitleLines * words.lineSpacing() + kSpace16);
     }
     int first_;
-    bool turned_ = false;
+    bool learned_ = false, turned_ = false;
     QFont bold_;
 };
 

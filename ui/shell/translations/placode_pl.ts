@@ -7327,7 +7327,7 @@
     </message>
     <message>
         <source>%1 (people: %2)</source>
-        <translation>%1 (osoby: %2)</translation>
+        <translation>%1 (%2 os.)</translation>
     </message>
     <message>
         <source>DEMONSTRATION</source>
