@@ -27,6 +27,15 @@ QString metric_number(double value) {
     return number(value, 0);
 }
 
+QString unit_sign(std::string_view unit) {
+    if (unit == "C") return QStringLiteral("°C");
+    if (unit == "deg") return QStringLiteral("°");
+    return QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()))
+        .replace("mm3", "mm³")
+        .replace("mm2", "mm²")
+        .replace("s2", "s²");
+}
+
 QString verdict_word(assessment::Verdict verdict) {
     switch (verdict) {
         case assessment::Verdict::kPassed:

@@ -6,6 +6,7 @@
 #include <QColor>
 #include <QString>
 #include <string>
+#include <string_view>
 
 #include "db/records.h"
 #include "reports/report.h"
@@ -19,6 +20,8 @@ namespace placode::reports {
 [[nodiscard]] std::string shortest_text(double value);
 /// Enough places for the metric's size: 0.034, 3.42, 34.2, 342.
 [[nodiscard]] QString metric_number(double value);
+/// "mm3" as it is printed: "mm³"; "C" as "°C".
+[[nodiscard]] QString unit_sign(std::string_view unit);
 /// "Passed", "Not yet", "Failed".
 [[nodiscard]] QString verdict_word(assessment::Verdict verdict);
 /// "finished", "time limit", "closed", "interrupted".

@@ -183,8 +183,8 @@ class ComparePage : public Page {
             table->setItem(row, 0, make_cell(metric_name(each.name)));
             table->item(row, 0)->setToolTip(metric_explanation(each));
             table->setItem(row, 1, make_cell(unit_sign(each.unit)));
-            table->setItem(row, 2, make_number_cell(format_value(*a), *a));
-            table->setItem(row, 3, make_number_cell(format_value(*b), *b));
+            table->setItem(row, 2, make_number_cell(metric_value(each, *a), *a));
+            table->setItem(row, 3, make_number_cell(metric_value(each, *b), *b));
             const bool neutral = each.direction == assessment::Direction::kNeutral ||
                                  format_value(*a) == format_value(*b);
             const bool first =

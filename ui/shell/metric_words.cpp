@@ -3,11 +3,14 @@
 #include "ui/shell/metric_words.h"
 
 #include <QCoreApplication>
+#include <cmath>
 
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
+
+constexpr double kMostCounted = 1e5;  // more is a dose without a unit
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(MetricWords)
@@ -27,14 +30,13 @@ QString direction_word(assessment::Direction direction) {
 
 }  // namespace
 
-QString unit_sign(std::string_view unit) {
-    if (unit == "C") return "°C";
-    if (unit == "deg") return "°";
-    return qstr(std::string(unit)).replace("mm3", "mm³").replace("mm2", "mm²").replace("s2", "s²");
-}
-
 QString metric_name(std::string_view english) {
     return QCoreApplication::translate("Metric", std::string(english).c_str());
+}
+
+QString metric_value(const assessment::MetricDefinition& metric, double value) {
+    const bool counted = metric.unit.empty() && value == std::floor(value) && value < kMostCounted;
+    return counted ? format_number(value, 0) : format_value(value);
 }
 
 QString metric_explanation(const assessment::MetricDefinition& metric) {

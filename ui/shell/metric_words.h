@@ -7,12 +7,14 @@
 #include <string_view>
 
 #include "assessment/metrics.h"
+#include "reports/text.h"
 
 namespace placode::ui {
 
 [[nodiscard]] QString metric_name(std::string_view english);
-/// "mm3" as it is printed: "mm³"; "C" as "°C".
-[[nodiscard]] QString unit_sign(std::string_view unit);
+using reports::unit_sign;
+/// A value of it as a table shows it: counts without places.
+[[nodiscard]] QString metric_value(const assessment::MetricDefinition& metric, double value);
 /// What it measures, which way is better, unit and source: a line of text.
 [[nodiscard]] QString metric_explanation(const assessment::MetricDefinition& metric);
 

@@ -122,10 +122,11 @@ class MetricsTable {
         name->setToolTip(metric_explanation(definition));
         name->setData(Qt::UserRole, qstr(std::string(definition.id)));
         table_->setItem(row, 0, name);
-        table_->setItem(row, 1, make_number_cell(format_value(value), value));
+        table_->setItem(row, 1, make_number_cell(metric_value(definition, value), value));
         table_->setItem(row, 2, make_cell(unit_sign(definition.unit)));
-        table_->setItem(row, 3,
-                        make_number_cell(before ? format_value(*before) : "–", before.value_or(0)));
+        table_->setItem(
+            row, 3,
+            make_number_cell(before ? metric_value(definition, *before) : "–", before.value_or(0)));
         table_->setItem(row, 4, change_cell(context_, definition.direction, value, before));
         std::vector<double> values;
         for (const db::AttemptDetail& each : data_.earlier)
