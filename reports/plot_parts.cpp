@@ -43,6 +43,10 @@ void draw_text(QPainter& painter, const QRectF& where, int alignment, const QStr
                      QFontMetricsF(font).elidedText(text, Qt::ElideRight, where.width() + 1));
 }
 
+double text_width(const QString& text, double px) {
+    return QFontMetricsF(font_of(px, false)).horizontalAdvance(text);
+}
+
 void draw_wrapped(QPainter& painter, const QRectF& where, int alignment, const QString& text,
                   QRgb ink, double px) {
     painter.setFont(font_of(px, false));

@@ -26,6 +26,8 @@ struct LinearScale {
 void draw_text(QPainter& painter, const QRectF& where, int alignment, const QString& text, QRgb ink,
                double px, bool bold = false);
 
+[[nodiscard]] double text_width(const QString& text, double px);
+
 /// As many lines as fit, broken at words.
 void draw_wrapped(QPainter& painter, const QRectF& where, int alignment, const QString& text,
                   QRgb ink, double px);

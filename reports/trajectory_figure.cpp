@@ -164,12 +164,64 @@ void draw_frame(QPainter& painter, const QRectF& where, const QRectF& plot, Side
               Qt::AlignHCenter, QStringLiteral("5 mm"), style.muted, px);
 }
 
+constexpr std::array kDashes{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
+
+std::array<unsigned, 4> inks(const ChartStyle& style) {
+    return {style.accent, style.warn, style.good, style.text};
+}
+
+/// The key: a piece of each line with its name, in as many rows as the names need.
+struct Key {
+    struct Entry {
+        size_t tool = 0, look = 0;
+        QString name;
+        double left = 0, width = 0;
+        int row = 0;
+    };
+    static constexpr double kLine = 20, kGap = 4, kBetween = 8;
+    std::vector<Entry> entries;
+    int rows = 0;
+
+    Key(const sim::Recording& recording, double width, const ChartStyle& style) {
+        double x = 0;
+        for (size_t t = 0; t < recording.header.tools.size() && t < sim::kMaxTools; ++t) {
+            const sim::ToolKind kind = recording.header.tools[t].kind;
+            if (kind == sim::ToolKind::kScope) continue;
+            Entry entry{t, entries.size() % kDashes.size(), tool_words(kind), 0, 0, 0};
+            entry.width = kLine + kGap + text_width(entry.name, style.font_px) + 1;
+            if (x > 0 && x + entry.width > width) {
+                x = 0;
+                ++rows;
+            }
+            entry.left = x;
+            entry.row = rows;
+            x += entry.width + kBetween;
+            entries.push_back(entry);
+        }
+        rows += entries.empty() ? 0 : 1;
+    }
+
+    void draw(QPainter& painter, const QRectF& where, const ChartStyle& style) const {
+        const double line = 1.35 * style.font_px;
+        for (const Entry& entry : entries) {
+            const double x = where.left() + entry.left,
+                         y = where.bottom() - 0.55 * style.font_px - (rows - 1 - entry.row) * line;
+            painter.setPen(QPen(colour(inks(style)[entry.look]), 2, kDashes[entry.look]));
+            painter.drawLine(QPointF(x, y), QPointF(x + kLine, y));
+            draw_text(painter,
+                      QRectF(x + kLine + kGap, y - 0.7 * line, entry.width - kLine, 1.4 * line),
+                      Qt::AlignLeft | Qt::AlignVCenter, entry.name, style.muted, style.font_px);
+        }
+    }
+};
+
 }  // namespace
 
 void draw_trajectory(QPainter& painter, const QRectF& where, const sim::Recording& recording,
                      Side side, const ChartStyle& style) {
     const double line = 1.35 * style.font_px;
-    const QRectF plot = where.adjusted(6, 2.2 * line, -6, -3.3 * line);
+    const Key key(recording, where.width(), style);
+    const QRectF plot = where.adjusted(6, 2.2 * line, -6, -(2.3 + key.rows) * line);
     if (plot.width() < 30 || plot.height() < 30) return;
     const Sight sight = sight_of(plot, recording, side);
     painter.save();
@@ -178,27 +230,13 @@ void draw_trajectory(QPainter& painter, const QRectF& where, const sim::Recordin
     painter.save();
     painter.setClipRect(plot.adjusted(-4, -4, 4, 4));
     draw_lines(painter, recording.header.geometry, sight, style);
-    const unsigned inks[]{style.accent, style.warn, style.good, style.text};
-    const Qt::PenStyle dashes[]{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
-    std::vector<std::pair<sim::ToolKind, size_t>> key;
-    for (size_t t = 0, shown = 0; t < recording.header.tools.size() && t < sim::kMaxTools; ++t) {
-        if (recording.header.tools[t].kind == sim::ToolKind::kScope) continue;
-        draw_way(painter, recording, t, sight, colour(inks[shown % 4]), dashes[shown % 4]);
-        key.emplace_back(recording.header.tools[t].kind, shown++ % 4);
+    for (const Key::Entry& entry : key.entries) {
+        draw_way(painter, recording, entry.tool, sight, colour(inks(style)[entry.look]),
+                 kDashes[entry.look]);
     }
     painter.restore();
     draw_frame(painter, where, plot, side, sight, style);
-    // The key: a piece of each line with its name.
-    const double width = where.width() / std::max<size_t>(1, key.size());
-    for (size_t i = 0; i < key.size(); ++i) {
-        const double x = where.left() + static_cast<double>(i) * width,
-                     y = where.bottom() - 0.55 * style.font_px;
-        painter.setPen(QPen(colour(inks[key[i].second]), 2, dashes[key[i].second]));
-        painter.drawLine(QPointF(x + 2, y), QPointF(x + 22, y));
-        draw_text(painter, QRectF(x + 26, y - 0.7 * line, width - 28, 1.4 * line),
-                  Qt::AlignLeft | Qt::AlignVCenter, tool_words(key[i].first), style.muted,
-                  style.font_px);
-    }
+    key.draw(painter, where, style);
     painter.restore();
 }
 
