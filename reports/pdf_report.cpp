@@ -104,12 +104,11 @@ QString metrics_html(const assessment::MetricSet& metrics,
                              : definition.direction == assessment::Direction::kHigherIsBetter
                                  ? "higher"
                                  : "";
-        const bool counted = definition.unit.empty() && *value == std::floor(*value);
         html += QStringLiteral(
                     "<tr><td>%1</td><td align='right'>%2</td><td>&nbsp;%3</td><td "
                     "style='color:#5f666e'>%4</td></tr>")
                     .arg(escaped(std::string(definition.name)),
-                         counted ? number(*value, 0) : metric_number(*value),
+                         is_count(definition, *value) ? number(*value, 0) : metric_number(*value),
                          unit_sign(definition.unit).toHtmlEscaped(), QString::fromLatin1(better));
     }
     return html + QStringLiteral("</table>");

@@ -27,6 +27,10 @@ QString metric_number(double value) {
     return number(value, 0);
 }
 
+bool is_count(const assessment::MetricDefinition& metric, double value) {
+    return metric.unit.empty() && value == std::floor(value) && value < 1e5;
+}
+
 QString unit_sign(std::string_view unit) {
     if (unit == "C") return QStringLiteral("°C");
     if (unit == "deg") return QStringLiteral("°");

@@ -163,7 +163,7 @@ class FastRun {
         move_held();
         push();
         begin_substep(body_, state_, h_body_, workers_);
-        special_.find(time_s);
+        special_.find();
         const bool vbd = setup_.scene.solver.method == SolveMethod::kVbd;
         for (int i = 0; i < setup_.scene.solver.iterations; ++i) {
             sweep(body_, state_, h_body_, workers_);

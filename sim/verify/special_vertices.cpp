@@ -66,8 +66,7 @@ void SpecialVertices::add(int32_t v) {
     state_.contact_vertex[at(v)] = 1;
 }
 
-void SpecialVertices::find(double time_s) {
-    time_ = time_s;
+void SpecialVertices::find() {
     for (const int32_t v : special_) {
         slot_[at(v)] = -1;
         state_.contact_vertex[at(v)] = 0;

@@ -23,8 +23,10 @@ class SpecialVertices {
 
     /// Start of a frame: forces are summed anew.
     void start_frame();
-    /// Start of a substep that ends at `time_s`, after the start guess: who is touched.
-    void find(double time_s);
+    /// Start of a substep that ends at `time_s`.
+    void set_time(double time_s) { time_ = time_s; }
+    /// After the start guess: who is touched.
+    void find();
     /// Passes over all of them after a sweep.
     void solve();
     /// End of a substep: forces on the spheres, and where vertices stick from now on.
@@ -38,7 +40,6 @@ class SpecialVertices {
     [[nodiscard]] double deepest() const { return deepest_; }
     /// Where a held coordinate is at the substep's end.
     [[nodiscard]] float held_at(int32_t v, int axis) const;
-    void set_time(double time_s) { time_ = time_s; }
 
  private:
     struct Anchor {

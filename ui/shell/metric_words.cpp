@@ -3,14 +3,11 @@
 #include "ui/shell/metric_words.h"
 
 #include <QCoreApplication>
-#include <cmath>
 
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
-
-constexpr double kMostCounted = 1e5;  // more is a dose without a unit
 
 struct Words {
     Q_DECLARE_TR_FUNCTIONS(MetricWords)
@@ -35,8 +32,7 @@ QString metric_name(std::string_view english) {
 }
 
 QString metric_value(const assessment::MetricDefinition& metric, double value) {
-    const bool counted = metric.unit.empty() && value == std::floor(value) && value < kMostCounted;
-    return counted ? format_number(value, 0) : format_value(value);
+    return reports::is_count(metric, value) ? format_number(value, 0) : format_value(value);
 }
 
 QString metric_explanation(const assessment::MetricDefinition& metric) {
