@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/diathermy.h"
+
 namespace placode::curriculum {
 
 namespace {
@@ -37,6 +39,7 @@ OperatorSight::OperatorSight(const sim::Scene& scene)
     placode_vertices_.erase(std::unique(placode_vertices_.begin(), placode_vertices_.end()),
                             placode_vertices_.end());
     placode_gap_m_.fill(1);
+    placode_metal_gap_m_.fill(1);
 }
 
 /// Where points of a line lie now, and the normals there.
@@ -107,8 +110,8 @@ void OperatorSight::look_at_marked(const sim::State& state) noexcept {
     grasp_place_[0] = place;
 }
 
-/// The placode is red, what surrounds it is not: how near it is to each tip, and to all that lies
-/// between the blades of scissors.
+/// The placode is red, what surrounds it is not: how near it is to each tip, to all that lies
+/// between the blades of scissors, and to the bare metal of a needle, whose flank burns as well.
 void OperatorSight::look_at_placode(const sim::State& state) noexcept {
     for (size_t i = 0; i < scene_.tools.size(); ++i) {
         const sim::ToolSpec& tool = scene_.tools[i];
@@ -117,14 +120,19 @@ void OperatorSight::look_at_placode(const sim::State& state) noexcept {
         const double length = blades ? tool.tip_length_m : 0;
         const double slope = blades ? std::tan(state.scissors[i].jaw_rad / 2) : 0;
         const sim::Pose to_tool = state.tools[i].proxy.inverse();
-        double squared = 1;
+        const bool bare = conducts(tool.kind);
+        double squared = 1, metal = 1;
         for (const int32_t v : placode_vertices_) {
             const Vec3 p = to_tool * to_vec(state.body.x[static_cast<size_t>(v)]);
             const double z = std::clamp(p.z(), -length, 0.0), wide = slope * (length + z);
             const Vec3 nearest(0, std::clamp(p.y(), -wide, wide), z);
             squared = std::min(squared, (p - nearest).squaredNorm());
+            if (!bare) continue;
+            const Vec3 axis(0, 0, std::clamp(p.z(), -tool.tip_length_m, 0.0));
+            metal = std::min(metal, (p - axis).squaredNorm());
         }
         placode_gap_m_[i] = std::sqrt(squared) - tool.tip_radius_m;
+        placode_metal_gap_m_[i] = bare ? std::sqrt(metal) - tool.tip_radius_m : 1;
     }
 }
 
@@ -156,6 +164,7 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
     seen.outline_cut = state.resection.cut;
     seen.grasp_place_m = grasp_place_[0];
     seen.placode_gap_m = placode_gap_m_;
+    seen.placode_metal_gap_m = placode_metal_gap_m_;
     seen.marked_left = left_share_;
     seen.marked_held = held_share_;
     for (size_t i = 0; i < scene_.tools.size(); ++i) {

@@ -34,7 +34,7 @@ class OperatorSight {
     std::vector<sim::Vec3> grasp_place_, grasp_normal_;
     std::vector<int32_t> marked_;            // tets
     std::vector<int32_t> placode_vertices_;  // of the placode's tets
-    std::array<double, sim::kMaxTools> placode_gap_m_{};
+    std::array<double, sim::kMaxTools> placode_gap_m_{}, placode_metal_gap_m_{};
     double left_share_ = 1, held_share_ = 0;
 };
 

@@ -88,6 +88,8 @@ struct Perception {
     /// Distance of the placode to each tip, or to what lies between blades [m]; far where none is
     /// seen.
     std::array<double, sim::kMaxTools> placode_gap_m{1, 1, 1, 1};
+    /// Distance of the placode to the whole bare metal of a needle or hook, likewise [m].
+    std::array<double, sim::kMaxTools> placode_metal_gap_m{1, 1, 1, 1};
     std::array<double, sim::kMaxTools> pull_n{};  ///< Traction of jaws that hold.
     bool piece_free = false;                      ///< What the jaws hold hangs on nothing any more.
     int pieces_out = 0;

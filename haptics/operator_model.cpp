@@ -24,11 +24,23 @@ constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac
 constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
 constexpr double kLongAgoS = 1e3;
 constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the tip makes room
+constexpr double kHandMS = 0.03;    // no hand is faster at the tissue,
+constexpr double kOffLineM = 3e-4;  // and this far from where it should be it gives no energy
+constexpr double kLeastUp = 0.45;   // normals lean no further: a flap's edge may fold over
 constexpr double kForgetContourS = 4;                // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);
     return x * x * x * (10 + x * (-15 + 6 * x));
+}
+
+/// A unit normal, leaned back towards the vertical where it leans too far.
+Vec3 upright(const Vec3& n) noexcept {
+    if (n.z() >= kLeastUp) return n;
+    const double flat = n.head<2>().norm();
+    if (flat < 1e-9) return Vec3::UnitZ();
+    const double side = std::sqrt(1 - kLeastUp * kLeastUp) / flat;
+    return {side * n.x(), side * n.y(), kLeastUp};
 }
 
 }  // namespace
@@ -119,6 +131,7 @@ void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
     contact_ = seen.in_contact;
     force_n_ = own.force_n.allFinite() ? own.force_n.norm() : 0;
     placode_gap_m_ = seen.placode_gap_m[0];
+    metal_gap_m_ = seen.placode_metal_gap_m[0];
     if (start_m_ < 0 && n > 2) {  // Caudal start: the end of the ring nearest to the operator.
         size_t first = 0;
         for (size_t i = 1; i < n; ++i)
@@ -144,7 +157,7 @@ OperatorModel::Frame OperatorModel::frame(double s_m) const noexcept {
     const double w = length > 0 ? std::clamp((wrapped(s_m) - arc_[i]) / length, 0.0, 1.0) : 0;
     Frame f;
     f.point = (1 - w) * contour_[i] + w * contour_[j];
-    f.normal = ((1 - w) * normal_[i] + w * normal_[j]).normalized();
+    f.normal = upright(((1 - w) * normal_[i] + w * normal_[j]).normalized());
     // The tangent over a few points, because single segments of a deformed contour are noisy, and
     // blended like the rest: a hand beside the line must not jump where the segments meet.
     const auto tangent = [&](size_t k) {
@@ -153,7 +166,10 @@ OperatorModel::Frame OperatorModel::frame(double s_m) const noexcept {
     const Vec3 along = (1 - w) * tangent(i) + w * tangent(j);
     Vec3 inward = f.normal.cross(along);
     inward = inward.norm() > 0 ? Vec3(inward.normalized()) : Vec3(Vec3::UnitY());
-    f.inward = inward.dot(centre_ - f.point) < 0 ? Vec3(-inward) : inward;
+    // Which side is inside is told from above: in the tissue's own plane a folded edge turns it.
+    const Vec3 level = Vec3::UnitZ().cross(along);
+    const bool turned = level.dot(centre_ - f.point) < 0;
+    f.inward = inward.dot(turned ? Vec3(-level) : level) < 0 ? Vec3(-inward) : inward;
     return f;
 }
 
@@ -350,9 +366,13 @@ void OperatorModel::slip(double dt_s) noexcept {
     }
 }
 
+double OperatorModel::short_of_m() const noexcept {
+    return std::max(profile_.clear_m - placode_gap_m_, profile_.clear_metal_m - metal_gap_m_);
+}
+
 // Over an opened sac the placode may lie closer to the line than planned: the tip goes further out.
 void OperatorModel::keep_clear(double dt_s) noexcept {
-    const double short_of = std::clamp(profile_.clear_m - placode_gap_m_, 0.0, kMostClearM);
+    const double short_of = std::clamp(short_of_m(), 0.0, kMostClearM);
     clear_out_m_ += (short_of - clear_out_m_) * std::min(1.0, dt_s / kClearS);
 }
 
@@ -366,7 +386,7 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
     const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean -
                           (passes_ > 0 ? profile_.second_out_m : 0) - clear_out_m_;
-    tip_m_ = f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward;
+    follow(f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward, dt_s);
     // What came free meanwhile is not slid along: over an opened sac it lies elsewhere by now.
     const bool stop = has_sunk_ && slid_m_ > kMostSlideM;
     if (s_m_ < run_.end_m + kOverrunM && !stop) return;
@@ -383,6 +403,15 @@ void OperatorModel::do_cut(double dt_s) noexcept {
         }
     }
     stage(Stage::kLift);
+}
+
+// Where the line jumps (from one side of a parted edge to the other) the hand has to travel, and
+// what lies between is not meant to be cut.
+void OperatorModel::follow(const Vec3& goal_m, double dt_s) noexcept {
+    const Vec3 way = goal_m - tip_m_;
+    const double far = way.norm(), most = kHandMS * dt_s;
+    tip_m_ = far > most ? Vec3(tip_m_ + most / far * way) : goal_m;
+    if (far > kOffLineM) pedal_ = false;
 }
 
 void OperatorModel::do_lift(double dt_s) noexcept {

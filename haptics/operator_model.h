@@ -61,9 +61,11 @@ class OperatorModel {
     void do_descend(double dt_s) noexcept;
     void do_cut(double dt_s) noexcept;
     void do_lift(double dt_s) noexcept;
+    void follow(const Vec3& goal_m, double dt_s) noexcept;
     [[nodiscard]] bool wanted() const noexcept;
     [[nodiscard]] bool cooling() const noexcept;
-    [[nodiscard]] bool too_near() const noexcept { return placode_gap_m_ < profile_.clear_m; }
+    [[nodiscard]] double short_of_m() const noexcept;  ///< Missing to the placode's clearance.
+    [[nodiscard]] bool too_near() const noexcept { return short_of_m() > 0; }
     void keep_clear(double dt_s) noexcept;
     void press(double dt_s) noexcept;
     void advance(double dt_s) noexcept;
@@ -86,7 +88,8 @@ class OperatorModel {
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
-    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, clear_out_m_ = 0;
+    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, metal_gap_m_ = 1,
+           clear_out_m_ = 0;
     // What is done.
     Stage stage_ = Stage::kLook;
     double time_s_ = 0, stage_s_ = 0;

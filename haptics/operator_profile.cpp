@@ -20,6 +20,7 @@ OperatorProfile expert() {
     p.wander_inward_m = -2.5e-4;  // Keeps a little outside the line: heat runs inwards as well.
     p.second_out_m = 1.5e-4;
     p.clear_m = 9e-4;
+    p.clear_metal_m = 4.5e-4;
     p.cool_s = 12;
     p.tries = 4;
     p.lean_out_m = 5e-4;
@@ -63,6 +64,7 @@ OperatorProfile intermediate() {
     p.second_care = 0.5;
     p.second_out_m = 2e-4;
     p.clear_m = 9.5e-4;
+    p.clear_metal_m = 3e-4;
     p.cool_s = 12;
     p.tries = 4;
     p.patience_s = 80;

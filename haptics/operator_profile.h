@@ -53,7 +53,8 @@ struct OperatorProfile {
     double notice_gap_m = 0;        ///< Shorter gaps are not seen.
     double second_care = 1;         ///< Share of the wandering that is left on a second pass.
     double second_out_m = 0;        ///< Further from the placode on a second pass.
-    double clear_m = 0;             ///< No energy nearer to the placode than that.
+    double clear_m = 0;             ///< No energy with the tip nearer to the placode than that,
+    double clear_metal_m = -1;      ///< nor with any of the bare metal nearer than that.
     double cool_s = 0;              ///< A place that was heated is left alone for that long.
     int tries = 6;                  ///< Passes over one place before giving it up.
     double patience_s = 60;         ///< Gives up after.

@@ -21,10 +21,6 @@ constexpr double kCoagDried = 0.7;   // of HeatSettings::vaporise_dried: nothing
 constexpr int kMostInterval = 4;
 constexpr double kShareWhileCutting = 0.003;  // of the contact force: see ToolState::contact_share
 
-bool conducts(ToolKind kind) noexcept {
-    return kind == ToolKind::kNeedle || kind == ToolKind::kHook;
-}
-
 /// Living vertices within `reach` of a point.
 int gather(const State& state, const Vec3& centre, double reach) noexcept {
     auto& out = state.scratch->candidates;
@@ -65,6 +61,10 @@ double deposit(const Scene& scene, State& state, int t, double step_s) noexcept 
 }
 
 }  // namespace
+
+bool conducts(ToolKind kind) noexcept {
+    return kind == ToolKind::kNeedle || kind == ToolKind::kHook;
+}
 
 int heat_interval(const Scene& scene) noexcept {
     const double frame = scene.body.spec().solver.frame_s;

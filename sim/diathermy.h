@@ -13,6 +13,9 @@ namespace placode::sim {
 struct Scene;
 struct State;
 
+/// A needle or hook: its bare metal carries the generator's current.
+[[nodiscard]] bool conducts(ToolKind kind) noexcept;
+
 /// Frames between two heat steps (the heat equation is slow: its stable step is several frames).
 [[nodiscard]] int heat_interval(const Scene& scene) noexcept;
 
