@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Hertz: a frictionless sphere on a half-space, as a quarter of a block with graded edges. The
-// block is ten contact radii wide and deep, and d / R = 0.04; together with the mesh (edge a / 5 at
-// the contact) a few per cent remain, whatever the method: newton on the same mesh shows how many.
+// Hertz: a frictionless sphere on a half-space, as a quarter of a block with graded edges and
+// d / R = 0.04. A block of 10 contact radii, clamped below, would be 11 % too stiff by its thickness
+// alone (Dimitriadis et al. 2002), so that it is 30 wide and deep; what the mesh adds (edge a / 5 at
+// the contact) is the rest. newton is too dear on that mesh: the methods meet it on a coarser one.
 #include <cmath>
 
 #include "sim/verify/accuracy_table.h"
@@ -31,8 +32,8 @@ std::vector<double> graded(double size, double first, int cells) {
     return out;
 }
 
-VerificationScene block(int cells, double edge_m) {
-    const double size = 10 * std::sqrt(kRadius * kDepth);
+VerificationScene block(int cells, double radii, double edge_m) {
+    const double size = radii * std::sqrt(kRadius * kDepth);
     VerificationScene scene = accuracy_scene(Vec3::Constant(size), {cells, cells, cells}, kE, kNu);
     const std::vector<double> at = graded(size, edge_m, cells);
     const auto moved = [&](const Vec3& p) {
@@ -49,8 +50,8 @@ VerificationScene block(int cells, double edge_m) {
     scene.held.push_back(held_plane(2, 0, 7));
     scene.held.push_back(held_plane(0, 0, kAxisX, "/fixed/1"));
     scene.held.push_back(held_plane(1, 0, kAxisY, "/fixed/2"));
-    // Down to the depth at constant speed: slow against the waves (6 ms through the block).
-    scene.end_s = 0.5;
+    // Down to the depth at constant speed: slow against the waves (3 ms through a block of 40 mm).
+    scene.end_s = 1;
     SphereObstacle sphere;
     sphere.centre_m = Vec3(0, 0, size + kRadius);
     sphere.radius_m = kRadius;
@@ -60,40 +61,50 @@ VerificationScene block(int cells, double edge_m) {
     return scene;
 }
 
+/// One method on one block. Returns the force [N].
+double indent(AccuracyTable& table, VerificationScene scene, double edge_m, const char* setting,
+              double newton_force_n, bool half_space) {
+    const double hertz =
+        4.0 / 3 * kE / (1 - kNu * kNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
+    const SolveResult result = solve(scene);
+    const double force = 4 * result.contact_force_n.z();
+    AccuracyRow row =
+        row_of(scene, result, "sphere indentation", setting, "force against Hertz", edge_m);
+    set_text(row.unit, "N");
+    row.value = force;
+    row.expected = hertz;
+    row.error = std::abs(force / hertz - 1);
+    if (half_space) row.target = 0.1;
+    table.add(row);
+    if (newton_force_n <= 0) return force;
+    set_text(row.quantity, "force against newton on the same mesh");
+    row.expected = newton_force_n;
+    row.error = std::abs(force / newton_force_n - 1);
+    row.target = 0.05;
+    table.add(row);
+    return force;
+}
+
 }  // namespace
 
 void measure_indentation(AccuracyTable& table) {
-    const int cells = table.quick() ? 8 : 16;
     const double edge = (table.quick() ? 0.3 : 0.2) * std::sqrt(kRadius * kDepth);
-    const double hertz =
-        4.0 / 3 * kE / (1 - kNu * kNu) * std::sqrt(kRadius) * std::pow(kDepth, 1.5);
-    double newton_force = 0;
-    for (const auto& [method, substeps] : {std::pair{SolveMethod::kNewton, 1},
-                                           {SolveMethod::kVbd, 2},
-                                           {SolveMethod::kVbd, 4},
-                                           {SolveMethod::kVbd, 8}}) {
-        VerificationScene scene = block(cells, edge);
+    const auto with = [](VerificationScene scene, SolveMethod method, int substeps) {
         use_method(scene, method, substeps);
-        const SolveResult result = solve(scene);
-        const double force = 4 * result.contact_force_n.z();
-        AccuracyRow row =
-            row_of(scene, result, "sphere indentation",
-                   "R 5 mm, d 0.2 mm, 50 kPa, nu 0.45, quarter block", "force against Hertz", edge);
-        set_text(row.unit, "N");
-        row.value = force;
-        row.expected = hertz;
-        row.error = std::abs(force / hertz - 1);
-        row.target = 0.1;
-        table.add(row);
-        if (method == SolveMethod::kNewton) {
-            newton_force = force;
-            continue;
-        }
-        set_text(row.quantity, "force against newton on the same mesh");
-        row.expected = newton_force;
-        row.error = std::abs(force / newton_force - 1);
-        row.target = 0.05;
-        table.add(row);
+        return scene;
+    };
+    const VerificationScene small = block(table.quick() ? 8 : 16, 10, edge);
+    const char* const thin = "R 5 mm, d 0.2 mm, 50 kPa, nu 0.45, block 10 a";
+    const double newton =
+        indent(table, with(small, SolveMethod::kNewton, 1), edge, thin, 0, false);
+    for (const int substeps : {2, 4, 8}) {
+        indent(table, with(small, SolveMethod::kVbd, substeps), edge, thin, newton, false);
+    }
+    if (table.quick()) return;
+    const VerificationScene wide = block(28, 30, edge);
+    for (const int substeps : {2, 4, 8}) {
+        indent(table, with(wide, SolveMethod::kVbd, substeps), edge,
+               "R 5 mm, d 0.2 mm, 50 kPa, nu 0.45, block 30 a", 0, true);
     }
 }
 
