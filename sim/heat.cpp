@@ -22,18 +22,45 @@ constexpr float kOmegaFrozen = 10;
 constexpr double kDryConduction = 0.01;  // electrical conductivity of dry against wet tissue
 constexpr double kStillWet = 0.6;        // dried fraction from which conduction falls
 constexpr double kSafety = 0.9;          // of the explicit stability limit
+constexpr uint8_t kWakes = 1, kDrying = 2;  // bits of HeatState::wakes
 constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+/// So many powers are worked out side by side: each is a chain of divisions, which a processor
+/// overlaps and vectorises.
+constexpr int kPowers = 8;
+using Powers = std::array<double, kPowers>;
 
 /// 2^x by range reduction and a Taylor polynomial (relative error below 1e-13). The C library's
 /// exp2 may give other bits on another processor, and replays must not.
+void exp2_portable(Powers& x) noexcept {
+    Powers whole, y, sum;
+    for (int i = 0; i < kPowers; ++i) {
+        x[i] = std::clamp(x[i], -1000.0, 1000.0);
+        whole[i] = std::floor(x[i] + 0.5);
+        y[i] = (x[i] - whole[i]) * std::numbers::ln2;
+        sum[i] = 1;
+    }
+    for (int n = 12; n >= 1; --n) {
+        for (int i = 0; i < kPowers; ++i) sum[i] = 1 + sum[i] * y[i] / n;
+    }
+    for (int i = 0; i < kPowers; ++i) {
+        const auto exponent = static_cast<uint64_t>(static_cast<int64_t>(whole[i]) + 1023);
+        x[i] = sum[i] * std::bit_cast<double>(exponent << 52);
+    }
+}
+
 double exp2_portable(double x) noexcept {
-    x = std::clamp(x, -1000.0, 1000.0);
-    const double whole = std::floor(x + 0.5);
-    const double y = (x - whole) * std::numbers::ln2;
-    double sum = 1;
-    for (int n = 12; n >= 1; --n) sum = 1 + sum * y / n;
-    const auto exponent = static_cast<uint64_t>(static_cast<int64_t>(whole) + 1023);
-    return sum * std::bit_cast<double>(exponent << 52);
+    Powers all{x};
+    exp2_portable(all);
+    return all[0];
+}
+
+/// Exponents of 2 in the rates of thermal dose and of damage. 0.25^x = 2^(-2x), 0.5^x = 2^(-x).
+double cem43_exponent(double temperature_c) noexcept {
+    return (temperature_c >= 43 ? 1.0 : 2.0) * (temperature_c - 43);
+}
+double arrhenius_exponent(double ea_j_mol, double temperature_c) noexcept {
+    return -ea_j_mol / (kGasConstant * (temperature_c + kKelvin)) * std::numbers::log2e;
 }
 
 double smoothstep(double from, double to, double x) noexcept {
@@ -86,13 +113,11 @@ std::vector<float> exposed_areas(const TetMesh& mesh) {
 }  // namespace
 
 double cem43_rate(double temperature_c) noexcept {
-    // 0.25^x = 2^(-2x), 0.5^x = 2^(-x)
-    return exp2_portable((temperature_c >= 43 ? 1.0 : 2.0) * (temperature_c - 43));
+    return exp2_portable(cem43_exponent(temperature_c));
 }
 
 double arrhenius_rate(double a_per_s, double ea_j_mol, double temperature_c) noexcept {
-    const double exponent = -ea_j_mol / (kGasConstant * (temperature_c + kKelvin));
-    return a_per_s * exp2_portable(exponent * std::numbers::log2e);
+    return a_per_s * exp2_portable(arrhenius_exponent(ea_j_mol, temperature_c));
 }
 
 HeatModel::HeatModel(const TetMesh& mesh, const MaterialTable& materials,
@@ -217,7 +242,8 @@ struct HeatStepper {
             const double cooling =
                 excess > 0 ? model.settings_.surface_cooling_w_m2k * state.exposed_m2[i] * excess
                            : 0.0;
-            state.wakes[i] = wakes && at_edge ? 1 : 0;
+            state.wakes[i] = static_cast<uint8_t>((state.wakes[i] & kDrying) |
+                                                  (wakes && at_edge ? kWakes : 0));
             state.flux_w[i] = sum - cooling;
             state.power_w[i] = std::max(state.power_w[i], 0.0);
             cooling_w += cooling;
@@ -230,7 +256,7 @@ struct HeatStepper {
         const int count = state.warm_count;
         for (int n = 0; n < count; ++n) {
             const int i = state.warm_list[n];
-            if (state.wakes[i] == 0) continue;
+            if ((state.wakes[i] & kWakes) == 0) continue;
             for (int e = model.edge_start_[i]; e < model.edge_start_[i + 1]; ++e) {
                 const int j = model.edge_to_[e];
                 if (state.warm[j] != 0 || state.edge_w_k[e] == 0) continue;
@@ -242,19 +268,59 @@ struct HeatStepper {
 
     /// New enthalpies, temperatures and damage of the vertices that were warm.
     void advance(double dt) const noexcept {
-        const HeatSettings& s = model.settings_;
+        Exposed exposed;
         for (int n = 0; n < state.ordered_count; ++n) {
             const int v = state.in_order[n];
             state.enthalpy_j[v] += dt * (state.flux_w[v] + state.power_w[v]);
             state.energy_in_j += dt * state.power_w[v];
             const double before = state.temperature_c[v];
+            const float dried = state.dried[v];
             update_temperature(v);
+            if (state.dried[v] != dried) note_drying(v);
             const double middle = 0.5 * (before + state.temperature_c[v]);
             if (middle < kDoseFloorC) continue;
-            state.cem43_min[v] += static_cast<float>(cem43_rate(middle) * dt / 60);
+            exposed.vertex[exposed.count] = v;
+            exposed.middle_c[exposed.count++] = middle;
+            if (exposed.count == kPowers) harm(exposed, dt);
+        }
+        harm(exposed, dt);
+    }
+
+    /// Tets around a vertex that dries have to be looked at: its neighbours are told, too, because
+    /// a tet is looked at from one corner only.
+    void note_drying(int v) const noexcept {
+        state.wakes[v] |= kDrying;
+        for (int e = model.edge_start_[v]; e < model.edge_start_[v + 1]; ++e) {
+            state.wakes[model.edge_to_[e]] |= kDrying;
+        }
+    }
+
+    /// Vertices that are hot enough to be harmed, as many as powers are worked out side by side.
+    struct Exposed {
+        std::array<int, kPowers> vertex{};
+        Powers middle_c{};  ///< Temperature in the middle of the step.
+        int count = 0;
+    };
+
+    /// Dose, damage and char of these vertices; none are left.
+    void harm(Exposed& exposed, double dt) const noexcept {
+        const HeatSettings& s = model.settings_;
+        Powers dose{}, damage{};
+        bool gated = false;
+        for (int i = 0; i < exposed.count; ++i) {
+            const double middle = exposed.middle_c[i];
+            dose[i] = cem43_exponent(middle);
+            damage[i] = arrhenius_exponent(s.arrhenius_ea_j_mol, middle);
+            gated = gated || middle > s.arrhenius_gate_c;
+        }
+        exp2_portable(dose);
+        if (gated) exp2_portable(damage);
+        for (int i = 0; i < exposed.count; ++i) {
+            const int v = exposed.vertex[i];
+            const double middle = exposed.middle_c[i];
+            state.cem43_min[v] += static_cast<float>(dose[i] * dt / 60);
             if (middle > s.arrhenius_gate_c && state.arrhenius[v] < kOmegaFrozen) {
-                const double rate =
-                    arrhenius_rate(s.arrhenius_a_per_s, s.arrhenius_ea_j_mol, middle);
+                const double rate = s.arrhenius_a_per_s * damage[i];
                 state.arrhenius[v] =
                     std::min(kOmegaFrozen, state.arrhenius[v] + static_cast<float>(rate * dt));
             }
@@ -264,17 +330,18 @@ struct HeatStepper {
                              static_cast<float>(smoothstep(s.char_start_c, s.char_full_c, middle)));
             }
         }
+        exposed.count = 0;
     }
 
-    /// Tets whose corners have boiled dry enough. Each is seen once, from the lowest number among
-    /// its corners that have boiled at all.
+    /// Tets whose corners have boiled dry enough, where something has dried since they were looked
+    /// at. Each is seen once, from the lowest number among its corners that have boiled at all.
     int find_vaporised(std::span<const uint8_t> alive, std::span<int32_t> out) const noexcept {
         const auto threshold = static_cast<float>(4 * model.settings_.vaporise_dried);
         int found = 0;
         const int room = static_cast<int>(out.size());
         for (int n = 0; n < state.warm_count && found < room; ++n) {
             const int v = state.warm_list[n];
-            if (state.dried[v] <= 0) continue;
+            if (state.dried[v] <= 0 || (state.wakes[v] & kDrying) == 0) continue;
             for (const int32_t t : body.tets_of(v)) {
                 if (!alive[t]) continue;
                 const auto& c = body.mesh().tets[t];
@@ -286,8 +353,9 @@ struct HeatStepper {
                     state.dried[c[0]] + state.dried[c[1]] + state.dried[c[2]] + state.dried[c[3]];
                 if (sum < threshold) continue;
                 out[found++] = t;
-                if (found == room) break;
+                if (found == room) return found;  // the rest in the next step
             }
+            state.wakes[v] &= static_cast<uint8_t>(~kDrying);
         }
         return found;
     }

@@ -269,7 +269,9 @@ PieceSearch::PieceSearch(const Scene& scene)
       stack(scene.body.tet_count()),
       ground_m(static_cast<size_t>(kGroundCells) * kGroundCells, -1.0F),
       sector_seen(scene.body.tet_count(), 0),
-      sector_of_tet(scene.body.tet_count(), 0) {
+      sector_of_tet(scene.body.tet_count(), 0),
+      path(kSectors),
+      reached_by(scene.body.tet_count(), -1) {
     const TetMesh& mesh = scene.body.mesh();
     std::vector<uint8_t> held(mesh.rest.size(), 0);
     for (const int32_t v : scene.body.spec().fixed) held[v] = 1;

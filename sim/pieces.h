@@ -76,6 +76,14 @@ struct PieceSearch {
     uint32_t stamp = 0, sector_stamp = 0;
     std::vector<uint32_t> sector_seen;  // (T) stamps
     std::vector<int8_t> sector_of_tet;  // (T)
+    // A path that was found in a sector holds it until one of its links goes.
+    static constexpr int kLongestPath = 64;
+    struct Path {
+        std::array<int32_t, kLongestPath> tet;
+        int count = 0;
+    };
+    std::vector<Path> path;           // by sector
+    std::vector<int32_t> reached_by;  // (T) tet from which it was reached
     int32_t top = 0;
     bool running = false;
 };

@@ -25,32 +25,70 @@ bool counts_for_release(Tissue t) noexcept {
 }
 bool is_skin(Tissue t) noexcept { return t == Tissue::kSkin || t == Tissue::kThinSkin; }
 
+/// Neighbour of `t` across face `f` while they hang together, -1 = none.
+int32_t across(const Scene& scene, const State& state, int32_t t, int f) noexcept {
+    if (state.surface.on_surface(t, f)) return -1;
+    const int32_t other = scene.surface.neighbours()[t][f];
+    return other >= 0 && state.body.tet_alive[other] ? other : -1;
+}
+
+/// True while every link of the path that was found last still holds.
+bool holds(const Scene& scene, const State& state, const PieceSearch::Path& path) noexcept {
+    for (int i = 0; i < path.count; ++i) {
+        if (!state.body.tet_alive[path.tet[i]]) return false;
+        bool linked = i == 0;
+        for (int f = 0; f < 4 && !linked; ++f) {
+            linked = across(scene, state, path.tet[i], f) == path.tet[i - 1];
+        }
+        if (!linked) return false;
+    }
+    return path.count > 0;
+}
+
+/// Remembers how `t` was reached; a path that is too long is not remembered.
+void remember(PieceSearch& search, PieceSearch::Path& path, int32_t t) noexcept {
+    path.count = 0;
+    for (; t >= 0; t = search.reached_by[t]) {
+        if (path.count == PieceSearch::kLongestPath) {
+            path.count = 0;
+            return;
+        }
+        path.tet[path.count++] = t;
+    }
+}
+
 /// True when no path leads from the placode in sector `s` to the skin within s - 3 .. s + 3.
 bool sector_free(const Scene& scene, State& state, int s) noexcept {
     PieceSearch& search = state.scratch->pieces;
+    PieceSearch::Path& path = search.path[s];
+    if (holds(scene, state, path)) return false;
     const uint32_t stamp = ++search.sector_stamp;
     const auto& tissue = scene.body.mesh().tissue;
     auto& seen = search.sector_seen;
-    int top = 0;
-    auto& stack = state.scratch->sector_stack;
+    auto& queue = state.scratch->sector_stack;  // breadth first: the path found is a short one
+    int end = 0;
     for (int i = search.sector_start[s]; i < search.sector_start[s + 1]; ++i) {
         const int32_t t = search.sector_tets[i];
         if (tissue[t] != Tissue::kPlacode || !state.body.tet_alive[t]) continue;
         seen[t] = stamp;
-        stack[top++] = t;
+        search.reached_by[t] = -1;
+        queue[end++] = t;
     }
-    while (top > 0) {
-        const int32_t t = stack[--top];
-        if (is_skin(tissue[t])) return false;
+    for (int next = 0; next < end; ++next) {
+        const int32_t t = queue[next];
+        if (is_skin(tissue[t])) {
+            remember(search, path, t);
+            return false;
+        }
         for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
-            if (other < 0 || seen[other] == stamp || !state.body.tet_alive[other]) continue;
+            const int32_t other = across(scene, state, t, f);
+            if (other < 0 || seen[other] == stamp) continue;
             if (!counts_for_release(tissue[other])) continue;
             const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
             if (away > 2 * kBeside) continue;
             seen[other] = stamp;
-            stack[top++] = other;
+            search.reached_by[other] = t;
+            queue[end++] = other;
         }
     }
     return true;
@@ -93,9 +131,8 @@ bool parted(const Scene& scene, State& state, const Vec3& where, int32_t from,
         const int32_t t = stack[--top];
         if (t == to) return false;
         for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
-            if (other < 0 || search.sector_seen[other] == stamp || !alive[other]) continue;
+            const int32_t other = across(scene, state, t, f);
+            if (other < 0 || search.sector_seen[other] == stamp) continue;
             if (!counts_for_release(scene.body.mesh().tissue[other])) continue;
             if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)
                 continue;
