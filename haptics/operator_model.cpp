@@ -24,10 +24,10 @@ constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac
 constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
 constexpr double kLongAgoS = 1e3;
 constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the tip makes room
-constexpr double kHandMS = 0.03;    // no hand is faster at the tissue,
-constexpr double kOffLineM = 3e-4;  // and this far from where it should be it gives no energy
-constexpr double kLeastUp = 0.45;   // normals lean no further: a flap's edge may fold over
-constexpr double kForgetContourS = 4;                // Nothing to do is noticed after this.
+constexpr double kHandMS = 0.03;                     // no hand is faster at the tissue,
+constexpr double kOffLineM = 3e-4;     // and this far from where it should be it gives no energy
+constexpr double kLeastUp = 0.45;      // normals lean no further: a flap's edge may fold over
+constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);

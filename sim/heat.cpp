@@ -19,9 +19,9 @@ constexpr double kGasConstant = 8.314462618;  // J/(mol K)
 constexpr double kSpreadK = 0.001;            // a vertex this warm wakes its neighbours
 constexpr double kDoseFloorC = 38;            // below, a dose grows by less than 0.001 min/min
 constexpr float kOmegaFrozen = 10;
-constexpr double kDryConduction = 0.01;  // electrical conductivity of dry against wet tissue
-constexpr double kStillWet = 0.6;        // dried fraction from which conduction falls
-constexpr double kSafety = 0.9;          // of the explicit stability limit
+constexpr double kDryConduction = 0.01;     // electrical conductivity of dry against wet tissue
+constexpr double kStillWet = 0.6;           // dried fraction from which conduction falls
+constexpr double kSafety = 0.9;             // of the explicit stability limit
 constexpr uint8_t kWakes = 1, kDrying = 2;  // bits of HeatState::wakes
 constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
@@ -242,8 +242,8 @@ struct HeatStepper {
             const double cooling =
                 excess > 0 ? model.settings_.surface_cooling_w_m2k * state.exposed_m2[i] * excess
                            : 0.0;
-            state.wakes[i] = static_cast<uint8_t>((state.wakes[i] & kDrying) |
-                                                  (wakes && at_edge ? kWakes : 0));
+            state.wakes[i] =
+                static_cast<uint8_t>((state.wakes[i] & kDrying) | (wakes && at_edge ? kWakes : 0));
             state.flux_w[i] = sum - cooling;
             state.power_w[i] = std::max(state.power_w[i], 0.0);
             cooling_w += cooling;

@@ -249,7 +249,7 @@ std::vector<std::string> SoftBody::notes() const {
         if (courant[i] > limit_of(s.method)) {
             verdict = "NOT VALID (limit " + rounded_text(limit_of(s.method), 4) + ")";
         } else if (s.method != Method::kVbd && courant[i] > kXpbdGoodCourant) {
-            verdict = "inexact, up to about 7 % too soft (good up to " +
+            verdict = "inexact, up to about 5 % too soft (good up to " +
                       rounded_text(kXpbdGoodCourant, 4) + ")";
         }
         out.push_back(std::string(tissue_name(static_cast<Tissue>(i))) + ": Courant number " +

@@ -238,6 +238,59 @@ TEST(Operator, LetsAPlaceCoolBeforeItGoesOverItAgain) {
     EXPECT_GT(shortest_s, profile.cool_s - 1);
 }
 
+TEST(Operator, DoesNotJumpWhereTheLineFoldsOver) {
+    // A flap's edge: over a tenth of the ring the surface looks outwards and down.
+    FlatWorld world;
+    for (int i = 20; i < 20 + kPoints / 10; ++i) {
+        const Vec3 out = Vec3(world.contour[i].x(), world.contour[i].y(), 0).normalized();
+        world.normal[i] = (out - 0.3 * Vec3::UnitZ()).normalized();
+    }
+    OperatorModel model(operator_profile(OperatorLevel::kExpert), 1, Vec3(0, 0, 0.015));
+    OperatorAction action;
+    Vec3 before = Vec3::Zero();
+    double fastest_m_s = 0, worst_inward_m = 0;
+    for (double time = 0; time < 150 && !action.finish; time += kFrameS) {
+        Perception seen;
+        seen.contour = world.contour;
+        seen.contour_normal = world.normal;
+        seen.contour_cut = world.cut;
+        seen.in_contact = world.in_contact;
+        model.see(seen, {});
+        action = model.act(kFrameS);
+        world.step(action.tip_m, action.pedals != 0);
+        if (action.pedals != 0) {
+            fastest_m_s = std::max(fastest_m_s, (action.tip_m - before).norm() / kFrameS);
+            worst_inward_m = std::max(worst_inward_m, -world.deviation(action.tip_m));
+        }
+        before = action.tip_m;
+    }
+    EXPECT_TRUE(action.finish);
+    EXPECT_LT(fastest_m_s, 0.04) << "30 mm/s, and tremor";
+    EXPECT_LT(worst_inward_m, 2e-4);
+}
+
+TEST(Operator, GivesNoEnergyWithMetalBesideThePlacode) {
+    for (const double gap_m : {2e-4, 1e-3}) {
+        FlatWorld world;
+        OperatorModel model(operator_profile(OperatorLevel::kExpert), 1, Vec3(0, 0, 0.015));
+        OperatorAction action;
+        int energised = 0;
+        for (int i = 0; i < 20'000; ++i) {
+            Perception seen;
+            seen.contour = world.contour;
+            seen.contour_normal = world.normal;
+            seen.contour_cut = world.cut;
+            seen.in_contact = world.in_contact;
+            seen.placode_metal_gap_m.fill(gap_m);
+            model.see(seen, {});
+            action = model.act(kFrameS);
+            world.step(action.tip_m, false);
+            energised += action.pedals != 0 ? 1 : 0;
+        }
+        EXPECT_EQ(energised > 0, gap_m > 5e-4) << gap_m;
+    }
+}
+
 TEST(Operator, SurvivesAContourThatIsNotFinite) {
     FlatWorld world;
     for (auto& normal : world.normal) normal.setConstant(std::nan(""));

@@ -11,6 +11,8 @@
 namespace placode::curriculum {
 namespace {
 
+using sim::Vec3;
+
 class OperatorSightTest : public testing::Test {
  protected:
     OperatorSightTest()
@@ -70,6 +72,37 @@ TEST_F(OperatorSightTest, PointsAtWhatIsLeftOfIt) {
 TEST_F(OperatorSightTest, SaysWhenNothingIsLeft) {
     take_out([](const sim::Vec3&) { return true; });
     EXPECT_EQ(look().marked_left, 0);
+}
+
+TEST_F(OperatorSightTest, ScissorsHaveNoBareMetal) {
+    for (const double gap : look().placode_metal_gap_m) EXPECT_EQ(gap, 1);
+}
+
+TEST(OperatorSight, SeesTheFlankOfTheNeedle) {
+    const auto scene = sim::build_operative_field(load_task("diathermy_ring_small").scene);
+    ASSERT_EQ(scene->tools[0].kind, sim::ToolKind::kNeedle);
+    sim::State state(*scene, 1);
+    OperatorSight sight(*scene);
+    const sim::TetMesh& mesh = scene->body.mesh();
+    size_t v = 0;  // the highest vertex of the placode
+    float height = -1;
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        if (mesh.tissue[t] != sim::Tissue::kPlacode) continue;
+        for (const int32_t corner : mesh.tets[t]) {
+            const float z = state.body.x[static_cast<size_t>(corner)].z;
+            if (z > height) v = static_cast<size_t>(corner);
+            height = std::max(height, z);
+        }
+    }
+    // The needle comes from below, through that vertex, its tip 2 mm above it.
+    const double above_m = 0.002, radius_m = scene->tools[0].tip_radius_m;
+    ASSERT_LT(above_m, scene->tools[0].tip_length_m);
+    state.tools[0].proxy = {to_vec(state.body.x[v]) + Vec3(0, 0, above_m), sim::Quat::Identity()};
+    sight.look(state);
+    const haptics::Perception seen = sight.seen(state);
+    EXPECT_NEAR(seen.placode_metal_gap_m[0], -radius_m, 1e-9);
+    EXPECT_GT(seen.placode_gap_m[0], 1e-3) << "the tip itself is far away";
+    EXPECT_EQ(seen.placode_metal_gap_m[1], 1) << "a scope";
 }
 
 }  // namespace

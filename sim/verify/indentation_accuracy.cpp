@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Hertz: a frictionless sphere on a half-space, as a quarter of a block with graded edges and
-// d / R = 0.04. A block of 10 contact radii, clamped below, would be 11 % too stiff by its thickness
-// alone (Dimitriadis et al. 2002), so that it is 30 wide and deep; what the mesh adds (edge a / 5 at
-// the contact) is the rest. newton is too dear on that mesh: the methods meet it on a coarser one.
+// d / R = 0.04. A block of 10 contact radii, clamped below, would be 11 % too stiff by its
+// thickness alone (Dimitriadis et al. 2002), so that it is 30 wide and deep; what the mesh adds
+// (edge a / 5 at the contact) is the rest. newton is too dear on that mesh: the methods meet it on
+// a coarser one.
 #include <cmath>
 
 #include "sim/verify/accuracy_table.h"
@@ -95,8 +96,7 @@ void measure_indentation(AccuracyTable& table) {
     };
     const VerificationScene small = block(table.quick() ? 8 : 16, 10, edge);
     const char* const thin = "R 5 mm, d 0.2 mm, 50 kPa, nu 0.45, block 10 a";
-    const double newton =
-        indent(table, with(small, SolveMethod::kNewton, 1), edge, thin, 0, false);
+    const double newton = indent(table, with(small, SolveMethod::kNewton, 1), edge, thin, 0, false);
     for (const int substeps : {2, 4, 8}) {
         indent(table, with(small, SolveMethod::kVbd, substeps), edge, thin, newton, false);
     }
