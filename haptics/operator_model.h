@@ -88,8 +88,7 @@ class OperatorModel {
     double still_z_m_ = 0, still_since_s_ = 0;
     Vec3 centre_ = Vec3::Zero();
     bool contact_ = false;
-    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, metal_gap_m_ = 1,
-           clear_out_m_ = 0;
+    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, metal_gap_m_ = 1, clear_out_m_ = 0;
     // What is done.
     Stage stage_ = Stage::kLook;
     double time_s_ = 0, stage_s_ = 0;

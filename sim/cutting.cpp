@@ -245,6 +245,12 @@ double principal_stretch(const Scene& scene, const State& state, int tet) noexce
     return std::sqrt(largest_eigenvalue(f.transpose() * f));
 }
 
+int32_t linked_across(const Scene& scene, const State& state, int tet, int face) noexcept {
+    if (state.surface.on_surface(tet, face)) return -1;
+    const int32_t other = scene.surface.neighbours()[tet][face];
+    return other >= 0 && state.body.tet_alive[other] ? other : -1;
+}
+
 double tet_depth(const Scene& scene, int tet) noexcept {
     if (scene.field.depth_m.empty()) return 0;
     double sum = 0;

@@ -46,6 +46,11 @@ void tear(const Scene& scene, State& state) noexcept;
 /// Mean depth of a tet below the rest surface [m]; 0 where the scene does not say.
 [[nodiscard]] double tet_depth(const Scene& scene, int tet) noexcept;
 
+/// Neighbour of a tet across its face `face` while they hang together; -1 = the face is free, cut,
+/// or the neighbour has gone.
+[[nodiscard]] int32_t linked_across(const Scene& scene, const State& state, int tet,
+                                    int face) noexcept;
+
 /// Centroid of a tet at rest [m].
 [[nodiscard]] Vec3 rest_centroid(const Scene& scene, int tet) noexcept;
 

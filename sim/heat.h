@@ -78,7 +78,7 @@ struct HeatState {
     /// The same vertices in rising order, kept by step_heat(): memory is read forwards.
     std::vector<int32_t> in_order;
     int ordered_count = 0;
-    std::vector<uint8_t> wakes;        ///< (V) scratch of one step: 1 = warm beside what is not
+    std::vector<uint8_t> wakes;        ///< (V) bits: 1 = warm beside what is not; 2 = drier around
     std::vector<double> power_w;       ///< (V) source of this step, cleared by it
     std::vector<double> enthalpy_j;    ///< (V) above body temperature: the state proper
     std::vector<double> capacity_j_k;  ///< (V) of the tets still there

@@ -94,9 +94,8 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
         ++p.tets;
         p.volume_m3 += static_cast<double>(scene.body.volume_m3()[t]);
         for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
-            if (other < 0 || !state.body.tet_alive[other] || pieces.of[other] == slot) continue;
+            const int32_t other = linked_across(scene, state, t, f);
+            if (other < 0 || pieces.of[other] == slot) continue;
             pieces.of[other] = static_cast<int8_t>(slot);
             search.stack[top++] = other;
         }
@@ -166,10 +165,8 @@ void flood(const Scene& scene, State& state) noexcept {
     for (int n = 0; n < kFloodPerFrame && search.top > 0; ++n) {
         const int32_t t = search.stack[--search.top];
         for (int f = 0; f < 4; ++f) {
-            if (state.surface.on_surface(t, f)) continue;
-            const int32_t other = scene.surface.neighbours()[t][f];
+            const int32_t other = linked_across(scene, state, t, f);
             if (other < 0 || search.reached[other] == search.stamp) continue;
-            if (!state.body.tet_alive[other]) continue;
             search.reached[other] = search.stamp;
             search.stack[search.top++] = other;
         }

@@ -25,20 +25,13 @@ bool counts_for_release(Tissue t) noexcept {
 }
 bool is_skin(Tissue t) noexcept { return t == Tissue::kSkin || t == Tissue::kThinSkin; }
 
-/// Neighbour of `t` across face `f` while they hang together, -1 = none.
-int32_t across(const Scene& scene, const State& state, int32_t t, int f) noexcept {
-    if (state.surface.on_surface(t, f)) return -1;
-    const int32_t other = scene.surface.neighbours()[t][f];
-    return other >= 0 && state.body.tet_alive[other] ? other : -1;
-}
-
 /// True while every link of the path that was found last still holds.
 bool holds(const Scene& scene, const State& state, const PieceSearch::Path& path) noexcept {
     for (int i = 0; i < path.count; ++i) {
         if (!state.body.tet_alive[path.tet[i]]) return false;
         bool linked = i == 0;
         for (int f = 0; f < 4 && !linked; ++f) {
-            linked = across(scene, state, path.tet[i], f) == path.tet[i - 1];
+            linked = linked_across(scene, state, path.tet[i], f) == path.tet[i - 1];
         }
         if (!linked) return false;
     }
@@ -81,7 +74,7 @@ bool sector_free(const Scene& scene, State& state, int s) noexcept {
             return false;
         }
         for (int f = 0; f < 4; ++f) {
-            const int32_t other = across(scene, state, t, f);
+            const int32_t other = linked_across(scene, state, t, f);
             if (other < 0 || seen[other] == stamp) continue;
             if (!counts_for_release(tissue[other])) continue;
             const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
@@ -131,7 +124,7 @@ bool parted(const Scene& scene, State& state, const Vec3& where, int32_t from,
         const int32_t t = stack[--top];
         if (t == to) return false;
         for (int f = 0; f < 4; ++f) {
-            const int32_t other = across(scene, state, t, f);
+            const int32_t other = linked_across(scene, state, t, f);
             if (other < 0 || search.sector_seen[other] == stamp) continue;
             if (!counts_for_release(scene.body.mesh().tissue[other])) continue;
             if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)

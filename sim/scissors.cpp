@@ -47,9 +47,8 @@ void plan_tet(const Scene& scene, State& state, Scissors& s, const Pose& to_tool
     const Vec3 here = centroid_T(scene, state, to_tool, t);
     if (here.x() < 0) return;  // each face once, from its positive side
     for (int f = 0; f < 4; ++f) {
-        if (state.surface.on_surface(t, f)) continue;
-        const int other = scene.surface.neighbours()[t][f];
-        if (other < 0 || !state.body.tet_alive[other]) continue;
+        const int other = linked_across(scene, state, t, f);
+        if (other < 0) continue;
         if (centroid_T(scene, state, to_tool, other).x() >= 0) continue;
         const Vec3 p = to_tool * face_centre(scene, state, t, f);
         // Written so that a place that is no number is not between the blades.

@@ -40,6 +40,15 @@ struct FlatWorld {
         const bool inside = std::pow(p.x() / 0.0095, 2) + std::pow(p.y() / 0.0045, 2) < 1;
         return inside ? -nearest : nearest;
     }
+    /// What a person sees of it now.
+    [[nodiscard]] Perception seen() const {
+        Perception seen;
+        seen.contour = contour;
+        seen.contour_normal = normal;
+        seen.contour_cut = cut;
+        seen.in_contact = in_contact;
+        return seen;
+    }
     void step(const Vec3& tip, bool pedal) {
         in_contact = tip.z() < 0.001;
         if (!pedal || !in_contact) return;
@@ -82,13 +91,9 @@ Outcome perform(const std::string& level, uint64_t seed) {
     double deviations = 0, signed_sum = 0, squares = 0, samples = 0, dwell = 0;
     Vec3 dwell_at = Vec3::Zero(), p1 = Vec3::Zero(), p2 = Vec3::Zero(), p3 = Vec3::Zero();
     for (int i = 1; i < 120'000 && !servo.finish_requested(); ++i) {
-        Perception seen;
+        Perception seen = world.seen();
         seen.time_s = i * kFrameS;
-        seen.contour = world.contour;
-        seen.contour_normal = world.normal;
-        seen.contour_cut = world.cut;
         seen.tools = feedback;
-        seen.in_contact = world.in_contact;
         servo.devices().perceive(seen);
         servo.tick(int64_t{i} * 1'000'000, inputs, feedback);
         const Vec3 tip = inputs[0].pose().p;
@@ -192,10 +197,7 @@ TEST(Operator, GivesUpWhereNothingCuts) {
     OperatorAction action;
     double time = 0;
     for (; time < 150 && !action.finish; time += kFrameS) {
-        Perception seen;
-        seen.contour = world.contour;
-        seen.contour_normal = world.normal;
-        seen.contour_cut = world.cut;
+        Perception seen = world.seen();
         seen.in_contact = action.tip_m.z() < 0.001;
         model.see(seen, {});
         action = model.act(kFrameS);
@@ -214,12 +216,7 @@ TEST(Operator, LetsAPlaceCoolBeforeItGoesOverItAgain) {
     double last_s = -1, shortest_s = 1e9;
     int returns = 0;
     for (double time = 0; time < 150 && !action.finish; time += kFrameS) {
-        Perception seen;
-        seen.contour = world.contour;
-        seen.contour_normal = world.normal;
-        seen.contour_cut = world.cut;
-        seen.in_contact = world.in_contact;
-        model.see(seen, {});
+        model.see(world.seen(), {});
         action = model.act(kFrameS);
         world.step(action.tip_m, action.pedals != 0);
         for (int i = 0; i < kPoints / 10; ++i) world.cut[i] = world.energy[i] = 0;
@@ -250,12 +247,7 @@ TEST(Operator, DoesNotJumpWhereTheLineFoldsOver) {
     Vec3 before = Vec3::Zero();
     double fastest_m_s = 0, worst_inward_m = 0;
     for (double time = 0; time < 150 && !action.finish; time += kFrameS) {
-        Perception seen;
-        seen.contour = world.contour;
-        seen.contour_normal = world.normal;
-        seen.contour_cut = world.cut;
-        seen.in_contact = world.in_contact;
-        model.see(seen, {});
+        model.see(world.seen(), {});
         action = model.act(kFrameS);
         world.step(action.tip_m, action.pedals != 0);
         if (action.pedals != 0) {
@@ -276,11 +268,7 @@ TEST(Operator, GivesNoEnergyWithMetalBesideThePlacode) {
         OperatorAction action;
         int energised = 0;
         for (int i = 0; i < 20'000; ++i) {
-            Perception seen;
-            seen.contour = world.contour;
-            seen.contour_normal = world.normal;
-            seen.contour_cut = world.cut;
-            seen.in_contact = world.in_contact;
+            Perception seen = world.seen();
             seen.placode_metal_gap_m.fill(gap_m);
             model.see(seen, {});
             action = model.act(kFrameS);
@@ -296,10 +284,7 @@ TEST(Operator, SurvivesAContourThatIsNotFinite) {
     for (auto& normal : world.normal) normal.setConstant(std::nan(""));
     OperatorModel model(operator_profile(OperatorLevel::kNovice), 1, Vec3(0, 0, 0.015));
     for (int i = 0; i < 20'000; ++i) {
-        Perception seen;
-        seen.contour = world.contour;
-        seen.contour_normal = world.normal;
-        seen.contour_cut = world.cut;
+        Perception seen = world.seen();
         seen.in_contact = i > 6000;
         model.see(seen, {});
         ASSERT_TRUE(model.act(kFrameS).tip_m.allFinite());

@@ -51,7 +51,7 @@ VerificationScene block(int cells, double radii, double edge_m) {
     scene.held.push_back(held_plane(2, 0, 7));
     scene.held.push_back(held_plane(0, 0, kAxisX, "/fixed/1"));
     scene.held.push_back(held_plane(1, 0, kAxisY, "/fixed/2"));
-    // Down to the depth at constant speed: slow against the waves (3 ms through a block of 40 mm).
+    // Down to the depth at constant speed: shear waves cross the larger block in 7 ms.
     scene.end_s = 1;
     SphereObstacle sphere;
     sphere.centre_m = Vec3(0, 0, size + kRadius);

@@ -236,7 +236,7 @@ std::string report_of(const std::vector<AccuracyRow>& rows, const std::vector<Fi
         "`vbd`, 4 substeps a 1 ms frame or more | exact at rest at any step; fast motion is damped "
         "with the Courant number |\n"
         "| one soft material, edges of about 1 mm, Courant number below 0.5 (the `paper` preset) | "
-        "`xpbd` | livelier in motion than vbd at the same step, at rest within 1 % |\n"
+        "`xpbd` | livelier in motion than vbd at the same step |\n"
         "| a step below the CFL limit | `explicit` | nothing is more accurate at that cost |\n"
         "| equilibrium only | `newton` | exact on the given mesh |\n\n"
         "Linear tets lock in bending: compare a solver with `newton` on the same mesh, and choose "
