@@ -416,9 +416,10 @@ void OperatorModel::follow(const Vec3& goal_m, double dt_s) noexcept {
 
 void OperatorModel::do_lift(double dt_s) noexcept {
     pedal_ = false;
-    lift_m_ += std::min(0.03, 0.1 * stage_s_) * dt_s;
-    const Frame f = frame(s_m_);
-    tip_m_ = f.point + lift_m_ * f.normal + wander_smooth_ * f.inward;
+    // From where the tip is: it may have been led beside the line.
+    const double rise = std::min(0.03, 0.1 * stage_s_) * dt_s;
+    lift_m_ += rise;
+    tip_m_ += rise * frame(s_m_).normal;
     if (lift_m_ < kHoverM) return;
     if (sinks_ && !enough_) {
         stage(Stage::kWatch);

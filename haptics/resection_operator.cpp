@@ -85,7 +85,8 @@ void ResectionOperator::see(const Perception& seen) {
     std::copy_n(seen.outline_normal.begin(), std::min(n, seen.outline_normal.size()),
                 normal_.begin());
     std::copy_n(seen.outline_cut.begin(), std::min(n, seen.outline_cut.size()), cut_.begin());
-    if (!holds_) {
+    // Closing jaws press the tissue in: a hand that went after it would only press more.
+    if (!holds_ && left_ != Left::kClose) {
         place_ = seen.grasp_place_m;
         placed_ = n > 0;
     }

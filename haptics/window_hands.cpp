@@ -17,7 +17,7 @@ constexpr double kLagLimitM = 0.020;     // A flick is not stored as motion to c
 constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1 kHz.
 constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
 constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
-constexpr double kJawRadS = 6.4;
+constexpr double kJawRadS = 1.2;         // A button is pressed at once, a hand closes in 0.2 s.
 // A button knows open and closed only: the working opening, not the widest, or jaws would gather
 // what lies beside the place that is meant, and each snip would be as long as the blades.
 constexpr double kGrasperOpening = 0.4, kBladeOpening = 0.3;
