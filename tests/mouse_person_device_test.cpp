@@ -40,5 +40,13 @@ TEST(MousePerson, DoesEveryStepOfTheTutorial) {
     EXPECT_EQ(tutorial.score.verdict, assessment::Verdict::kPassed) << tutorial.score.points;
 }
 
+TEST(MousePerson, TakesThePieceOut) {
+    const Outcome resection = by_mouse("scissors_resection");
+    EXPECT_GT(value(resection, "resected_percent"), 50);
+    EXPECT_GT(value(resection, "pieces_out"), 0);
+    EXPECT_EQ(value(resection, "placode_cut_mm3"), 0);
+    EXPECT_EQ(resection.score.verdict, assessment::Verdict::kPassed) << resection.score.points;
+}
+
 }  // namespace
 }  // namespace placode::curriculum
