@@ -8,6 +8,7 @@
 
 #include "sim/cutting.h"
 #include "sim/damage.h"
+#include "sim/diathermy.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {
@@ -197,26 +198,30 @@ void enter_phase(State& state, Phase phase) noexcept {
     add_event(state, e);
 }
 
-/// Inspect until the first touch or current of a working instrument; incise until the ring is
-/// complete; release until every sector of the placode is free (or, where nothing is marked for
-/// resection, until the hands have been off for two seconds); resect until the marked tissue is out
-/// and the hands are off; then check. Back to release at the next current.
+/// Inspect until the first touch or current of a working instrument; incise (where an instrument
+/// carries current) until the ring is complete; release until every sector of the placode is free
+/// (or, where nothing is marked for resection, until the hands have been off for two seconds);
+/// resect until the marked tissue is out and the hands are off; then check. Back to release at the
+/// next current.
 void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
-    bool busy = false, current = false;
+    bool busy = false, current = false, incises = false;
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         if (scene.tools[t].kind == ToolKind::kScope) continue;
+        incises = incises || conducts(scene.tools[t].kind);
         current = current || state.tools[t].energised;
         busy = busy || state.tools[t].energised || state.tools[t].in_contact;
     }
     state.idle_s = busy ? 0.0f : state.idle_s + static_cast<float>(dt);
     const double points = static_cast<double>(state.progress.cut.size());
-    if (state.phase == Phase::kInspect && busy) enter_phase(state, Phase::kIncise);
+    const bool marked = scene.marked_volume_m3 > 0;
+    if (state.phase == Phase::kInspect && busy) {
+        enter_phase(state, incises || !marked ? Phase::kIncise : Phase::kResect);
+    }
     const bool free = points > 0 && state.release.free_count == kSectors;
     if (state.phase == Phase::kIncise && points > 0 &&
         (free || state.progress.cut_count >= kRingComplete * points)) {
         enter_phase(state, Phase::kRelease);
     }
-    const bool marked = scene.marked_volume_m3 > 0;
     if (state.phase == Phase::kRelease && free && marked) enter_phase(state, Phase::kResect);
     const bool resected =
         state.pieces.marked_gone_m3 >= kResected * scene.marked_volume_m3 && state.pieces.out > 0;

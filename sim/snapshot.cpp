@@ -67,6 +67,10 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
             }
         }
     }
+    out.resected_fraction =
+        scene.marked_volume_m3 > 0
+            ? static_cast<float>(state.pieces.marked_gone_m3 / scene.marked_volume_m3)
+            : -1;
     out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
     out.resect_line.resize(scene.resection.anchors.size());
     for (size_t i = 0; i < out.resect_line.size(); ++i) {

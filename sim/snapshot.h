@@ -37,6 +37,7 @@ struct Snapshot {
     std::vector<std::array<float, 3>> resect_line;  ///< Deformed outline of the marked tissue [m].
     std::vector<uint8_t> resect_cut;                ///< Per point: parted there.
     int free_sectors = 0, pieces_out = 0;
+    float resected_fraction = -1;  ///< 0..1 of the marked tissue is out; -1 = nothing is marked.
     Phase phase = Phase::kInspect;
     float cut_fraction = 0;  ///< 0..1 of the planned contour.
     float vapour_rate_m3_s = 0;

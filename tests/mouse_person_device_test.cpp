@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/ledger.h"
 #include "assessment/scoring.h"
 #include "curriculum/attempt_runner.h"
 #include "tests/attempt_fixture.h"
@@ -46,6 +47,12 @@ TEST(MousePerson, TakesThePieceOut) {
     EXPECT_GT(value(resection, "pieces_out"), 0);
     EXPECT_EQ(value(resection, "placode_cut_mm3"), 0);
     EXPECT_EQ(resection.score.verdict, assessment::Verdict::kPassed) << resection.score.points;
+    // Nobody incises without an instrument that carries current.
+    const auto phases = assessment::phase_starts(resection.recording.events);
+    ASSERT_GE(phases.size(), 3U);
+    EXPECT_EQ(phases[0].phase, sim::Phase::kInspect);
+    EXPECT_EQ(phases[1].phase, sim::Phase::kResect);
+    EXPECT_EQ(phases[2].phase, sim::Phase::kCheck);
 }
 
 }  // namespace

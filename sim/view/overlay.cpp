@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "sim/diathermy.h"
 #include "sim/view/strings.h"
 
 namespace placode::sim {
@@ -103,7 +104,8 @@ void Overlay::read_outs() {
     }
     y += 1.9 * unit_;
     // The phases are those of the operation; exercises have steps.
-    const char* phase = practising() ? "Practice" : phase_text(snapshot_->phase);
+    const bool operates = energised_tools() || snapshot_->resected_fraction >= 0;
+    const char* phase = practising() || !operates ? "Practice" : phase_text(snapshot_->phase);
     paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
     // The goal needs a wide window: it must not run into the picture.
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
@@ -144,6 +146,7 @@ void Overlay::read_outs() {
 }
 
 void Overlay::energy() {
+    if (!energised_tools()) return;
     bool cut = false, coag = false, live = false;
     for (int i = 0; i < snapshot_->tool_count; ++i) {
         const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
@@ -193,22 +196,34 @@ void Overlay::force() {
 }
 
 void Overlay::ring() {
-    // Where small steps are practised, nobody cuts a ring.
-    if (practising() && state_->practice.goal.step.kind != PracticeKind::kTrace) return;
+    const PracticeGoal& goal = state_->practice.goal;
+    if (practising()) {
+        // Where small steps are practised, nobody cuts a ring.
+        if (goal.step.kind != PracticeKind::kTrace) return;
+        gauge(std::min(1.0, goal.progress), "ring", goal.traced);
+        return;
+    }
+    const bool after_ring = snapshot_->phase == Phase::kResect || snapshot_->phase == Phase::kCheck;
+    if (snapshot_->resected_fraction >= 0 && (after_ring || !energised_tools())) {
+        gauge(static_cast<double>(std::min(1.0F, snapshot_->resected_fraction)), "resected",
+              snapshot_->resect_cut);
+    } else if (energised_tools()) {
+        gauge(static_cast<double>(snapshot_->cut_fraction), "ring", snapshot_->contour_cut);
+    }
+}
+
+void Overlay::gauge(double share, const char* name, std::span<const uint8_t> done) {
     const double radius = 2.3 * unit_, x = width_ - margin_ - radius;
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     const double y = height_ - margin_ - radius - (room > 9 * unit_ ? 2.0 * unit_ : 0.0);
     paint_->ring(x, y, radius, 0.80, kLine);
-    const PracticeGoal& goal = state_->practice.goal;
-    const bool traces = practising() && goal.step.kind == PracticeKind::kTrace;
-    const size_t n = traces ? goal.traced.size() : snapshot_->contour_cut.size();
-    for (size_t i = 0; i < n; ++i) {
-        if ((traces ? goal.traced[i] : snapshot_->contour_cut[i]) == 0) continue;
+    for (size_t i = 0; i < done.size(); ++i) {
+        if (done[i] == 0) continue;
         // Drawn as the lesion lies in the picture: cranial (+x) up, left (+y) to the left.
         Vec2 direction[2];
         for (size_t e = 0; e < 2; ++e) {
-            const double angle =
-                2 * 3.14159265358979 * static_cast<double>(i + e) / static_cast<double>(n);
+            const double angle = 2 * 3.14159265358979 * static_cast<double>(i + e) /
+                                 static_cast<double>(done.size());
             direction[e] = Vec2(-std::sin(angle), -std::cos(angle));
         }
         const Vec2 centre(x, y);
@@ -216,14 +231,15 @@ void Overlay::ring() {
                       centre + 0.80 * radius * direction[1], centre + 0.80 * radius * direction[0]},
                      kAccent);
     }
-    paint_->text(x, y + 0.25 * unit_,
-                 number(std::floor(100.0 * (traces ? std::min(1.0, goal.progress)
-                                                   : snapshot_->cut_fraction) +
-                                   1e-4),
-                        0) +
-                     " %",
+    paint_->text(x, y + 0.25 * unit_, number(std::floor(100.0 * share + 1e-4), 0) + " %",
                  TextSize::kNormal, kText, Align::kCentre);
-    paint_->text(x, y + 1.25 * unit_, say("ring"), TextSize::kSmall, kMuted, Align::kCentre);
+    paint_->text(x, y + 1.25 * unit_, say(name), TextSize::kSmall, kMuted, Align::kCentre);
+}
+
+bool Overlay::energised_tools() const {
+    const auto end = snapshot_->tools.begin() + snapshot_->tool_count;
+    return std::any_of(snapshot_->tools.begin(), end,
+                       [](const ToolSnapshot& tool) { return conducts(tool.kind); });
 }
 
 bool Overlay::practising() const {

@@ -4,6 +4,7 @@
 // What stands around the picture: time, phase, goal, energy, force, ring, one warning; help,
 // performance and the pause menu over it.
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,8 @@ class Overlay {
     void energy();
     void force();
     void ring();
+    /// A ring whose parts light up where they are done, with the share [0..1] in its middle.
+    void gauge(double share, const char* name, std::span<const uint8_t> done);
     [[nodiscard]] double practice_steps(double y, double room);
     void practice_line();
     void tick(double x, double y);
@@ -80,6 +83,7 @@ class Overlay {
     /// Where a point of W [mm] stands in the window [px]; false behind the lens or off the picture.
     [[nodiscard]] bool place_of(const Vec3& mm, Vec2& px) const;
     [[nodiscard]] bool practising() const;
+    [[nodiscard]] bool energised_tools() const;  ///< One of the instruments can carry current.
     [[nodiscard]] std::string say(std::string_view english) const;
 
     // Of the picture being drawn.

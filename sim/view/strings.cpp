@@ -19,6 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"COAG", "KOAG."},
     {"force", "siła"},
     {"ring", "obwód"},
+    {"resected", "usunięto"},
     {"of", "z"},
     {"Paused", "Pauza"},
     {"Continue", "Kontynuuj"},
