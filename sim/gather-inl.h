@@ -58,6 +58,10 @@ HWY_INLINE V3 Select(M m, const V3& yes, const V3& no) {
             hn::IfThenElse(m, yes.z, no.z)};
 }
 
+HWY_INLINE M FiniteLanes(V a) {
+    return hn::Le(hn::Abs(a), hn::Set(D(), std::numeric_limits<float>::max()));
+}
+
 #if HWY_TARGET == HWY_SCALAR
 HWY_INLINE V4 Gather(const char* base, const uint16_t* index) {
     const D d;

@@ -73,34 +73,6 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
     }
 }
 
-// A linear spring has an exact XPBD block: (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
-// where m/h^2 sum of the earlier dx is the accumulated multiplier.
-void solve_springs_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
-    const PackedElements& packed = packed_of(body, state);
-    for (size_t i = 0; i < packed.spring_vertices.size(); ++i) {
-        const int32_t vertex = packed.spring_vertices[i];
-        Float4& x = state.x[at(vertex)];
-        if (x.w == 0) continue;
-        const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
-        const float* k = state.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
-        const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
-        Mat3 stiffness;
-        stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
-        Vec3 force = stiffness * (Vec3(x.x, x.y, x.z) - Vec3(row(6), row(7), row(8))) +
-                     Vec3(row(9), row(10), row(11));
-        const double inertia = 1 / (static_cast<double>(x.w) * h * h);
-        float* sum = packed.spring_sum_start < 0
-                         ? nullptr
-                         : state.lanes.data() + packed.spring_sum_start + 3 * i;
-        if (sum != nullptr) force += inertia * Vec3(sum[0], sum[1], sum[2]);
-        stiffness.diagonal().array() += inertia;
-        const Vec3 step = -stiffness.ldlt().solve(force);
-        if (!step.allFinite()) continue;
-        move(x, step);
-        for (int c = 0; sum != nullptr && c < 3; ++c) sum[c] += static_cast<float>(step[c]);
-    }
-}
-
 bool break_overloaded_tethers(const SoftBody& body, SoftBodyState& state) noexcept {
     bool broke = false;
     for (size_t i = 0; i < state.tether_alive.size(); ++i) {

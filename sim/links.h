@@ -15,9 +15,6 @@ uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h)
 /// One pass over the tethers as one-sided distance constraints with compliance.
 void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept;
 
-/// The exact XPBD block of each spring vertex.
-void solve_springs_xpbd(const SoftBody& body, SoftBodyState& state, double h) noexcept;
-
 /// Switches off tethers whose force is above their limit. True when one broke.
 bool break_overloaded_tethers(const SoftBody& body, SoftBodyState& state) noexcept;
 

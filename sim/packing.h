@@ -44,6 +44,7 @@ struct alignas(64) VertexBatch {
 /// 16 disjoint tets.
 struct TetBatch {
     int32_t base = 0, count = 0;
+    bool apart = false;  ///< Shares no vertex with the batch before it.
 };
 
 struct PackedElements {
@@ -71,7 +72,7 @@ struct PackedElements {
     std::vector<int32_t> tet_slot;                        ///< (T) 16 batch + lane
     int64_t tet_lane_start = 0;
     int64_t tet_lambda_start = -1;  ///< Two rows a batch of multipliers, -1 = one iteration.
-    int64_t spring_sum_start = -1;  ///< Three floats a spring vertex, likewise.
+    int64_t spring_sum_start = -1;  ///< Three rows a spring batch, likewise.
 
     // Tethers of vertex v: tether_of[tether_start[v] .. tether_start[v + 1]).
     std::vector<int32_t> tether_start, tether_of;

@@ -29,11 +29,13 @@ uint32_t VertexBatches(const KernelArguments& arguments, int first, int last) {
     return flags;
 }
 
+void SpringBatches(const KernelArguments& arguments, int first, int last) {
+    for (int b = first; b < last; ++b) SolveSpringBatch(arguments, b);
+}
+
 template <bool kPair, bool kKept>
 uint32_t TetRange(const KernelArguments& arguments, int first, int last) {
-    uint32_t flags = 0;
-    for (int b = first; b < last; ++b) flags |= SolveTetBatch<kPair, kKept>(arguments, b);
-    return flags;
+    return SolveTetBatches<kPair, kKept>(arguments, first, last);
 }
 
 uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
@@ -64,6 +66,7 @@ HWY_AFTER_NAMESPACE();
 namespace placode::sim {
 
 HWY_EXPORT(VertexBatches);
+HWY_EXPORT(SpringBatches);
 HWY_EXPORT(TetBatches);
 HWY_EXPORT(BeginVertices);
 HWY_EXPORT(EndVertices);
@@ -71,6 +74,10 @@ HWY_EXPORT(Name);
 
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept {
     return HWY_DYNAMIC_DISPATCH(VertexBatches)(arguments, first, last);
+}
+
+void solve_spring_batches(const KernelArguments& arguments, int first, int last) noexcept {
+    HWY_DYNAMIC_DISPATCH(SpringBatches)(arguments, first, last);
 }
 
 uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept {

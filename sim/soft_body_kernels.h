@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The two vectorised kernels, dispatched at run time to the widest instruction set. Internal to
+// The vectorised kernels, dispatched at run time to the widest instruction set. Internal to
 // the solver. Results are the same bits at any number of threads; two instruction sets differ in
 // rounding (fused multiply-add) only.
 
@@ -43,6 +43,10 @@ size_t end_motion(const MotionArguments& arguments, size_t first, size_t last) n
 
 /// Vertex block descent over batches [first, last) of one colour. Returns StepFlag bits.
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept;
+
+/// XPBD's anchor springs at vertex batches [first, last), which may be of any colour: a spring
+/// moves its own vertex only.
+void solve_spring_batches(const KernelArguments& arguments, int first, int last) noexcept;
 
 /// XPBD over tet batches [first, last) of one colour. Returns StepFlag bits.
 uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept;

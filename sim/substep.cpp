@@ -201,8 +201,14 @@ class Substep {
             first_job_ = phases[p];
             workers_.run<&Substep::tet_job>(phases[p + 1] - phases[p], *this);
         }
-        solve_springs_xpbd(body_, state_, h_);
+        if (!packed_.springs.empty()) {
+            workers_.run<&Substep::spring_job>(workers_.threads(), *this);
+        }
         solve_tethers_xpbd(body_, state_, h_);
+    }
+    void spring_job(int part) noexcept {
+        const auto [first, last] = share(packed_.batches.size(), part, workers_.threads());
+        solve_spring_batches(arguments_, static_cast<int>(first), static_cast<int>(last));
     }
     void tet_job(int job) noexcept {
         const auto& starts = packed_.tet_job_start;

@@ -91,6 +91,33 @@ class Batcher {
     int64_t clock_ = 0;
 };
 
+/// Orders batches [first, end) so that none waits for what the one before it has just written: the
+/// earliest of the next few that shares no vertex with the last kApart, or else the one that shares
+/// it longest ago. Neighbours stay near each other in time, for the cache.
+void spread(std::span<const Tet> tets, int vertices, std::span<std::vector<int32_t>> batches) {
+    constexpr int kAhead = 48;
+    constexpr int64_t kApart = 4, kLongAgo = -kApart - 1;
+    std::vector<int64_t> written(at(vertices), kLongAgo);
+    for (int64_t now = 0; now < std::ssize(batches); ++now) {
+        int64_t pick = now, best = -1;
+        for (int64_t i = now; i < std::min<int64_t>(now + kAhead, std::ssize(batches)); ++i) {
+            int64_t newest = kLongAgo;
+            for (const int32_t t : batches[at(i)]) {
+                for (const int32_t v : tets[at(t)]) newest = std::max(newest, written[at(v)]);
+            }
+            if (const int64_t apart = now - newest; apart > best) {
+                best = apart;
+                pick = i;
+            }
+            if (best > kApart) break;
+        }
+        std::rotate(batches.begin() + now, batches.begin() + pick, batches.begin() + pick + 1);
+        for (const int32_t t : batches[at(now)]) {
+            for (const int32_t v : tets[at(t)]) written[at(v)] = now;
+        }
+    }
+}
+
 }  // namespace
 
 int domains_for(int tets) {
@@ -120,6 +147,7 @@ SweepPlan plan_tets(std::span<const Tet> tets, int vertices, int domains) {
             Batcher batcher(tets, vertices, plan.batches);
             for (const int32_t t : job) batcher.add(t);
             batcher.finish();
+            spread(tets, vertices, std::span(plan.batches).subspan(at(plan.job_start.back())));
         }
         if (plan.phase_start.back() == std::ssize(plan.job_start)) plan.phase_start.pop_back();
     }

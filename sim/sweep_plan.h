@@ -7,7 +7,8 @@
 // are one job; jobs of different domains touch nothing in common. Elements between two neighbouring
 // domains are jobs of the next two phases, whatever is left one job of the last phase. Inside a job
 // the order is local: batches are filled from a short window along the numbering, so that positions
-// stay in the first-level cache, and need no colours.
+// stay in the first-level cache, and need no colours. Batches one after the other share no vertex
+// where that can be had, so that the next one can be loaded while this one is solved.
 //
 // The plan depends on the mesh alone, so the results do not depend on the number of threads.
 

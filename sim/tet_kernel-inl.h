@@ -81,12 +81,11 @@ HWY_INLINE void Move(V4* p, V s, const Gradient& u) {
     }
 }
 
-HWY_INLINE M FiniteLanes(V a) {
-    return hn::Le(hn::Abs(a), hn::Set(D(), std::numeric_limits<float>::max()));
-}
-
 /// Zero unless finite.
 HWY_INLINE V Finite(V a) { return hn::IfThenElseZero(FiniteLanes(a), a); }
+
+/// C^2 is dimensionless and 3 at rest; a collapsed tet may have 0.
+constexpr float kLeastC2 = 1e-6F;
 
 struct Multipliers {
     V deviatoric, volume;  ///< lambda / b before and after
@@ -99,102 +98,191 @@ struct Multipliers {
 /// most 1.5, so that stiff tets stay stable, and with many sweeps the same solution.
 HWY_INLINE V OwnShare(V c2, V s11, V ratio, V s22) {
     const D d;
+    const V half = hn::Set(d, 0.5F);
+    // Soft tets, the rule at a usual step, need neither a division nor the wait for one.
+    const M soft = hn::And(hn::Ge(c2, hn::Mul(half, s11)), hn::Ge(ratio, hn::Mul(half, s22)));
+    if (HWY_LIKELY(hn::AllTrue(d, soft))) return half;
     const M first = hn::Lt(hn::Mul(c2, s22), hn::Mul(ratio, s11));
     const V least = hn::Div(hn::IfThenElse(first, c2, ratio), hn::IfThenElse(first, s11, s22));
-    return hn::Max(hn::Set(d, 0.5F), hn::Sub(hn::Set(d, 1.0F), least));
+    return hn::Max(half, hn::Sub(hn::Set(d, 1.0F), least));
 }
 
-template <bool kPair, bool kKept>
-HWY_INLINE void Project(V4* p, const float* rows, V b, Multipliers& l) {
+/// Corners of the tets that come next, loaded while these are solved: a batch is longer than what a
+/// processor looks ahead.
+struct Ahead {
+    const char* base = nullptr;  ///< nullptr: they share vertices with these, and have to wait.
+    const uint16_t* index = nullptr;
+    V4* p = nullptr;
+    HWY_INLINE void Load(size_t corner) const {
+        if (base != nullptr) p[corner] = Gather(base, index + corner * kLanes);
+    }
+};
+
+/// The constraints one after the other.
+template <bool kKept>
+HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
+    const D d;
+    const V r = hn::Load(d, rows + 6 * kLanes);
+    const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
+    TetGradients g = Gradients(p, rows);
+    ahead.Load(0);
+    const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
+    V c = hn::Zero(d), right = hn::Neg(c2);
+    if constexpr (kKept) {
+        c = hn::Sqrt(c2);
+        right = hn::NegMulAdd(c, l.deviatoric, right);
+    }
+    const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
+    ahead.Load(1);
+    const V y = Finite(hn::Div(right, hn::Add(s11, c2)));
+    Move(p, hn::Mul(b, y), g.deviatoric);
+    if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
+    g = Gradients(p, rows);
+    ahead.Load(2);
+    right = hn::Sub(hn::Add(hn::Set(d, 1.0F), ratio), g.j);
+    if constexpr (kKept) right = hn::NegMulAdd(ratio, l.volume, right);
+    const V br = hn::Mul(b, r), s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
+    const V z = Finite(hn::Div(right, hn::Add(s22, ratio)));
+    ahead.Load(3);
+    Move(p, hn::Mul(br, z), g.volume);
+    if constexpr (kKept) l.volume = hn::Add(l.volume, z);
+}
+
+/// Both at once.
+template <bool kKept>
+HWY_INLINE void ProjectBlock(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
     const D d;
     const V r = hn::Load(d, rows + 6 * kLanes);
     const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
     const V one = hn::Set(d, 1.0F);
-    // C^2 is dimensionless and 3 at rest; a collapsed tet may have 0.
-    const V least = hn::Set(d, 1e-6F);
-    TetGradients g = Gradients(p, rows);
-    const V c2 = hn::Max(g.c2, least);
+    const TetGradients g = Gradients(p, rows);
+    const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
     V c = hn::Zero(d), right_d = hn::Neg(c2);
+    // g.volume is the gradient of J / r.
+    V right_h = hn::Sub(hn::Add(one, ratio), g.j);
     if constexpr (kKept) {
         c = hn::Sqrt(c2);
         right_d = hn::NegMulAdd(c, l.deviatoric, right_d);
+        right_h = hn::NegMulAdd(ratio, l.volume, right_h);
     }
-    const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
     const V br = hn::Mul(b, r);
-    if constexpr (kPair) {
-        const V a11 = hn::Add(s11, c2);
-        const V y = Finite(hn::Div(right_d, a11));
-        Move(p, hn::Mul(b, y), g.deviatoric);
-        if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
-        g = Gradients(p, rows);
-    }
-    // g.volume is the gradient of J / r.
-    V right_h = hn::Sub(hn::Add(one, ratio), g.j);
-    if constexpr (kKept) right_h = hn::NegMulAdd(ratio, l.volume, right_h);
+    const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
     const V s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
-    if constexpr (kPair) {
-        const V z = Finite(hn::Div(right_h, hn::Add(s22, ratio)));
-        Move(p, hn::Mul(br, z), g.volume);
-        l.volume = hn::Add(l.volume, z);
-    } else {
-        const V own = OwnShare(c2, s11, ratio, s22);
-        const V a11 = hn::MulAdd(own, s11, c2), a22 = hn::MulAdd(own, s22, ratio);
-        const V a12 = hn::Mul(hn::Mul(own, br), Weighted(p, g.deviatoric, g.volume));
-        // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
-        const V product = hn::Mul(a11, a22);
-        const V determinant =
-            hn::Max(hn::NegMulAdd(a12, a12, product), hn::Mul(hn::Set(d, 1e-6F), product));
-        const V inverse = hn::Div(one, determinant);
-        V y = hn::Mul(inverse, hn::NegMulAdd(a12, right_h, hn::Mul(a22, right_d)));
-        V z = hn::Mul(inverse, hn::NegMulAdd(a12, right_d, hn::Mul(a11, right_h)));
-        const M finite = FiniteLanes(hn::Add(y, z));
-        y = hn::IfThenElseZero(finite, y);
-        z = hn::IfThenElseZero(finite, z);
-        // At rest the two parts cancel: add them before they meet the position, one rounding.
-        const V rz = hn::Mul(r, z);
-        Gradient sum;
-        for (int i = 0; i < 3; ++i) {
-            sum.corner[i] = MulAdd(y, g.deviatoric.corner[i], Scale(rz, g.volume.corner[i]));
-        }
-        sum.minus = MulAdd(y, g.deviatoric.minus, Scale(rz, g.volume.minus));
-        Move(p, b, sum);
+    const V own = OwnShare(c2, s11, ratio, s22);
+    ahead.Load(0);
+    const V a11 = hn::MulAdd(own, s11, c2), a22 = hn::MulAdd(own, s22, ratio);
+    const V a12 = hn::Mul(hn::Mul(own, br), Weighted(p, g.deviatoric, g.volume));
+    // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
+    const V product = hn::Mul(a11, a22);
+    const V determinant =
+        hn::Max(hn::NegMulAdd(a12, a12, product), hn::Mul(hn::Set(d, 1e-6F), product));
+    const V inverse = hn::Div(one, determinant);
+    ahead.Load(1);
+    V y = hn::Mul(inverse, hn::NegMulAdd(a12, right_h, hn::Mul(a22, right_d)));
+    V z = hn::Mul(inverse, hn::NegMulAdd(a12, right_d, hn::Mul(a11, right_h)));
+    const M finite = FiniteLanes(hn::Add(y, z));
+    y = hn::IfThenElseZero(finite, y);
+    z = hn::IfThenElseZero(finite, z);
+    ahead.Load(2);
+    // At rest the two parts cancel: add them before they meet the position, one rounding.
+    const V rz = hn::Mul(r, z);
+    Gradient sum;
+    for (int i = 0; i < 3; ++i) {
+        sum.corner[i] = MulAdd(y, g.deviatoric.corner[i], Scale(rz, g.volume.corner[i]));
+    }
+    sum.minus = Add(Add(sum.corner[0], sum.corner[1]), sum.corner[2]);
+    ahead.Load(3);
+    Move(p, b, sum);
+    if constexpr (kKept) {
         l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
         l.volume = hn::Add(l.volume, z);
     }
 }
 
 template <bool kPair, bool kKept>
-HWY_INLINE uint32_t SolveTetBatch(const KernelArguments& a, int number) {
+HWY_INLINE void Project(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
+    if constexpr (kPair) {
+        ProjectPair<kKept>(p, rows, b, l, ahead);
+    } else {
+        ProjectBlock<kKept>(p, rows, b, l, ahead);
+    }
+}
+
+/// As many tets of one batch as a vector has lanes.
+struct TetGroup {
+    int batch = 0;
+    size_t lane = 0;
+};
+
+HWY_INLINE const uint16_t* Corners(const KernelArguments& a, TetGroup g) {
+    return a.packed->tet_index.data() + static_cast<size_t>(g.batch) * 4 * kLanes + g.lane;
+}
+
+HWY_INLINE char* Points(const KernelArguments& a, TetGroup g) {
+    return reinterpret_cast<char*>(a.x + a.packed->tet_batches[static_cast<size_t>(g.batch)].base);
+}
+
+HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
+    const size_t lane = g.lane + hn::Lanes(D());
+    const TetBatch& batch = a.packed->tet_batches[static_cast<size_t>(g.batch)];
+    return lane < static_cast<size_t>(batch.count) ? TetGroup{g.batch, lane}
+                                                   : TetGroup{g.batch + 1, 0};
+}
+
+/// Solves `now`, whose corners are in `p`, and loads those of the group after it into `q`.
+template <bool kPair, bool kKept>
+HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, V4* p, V4* q) {
     const D d;
     const PackedElements& packed = *a.packed;
-    const auto at = static_cast<size_t>(number);
-    const TetBatch& batch = packed.tet_batches[at];
-    for (size_t lane = 0; lane < static_cast<size_t>(batch.count); lane += hn::Lanes(d)) {
-        const uint16_t* index = packed.tet_index.data() + at * 4 * kLanes + lane;
-        const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + lane;
-        const V stiffness =
-            hn::Load(d, a.lanes + static_cast<size_t>(packed.tet_lane_start) + at * kLanes + lane);
-        V4 p[4];
-        for (size_t k = 0; k < 4; ++k) {
-            p[k] = Gather(reinterpret_cast<const char*>(a.x + batch.base), index + k * kLanes);
-        }
-        Multipliers l = {hn::Zero(d), hn::Zero(d)};
-        [[maybe_unused]] float* memory = nullptr;
-        if constexpr (kKept) {
-            memory = a.lanes + packed.tet_lambda_start + at * 2 * kLanes + lane;
-            l = {hn::Load(d, memory), hn::Load(d, memory + kLanes)};
-        }
-        Project<kPair, kKept>(p, rows, hn::Mul(hn::Set(d, a.h * a.h), stiffness), l);
-        if constexpr (kKept) {
-            hn::Store(l.deviatoric, d, memory);
-            hn::Store(l.volume, d, memory + kLanes);
-        }
-        for (size_t k = 0; k < 4; ++k) {
-            Scatter(p[k], reinterpret_cast<char*>(a.x + batch.base), index + k * kLanes,
-                    batch.count - static_cast<int>(lane));
-        }
+    const auto at = static_cast<size_t>(now.batch);
+    const TetGroup next = After(a, now);
+    const bool more = next.batch < last;
+    Ahead ahead;
+    if (more) ahead = {Points(a, next), Corners(a, next), q};
+    const bool waits = more && next.batch != now.batch &&
+                       !packed.tet_batches[static_cast<size_t>(next.batch)].apart;
+    if (HWY_UNLIKELY(waits)) ahead.base = nullptr;
+    const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + now.lane;
+    const V stiffness =
+        hn::Load(d, a.lanes + static_cast<size_t>(packed.tet_lane_start) + at * kLanes + now.lane);
+    Multipliers l = {hn::Zero(d), hn::Zero(d)};
+    [[maybe_unused]] float* memory = nullptr;
+    if constexpr (kKept) {
+        memory = a.lanes + packed.tet_lambda_start + at * 2 * kLanes + now.lane;
+        l = {hn::Load(d, memory), hn::Load(d, memory + kLanes)};
     }
-    return 0;
+    V4 x[4] = {p[0], p[1], p[2], p[3]};  // in registers
+    Project<kPair, kKept>(x, rows, hn::Mul(hn::Set(d, a.h * a.h), stiffness), l, ahead);
+    if constexpr (kKept) {
+        hn::Store(l.deviatoric, d, memory);
+        hn::Store(l.volume, d, memory + kLanes);
+    }
+    char* points = Points(a, now);
+    const uint16_t* corners = Corners(a, now);
+    const int count = packed.tet_batches[at].count - static_cast<int>(now.lane);
+    Scatter(x[0], points, corners, count);
+    Scatter(x[1], points, corners + kLanes, count);
+    Scatter(x[2], points, corners + 2 * kLanes, count);
+    Scatter(x[3], points, corners + 3 * kLanes, count);
+    if (HWY_UNLIKELY(waits)) {
+        for (size_t k = 0; k < 4; ++k)
+            q[k] = Gather(Points(a, next), Corners(a, next) + k * kLanes);
+    }
+    return next;
+}
+
+template <bool kPair, bool kKept>
+HWY_INLINE uint32_t SolveTetBatches(const KernelArguments& a, int first, int last) {
+    if (first >= last) return 0;
+    V4 p[4], q[4];
+    TetGroup now{first, 0};
+    for (size_t k = 0; k < 4; ++k) p[k] = Gather(Points(a, now), Corners(a, now) + k * kLanes);
+    while (true) {
+        now = SolveTets<kPair, kKept>(a, now, last, p, q);
+        if (now.batch >= last) return 0;
+        now = SolveTets<kPair, kKept>(a, now, last, q, p);
+        if (now.batch >= last) return 0;
+    }
 }
 
 }  // namespace HWY_NAMESPACE

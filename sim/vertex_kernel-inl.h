@@ -144,6 +144,44 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
     return flags;
 }
 
+/// XPBD: a linear spring has an exact block, (m/h^2 + K) dx = -(K (x - rest) + f0) - m/h^2 sum,
+/// where m/h^2 sum of the earlier dx is the accumulated multiplier.
+HWY_INLINE void SolveSpringBatch(const KernelArguments& a, int number) {
+    const D d;
+    const VertexBatch& b = a.packed->batches[static_cast<size_t>(number)];
+    if (b.spring_start < 0) return;
+    const V zero = hn::Zero(d), inverse_h2 = hn::Set(d, 1.0F / (a.h * a.h));
+    for (size_t lane = 0; lane < static_cast<size_t>(b.count); lane += hn::Lanes(d)) {
+        const uint16_t* self = b.self.data() + lane;
+        const V4 point = Gather(reinterpret_cast<const char*>(a.x + b.base), self);
+        const V3 x = {point.x, point.y, point.z};
+        const M free = hn::Gt(point.w, zero);
+        const V inertia = hn::Div(inverse_h2, hn::IfThenElse(free, point.w, hn::Set(d, 1.0F)));
+        Systems s = {{zero, zero, zero}, inertia, zero, zero, inertia, zero, inertia, inertia};
+        float* sum = nullptr;
+        V3 before = {zero, zero, zero};
+        if (a.packed->spring_sum_start >= 0) {
+            const int64_t row = b.spring_start / (kSpringRows * kLanes);
+            sum = a.lanes + a.packed->spring_sum_start + row * 3 * kLanes + lane;
+            before = {hn::Load(d, sum), hn::Load(d, sum + kLanes), hn::Load(d, sum + 2 * kLanes)};
+            s.gradient = Scale(inertia, before);
+        }
+        AddSprings(a, b, lane, x, s);
+        V3 step = Descend(s);
+        const M sane = hn::And(free, FiniteLanes(Dot(step, step)));
+        step = {hn::IfThenElseZero(sane, step.x), hn::IfThenElseZero(sane, step.y),
+                hn::IfThenElseZero(sane, step.z)};
+        if (sum != nullptr) {
+            hn::Store(hn::Add(before.x, step.x), d, sum);
+            hn::Store(hn::Add(before.y, step.y), d, sum + kLanes);
+            hn::Store(hn::Add(before.z, step.z), d, sum + 2 * kLanes);
+        }
+        const V3 moved = Add(x, step);
+        Scatter({moved.x, moved.y, moved.z, point.w}, reinterpret_cast<char*>(a.x + b.base), self,
+                b.count - static_cast<int>(lane));
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace placode::sim
 HWY_AFTER_NAMESPACE();

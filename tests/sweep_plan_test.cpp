@@ -53,6 +53,27 @@ TEST(SweepPlan, VisitsEveryTetOnceInBatchesThatShareNoVertex) {
     EXPECT_LT(plan.batches.size(), mesh.tets.size() / kLanes * 115 / 100);
 }
 
+TEST(SweepPlan, ABatchSeldomSharesVerticesWithTheOneBefore) {
+    const TetMesh mesh = slab(60, 30, 4);
+    const SweepPlan plan = plan_tets(mesh.tets, static_cast<int>(mesh.rest.size()), 4);
+    std::set<int32_t> before;
+    int waits = 0;
+    for (const auto& batch : plan.batches) {
+        std::set<int32_t> here;
+        bool shares = false;
+        for (const int32_t t : batch) {
+            for (const int32_t v : mesh.tets[static_cast<size_t>(t)]) {
+                shares = shares || before.count(v) > 0;
+                here.insert(v);
+            }
+        }
+        waits += shares ? 1 : 0;
+        before = std::move(here);
+    }
+    // In the order in which they fill, nearly all do; what is left are ends of jobs.
+    EXPECT_LT(waits, std::ssize(plan.batches) / 20);
+}
+
 TEST(SweepPlan, JobsOfAPhaseTouchNothingInCommon) {
     const TetMesh mesh = slab(40, 20, 3);
     for (const int domains : {1, 2, 4, 8}) {
