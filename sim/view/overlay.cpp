@@ -205,7 +205,7 @@ void Overlay::ring() {
     }
     const bool after_ring = snapshot_->phase == Phase::kResect || snapshot_->phase == Phase::kCheck;
     if (snapshot_->resected_fraction >= 0 && (after_ring || !energised_tools())) {
-        gauge(static_cast<double>(std::min(1.0F, snapshot_->resected_fraction)), "resected",
+        gauge(static_cast<double>(std::min(1.0F, snapshot_->resected_fraction)), "out",
               snapshot_->resect_cut);
     } else if (energised_tools()) {
         gauge(static_cast<double>(snapshot_->cut_fraction), "ring", snapshot_->contour_cut);

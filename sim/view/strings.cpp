@@ -19,7 +19,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"COAG", "KOAG."},
     {"force", "siła"},
     {"ring", "obwód"},
-    {"resected", "usunięto"},
+    {"out", "wyjęto"},
     {"of", "z"},
     {"Paused", "Pauza"},
     {"Continue", "Kontynuuj"},

@@ -18,6 +18,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using sim::Key;
 
+constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
+
 class WindowSession {
  public:
     WindowSession(curriculum::AttemptRunner& runner, sim::Latest<sim::WindowInput>& published,
@@ -241,6 +243,11 @@ class WindowSession {
         if (notice_until_ > Clock::now()) overlay_.notice = notice_;
         if (notice_until_ <= Clock::now() && status.warning.empty() && overlay_.notice == notice_) {
             overlay_.notice.clear();
+        }
+        // Nobody presses a key where a script is at work: help goes when it has been read.
+        if (scripted_ && !help_seen_ && snapshot.time_s > kReadHelpS) {
+            overlay_.show_help = false;
+            help_seen_ = true;
         }
         tend_lens();
         view_.draw(snapshot, overlay_);
