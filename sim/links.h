@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tethers, sheets and anchor springs inside a substep: few, so one by one on the calling thread.
+// Tethers and sheets inside a substep: few, so one by one on the calling thread.
 // Internal to the solver.
 
 #include "sim/soft_body.h"
