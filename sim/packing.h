@@ -44,7 +44,7 @@ struct alignas(64) VertexBatch {
 /// 16 disjoint tets.
 struct TetBatch {
     int32_t base = 0, count = 0;
-    bool apart = false;  ///< Shares no vertex with the batch before it.
+    bool apart = false;  ///< As in SweepPlan.
 };
 
 struct PackedElements {

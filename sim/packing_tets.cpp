@@ -21,12 +21,10 @@ int64_t step_of(const PackedElements& packed, const VertexBatch& b, size_t lane,
     return -1;
 }
 
-/// `written`: for every vertex the last batch that moved it.
 void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const int32_t> members,
-                   std::vector<int32_t>& written) {
+                   bool apart) {
     TetBatch b;
-    const auto number = static_cast<int32_t>(out.tet_batches.size());
-    b.apart = true;
+    b.apart = apart;
     b.count = static_cast<int32_t>(members.size());
     b.base = body.vertex_count();
     int32_t last = 0;
@@ -34,11 +32,7 @@ void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const in
         for (const int32_t v : body.mesh().tets[at(t)]) {
             b.base = std::min(b.base, v);
             last = std::max(last, v);
-            b.apart = b.apart && written[at(v)] != number - 1;
         }
-    }
-    for (const int32_t t : members) {
-        for (const int32_t v : body.mesh().tets[at(t)]) written[at(v)] = number;
     }
     check_span(b.base, last);
     const size_t index = out.tet_index.size(), rows = out.tet_rows.size();
@@ -100,8 +94,9 @@ void pack_tets(const SoftBody& body, PackedElements& out) {
         plan_tets(body.mesh().tets, body.vertex_count(), domains_for(body.tet_count()));
     out.tet_slot.resize(at(body.tet_count()));
     out.tet_lane_start = out.lane_count;
-    std::vector<int32_t> written(at(body.vertex_count()), -2);
-    for (const auto& members : plan.batches) add_tet_batch(body, out, members, written);
+    for (size_t b = 0; b < plan.batches.size(); ++b) {
+        add_tet_batch(body, out, plan.batches[b], plan.apart[b] != 0);
+    }
     out.tet_job_start = plan.job_start;
     out.tet_phase_start = plan.phase_start;
     if (body.spec().solver.iterations > 1) {

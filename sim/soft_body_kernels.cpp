@@ -33,19 +33,15 @@ void SpringBatches(const KernelArguments& arguments, int first, int last) {
     for (int b = first; b < last; ++b) SolveSpringBatch(arguments, b);
 }
 
-template <bool kPair, bool kKept>
-uint32_t TetRange(const KernelArguments& arguments, int first, int last) {
-    return SolveTetBatches<kPair, kKept>(arguments, first, last);
-}
-
-uint32_t TetBatches(const KernelArguments& arguments, int first, int last) {
+void TetBatches(const KernelArguments& arguments, int first, int last) {
     const bool kept = arguments.packed->tet_lambda_start >= 0;
     if (arguments.pair) {
-        return kept ? TetRange<true, true>(arguments, first, last)
-                    : TetRange<true, false>(arguments, first, last);
+        kept ? SolveTetBatches<true, true>(arguments, first, last)
+             : SolveTetBatches<true, false>(arguments, first, last);
+    } else {
+        kept ? SolveTetBatches<false, true>(arguments, first, last)
+             : SolveTetBatches<false, false>(arguments, first, last);
     }
-    return kept ? TetRange<false, true>(arguments, first, last)
-                : TetRange<false, false>(arguments, first, last);
 }
 
 size_t BeginVertices(const MotionArguments& arguments, size_t first, size_t last) {
@@ -80,8 +76,8 @@ void solve_spring_batches(const KernelArguments& arguments, int first, int last)
     HWY_DYNAMIC_DISPATCH(SpringBatches)(arguments, first, last);
 }
 
-uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept {
-    return HWY_DYNAMIC_DISPATCH(TetBatches)(arguments, first, last);
+void solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept {
+    HWY_DYNAMIC_DISPATCH(TetBatches)(arguments, first, last);
 }
 
 size_t begin_motion(const MotionArguments& arguments, size_t first, size_t last) noexcept {

@@ -48,7 +48,7 @@ uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int l
 /// moves its own vertex only.
 void solve_spring_batches(const KernelArguments& arguments, int first, int last) noexcept;
 
-/// XPBD over tet batches [first, last) of one colour. Returns StepFlag bits.
-uint32_t solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept;
+/// XPBD over tet batches [first, last) of one job.
+void solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept;
 
 }  // namespace placode::sim

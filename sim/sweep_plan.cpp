@@ -94,7 +94,8 @@ class Batcher {
 /// Orders batches [first, end) so that none waits for what the one before it has just written: the
 /// earliest of the next few that shares no vertex with the last kApart, or else the one that shares
 /// it longest ago. Neighbours stay near each other in time, for the cache.
-void spread(std::span<const Tet> tets, int vertices, std::span<std::vector<int32_t>> batches) {
+void spread(std::span<const Tet> tets, int vertices, std::span<std::vector<int32_t>> batches,
+            std::vector<uint8_t>& apart_out) {
     constexpr int kAhead = 48;
     constexpr int64_t kApart = 4, kLongAgo = -kApart - 1;
     std::vector<int64_t> written(at(vertices), kLongAgo);
@@ -111,6 +112,7 @@ void spread(std::span<const Tet> tets, int vertices, std::span<std::vector<int32
             }
             if (best > kApart) break;
         }
+        apart_out.push_back(best > 1 ? 1 : 0);
         std::rotate(batches.begin() + now, batches.begin() + pick, batches.begin() + pick + 1);
         for (const int32_t t : batches[at(now)]) {
             for (const int32_t v : tets[at(t)]) written[at(v)] = now;
@@ -147,7 +149,8 @@ SweepPlan plan_tets(std::span<const Tet> tets, int vertices, int domains) {
             Batcher batcher(tets, vertices, plan.batches);
             for (const int32_t t : job) batcher.add(t);
             batcher.finish();
-            spread(tets, vertices, std::span(plan.batches).subspan(at(plan.job_start.back())));
+            spread(tets, vertices, std::span(plan.batches).subspan(at(plan.job_start.back())),
+                   plan.apart);
         }
         if (plan.phase_start.back() == std::ssize(plan.job_start)) plan.phase_start.pop_back();
     }

@@ -23,6 +23,7 @@ namespace placode::sim {
 /// [job_start[j], job_start[j + 1]), phase p the jobs [phase_start[p], phase_start[p + 1]).
 struct SweepPlan {
     std::vector<std::vector<int32_t>> batches;
+    std::vector<uint8_t> apart;  ///< 1 = shares no vertex with the batch before it in its job.
     std::vector<int32_t> job_start, phase_start;
 };
 

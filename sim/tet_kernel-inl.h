@@ -116,6 +116,9 @@ struct Ahead {
     HWY_INLINE void Load(size_t corner) const {
         if (base != nullptr) p[corner] = Gather(base, index + corner * kLanes);
     }
+    HWY_INLINE void LoadAll() const {
+        for (size_t corner = 0; corner < 4; ++corner) Load(corner);
+    }
 };
 
 /// The constraints one after the other.
@@ -236,12 +239,11 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, 
     const PackedElements& packed = *a.packed;
     const auto at = static_cast<size_t>(now.batch);
     const TetGroup next = After(a, now);
-    const bool more = next.batch < last;
-    Ahead ahead;
-    if (more) ahead = {Points(a, next), Corners(a, next), q};
-    const bool waits = more && next.batch != now.batch &&
+    Ahead following;
+    if (next.batch < last) following = {Points(a, next), Corners(a, next), q};
+    const bool waits = next.batch < last && next.batch != now.batch &&
                        !packed.tet_batches[static_cast<size_t>(next.batch)].apart;
-    if (HWY_UNLIKELY(waits)) ahead.base = nullptr;
+    const Ahead ahead = waits ? Ahead() : following;
     const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + now.lane;
     const V stiffness =
         hn::Load(d, a.lanes + static_cast<size_t>(packed.tet_lane_start) + at * kLanes + now.lane);
@@ -264,24 +266,21 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, 
     Scatter(x[1], points, corners + kLanes, count);
     Scatter(x[2], points, corners + 2 * kLanes, count);
     Scatter(x[3], points, corners + 3 * kLanes, count);
-    if (HWY_UNLIKELY(waits)) {
-        for (size_t k = 0; k < 4; ++k)
-            q[k] = Gather(Points(a, next), Corners(a, next) + k * kLanes);
-    }
+    if (HWY_UNLIKELY(waits)) following.LoadAll();
     return next;
 }
 
 template <bool kPair, bool kKept>
-HWY_INLINE uint32_t SolveTetBatches(const KernelArguments& a, int first, int last) {
-    if (first >= last) return 0;
+void SolveTetBatches(const KernelArguments& a, int first, int last) {
+    if (first >= last) return;
     V4 p[4], q[4];
     TetGroup now{first, 0};
-    for (size_t k = 0; k < 4; ++k) p[k] = Gather(Points(a, now), Corners(a, now) + k * kLanes);
+    Ahead{Points(a, now), Corners(a, now), p}.LoadAll();
     while (true) {
         now = SolveTets<kPair, kKept>(a, now, last, p, q);
-        if (now.batch >= last) return 0;
+        if (now.batch >= last) return;
         now = SolveTets<kPair, kKept>(a, now, last, q, p);
-        if (now.batch >= last) return 0;
+        if (now.batch >= last) return;
     }
 }
 

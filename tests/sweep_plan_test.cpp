@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "sim/mesh.h"
@@ -58,7 +59,9 @@ TEST(SweepPlan, ABatchSeldomSharesVerticesWithTheOneBefore) {
     const SweepPlan plan = plan_tets(mesh.tets, static_cast<int>(mesh.rest.size()), 4);
     std::set<int32_t> before;
     int waits = 0;
-    for (const auto& batch : plan.batches) {
+    ASSERT_EQ(plan.apart.size(), plan.batches.size());
+    for (size_t b = 0; b < plan.batches.size(); ++b) {
+        const auto& batch = plan.batches[b];
         std::set<int32_t> here;
         bool shares = false;
         for (const int32_t t : batch) {
@@ -68,6 +71,9 @@ TEST(SweepPlan, ABatchSeldomSharesVerticesWithTheOneBefore) {
             }
         }
         waits += shares ? 1 : 0;
+        const bool begins =
+            std::find(plan.job_start.begin(), plan.job_start.end(), b) != plan.job_start.end();
+        EXPECT_TRUE(begins || (plan.apart[b] != 0) == !shares) << "batch " << b;
         before = std::move(here);
     }
     // In the order in which they fill, nearly all do; what is left are ends of jobs.

@@ -172,12 +172,17 @@ class WindowSession {
         } else if (aids && pressed(Key::kF1)) {
             overlay_.show_help = !overlay_.show_help;
             help_seen_ = true;
-        } else if (!help_seen_ && (input_.left || input_.right || moved())) {
+        } else if (!help_seen_ && (input_.left || input_.right || moved() || help_read())) {
             overlay_.show_help = false;
             help_seen_ = true;
         }
         if (!input_.left) hold_left_ = false;
         before_ = input_;
+    }
+
+    /// Nobody presses a key where a script is at work.
+    [[nodiscard]] bool help_read() const {
+        return scripted_ && runner_.status().time_s > kReadHelpS;
     }
 
     // Enough motion to mean it, or any key of the device.
@@ -243,11 +248,6 @@ class WindowSession {
         if (notice_until_ > Clock::now()) overlay_.notice = notice_;
         if (notice_until_ <= Clock::now() && status.warning.empty() && overlay_.notice == notice_) {
             overlay_.notice.clear();
-        }
-        // Nobody presses a key where a script is at work: help goes when it has been read.
-        if (scripted_ && !help_seen_ && snapshot.time_s > kReadHelpS) {
-            overlay_.show_help = false;
-            help_seen_ = true;
         }
         tend_lens();
         view_.draw(snapshot, overlay_);
