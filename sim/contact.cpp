@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/float_lanes.h"
 #include "sim/self_contact.h"
 #include "sim/step_scratch.h"
 
@@ -235,27 +236,100 @@ bool touch_triangle(const Scene& scene, State& state, const SurfaceTriangle& tri
     return add_contact(scene, state, c, d.value_m, x);
 }
 
+/// A pose as columns of floats.
+struct FloatPose {
+    FloatPose() = default;
+    explicit FloatPose(const Pose& pose) noexcept {
+        const Mat3 r = pose.q.toRotationMatrix();
+        for (int k = 0; k < 3; ++k) column[static_cast<size_t>(k)] = lanes(r.col(k));
+        origin = lanes(pose.p);
+    }
+    [[nodiscard]] FloatLanes operator*(FloatLanes p) const noexcept {
+        return column[0] * every_lane(p[0]) + column[1] * every_lane(p[1]) +
+               column[2] * every_lane(p[2]) + origin;
+    }
+    std::array<FloatLanes, 3> column{};
+    FloatLanes origin{};
+
+ private:
+    static FloatLanes lanes(const Vec3& a) noexcept {
+        const Vec3f f = a.cast<float>();
+        return FloatLanes{f.x(), f.y(), f.z(), 0};
+    }
+};
+
 /// True when a triangle that was `start[3]` away at the frame's start cannot have come within
 /// `margin`: a distance changes by no more than the way, here of the centre in T, so that most
 /// candidates end here, with one root.
-bool surely_apart(const std::array<float, 4>& start, const Pose& to_tool, const Triangle& x,
-                  double margin) noexcept {
-    constexpr double kRounding = 1e-7;  // of the start as floats [m]
-    const Vec3 centre = (x[0] + x[1] + x[2]) / 3;
-    const Vec3 before(start[0], start[1], start[2]);
-    const double way = (to_tool * centre - before).norm();
-    const double left = static_cast<double>(start[3]) - way - margin - kRounding;
-    if (left <= 0) return false;
-    const double size2 = std::max({(x[0] - centre).squaredNorm(), (x[1] - centre).squaredNorm(),
-                                   (x[2] - centre).squaredNorm()});
+bool surely_apart(const std::array<float, 4>& start, const FloatPose& to_tool,
+                  const std::array<FloatLanes, 3>& x, float margin) noexcept {
+    constexpr float kRounding = 1e-6F;  // of places within a few tenths of a metre, as floats [m]
+    const FloatLanes centre = (x[0] + x[1] + x[2]) * every_lane(1.0F / 3);
+    const FloatLanes way = to_tool * centre - lanes_of(start);
+    const float left = start[3] - std::sqrt(dot3(way, way)) - margin - kRounding;
+    if (!(left > 0)) return false;
+    float size2 = 0;
+    for (const FloatLanes& corner : x)
+        size2 = std::max(size2, dot3(corner - centre, corner - centre));
     return left * left > size2;
 }
+
+/// The search for the nearest points, candidate by candidate: jobs for the team, since nothing else
+/// in a frame but the solve has so many parts that touch nothing in common.
+class NarrowPhase {
+ public:
+    static constexpr int kOfAJob = 24;  // candidates
+
+    NarrowPhase(const Scene& scene, State& state) noexcept
+        : scene_(scene), state_(state), set_(state.scratch->contacts) {
+        for (size_t t = 0; t < scene.tools.size(); ++t) {
+            to_tool_[t] = state.tools[t].proxy.inverse();
+            roughly_[t] = FloatPose(to_tool_[t]);
+        }
+    }
+    [[nodiscard]] int jobs() const noexcept {
+        return (set_.candidate_count + kOfAJob - 1) / kOfAJob;
+    }
+    void job(int number) noexcept {
+        const int last = std::min(set_.candidate_count, kOfAJob * (number + 1));
+        for (int i = kOfAJob * number; i < last; ++i) set_.nearest[i] = nearest(i);
+    }
+    [[nodiscard]] const Pose& to_tool(int t) const noexcept { return to_tool_[t]; }
+
+ private:
+    /// part -1 where nothing is near enough to count.
+    [[nodiscard]] TriangleDistance nearest(int i) const noexcept {
+        const SurfaceTriangle& tri = state_.surface.triangles()[set_.candidates[i] / 4];
+        const int t = set_.candidates[i] % 4;
+        // What the jaws hold does not push them.
+        if (state_.held_by[tri.vertex[0]] == t || state_.held_by[tri.vertex[1]] == t ||
+            state_.held_by[tri.vertex[2]] == t) {
+            return {};
+        }
+        const double margin = scene_.contact.margin_m;
+        std::array<FloatLanes, 3> x;
+        for (size_t k = 0; k < 3; ++k) x[k] = lanes_of(state_.body.x_start[tri.vertex[k]]);
+        if (surely_apart(set_.start[i], roughly_[t], x, static_cast<float>(margin))) return {};
+        Triangle x_T;
+        for (int k = 0; k < 3; ++k)
+            x_T[k] = to_tool_[t] * to_vec(state_.body.x_start[tri.vertex[k]]);
+        const TriangleDistance d = nearest_on_triangle(set_.shapes[t], x_T, margin);
+        return d.part == 0 && blades_open(scene_, state_, t) ? TriangleDistance{} : d;
+    }
+
+    const Scene& scene_;
+    const State& state_;
+    ContactSet& set_;
+    std::array<Pose, kMaxTools> to_tool_;
+    std::array<FloatPose, kMaxTools> roughly_;
+};
 
 }  // namespace
 
 ContactSet::ContactSet(const Scene& scene)
     : candidates(kMostCandidates),
       start(kMostCandidates),
+      nearest(kMostCandidates),
       contacts(kMostContacts),
       vertices(kMostVertices),
       incidence(4 * kMostContacts),
@@ -274,28 +348,19 @@ void find_contacts(const Scene& scene, State& state) noexcept {
     ContactSet& set = state.scratch->contacts;
     clear_contacts(set, state.body);
     const auto triangles = state.surface.triangles();
-    std::array<Pose, kMaxTools> to_tool;
-    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
-        to_tool[t] = state.tools[t].proxy.inverse();
-        state.tools[t].bare_gap_m = state.tools[t].gap_m = 1;
-    }
+    for (ToolState& tool : state.tools) tool.bare_gap_m = tool.gap_m = 1;
+    NarrowPhase narrow(scene, state);
+    state.workers->run<&NarrowPhase::job>(narrow.jobs(), narrow);
     for (int i = 0; i < set.candidate_count; ++i) {
+        const TriangleDistance& d = set.nearest[i];
+        if (d.part < 0) continue;
         const SurfaceTriangle& tri = triangles[set.candidates[i] / 4];
         const int t = set.candidates[i] % 4;
-        // What the jaws hold does not push them.
-        if (state.held_by[tri.vertex[0]] == t || state.held_by[tri.vertex[1]] == t ||
-            state.held_by[tri.vertex[2]] == t) {
-            continue;
-        }
         Triangle x, x_T;
         for (int k = 0; k < 3; ++k) {
-            const Float4& before = state.body.x_start[tri.vertex[k]];
-            x[k] = Vec3(before.x, before.y, before.z);
+            x[k] = to_vec(state.body.x_start[tri.vertex[k]]);
+            x_T[k] = narrow.to_tool(t) * x[k];
         }
-        if (surely_apart(set.start[i], to_tool[t], x, scene.contact.margin_m)) continue;
-        for (int k = 0; k < 3; ++k) x_T[k] = to_tool[t] * x[k];
-        const TriangleDistance d = nearest_on_triangle(set.shapes[t], x_T, scene.contact.margin_m);
-        if (d.part < 0 || (d.part == 0 && blades_open(scene, state, t))) continue;
         if (d.part < set.shapes[t].bare_parts) {
             note_spot(scene, state.body, state.tools[t], tri, x, d);
         }

@@ -58,6 +58,7 @@ struct ContactSet {
     std::vector<int32_t> candidates;          // triangle * 4 + tool
     std::vector<std::array<float, 4>> start;  // of each: centre in T at the frame's start, distance
     uint32_t fitted = ~0U;                    // surface version of the last refit
+    std::vector<TriangleDistance> nearest;    // of each: on the triangle, in this substep
     std::vector<Contact> contacts;
     std::vector<ContactVertex> vertices;
     std::vector<int32_t> incidence;

@@ -40,7 +40,7 @@ void collect_candidates(const Scene& scene, State& state) noexcept {
     const bool refit = state.frame % 2 == 0 || set.fitted != state.surface.version();
     if (refit && !state.sleep.still()) {
         if (state.sleep.enabled())
-            state.surface.refit(state.body.x, state.sleep.leaf_moves);
+            state.surface.refit(state.body.x, state.sleep.leaf_moves, *state.workers);
         else
             state.surface.refit(state.body.x);
         set.fitted = state.surface.version();

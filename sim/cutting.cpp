@@ -8,9 +8,9 @@
 #include <map>
 
 #include "sim/ledger.h"
-#include "sim/packing.h"
 #include "sim/separation.h"
 #include "sim/step_scratch.h"
+#include "sim/stretch_bound.h"
 
 namespace placode::sim {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kSampleBelow = 0.0008;  // and go on below the target depth [m]
 constexpr double kCell = 0.0005;         // of the lookup grid [m]
 constexpr uint8_t kNoColumn = 255;       // a column that meets no tissue cannot be cut
 constexpr int kTearShare = 64;           // 1/64 of the tets a frame
-constexpr int kTearPerFrame = 8;
+constexpr int kTearPerFrame = 8, kAllOfThem = 1 << 30;
 // Checks in a row before a tet tears: 20 frames beside an instrument; elsewhere, where a check
 // comes every 64 frames, two checks.
 constexpr int kTearCount = 20, kTearCountFar = 10;
@@ -127,35 +127,10 @@ double largest_eigenvalue(const Mat3& m) noexcept {
     return mean + x;
 }
 
-/// True when no principal stretch of the tet reaches `stretch`, without an eigenvalue: the greatest
-/// one, L, leaves the two others the product J / L, so that tr C >= L^2 + 2 J / L, which grows with
-/// L above the cube root of J. tr C in edge form, see packing.h.
-bool surely_below(const Scene& scene, const State& state, int tet, double stretch) noexcept {
-    const SoftBodySpec& spec = scene.body.spec();
-    const auto& c = corners(scene.body, state.body, tet);
-    std::array<Vec3, 4> x;
-    for (size_t i = 0; i < 4; ++i) x[i] = position(state.body, c[i]);
-    const float* weight = scene.body.packed().edge_weight_n_m.data() + 6 * static_cast<size_t>(tet);
-    double trace = 0;
-    for (size_t i = 0; i < 4; ++i) {
-        for (size_t j = i + 1; j < 4; ++j) {
-            trace += static_cast<double>(weight[kEdge[i][j]]) * (x[j] - x[i]).squaredNorm();
-        }
-    }
-    double volume = static_cast<double>(scene.body.volume_m3()[tet]);
-    if (!spec.rest_scale.empty()) {
-        const auto& scale = spec.rest_scale[tet];
-        volume *= static_cast<double>(scale[0]) * static_cast<double>(scale[0]) *
-                  static_cast<double>(scale[1]);
-    }
-    const Material& material = spec.materials[static_cast<int>(spec.mesh.tissue[tet])];
-    const double percent = spec.stiffness_percent.empty() ? 100.0 : spec.stiffness_percent[tet];
-    const double mu =
-        material.youngs_modulus_pa * (percent / 100) / (2 * (1 + material.poissons_ratio));
-    const double j = (x[1] - x[0]).cross(x[2] - x[0]).dot(x[3] - x[0]) / (6 * volume);
-    // Inverted or swollen tets are looked at closely; the weights are floats.
-    if (!(j > 0) || !(j < stretch * stretch * stretch)) return false;
-    return trace * (1 + 1e-5) < mu * volume * (stretch * stretch + 2 * j / stretch);
+/// A tet that is below all limits.
+void forget_stretch(State& state, int tet) noexcept {
+    state.stretch_count[tet] = 0;
+    state.scratch->over_stretch.below(tet);
 }
 
 /// Checks one tet; tears it or writes over-stretch into the ledger. Returns tets torn (0 or 1).
@@ -163,12 +138,6 @@ int check_stretch(const Scene& scene, State& state, int tet, int weight, int too
     const Tissue tissue = scene.body.mesh().tissue[tet];
     const Material& material = scene.body.spec().materials[static_cast<int>(tissue)];
     OverStretch& sums = state.scratch->over_stretch;
-    // Most tets are far from both limits.
-    if (surely_below(scene, state, tet, std::min(material.injury_stretch, material.fail_stretch))) {
-        state.stretch_count[tet] = 0;
-        sums.below(tet);
-        return 0;
-    }
     const double stretch = principal_stretch(scene, state, tet);
     if (stretch > material.injury_stretch && !state.stretch_reported[tet]) {
         state.stretch_reported[tet] = 1;
@@ -197,6 +166,33 @@ int check_stretch(const Scene& scene, State& state, int tet, int weight, int too
     remove_tissue(scene, state, tet, EventKind::kTorn, tool, stretch);
     return 1;
 }
+
+/// Tets that wait to be checked, until there are enough to be looked at side by side.
+struct StretchGroup {
+    explicit StretchGroup(const Scene& scene) noexcept : limits(scene.body.spec().materials) {}
+
+    StretchLimits limits;
+    std::array<int32_t, kStretchGroup> tets{};
+    size_t count = 0;
+
+    [[nodiscard]] bool full() const noexcept { return count == tets.size(); }
+    void add(int32_t tet) noexcept { tets[count++] = tet; }
+    /// Checks all of them, until `most` have torn. Returns how many have.
+    int check(const Scene& scene, State& state, int weight, int tool, int most) noexcept {
+        if (count == 0) return 0;
+        const uint32_t below =
+            surely_below(scene.body, state.body, std::span(tets).first(count), limits);
+        int torn = 0;
+        for (size_t i = 0; i < count && torn < most; ++i) {
+            if ((below >> i & 1) != 0)
+                forget_stretch(state, tets[i]);
+            else
+                torn += check_stretch(scene, state, tets[i], weight, tool);
+        }
+        count = 0;
+        return torn;
+    }
+};
 
 }  // namespace
 
@@ -313,8 +309,12 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
 
 void tear(const Scene& scene, State& state) noexcept {
     int torn = 0;
+    StretchGroup group(scene);
     const ContactSet& set = state.scratch->contacts;
     for (int i = 0; i < set.vertex_count && torn < kTearPerFrame; ++i) {
+        const auto check = [&]() noexcept {
+            torn += group.check(scene, state, 1, set.vertices[i].tool, kAllOfThem);
+        };
         for (const int32_t t : tets_around(scene.body, state.body, set.vertices[i].vertex)) {
             const auto& c = corners(scene.body, state.body, t);
             // Once per tet: from the first of its corners that is in the colour.
@@ -323,8 +323,10 @@ void tear(const Scene& scene, State& state) noexcept {
                 if (first < 0 && set.slot[v] >= 0) first = v;
             }
             if (first != set.vertices[i].vertex || !state.body.tet_alive[t]) continue;
-            torn += check_stretch(scene, state, t, 1, set.vertices[i].tool);
+            group.add(t);
+            if (group.full()) check();
         }
+        check();
     }
     // Around what jaws pull on.
     for (int tool = 0; tool < static_cast<int>(scene.tools.size()); ++tool) {
@@ -337,7 +339,8 @@ void tear(const Scene& scene, State& state) noexcept {
                     if (first < 0 && state.held_by[c] == tool) first = c;
                 }
                 if (first != v || !state.body.tet_alive[t]) continue;
-                torn += check_stretch(scene, state, t, 1, tool);
+                group.add(t);
+                torn += group.check(scene, state, 1, tool, kAllOfThem);
                 if (state.held_by[v] != tool) break;
             }
         }
@@ -345,10 +348,13 @@ void tear(const Scene& scene, State& state) noexcept {
     // Everywhere else in turns; neighbours in number share their corners.
     const int tets = scene.body.tet_count(), turn = tets / kTearShare + 1;
     const int from = static_cast<int>(state.frame % kTearShare) * turn;
-    for (int t = from; t < std::min(tets, from + turn) && torn < kTearPerFrame; ++t) {
+    const int last = std::min(tets, from + turn);
+    for (int t = from; t < last && torn < kTearPerFrame; ++t) {
         // What sleeps has been looked at before it fell asleep.
         if (state.body.tet_alive[t] && !state.sleep.sleeps(corners(scene.body, state.body, t)))
-            torn += check_stretch(scene, state, t, kTearCountFar, -1);
+            group.add(t);
+        if (group.full() || t + 1 == last)
+            torn += group.check(scene, state, kTearCountFar, -1, kTearPerFrame - torn);
     }
 }
 

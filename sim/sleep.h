@@ -6,7 +6,9 @@
 // wakes when an instrument, a cut or a grasp comes near or when its neighbours have moved since it
 // fell asleep. What sleeps keeps its place exactly and has no velocity, so that neither falling
 // asleep nor waking can be seen; the price is that motions below `kWakeM` end at its border.
-// VBD only.
+//
+// VBD leaves out batches of vertices, XPBD batches of tets that touch only what sleeps; in the others
+// what sleeps is held (hold_sleepers()). xpbd_pair trembles at rest too much to sleep.
 
 #include <array>
 #include <cstdint>
@@ -25,6 +27,8 @@ class SurfaceTree;
 struct Sleep {
     explicit Sleep(const SoftBody& body);
 
+    /// XPBD: learns which batches of tets move which blocks.
+    void list_tets(const SoftBody& body);
     /// Learns which blocks lie in which leaf of the surface's tree.
     void follow_leaves(const SurfaceTree& tree, const TetMesh& mesh);
 
@@ -47,6 +51,9 @@ struct Sleep {
     std::vector<int32_t> unblocked;               ///< Movable vertices without a block.
     std::vector<int32_t> leaf_start, leaf_block;  ///< Blocks in a node of the surface's tree;
                                                   ///< `blocks()` stands for what has none.
+    /// XPBD: tet batches with vertices of a block; behind the last block those with unblocked ones.
+    std::vector<int32_t> tets_start, tets;
+
     // changing
     std::vector<uint8_t> asleep, calm;         ///< (blocks) calm: looks in a row.
     std::vector<uint8_t> restless;             ///< (blocks) 1 = was cut and never sleeps again.
@@ -56,6 +63,7 @@ struct Sleep {
     std::vector<uint8_t> vertex_asleep;        ///< (V + spares) 1 = not solved, or fixed.
     std::vector<uint8_t> leaf_moves;  ///< (nodes of the surface's tree) 1 = has awake vertices.
     std::vector<uint8_t> chunk;       ///< (ceil((V + spares) / 16)) private.
+    std::vector<uint8_t> tets_move;   ///< (tet batches) private.
     int asleep_count = 0;
     int32_t known_vertices = 0;  ///< Copies up to here have been looked at.
 };

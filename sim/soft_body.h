@@ -32,7 +32,7 @@ struct SolverSettings {
     int iterations = 1;            ///< Sweeps a substep, 1 to 64.
     double over_relaxation = 1.2;  ///< VBD only; 1.3 is the edge of stability.
     Vec3 gravity_m_s2 = Vec3(0, 0, -9.81);
-    /// Let tissue sleep that is at rest and away from instruments (sleep.h). VBD only.
+    /// Let tissue sleep that is at rest and away from instruments (sleep.h).
     bool sleep = true;
     /// Verification and benchmarks only: build even where the method is not valid (notes() says
     /// so).
@@ -173,9 +173,16 @@ struct AwakeRuns {
     using Run = std::array<int32_t, 2>;  ///< [first, last)
 
     bool all = true;
-    std::vector<Run> batches;        ///< Of VBD batches, job by job.
-    std::vector<int32_t> job_start;  ///< (jobs + 1) into `batches`.
-    std::vector<Run> vertices;       ///< Bounds are multiples of 16, or the end.
+    std::vector<Run> batches;            ///< Of vertex batches; VBD: job by job.
+    std::vector<int32_t> job_start;      ///< VBD: (jobs + 1) into `batches`.
+    std::vector<Run> vertices;           ///< Bounds are multiples of 16, or the end.
+    std::vector<Run> tets;               ///< XPBD: of tet batches, job by job.
+    std::vector<int32_t> tet_job_start;  ///< XPBD: (tet jobs + 1) into `tets`.
+    /// XPBD: vertices that sleep but are moved by a kernel together with others, and what they
+    /// weigh; see hold_sleepers().
+    std::vector<int32_t> held;
+    std::vector<float> held_w;
+    bool holding = false;
 };
 
 /// Changing part. All arrays are allocated by the constructor and never grow.
@@ -197,7 +204,8 @@ struct SoftBodyState {
     std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
     AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
     AlignedVector<float> springs;        ///< Anchor springs and loads; see set_load().
-    std::vector<int32_t> scratch;        ///< Private to update_free_vertices (V).
+    std::vector<int32_t> scratch;        ///< Private to reseed_collapsed (V).
+    std::vector<uint8_t> seen_tet;       ///< Private to update_free_vertices (T).
     TopologyPointer topology;            ///< Only in bodies with spare vertices.
     AwakeRuns awake;
     std::vector<int32_t> roused;  ///< Vertices that must not sleep in the next frame; see rouse().
@@ -257,6 +265,11 @@ void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& 
 /// above in one go, bit for bit.
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
                   Workers& workers) noexcept;
+
+/// Takes their inverse masses from the vertices that sleep beside what is awake, so that nothing
+/// moves them, until release_sleepers(). Around the substeps of a frame.
+void hold_sleepers(SoftBodyState& state) noexcept;
+void release_sleepers(SoftBodyState& state) noexcept;
 
 /// Sets `free_vertex` anew: 1 for every vertex of a component (through living tets and
 /// tethers) that no held vertex (w = 0) and no spring holds. Call after removing tets, grasping or

@@ -40,6 +40,7 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     contact_vertex.assign(n, 0);
     free_vertex.assign(n, 0);
     scratch.assign(n, 0);
+    seen_tet.assign(at(body.tet_count()), 0);
     roused.assign(256, 0);
     tether_alive.assign(body.spec().tethers.size(), 1);
     tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
@@ -55,6 +56,12 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
     awake.batches.reserve(packed.batches.size());
     awake.job_start.assign(packed.job_start.size(), 0);
     awake.vertices.reserve(n / 16 + 1);
+    if (!packed.tet_batches.empty()) {
+        awake.tets.reserve(packed.tet_batches.size());
+        awake.tet_job_start.assign(packed.tet_job_start.size(), 0);
+        awake.held.reserve(used);
+        awake.held_w.reserve(used);
+    }
     update_free_vertices(body, *this);
 }
 
@@ -68,37 +75,100 @@ void rouse_all(SoftBodyState& state) noexcept {
     state.roused_count = static_cast<int32_t>(state.roused.size()) + 1;
 }
 
+void hold_sleepers(SoftBodyState& state) noexcept {
+    AwakeRuns& awake = state.awake;
+    if (awake.holding || awake.all) return;
+    awake.held_w.clear();
+    for (const int32_t v : awake.held) {
+        awake.held_w.push_back(state.x[at(v)].w);
+        state.x[at(v)].w = 0;
+    }
+    awake.holding = true;
+}
+
+void release_sleepers(SoftBodyState& state) noexcept {
+    AwakeRuns& awake = state.awake;
+    if (!awake.holding) return;
+    for (size_t i = 0; i < awake.held.size(); ++i) state.x[at(awake.held[i])].w = awake.held_w[i];
+    awake.holding = false;
+}
+
+namespace {
+
+/// What is held, spreading: free_vertex has bit 0 set where nothing that holds has been reached.
+class Hold {
+ public:
+    Hold(const SoftBody& body, SoftBodyState& state) noexcept
+        : body_(body), state_(state), packed_(packed_of(body, state)) {
+        for (size_t t = 0; t < state.seen_tet.size(); ++t)
+            state.seen_tet[t] = state.tet_alive[t] == 0 ? 1 : 0;
+    }
+    bool reach(int32_t v) noexcept {
+        uint8_t& free = state_.free_vertex[at(v)];
+        const bool is_new = (free & 1) != 0;
+        free &= 2;
+        return is_new;
+    }
+    /// Over all tets there and back until nothing new is reached. In RCM order two rounds are
+    /// nearly always enough, and memory is read in order.
+    void spread() noexcept {
+        bool more = true;
+        while (more) {
+            more = false;
+            const int32_t tets = body_.tet_count();
+            for (int32_t t = 0; t < tets; ++t) more = visit(t) || more;
+            for (int32_t t = tets - 1; t >= 0; --t) more = visit(t) || more;
+            more = links() || more;
+        }
+    }
+
+ private:
+    [[nodiscard]] bool reached(int32_t v) const noexcept {
+        return (state_.free_vertex[at(v)] & 1) == 0;
+    }
+    bool visit(int32_t t) noexcept {
+        if (state_.seen_tet[at(t)] != 0) return false;
+        return visit_all(corners(body_, state_, t), state_.seen_tet[at(t)]);
+    }
+    /// All corners once one of them is reached; sets `done`. True when that was new.
+    template <class Corners>
+    bool visit_all(const Corners& vertices, uint8_t& done) noexcept {
+        bool any = false, more = false;
+        for (const int32_t v : vertices) any = any || reached(v);
+        if (!any) return false;
+        done = 1;
+        for (const int32_t v : vertices) more = reach(v) || more;
+        return more;
+    }
+    bool links() noexcept {
+        bool more = false;
+        uint8_t done = 0;
+        const auto& tethers = body_.spec().tethers;
+        for (size_t i = 0; i < tethers.size(); ++i) {
+            if (state_.tether_alive[i] != 0) more = visit_all(tethers[i].vertex, done) || more;
+        }
+        for (const auto& triangle : packed_.sheet.triangles)
+            more = visit_all(triangle.v, done) || more;
+        return more;
+    }
+
+    const SoftBody& body_;
+    SoftBodyState& state_;
+    const PackedElements& packed_;
+};
+
+}  // namespace
+
 void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
-    // Flood from everything that holds; what is not reached is free. scratch is the stack.
     // Until the end bit 1 remembers what was free before.
     auto& free = state.free_vertex;
     for (uint8_t& f : free) f = static_cast<uint8_t>(f << 1 | 1);
-    size_t top = 0;
-    const auto reach = [&](int32_t v) {
-        if ((free[at(v)] & 1) == 0) return;
-        free[at(v)] &= 2;
-        state.scratch[top++] = v;
-    };
+    Hold hold(body, state);
     for (size_t v = 0; v < free.size(); ++v) {
-        if (state.x[v].w == 0) reach(static_cast<int32_t>(v));
+        if (state.x[v].w == 0) hold.reach(static_cast<int32_t>(v));
     }
-    for (const int32_t v : body.packed().spring_vertices) reach(v);
-    while (top > 0) {
-        const int32_t v = state.scratch[--top];
-        for (const int32_t t : tets_around(body, state, v)) {
-            if (state.tet_alive[at(t)] == 0) continue;
-            for (const int32_t other : corners(body, state, t)) reach(other);
-        }
-        const PackedElements& packed = packed_of(body, state);
-        for (int32_t i = packed.tether_start[at(v)]; i < packed.tether_start[at(v) + 1]; ++i) {
-            const size_t tether = at(packed.tether_of[at(i)]);
-            if (state.tether_alive[tether] == 0) continue;
-            for (const int32_t other : body.spec().tethers[tether].vertex) reach(other);
-        }
-        for (const int32_t t : packed.sheet.around(v)) {
-            for (const int32_t other : packed.sheet.triangles[at(t)].v) reach(other);
-        }
-    }
+    for (const int32_t v : body.packed().spring_vertices) hold.reach(v);
+    hold.spread();
     for (size_t v = 0; v < free.size(); ++v) {
         if (free[v] == 1 || free[v] == 2) rouse(state, static_cast<int32_t>(v));
         free[v] &= 1;

@@ -20,6 +20,7 @@ namespace {
 constexpr int kLooseInterval = 128;      // frames between two searches for loose tissue
 constexpr int kReseedInterval = 256;     // frames between two searches for collapsed tissue
 constexpr double kTipSearch = 0.003;     // the tip's gap is measured up to here [m]
+constexpr double kHintSlack = 1 + 1e-9;  // of a distance squared that was found before
 constexpr double kFrameMotion = 0.0005;  // of the tissue in a frame [m]
 constexpr float kSettleDamping = 0.9f;   // of the velocity per substep while settling
 constexpr double kEmbedded = 3e-5;       // deeper than any overlap of mere touch [m]
@@ -68,6 +69,16 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
     }
 }
 
+/// Corners and weights of the point of a triangle of the surface next to `p`, and its distance
+/// squared [m^2].
+double distance2_of(const State& state, int triangle, const Vec3& p, Vec3& weight) noexcept {
+    Triangle tri;
+    for (int k = 0; k < 3; ++k)
+        tri[k] = position(state.body, state.surface.triangles()[triangle].vertex[k]);
+    weight = closest_on_triangle(p, tri);
+    return (p - weight.x() * tri[0] - weight.y() * tri[1] - weight.z() * tri[2]).squaredNorm();
+}
+
 /// Signed distance of the tip to the surface, for display and metrics; and what lies next to it.
 void measure_tips(const Scene& scene, State& state) noexcept {
     const auto triangles = state.surface.triangles();
@@ -78,6 +89,11 @@ void measure_tips(const Scene& scene, State& state) noexcept {
         double best = (kTipSearch + radius) * (kTipSearch + radius);
         int nearest = -1;
         Vec3 weight = Vec3::Zero();
+        // No triangle is nearer than the nearest: that of the last frame, or what has its number
+        // now, leaves most of the tree out from the start. A little more, for it counts as well.
+        int32_t& hint = state.scratch->tip_triangle[t];
+        if (hint >= 0 && hint < std::ssize(triangles))
+            best = std::min(best, kHintSlack * distance2_of(state, hint, centre, weight) + 1e-18);
         state.surface.tree().walk(
             [&](const SurfaceTree::Box& box) noexcept {
                 // The boxes are those of the start of this frame or of the one before, see
@@ -85,17 +101,14 @@ void measure_tips(const Scene& scene, State& state) noexcept {
                 return squared_distance(box, centre, 2 * kFrameMotion) >= best;
             },
             [&](int i) noexcept {
-                Triangle tri;
-                for (int k = 0; k < 3; ++k) {
-                    tri[k] = position(state.body, triangles[i].vertex[k]);
-                }
-                const Vec3 w = closest_on_triangle(centre, tri);
-                const Vec3 d = centre - w.x() * tri[0] - w.y() * tri[1] - w.z() * tri[2];
-                if (d.squaredNorm() >= best) return;
-                best = d.squaredNorm();
+                Vec3 w;
+                const double d2 = distance2_of(state, i, centre, w);
+                if (d2 >= best) return;
+                best = d2;
                 nearest = i;
                 weight = w;
             });
+        hint = nearest;
         tool.tip_gap_m = 1;
         if (nearest < 0) continue;
         const SurfaceTriangle& tri = triangles[nearest];
@@ -147,6 +160,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         report.cost_ns[item] += t - mark;
         mark = t;
     };
+    hold_sleepers(state.body);
     for (int s = 0; s < state.substeps; ++s) {
         move_tools(scene, state, from, to, static_cast<double>(s + 1) / state.substeps);
         carry_grasped(scene, state);
@@ -169,6 +183,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         end_substep(scene.body, state.body, h, *state.workers);
         charge(0);
     }
+    release_sleepers(state.body);
     measure_tips(scene, state);
     for (int t = 0; t < tools; ++t) {
         ToolState& tool = state.tools[t];
@@ -219,6 +234,7 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
     const int substeps = std::clamp(state.substeps, 1, 64);
     const double h = solver.frame_s / substeps;
     const auto count = static_cast<int64_t>(std::ceil(seconds / h));
+    hold_sleepers(state.body);
     for (int64_t n = 0; n < count; ++n) {
         if (n % substeps == 0) update_sac(scene, state, solver.frame_s, true);
         begin_substep(scene.body, state.body, h, *state.workers);
@@ -232,6 +248,7 @@ void settle(const Scene& scene, State& state, double seconds) noexcept {
             v.z *= kSettleDamping;
         }
     }
+    release_sleepers(state.body);
     for (Float4& v : state.body.v) v.x = v.y = v.z = 0;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 // Working memory of step(): sized once, reused every frame. Nothing in it decides the future.
 
+#include <array>
 #include <vector>
 
 #include "sim/contact.h"
@@ -29,9 +30,10 @@ struct State::Scratch {
     std::vector<uint32_t> tet_seen;     // (T) stamps of a search
     uint32_t stamp = 0;
     OverStretch over_stretch;
-    std::vector<uint8_t> gone_by_heat;  // (T) 1 = vaporised
-    double longest_edge_m = 0;          // at rest, constant
-    bool heat_stepped = false;          // in this frame
+    std::vector<uint8_t> gone_by_heat;                            // (T) 1 = vaporised
+    std::array<int32_t, kMaxTools> tip_triangle{-1, -1, -1, -1};  // next to each tip, a frame ago
+    double longest_edge_m = 0;                                    // at rest, constant
+    bool heat_stepped = false;                                    // in this frame
 };
 
 }  // namespace placode::sim

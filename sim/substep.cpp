@@ -207,13 +207,24 @@ class Substep {
         solve_tethers_xpbd(body_, state_, h_);
     }
     void spring_job(int part) noexcept {
-        const auto [first, last] = share(packed_.batches.size(), part, workers_.threads());
-        solve_spring_batches(arguments_, static_cast<int>(first), static_cast<int>(last));
+        for_share(state_.awake.batches, packed_.batches.size(), part,
+                  [&](size_t first, size_t last) noexcept {
+                      solve_spring_batches(arguments_, static_cast<int>(first),
+                                           static_cast<int>(last));
+                  });
     }
-    void tet_job(int job) noexcept {
-        const auto& starts = packed_.tet_job_start;
-        solve_tet_batches(arguments_, starts[at(first_job_ + job)],
-                          starts[at(first_job_ + job + 1)]);
+    void tet_job(int number) noexcept {
+        const size_t job = at(first_job_ + number);
+        const AwakeRuns& awake = state_.awake;
+        if (awake.all) {
+            solve_tet_batches(arguments_, packed_.tet_job_start[job],
+                              packed_.tet_job_start[job + 1]);
+            return;
+        }
+        for (int r = awake.tet_job_start[job]; r < awake.tet_job_start[job + 1]; ++r) {
+            const auto& [first, last] = awake.tets[at(r)];
+            solve_tet_batches(arguments_, first, last);
+        }
     }
 
     /// Velocity that the start guess assumes. VBD leaves gravity to the target (in the guess it
@@ -240,16 +251,22 @@ class Substep {
     /// Calls `visit(first, last)` on the part's share of the vertices that are awake.
     template <class Visit>
     void for_vertices(int part, Visit&& visit) const noexcept {
-        const AwakeRuns& awake = state_.awake;
-        if (awake.all) {
-            const auto [first, last] = share(state_.x.size(), part, workers_.threads());
+        for_share(state_.awake.vertices, state_.x.size(), part, std::forward<Visit>(visit));
+    }
+
+    /// Calls `visit(first, last)` on the part's share of all `n`, or of the runs that are awake.
+    template <class Visit>
+    void for_share(const std::vector<AwakeRuns::Run>& runs, size_t n, int part,
+                   Visit&& visit) const noexcept {
+        if (state_.awake.all) {
+            const auto [first, last] = share(n, part, workers_.threads());
             visit(first, last);
             return;
         }
         size_t count = 0;
-        for (const auto& [first, last] : awake.vertices) count += at(last - first);
+        for (const auto& [first, last] : runs) count += at(last - first);
         auto [from, to] = share(count, part, workers_.threads());
-        for (const auto& [first, last] : awake.vertices) {
+        for (const auto& [first, last] : runs) {
             const size_t here = at(last - first);
             if (from < here && to > 0) visit(at(first) + from, at(first) + std::min(to, here));
             from -= std::min(from, here);
@@ -307,7 +324,11 @@ void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& worker
 void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept {
     Substep job(body, state, h, workers);
     workers.run<&Substep::end>(workers.threads(), job);
-    if (job.broke_tether()) update_free_vertices(body, state);
+    if (!job.broke_tether()) return;
+    const bool holding = state.awake.holding;  // what sleeps holds nothing
+    release_sleepers(state);
+    update_free_vertices(body, state);
+    if (holding) hold_sleepers(state);
 }
 
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,

@@ -61,8 +61,9 @@ class SurfaceState {
     [[nodiscard]] const SurfaceTree& tree() const noexcept { return tree_; }
     void refit(std::span<const Float4> x) noexcept { tree_.refit(triangles(), x); }
     /// The same where only leaves of `moves` (by node) have moved, and what was cut.
-    void refit(std::span<const Float4> x, std::span<const uint8_t> moves) noexcept {
-        tree_.refit(triangles(), x, moves);
+    void refit(std::span<const Float4> x, std::span<const uint8_t> moves,
+               Workers& workers) noexcept {
+        tree_.refit(triangles(), x, moves, workers);
     }
     /// True when the face of `tet` opposite to local vertex `f` is boundary.
     [[nodiscard]] bool on_surface(int tet, int f) const noexcept {

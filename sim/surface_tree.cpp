@@ -7,7 +7,9 @@
 #include <limits>
 #include <numeric>
 
+#include "sim/float_lanes.h"
 #include "sim/surface.h"
+#include "sim/workers.h"
 
 namespace placode::sim {
 namespace {
@@ -15,14 +17,9 @@ namespace {
 // Tets to a leaf: on the layered field some five to ten triangles in a leaf at the surface.
 constexpr int kLeafTets = 16;
 
-using Lanes = float __attribute__((vector_size(16)));
+void store(std::array<float, 4>& p, FloatLanes v) noexcept { p = {v[0], v[1], v[2], v[3]}; }
 
-Lanes load(const Float4& p) noexcept { return Lanes{p.x, p.y, p.z, p.w}; }
-Lanes load(const std::array<float, 4>& p) noexcept { return Lanes{p[0], p[1], p[2], p[3]}; }
-void store(std::array<float, 4>& p, Lanes v) noexcept { p = {v[0], v[1], v[2], v[3]}; }
-// The second one where the first is not a number.
-Lanes least(Lanes a, Lanes b) noexcept { return a < b ? a : b; }
-Lanes most(Lanes a, Lanes b) noexcept { return a > b ? a : b; }
+constexpr int kBranches = 8;  // some more than threads
 
 constexpr float kHuge = std::numeric_limits<float>::max();
 
@@ -42,6 +39,11 @@ SurfaceTree::SurfaceTree(const TetMesh& mesh, size_t capacity, size_t tet_capaci
     std::vector<int32_t> order(mesh.tets.size());
     std::iota(order.begin(), order.end(), 0);
     build(centroid, order, 0, static_cast<int>(order.size()), -1);
+    for (int n = 0; n < nodes();) {
+        const bool large = after_[n] - n > nodes() / kBranches + 1;
+        (large ? crown_ : branch_).push_back(n);
+        n = large ? n + 1 : after_[n];
+    }
     count_.assign(boxes_.size(), 0);
     first_.assign(boxes_.size(), -1);
     pending_.assign(boxes_.size(), 1);
@@ -111,12 +113,12 @@ void SurfaceTree::renumber(int from, int to) noexcept {
 
 void SurfaceTree::fit(int node, std::span<const SurfaceTriangle> triangles,
                       std::span<const Float4> x) noexcept {
-    const Lanes huge = {kHuge, kHuge, kHuge, kHuge};
-    Lanes low = huge, high = -huge;
+    const FloatLanes huge = {kHuge, kHuge, kHuge, kHuge};
+    FloatLanes low = huge, high = -huge;
     if (after_[node] == node + 1) {
         for (int32_t s = first_[node]; s >= 0; s = next_[s]) {
             for (const int32_t v : triangles[s].vertex) {
-                const Lanes p = load(x[v]);
+                const FloatLanes p = lanes_of(x[v]);
                 low = least(p, low);
                 high = most(p, high);
             }
@@ -124,8 +126,8 @@ void SurfaceTree::fit(int node, std::span<const SurfaceTriangle> triangles,
     } else {
         for (const int child : {node + 1, static_cast<int>(after_[node + 1])}) {
             if (count_[child] == 0) continue;
-            low = least(low, load(boxes_[child].low));
-            high = most(high, load(boxes_[child].high));
+            low = least(low, lanes_of(boxes_[child].low));
+            high = most(high, lanes_of(boxes_[child].high));
         }
     }
     store(boxes_[node].low, low);
@@ -139,9 +141,9 @@ void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles,
     }
 }
 
-void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x,
-                        std::span<const uint8_t> moves) noexcept {
-    for (int n = nodes() - 1; n >= 0; --n) {
+void SurfaceTree::refit_range(int first, int last, std::span<const SurfaceTriangle> triangles,
+                              std::span<const Float4> x, std::span<const uint8_t> moves) noexcept {
+    for (int n = last - 1; n >= first; --n) {
         if (after_[n] == n + 1) {
             fresh_[n] = moves[n] | moved_[n] | pending_[n];
             moved_[n] = moves[n];
@@ -150,6 +152,24 @@ void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles, std::span<co
             fresh_[n] = fresh_[n + 1] | fresh_[after_[n + 1]];
         }
         if (fresh_[n] != 0 && count_[n] != 0) fit(n, triangles, x);
+    }
+}
+
+void SurfaceTree::refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x,
+                        std::span<const uint8_t> moves, Workers& workers) noexcept {
+    struct Job {
+        SurfaceTree& tree;
+        std::span<const SurfaceTriangle> triangles;
+        std::span<const Float4> x;
+        std::span<const uint8_t> moves;
+        void branch(int i) noexcept {
+            const int first = tree.branch_[i];
+            tree.refit_range(first, tree.after_[first], triangles, x, moves);
+        }
+    } job{*this, triangles, x, moves};
+    workers.run<&Job::branch>(static_cast<int>(branch_.size()), job);
+    for (size_t i = crown_.size(); i-- > 0;) {
+        refit_range(crown_[i], crown_[i] + 1, triangles, x, moves);
     }
 }
 

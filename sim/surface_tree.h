@@ -18,6 +18,7 @@
 namespace placode::sim {
 
 struct SurfaceTriangle;
+class Workers;
 
 /// Nodes in depth-first order; the first child follows its parent.
 class SurfaceTree {
@@ -36,9 +37,9 @@ class SurfaceTree {
     /// Boxes from the present positions. Sum over the leaves: every triangle is read once.
     void refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x) noexcept;
     /// The same boxes from fewer reads: only leaves where `moves` (by node) is not 0 or was not at
-    /// the last call, and those that got or lost triangles, are looked at.
+    /// the last call, and those that got or lost triangles, are looked at. Every branch is a job.
     void refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x,
-               std::span<const uint8_t> moves) noexcept;
+               std::span<const uint8_t> moves, Workers& workers) noexcept;
     [[nodiscard]] int nodes() const noexcept { return static_cast<int>(boxes_.size()); }
     [[nodiscard]] int leaf_of(int tet) const noexcept { return leaf_of_tet_[tet]; }
 
@@ -72,6 +73,9 @@ class SurfaceTree {
     void fit(int node, std::span<const SurfaceTriangle> triangles,
              std::span<const Float4> x) noexcept;
 
+    void refit_range(int first, int last, std::span<const SurfaceTriangle> triangles,
+                     std::span<const Float4> x, std::span<const uint8_t> moves) noexcept;
+
     std::vector<Box> boxes_;
     std::vector<int32_t> after_;   // node behind the whole branch; n + 1 = leaf
     std::vector<int32_t> parent_;  // -1 at the root
@@ -82,6 +86,8 @@ class SurfaceTree {
     std::vector<uint8_t> pending_;  // by node: 1 = the box may be wrong whatever moves
     std::vector<uint8_t> moved_;    // by node: `moves` of the last refit
     std::vector<uint8_t> fresh_;    // by node: fitted in this refit
+    std::vector<int32_t> branch_;  // first nodes of the branches that make up the tree below crown_
+    std::vector<int32_t> crown_;   // nodes above the branches
 };
 
 }  // namespace placode::sim

@@ -105,6 +105,15 @@ double foot_of(const RoundCone& part, const Vec3& p, const Vec3& gradient) noexc
 
 }  // namespace
 
+RoundCone::RoundCone(double near, double far, double near_radius, double far_radius) noexcept
+    : near_m(near),
+      far_m(far),
+      near_radius_m(near_radius),
+      far_radius_m(far_radius),
+      sine((near_radius - far_radius) / (far - near)) {
+    cosine = std::sqrt(1 - sine * sine);
+}
+
 ToolShape make_tool_shape(const ToolSpec& spec) noexcept {
     ToolShape shape;
     const double rs = spec.shaft_radius_m;
@@ -131,21 +140,18 @@ namespace {
 /// Where a point lies beside a round cone, in the half-plane of the axis.
 struct Beside {
     double rho = 0, s = 0;  // from the axis; behind the first centre
-    double a = 0, b = 0;    // cosine and sine of the cone's half angle
     double value_m = 0;
     int end = 0;  // -1 = at the first sphere, 1 = at the last, 0 = between them
 };
 
 Beside beside(const RoundCone& part, const Vec3& p_T) noexcept {
     Beside at;
-    const double h = part.far_m - part.near_m;
-    at.b = (part.near_radius_m - part.far_radius_m) / h;
-    at.a = std::sqrt(1 - at.b * at.b);
+    const double h = part.far_m - part.near_m, a = part.cosine, b = part.sine;
     at.rho = length2(p_T.x(), p_T.y());
     at.s = -p_T.z() - part.near_m;
-    const double k = -at.b * at.rho + at.a * at.s;
-    if (k >= 0 && k <= at.a * h) {
-        at.value_m = at.a * at.rho + at.b * at.s - part.near_radius_m;
+    const double k = -b * at.rho + a * at.s;
+    if (k >= 0 && k <= a * h) {
+        at.value_m = a * at.rho + b * at.s - part.near_radius_m;
         return at;
     }
     at.end = k < 0 ? -1 : 1;
@@ -163,7 +169,7 @@ Distance signed_distance(const RoundCone& part, const Vec3& p_T) noexcept {
     const Vec3 radial =
         at.rho > 1e-12 ? Vec3(p_T.x() / at.rho, p_T.y() / at.rho, 0) : Vec3::UnitX();
     if (at.end == 0) {
-        d.gradient = at.a * radial - at.b * Vec3::UnitZ();
+        d.gradient = part.cosine * radial - part.sine * Vec3::UnitZ();
         return d;
     }
     const double length = length2(at.rho, at.s);

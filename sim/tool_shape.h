@@ -19,8 +19,12 @@ namespace placode::sim {
 /// linearly.
 /// @pre |far_radius - near_radius| < far - near.
 struct RoundCone {
+    RoundCone() = default;
+    RoundCone(double near, double far, double near_radius, double far_radius) noexcept;
+
     double near_m = 0, far_m = 0;  ///< Distance of the end centres behind the tip [m].
     double near_radius_m = 0, far_radius_m = 0;  ///< [m]
+    double cosine = 1, sine = 0;                 ///< Of the half angle, thinner backwards.
 };
 
 /// Parts from the tip backwards, in frame T.

@@ -19,16 +19,29 @@ using test::frame;
 using test::upright;
 
 /// A wide soft sheet, so that far from the needle nothing moves.
-BoxOptions sheet(bool sleep) {
+BoxOptions sheet(bool sleep, Method method = Method::kVbd) {
     BoxOptions options;
+    options.method = method;
     options.size_m = Vec3(0.024, 0.024, 0.0015);
     options.cells = {32, 32, 3};
     options.tissue = Tissue::kZone;
     options.material.youngs_modulus_pa = 10000;
     options.material.damping_per_s = 30;
     options.sleep = sleep;
+    if (method == Method::kVbd) return options;
+    options.material.youngs_modulus_pa = 3000;  // what XPBD is for
+    options.substeps = 8;
     return options;
 }
+
+/// What has to hold for every method.
+class Sleeping : public testing::TestWithParam<Method> {};
+
+std::string name_of(const testing::TestParamInfo<Method>& info) {
+    return info.param == Method::kVbd ? "Vbd" : "Xpbd";
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Sleeping, testing::Values(Method::kVbd, Method::kXpbd), name_of);
 
 const Vec3 kAway(0.010, 0.010, 0.004);
 
@@ -42,8 +55,8 @@ Vec3 run(const Scene& scene, State& state, int frames, Place&& place) {
 
 Vec3 press(int n) { return {-0.006, -0.006, std::max(-0.0004, 0.0004 - 2e-6 * n)}; }
 
-TEST(Sleep, TissueAtRestFallsAsleepAndStaysWhereItIs) {
-    const Scene scene = box_scene(sheet(true));
+TEST_P(Sleeping, TissueAtRestFallsAsleepAndStaysWhereItIs) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
     State state(scene, 1);
     run(scene, state, 400, [](int) { return kAway; });
     EXPECT_TRUE(state.sleep.still());
@@ -52,8 +65,8 @@ TEST(Sleep, TissueAtRestFallsAsleepAndStaysWhereItIs) {
     for (size_t v = 0; v < x.size(); ++v) EXPECT_EQ(x[v].z, state.body.x[v].z);
 }
 
-TEST(Sleep, ANeedleWakesItsSurroundingsOnly) {
-    const Scene scene = box_scene(sheet(true));
+TEST_P(Sleeping, ANeedleWakesItsSurroundingsOnly) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
     State state(scene, 1);
     run(scene, state, 400, [](int) { return kAway; });
     const Vec3 force = run(scene, state, 500, press);
@@ -63,8 +76,8 @@ TEST(Sleep, ANeedleWakesItsSurroundingsOnly) {
     EXPECT_FALSE(state.body.awake.all);
 }
 
-TEST(Sleep, TheSurfaceTreeKnowsEveryTriangleThoughMostSleep) {
-    const Scene scene = box_scene(sheet(true));
+TEST_P(Sleeping, TheSurfaceTreeKnowsEveryTriangleThoughMostSleep) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
     State state(scene, 1);
     run(scene, state, 400, [](int) { return kAway; });
     for (int n = 0; n < 300; ++n) {
@@ -89,18 +102,19 @@ TEST(Sleep, TheSurfaceTreeKnowsEveryTriangleThoughMostSleep) {
     }
 }
 
-TEST(Sleep, ForceAndShapeAreThoseOfTissueThatIsAwake) {
+TEST_P(Sleeping, ForceAndShapeAreThoseOfTissueThatIsAwake) {
     Vec3 force[2];
     std::vector<Float4> x[2];
     for (const bool sleep : {false, true}) {
-        const Scene scene = box_scene(sheet(sleep));
+        const Scene scene = box_scene(sheet(sleep, GetParam()));
         State state(scene, 1);
         run(scene, state, 400, [](int) { return kAway; });
         force[sleep] = run(scene, state, 800, press);
         x[sleep] = state.body.x;
     }
-    // The border of what sleeps stands still within 5 um; the push is 0.4 mm.
-    EXPECT_LT((force[1] - force[0]).norm(), 0.001 * force[0].norm());
+    // The border of what sleeps stands still within 5 um; the push is 0.4 mm. Measured: 2e-4 of the
+    // force with VBD, 1.2e-3 with XPBD, whose tissue here is softer by two thirds.
+    EXPECT_LT((force[1] - force[0]).norm(), 0.002 * force[0].norm());
     double most = 0;
     for (size_t v = 0; v < x[0].size(); ++v) {
         const Vec3 d(x[1][v].x - x[0][v].x, x[1][v].y - x[0][v].y, x[1][v].z - x[0][v].z);
@@ -110,8 +124,19 @@ TEST(Sleep, ForceAndShapeAreThoseOfTissueThatIsAwake) {
     EXPECT_GT(most, 0);  // or nothing slept
 }
 
-TEST(Sleep, TheBitsDoNotDependOnTheThreads) {
-    const Scene scene = box_scene(sheet(true));
+TEST_P(Sleeping, BetweenFramesEveryVertexHasItsMass) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
+    State state(scene, 1);
+    const auto x = state.body.x;
+    run(scene, state, 400, [](int) { return kAway; });
+    run(scene, state, 200, press);
+    EXPECT_FALSE(state.body.awake.all);
+    EXPECT_EQ(state.body.awake.held.empty(), GetParam() == Method::kVbd);
+    for (size_t v = 0; v < x.size(); ++v) EXPECT_EQ(state.body.x[v].w, x[v].w);
+}
+
+TEST_P(Sleeping, TheBitsDoNotDependOnTheThreads) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
     uint64_t first = 0;
     for (const int threads : {1, 2, 3}) {
         State state(scene, threads);
@@ -123,8 +148,8 @@ TEST(Sleep, TheBitsDoNotDependOnTheThreads) {
     }
 }
 
-TEST(Sleep, ARemovedTetWakesItsBlocks) {
-    const Scene scene = box_scene(sheet(true));
+TEST_P(Sleeping, ARemovedTetWakesItsBlocks) {
+    const Scene scene = box_scene(sheet(true, GetParam()));
     State state(scene, 1);
     run(scene, state, 400, [](int) { return kAway; });
     ASSERT_TRUE(state.sleep.still());
@@ -138,12 +163,17 @@ TEST(Sleep, ARemovedTetWakesItsBlocks) {
     }
 }
 
-TEST(Sleep, WithoutIntentionNothingSleeps) {
+TEST(SleepSetting, WithoutIntentionNothingSleeps) {
     const Scene scene = box_scene(sheet(false));
     State state(scene, 1);
     run(scene, state, 400, [](int) { return kAway; });
     EXPECT_FALSE(state.sleep.enabled());
     EXPECT_TRUE(state.body.awake.all);
+}
+
+TEST(SleepSetting, ThePairOfConstraintsTremblesTooMuchToSleep) {
+    const Scene scene = box_scene(sheet(true, Method::kXpbdPair));
+    EXPECT_FALSE(State(scene, 1).sleep.enabled());
 }
 
 TEST(SpaceOrder, NeighboursOnTheCurveAreNeighboursInSpace) {

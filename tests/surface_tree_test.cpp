@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/surface.h"
+#include "sim/workers.h"
 
 namespace placode::sim {
 namespace {
@@ -110,6 +111,7 @@ TEST(SurfaceTree, LookingAtWhatMovesGivesTheSameBoxes) {
     std::vector<Float4> x = bent(mesh, 0);
     std::vector<uint8_t> moves(static_cast<size_t>(part.tree().nodes()), 0);
     std::mt19937 random(3);
+    Workers workers(2, Workers::Team::kFixed);
     int moved = 0;
     for (int round = 1; round < 60; ++round) {
         std::fill(moves.begin(), moves.end(), uint8_t{0});
@@ -132,7 +134,7 @@ TEST(SurfaceTree, LookingAtWhatMovesGivesTheSameBoxes) {
             }
         }
         whole.refit(x);
-        part.refit(x, moves);
+        part.refit(x, moves, workers);
         std::vector<SurfaceTree::Box> expected, found;
         const auto keep = [](std::vector<SurfaceTree::Box>& boxes) {
             return [&boxes](const SurfaceTree::Box& box) {
