@@ -8,6 +8,7 @@
 
 #include "sim/cutting.h"
 #include "sim/ledger.h"
+#include "sim/linked_tets.h"
 #include "sim/release.h"
 #include "sim/step_scratch.h"
 #include "sim/topology.h"
@@ -93,12 +94,12 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
         const int32_t t = search.stack[--top];
         ++p.tets;
         p.volume_m3 += static_cast<double>(scene.body.volume_m3()[t]);
-        for (int f = 0; f < 4; ++f) {
-            const int32_t other = linked_across(scene, state, t, f);
-            if (other < 0 || pieces.of[other] == slot) continue;
-            pieces.of[other] = static_cast<int8_t>(slot);
-            search.stack[top++] = other;
-        }
+        for_linked(
+            scene, state, t, [&](int32_t other) noexcept { return pieces.of[other] == slot; },
+            [&](int32_t other) noexcept {
+                pieces.of[other] = static_cast<int8_t>(slot);
+                search.stack[top++] = other;
+            });
     }
     p.held_by = static_cast<int8_t>(holder(scene, state, slot));
     if (p.volume_m3 < kCrumb && p.held_by < 0) {
@@ -164,12 +165,13 @@ void flood(const Scene& scene, State& state) noexcept {
     }
     for (int n = 0; n < kFloodPerFrame && search.top > 0; ++n) {
         const int32_t t = search.stack[--search.top];
-        for (int f = 0; f < 4; ++f) {
-            const int32_t other = linked_across(scene, state, t, f);
-            if (other < 0 || search.reached[other] == search.stamp) continue;
-            search.reached[other] = search.stamp;
-            search.stack[search.top++] = other;
-        }
+        for_linked(
+            scene, state, t,
+            [&](int32_t other) noexcept { return search.reached[other] == search.stamp; },
+            [&](int32_t other) noexcept {
+                search.reached[other] = search.stamp;
+                search.stack[search.top++] = other;
+            });
     }
     if (search.top > 0) return;
     search.running = false;

@@ -8,6 +8,7 @@
 
 #include "sim/cutting.h"
 #include "sim/ledger.h"
+#include "sim/linked_tets.h"
 #include "sim/step_scratch.h"
 #include "sim/topology.h"
 
@@ -73,16 +74,16 @@ bool sector_free(const Scene& scene, State& state, int s) noexcept {
             remember(search, path, t);
             return false;
         }
-        for (int f = 0; f < 4; ++f) {
-            const int32_t other = linked_across(scene, state, t, f);
-            if (other < 0 || seen[other] == stamp) continue;
-            if (!counts_for_release(tissue[other])) continue;
-            const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
-            if (away > 2 * kBeside) continue;
-            seen[other] = stamp;
-            search.reached_by[other] = t;
-            queue[end++] = other;
-        }
+        for_linked(
+            scene, state, t, [&](int32_t other) noexcept { return seen[other] == stamp; },
+            [&](int32_t other) noexcept {
+                if (!counts_for_release(tissue[other])) return;
+                const int away = (search.sector_of_tet[other] - s + kSectors + kBeside) % kSectors;
+                if (away > 2 * kBeside) return;
+                seen[other] = stamp;
+                search.reached_by[other] = t;
+                queue[end++] = other;
+            });
     }
     return true;
 }
@@ -123,15 +124,16 @@ bool parted(const Scene& scene, State& state, const Vec3& where, int32_t from,
     while (top > 0) {
         const int32_t t = stack[--top];
         if (t == to) return false;
-        for (int f = 0; f < 4; ++f) {
-            const int32_t other = linked_across(scene, state, t, f);
-            if (other < 0 || search.sector_seen[other] == stamp) continue;
-            if (!counts_for_release(scene.body.mesh().tissue[other])) continue;
-            if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)
-                continue;
-            search.sector_seen[other] = stamp;
-            stack[top++] = other;
-        }
+        for_linked(
+            scene, state, t,
+            [&](int32_t other) noexcept { return search.sector_seen[other] == stamp; },
+            [&](int32_t other) noexcept {
+                if (!counts_for_release(scene.body.mesh().tissue[other])) return;
+                if ((rest_centroid(scene, other) - where).squaredNorm() > kNearLine * kNearLine)
+                    return;
+                search.sector_seen[other] = stamp;
+                stack[top++] = other;
+            });
     }
     return true;
 }

@@ -7,8 +7,8 @@
 // fell asleep. What sleeps keeps its place exactly and has no velocity, so that neither falling
 // asleep nor waking can be seen; the price is that motions below `kWakeM` end at its border.
 //
-// VBD leaves out batches of vertices, XPBD batches of tets that touch only what sleeps; in the others
-// what sleeps is held (hold_sleepers()). xpbd_pair trembles at rest too much to sleep.
+// VBD leaves out batches of vertices, XPBD batches of tets that touch only what sleeps; in the
+// others what sleeps is held (hold_sleepers()). xpbd_pair trembles at rest too much to sleep.
 
 #include <array>
 #include <cstdint>

@@ -77,7 +77,18 @@ double other_of_frame(const Costs& costs, double frame_s) {
     return 1e-6 * (sum(costs.us[kParts]) - sum(costs.us[0])) / (costs.frames * frame_s);
 }
 
-/// Every instrument but the scope works at the planned contour, its shaft through its trocar.
+/// True when another instrument is in the port: they take turns.
+bool waits_outside(const sim::Scene& scene, size_t tool) {
+    for (size_t i = 0; i < tool; ++i) {
+        if (scene.tools[i].hand == scene.tools[tool].hand &&
+            scene.tools[i].kind != sim::ToolKind::kScope)
+            return scene.tools[tool].kind != sim::ToolKind::kScope;
+    }
+    return false;
+}
+
+/// The first instrument of every port but the scope's works at the planned contour, its shaft
+/// through its trocar.
 void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, Work work,
                 int frame, std::vector<sim::ToolInput>& inputs) {
     for (size_t i = 0; i < inputs.size(); ++i) {
@@ -101,7 +112,7 @@ void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, 
         if (scope) target = sim::Vec3(0, 0, 0.030);
         const sim::Vec3 along = (target - tool.pivot_m).normalized();
         inputs[i].set_pose({target, sim::Quat::FromTwoVectors(sim::Vec3::UnitZ(), along)});
-        inputs[i].engaged = 1;
+        inputs[i].engaged = waits_outside(scene, i) ? 0 : 1;
         inputs[i].pedals = work == Work::kCut && !scope ? sim::kPedalCut : 0;
     }
 }
