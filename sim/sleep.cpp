@@ -333,6 +333,7 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     Sleep& sleep = state.sleep;
     if (!sleep.enabled()) return;
     const int before = sleep.asleep_count;
+    const int32_t known = sleep.known_vertices;
     unsettle_cuts(scene.body, state.body, sleep);
     wake_roused(state.body, sleep);
     if (before == 0) return;
@@ -354,7 +355,9 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     for (int b = 0; b < sleep.blocks(); ++b) {
         if (sleep.beside[at(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
     }
-    if (sleep.asleep_count != before) set_runs(scene.body, state.body, sleep);
+    // New copies take part even where nobody had to wake for them.
+    if (sleep.asleep_count != before || sleep.known_vertices != known)
+        set_runs(scene.body, state.body, sleep);
 }
 
 void doze(const Scene& scene, State& state) noexcept {

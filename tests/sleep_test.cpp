@@ -6,7 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "sim/cutting.h"
+#include "sim/separation.h"
 #include "sim/space_order.h"
 #include "tests/box_scene.h"
 
@@ -161,6 +164,45 @@ TEST_P(Sleeping, ARemovedTetWakesItsBlocks) {
         if (block < 0) continue;
         EXPECT_EQ(state.sleep.asleep[static_cast<size_t>(block)], 0);
     }
+}
+
+/// Parts the faces across x = 0 between two values of y.
+void part(const Scene& scene, State& state, double from, double to) {
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        const Vec3 here = rest_centroid(scene, t);
+        if (here.x() > 0 || here.y() < from || here.y() > to) continue;
+        for (int face = 0; face < 4; ++face) {
+            const int32_t other = linked_across(scene, state, t, face);
+            if (other >= 0 && rest_centroid(scene, other).x() > 0)
+                (void)cut_face(scene, state, t, face);
+        }
+    }
+}
+
+bool in_runs(const State& state, int32_t v) {
+    const auto& runs = state.body.awake.vertices;
+    return std::any_of(runs.begin(), runs.end(),
+                       [v](const auto& run) { return v >= run[0] && v < run[1]; });
+}
+
+// A second cut beside the first wakes nobody, for all there are awake: its copies move all the
+// same.
+TEST_P(Sleeping, EveryCopyOfAVertexTakesPart) {
+    BoxOptions options = sheet(true, GetParam());
+    options.spare_vertices = 2000;
+    const Scene scene = box_scene(options);
+    State state(scene, 1);
+    run(scene, state, 400, [](int) { return kAway; });
+    int32_t copies = 0;
+    for (int n = 0; n < 40; ++n) {
+        if (n % 4 == 0) part(scene, state, -0.006, -0.006 + 3e-4 * n);
+        run(scene, state, 1, [](int) { return kAway; });
+        ASSERT_FALSE(state.body.awake.all);
+        for (int32_t v = scene.body.vertex_count(); v < state.sleep.known_vertices; ++v)
+            ASSERT_TRUE(in_runs(state, v)) << "frame " << n << ", copy " << v;
+        copies = state.sleep.known_vertices - scene.body.vertex_count();
+    }
+    EXPECT_GT(copies, 20);
 }
 
 TEST(SleepSetting, WithoutIntentionNothingSleeps) {
