@@ -21,7 +21,7 @@ constexpr double kSampleBelow = 0.0008;  // and go on below the target depth [m]
 constexpr double kCell = 0.0005;         // of the lookup grid [m]
 constexpr uint8_t kNoColumn = 255;       // a column that meets no tissue cannot be cut
 constexpr int kTearShare = 64;           // 1/64 of the tets a frame
-constexpr int kTearPerFrame = 8, kAllOfThem = 1 << 30;
+constexpr int kTearPerFrame = 8;
 // Checks in a row before a tet tears: 20 frames beside an instrument; elsewhere, where a check
 // comes every 64 frames, two checks.
 constexpr int kTearCount = 20, kTearCountFar = 10;
@@ -178,7 +178,8 @@ struct StretchGroup {
     [[nodiscard]] bool full() const noexcept { return count == tets.size(); }
     void add(int32_t tet) noexcept { tets[count++] = tet; }
     /// Checks all of them, until `most` have torn. Returns how many have.
-    int check(const Scene& scene, State& state, int weight, int tool, int most) noexcept {
+    int check(const Scene& scene, State& state, int weight, int tool,
+              int most = kStretchGroup) noexcept {
         if (count == 0) return 0;
         const uint32_t below =
             surely_below(scene.body, state.body, std::span(tets).first(count), limits);
@@ -313,7 +314,7 @@ void tear(const Scene& scene, State& state) noexcept {
     const ContactSet& set = state.scratch->contacts;
     for (int i = 0; i < set.vertex_count && torn < kTearPerFrame; ++i) {
         const auto check = [&]() noexcept {
-            torn += group.check(scene, state, 1, set.vertices[i].tool, kAllOfThem);
+            torn += group.check(scene, state, 1, set.vertices[i].tool);
         };
         for (const int32_t t : tets_around(scene.body, state.body, set.vertices[i].vertex)) {
             const auto& c = corners(scene.body, state.body, t);
@@ -340,7 +341,7 @@ void tear(const Scene& scene, State& state) noexcept {
                 }
                 if (first != v || !state.body.tet_alive[t]) continue;
                 group.add(t);
-                torn += group.check(scene, state, 1, tool, kAllOfThem);
+                torn += group.check(scene, state, 1, tool);
                 if (state.held_by[v] != tool) break;
             }
         }

@@ -30,6 +30,25 @@ float distance2(const Float4& x, const std::array<float, 3>& from) noexcept {
     return a * a + b * b + c * c;
 }
 
+/// Compressed rows of the lists, sorted and each entry once.
+void compress(std::vector<std::vector<int32_t>>& lists, std::vector<int32_t>& start,
+              std::vector<int32_t>& entries) {
+    for (auto& list : lists) {
+        std::sort(list.begin(), list.end());
+        list.erase(std::unique(list.begin(), list.end()), list.end());
+        start.push_back(static_cast<int32_t>(entries.size()));
+        entries.insert(entries.end(), list.begin(), list.end());
+    }
+    start.push_back(static_cast<int32_t>(entries.size()));
+}
+
+/// (V) Block of each vertex; blocks() stands for those without one, -1 for what is fixed.
+std::vector<int32_t> homes(const Sleep& sleep) {
+    std::vector<int32_t> home = sleep.block;
+    for (const int32_t v : sleep.unblocked) home[at(v)] = sleep.blocks();
+    return home;
+}
+
 void wake_block(Sleep& sleep, int block) noexcept {
     if (block < 0) return;
     sleep.calm[at(block)] = 0;
@@ -262,24 +281,20 @@ Sleep::Sleep(const SoftBody& body) {
     member = order;
     for (size_t i = 0; i < order.size(); ++i)
         block[at(order[i])] = static_cast<int32_t>(i) / kBlock;
+    std::vector<std::vector<int32_t>> around(at(count));
     for (int b = 0; b < count; ++b) {
         member_start.push_back(b * kBlock);
-        border_start.push_back(static_cast<int32_t>(border.size()));
-        std::vector<int32_t> around;
         const size_t end = std::min(order.size(), at(b + 1) * kBlock);
         for (size_t i = at(b) * kBlock; i < end; ++i) {
             for (const int32_t t : body.tets_of(order[i])) {
                 for (const int32_t v : body.mesh().tets[at(t)]) {
-                    if (block[at(v)] != b && fixed[at(v)] == 0) around.push_back(v);
+                    if (block[at(v)] != b && fixed[at(v)] == 0) around[at(b)].push_back(v);
                 }
             }
         }
-        std::sort(around.begin(), around.end());
-        around.erase(std::unique(around.begin(), around.end()), around.end());
-        border.insert(border.end(), around.begin(), around.end());
     }
     member_start.push_back(static_cast<int32_t>(member.size()));
-    border_start.push_back(static_cast<int32_t>(border.size()));
+    compress(around, border_start, border);
     for (std::vector<uint8_t>* flags : {&asleep, &calm, &restless, &beside})
         flags->assign(at(count), 0);
     since.resize(member.size());
@@ -291,41 +306,27 @@ Sleep::Sleep(const SoftBody& body) {
 void Sleep::list_tets(const SoftBody& body) {
     const PackedElements& packed = body.packed();
     std::vector<std::vector<int32_t>> of(at(blocks() + 1));
-    std::vector<int32_t> home = block;
-    for (const int32_t v : unblocked) home[at(v)] = blocks();
+    const std::vector<int32_t> home = homes(*this);
     for (int t = 0; t < body.tet_count(); ++t) {
         for (const int32_t v : body.mesh().tets[at(t)]) {
             if (home[at(v)] >= 0) of[at(home[at(v)])].push_back(packed.tet_slot[at(t)] / kLanes);
         }
     }
-    for (auto& batches : of) {
-        std::sort(batches.begin(), batches.end());
-        batches.erase(std::unique(batches.begin(), batches.end()), batches.end());
-        tets_start.push_back(static_cast<int32_t>(tets.size()));
-        tets.insert(tets.end(), batches.begin(), batches.end());
-    }
-    tets_start.push_back(static_cast<int32_t>(tets.size()));
+    compress(of, tets_start, tets);
     tets_move.assign(packed.tet_batches.size(), 0);
 }
 
 void Sleep::follow_leaves(const SurfaceTree& tree, const TetMesh& mesh) {
     if (!enabled()) return;
     std::vector<std::vector<int32_t>> in(at(tree.nodes()));
-    std::vector<int32_t> home = block;
-    for (const int32_t v : unblocked) home[at(v)] = blocks();
+    const std::vector<int32_t> home = homes(*this);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         auto& leaf = in[at(tree.leaf_of(static_cast<int>(t)))];
         for (const int32_t v : mesh.tets[t]) {
             if (home[at(v)] >= 0) leaf.push_back(home[at(v)]);  // what is fixed does not move
         }
     }
-    for (auto& leaf : in) {
-        std::sort(leaf.begin(), leaf.end());
-        leaf.erase(std::unique(leaf.begin(), leaf.end()), leaf.end());
-        leaf_start.push_back(static_cast<int32_t>(leaf_block.size()));
-        leaf_block.insert(leaf_block.end(), leaf.begin(), leaf.end());
-    }
-    leaf_start.push_back(static_cast<int32_t>(leaf_block.size()));
+    compress(in, leaf_start, leaf_block);
     leaf_moves.assign(in.size(), 1);
 }
 

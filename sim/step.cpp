@@ -69,8 +69,8 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
     }
 }
 
-/// Corners and weights of the point of a triangle of the surface next to `p`, and its distance
-/// squared [m^2].
+/// Square of the distance of a triangle of the surface to `p` [m^2], and the weights of the point
+/// that is next to it.
 double distance2_of(const State& state, int triangle, const Vec3& p, Vec3& weight) noexcept {
     Triangle tri;
     for (int k = 0; k < 3; ++k)

@@ -117,7 +117,8 @@ TEST_P(Sleeping, ForceAndShapeAreThoseOfTissueThatIsAwake) {
     }
     // The border of what sleeps stands still within 5 um; the push is 0.4 mm. Measured: 2e-4 of the
     // force with VBD, 1.2e-3 with XPBD, whose tissue here is softer by two thirds.
-    EXPECT_LT((force[1] - force[0]).norm(), 0.002 * force[0].norm());
+    const double share = GetParam() == Method::kVbd ? 0.001 : 0.002;
+    EXPECT_LT((force[1] - force[0]).norm(), share * force[0].norm());
     double most = 0;
     for (size_t v = 0; v < x[0].size(); ++v) {
         const Vec3 d(x[1][v].x - x[0][v].x, x[1][v].y - x[0][v].y, x[1][v].z - x[0][v].z);
