@@ -17,30 +17,16 @@ constexpr double kNearM = 2.5e-3;       // The next piece is this close: go on w
 constexpr double kSlipS = 0.7;          // A slip, out and back.
 constexpr double kSlideMS = 0.006;      // Over what is cut already, pedal up,
 constexpr double kMostSlideM = 1e-3;    // and over an opened sac no further than that.
-constexpr size_t kNormalSpan = 7;       // Points over which the surface's direction is judged.
-constexpr double kRememberS = 1.0;      // Time constant of the remembered line.
-constexpr double kNearTipM = 2e-3, kMostDriftM = 1.2e-3;
-constexpr double kSunkM = 8e-4;  // The whole line lies this much lower: the sac is open.
-constexpr double kStillM = 2e-4, kStillS = 0.8, kMostWatchS = 5;  // It lies still again.
-constexpr double kLongAgoS = 1e3;
+constexpr double kMostWatchS = 10;      // a line that sinks and does not come to rest
+constexpr double kSeekBridgesS = 0.3;   // one look at what still hangs on
 constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the tip makes room
 constexpr double kHandMS = 0.03;                     // no hand is faster at the tissue,
 constexpr double kOffLineM = 3e-4;     // and this far from where it should be it gives no energy
-constexpr double kLeastUp = 0.45;      // normals lean no further: a flap's edge may fold over
 constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
 
 double minimum_jerk(double x) noexcept {
     x = std::clamp(x, 0.0, 1.0);
     return x * x * x * (10 + x * (-15 + 6 * x));
-}
-
-/// A unit normal, leaned back towards the vertical where it leans too far.
-Vec3 upright(const Vec3& n) noexcept {
-    if (n.z() >= kLeastUp) return n;
-    const double flat = n.head<2>().norm();
-    if (flat < 1e-9) return Vec3::UnitZ();
-    const double side = std::sqrt(1 - kLeastUp * kLeastUp) / flat;
-    return {side * n.x(), side * n.y(), kLeastUp};
 }
 
 }  // namespace
@@ -53,150 +39,28 @@ OperatorModel::OperatorModel(const OperatorProfile& profile, uint64_t seed, cons
     press_ = profile_.press_m;
 }
 
-// --- what is seen -----------------------------------------------------------------------------
-
-// The planned line as a person keeps it in mind: seen at rest, corrected slowly where the tissue
-// has moved as a whole. Not corrected where the cut has let an edge curl, and not under the needle.
-void OperatorModel::remember(const Perception& seen) {
-    const size_t n = seen.contour.size();
-    if (contour_.size() != n) {
-        learn(seen);
-        tries_.assign(n, 0);
-        heated_s_.assign(n, -kLongAgoS);
-        cut_.assign(n, 0);
-        arc_.assign(n + 1, 0.0);
-    }
-    const double share = std::clamp(seen.time_s - seen_s_, 0.0, 0.05) / kRememberS;
-    seen_s_ = seen.time_s;
-    for (size_t i = 0; i < n; ++i) {
-        cut_[i] = i < seen.contour_cut.size() ? seen.contour_cut[i] : 0;
-        const Vec3 drift = seen.contour[i] - contour_[i];
-        const bool near_tip = (contour_[i] - tip_m_).norm() < kNearTipM;
-        if (cut_[i] == 0 && !near_tip && drift.norm() < kMostDriftM) contour_[i] += share * drift;
-    }
-    watch_sinking(seen);
-}
-
-// The line as it lies now, with normals over a few points: a single facet says little about the
-// surface.
-void OperatorModel::learn(const Perception& seen) {
-    const size_t n = seen.contour.size();
-    contour_.assign(seen.contour.begin(), seen.contour.end());
-    normal_.assign(n, Vec3::UnitZ());
-    for (size_t i = 0; i < n && seen.contour_normal.size() == n; ++i) {
-        Vec3 sum = Vec3::Zero();
-        for (size_t k = 0; k < kNormalSpan; ++k) {
-            const Vec3& normal = seen.contour_normal[(i + n + k - kNormalSpan / 2) % n];
-            if (normal.allFinite() && normal.norm() > 0.5) sum += normal.normalized();
-        }
-        if (sum.norm() > 0.5) normal_[i] = sum.normalized();
-    }
-}
-
-// An opened sac sinks by millimetres, too far for a memory of single points: then the hand is
-// lifted until everything has come to rest, and the line is looked at anew.
-void OperatorModel::watch_sinking(const Perception& seen) {
-    double now = 0, remembered = 0;
-    int count = 0;
-    for (size_t i = 0; i < contour_.size(); ++i) {
-        if (cut_[i] != 0) continue;
-        now += seen.contour[i].z();
-        remembered += contour_[i].z();
-        ++count;
-    }
-    if (count == 0) return;
-    sunk_m_ = (remembered - now) / count;
-    if (std::abs(now / count - still_z_m_) > kStillM) {
-        still_z_m_ = now / count;
-        still_since_s_ = seen.time_s;
-    }
-    const bool still = seen.time_s - still_since_s_ > kStillS || stage_s_ > kMostWatchS;
-    if (stage_ != Stage::kWatch || !still) return;
-    learn(seen);
-    sunk_m_ = 0;
-    sinks_ = false;
-    has_sunk_ = true;
-}
-
 void OperatorModel::see(const Perception& seen, const sim::ToolFeedback& own) {
-    remember(seen);
-    const size_t n = contour_.size();
-    arc_.resize(n + 1);
-    arc_[0] = 0;
-    centre_.setZero();
-    for (size_t i = 0; i < n; ++i) {
-        arc_[i + 1] = arc_[i] + (contour_[(i + 1) % n] - contour_[i]).norm();
-        centre_ += contour_[i] / static_cast<double>(n);
-    }
+    line_.see(seen, tip_m_, stage_ == Stage::kWatch ? stage_s_ : -1);
     contact_ = seen.in_contact;
     force_n_ = own.force_n.allFinite() ? own.force_n.norm() : 0;
     placode_gap_m_ = seen.placode_gap_m[0];
     metal_gap_m_ = seen.placode_metal_gap_m[0];
-    if (start_m_ < 0 && n > 2) {  // Caudal start: the end of the ring nearest to the operator.
-        size_t first = 0;
-        for (size_t i = 1; i < n; ++i)
-            if (contour_[i].x() < contour_[first].x()) first = i;
-        start_m_ = arc_[first];
-    }
 }
 
-double OperatorModel::wrapped(double s_m) const noexcept {
-    const double length = arc_.back();
-    s_m = std::fmod(s_m, length);
-    return s_m < 0 ? s_m + length : s_m;
-}
-
-size_t OperatorModel::index(double s_m) const noexcept {
-    const auto next = std::upper_bound(arc_.begin(), arc_.end() - 1, wrapped(s_m));
-    return static_cast<size_t>(std::max<std::ptrdiff_t>(0, next - arc_.begin() - 1));
-}
-
-OperatorModel::Frame OperatorModel::frame(double s_m) const noexcept {
-    const size_t n = contour_.size(), i = index(s_m), j = (i + 1) % n;
-    const double length = arc_[i + 1] - arc_[i];
-    const double w = length > 0 ? std::clamp((wrapped(s_m) - arc_[i]) / length, 0.0, 1.0) : 0;
-    Frame f;
-    f.point = (1 - w) * contour_[i] + w * contour_[j];
-    f.normal = upright(((1 - w) * normal_[i] + w * normal_[j]).normalized());
-    // The tangent over a few points, because single segments of a deformed contour are noisy, and
-    // blended like the rest: a hand beside the line must not jump where the segments meet.
-    const auto tangent = [&](size_t k) {
-        return Vec3(contour_[(k + 2) % n] - contour_[(k + n - 2) % n]);
-    };
-    const Vec3 along = (1 - w) * tangent(i) + w * tangent(j);
-    Vec3 inward = f.normal.cross(along);
-    inward = inward.norm() > 0 ? Vec3(inward.normalized()) : Vec3(Vec3::UnitY());
-    // Which side is inside is told from above: in the tissue's own plane a folded edge turns it.
-    const Vec3 level = Vec3::UnitZ().cross(along);
-    const bool turned = level.dot(centre_ - f.point) < 0;
-    f.inward = inward.dot(turned ? Vec3(-level) : level) < 0 ? Vec3(-inward) : inward;
-    return f;
-}
-
-// Next piece that is still uncut, seen from `from_m` along the contour. Pieces shorter than the
-// operator notices, or given up, are passed over.
 bool OperatorModel::plan_run(double from_m) noexcept {
-    const size_t n = contour_.size();
-    if (n < 3) return false;
-    const size_t first = index(from_m);
-    const auto open = [this](size_t i) { return cut_[i] == 0 && tries_[i] < profile_.tries; };
-    for (size_t k = 0; k < n; ++k) {
-        if (!open((first + k) % n)) continue;
-        size_t m = k;
-        while (m < k + n && open((first + m) % n)) ++m;
-        const double length = arc_.back() / static_cast<double>(n) * static_cast<double>(m - k);
-        if (length < profile_.notice_gap_m) {
-            k = m;
-            continue;
-        }
-        run_.begin_m = arc_[(first + k) % n];
-        run_.end_m = run_.begin_m + length;
-        return true;
-    }
-    return false;
+    return line_.next_run(from_m, profile_.tries, profile_.notice_gap_m, run_);
 }
 
-// --- what is done -----------------------------------------------------------------------------
+// On a second pass most of the line is done: energy only where something is left.
+bool OperatorModel::wanted() const noexcept {
+    return passes_ == 0 || line_.left_near(s_m_, kOverrunM);
+}
+
+// Heat goes on spreading for seconds: who goes over a place again lets it cool first.
+bool OperatorModel::cooling() const noexcept {
+    if (passes_ == 0 || !wanted()) return false;
+    return line_.warm_ahead(s_m_, kOverrunM, time_s_, profile_.cool_s);
+}
 
 void OperatorModel::stage(Stage next) noexcept {
     stage_ = next;
@@ -206,7 +70,7 @@ void OperatorModel::stage(Stage next) noexcept {
 void OperatorModel::begin_move(const Vec3& from_m) noexcept {
     move_from_ = from_m;
     s_m_ = run_.begin_m - (passes_ > 0 ? kOverrunM : 0);
-    const Frame f = frame(s_m_);
+    const IncisionLine::Place f = line_.place(s_m_);
     const double distance = (f.point + kHoverM * f.normal - from_m).norm();
     if (stage_ != Stage::kMove) pieces_left_ = profile_.submovements;
     --pieces_left_;
@@ -219,7 +83,7 @@ void OperatorModel::begin_move(const Vec3& from_m) noexcept {
 }
 
 void OperatorModel::do_move(double) noexcept {
-    const Frame f = frame(s_m_);
+    const IncisionLine::Place f = line_.place(s_m_);
     const Vec3 goal = f.point + kHoverM * f.normal + move_error_;
     const double x = minimum_jerk(stage_s_ / move_s_);
     // A small arc: the tip is carried over the tissue, not through it.
@@ -245,7 +109,7 @@ void OperatorModel::do_descend(double dt_s) noexcept {
     pedal_ = lift_m_ < early_lift_m_;
     contact_s_ = contact_ ? contact_s_ + dt_s : 0;
     const bool bottom = lift_m_ <= -profile_.press_limit_m;
-    const Frame f = frame(s_m_);
+    const IncisionLine::Place f = line_.place(s_m_);
     tip_m_ = f.point + lift_m_ * f.normal;
     if (contact_s_ < 0.02 && !bottom) return;
     press_ = -lift_m_;
@@ -253,31 +117,6 @@ void OperatorModel::do_descend(double dt_s) noexcept {
     pause_s_ = profile_.settle_s;
     speed_ = waited_s_ = hold_s_ = skip_m_ = slid_m_ = 0;
     stage(Stage::kCut);
-}
-
-size_t OperatorModel::overrun_points() const noexcept {
-    return static_cast<size_t>(kOverrunM / (arc_.back() / static_cast<double>(contour_.size()))) +
-           1;
-}
-
-// On a second pass most of the line is done: energy only where something is left.
-bool OperatorModel::wanted() const noexcept {
-    if (passes_ == 0) return true;
-    const size_t n = contour_.size(), reach = overrun_points();
-    for (size_t k = 0; k <= 2 * reach; ++k)
-        if (cut_[(index(s_m_) + 2 * n + k - reach) % n] == 0) return true;
-    return false;
-}
-
-// Heat goes on spreading for seconds: who goes over a place again lets it cool first.
-bool OperatorModel::cooling() const noexcept {
-    if (passes_ == 0 || !wanted()) return false;
-    const size_t n = contour_.size(), here = index(s_m_);
-    for (size_t k = 1; k <= overrun_points(); ++k) {
-        const size_t ahead = (here + k) % n;
-        if (cut_[ahead] == 0 && time_s_ - heated_s_[ahead] < profile_.cool_s) return true;
-    }
-    return false;
 }
 
 // Depth by touch: deeper where there is no contact, back where the force is too high.
@@ -319,21 +158,20 @@ void OperatorModel::advance(double dt_s) noexcept {
     }
     // The eye behind the tip: slower where the tissue has not parted, but not for ever.
     const bool first_bit = s_m_ - run_.begin_m < kWatchBehindM && passes_ == 0;
-    const bool parted = first_bit || cut_[index(s_m_ - kWatchBehindM)] != 0;
+    const bool parted = first_bit || line_.cut(s_m_ - kWatchBehindM);
     if (!parted && wanted() && waited_s_ < profile_.wait_s) {
         goal *= 1 - profile_.watch;
         waited_s_ += pedal_ ? dt_s : 0;
     }
     if (parted) waited_s_ = 0;
     speed_ += (goal - speed_) * std::min(1.0, dt_s / 0.12);
-    const size_t before = index(s_m_);
+    const size_t before = line_.index(s_m_);
     const double step = speed_ * dt_s;
     s_m_ += step;
     slid_m_ = wanted() ? 0 : slid_m_ + step;
-    const size_t after = index(s_m_);
-    if (after != before) {
-        if ((pedal_ || too_near()) && tries_[before] < 255) ++tries_[before];
-        if (pedal_) heated_s_[before] = time_s_;
+    if (line_.index(s_m_) != before) {
+        if (pedal_ || too_near()) line_.count_try(before);
+        if (pedal_) line_.note_heat(before, time_s_);
         if (skip_m_ <= 0 && waited_s_ >= profile_.wait_s) waited_s_ = 0;
     }
     skip_m_ -= step;
@@ -346,7 +184,7 @@ void OperatorModel::slip(double dt_s) noexcept {
     if (slip_s_ < 0 && slips_left_ > 0 && passes_ == 0) {
         if (slip_at_m_ < 0)
             slip_at_m_ =
-                s_m_ + arc_.back() / (profile_.overshoots + 1) * random_.uniform({0.6, 1.1});
+                s_m_ + line_.length_m() / (profile_.overshoots + 1) * random_.uniform({0.6, 1.1});
         if (s_m_ >= slip_at_m_) {
             slip_s_ = 0;
             slip_at_m_ = -1;
@@ -382,19 +220,19 @@ void OperatorModel::do_cut(double dt_s) noexcept {
     pedal_habits(dt_s);
     slip(dt_s);
     if (slip_s_ < 0) advance(dt_s);
-    const Frame f = frame(s_m_);
+    const IncisionLine::Place f = line_.place(s_m_);
     const double lean = std::max(0.0, f.inward.dot((home_m_ - f.point).normalized()));
     const double offset = wander_smooth_ + slip_offset_ - profile_.lean_out_m * lean -
                           (passes_ > 0 ? profile_.second_out_m : 0) - clear_out_m_;
     follow(f.point + (lift_m_ + profile_.lean_up_m * lean) * f.normal + offset * f.inward, dt_s);
     // What came free meanwhile is not slid along: over an opened sac it lies elsewhere by now.
-    const bool stop = has_sunk_ && slid_m_ > kMostSlideM;
+    const bool stop = line_.has_sunk() && slid_m_ > kMostSlideM;
     if (s_m_ < run_.end_m + kOverrunM && !stop) return;
     // End of the piece: the next one may be near enough to go on.
     const double here = s_m_;
     ++passes_;
     if (plan_run(here - kOverrunM) && passes_ > 1) {
-        const double ahead = wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
+        const double ahead = line_.wrapped(run_.begin_m - here + kOverrunM) - kOverrunM;
         if (ahead < kNearM && !stop) {
             const double length = run_.end_m - run_.begin_m;
             run_.begin_m = here + ahead;
@@ -419,18 +257,27 @@ void OperatorModel::do_lift(double dt_s) noexcept {
     // From where the tip is: it may have been led beside the line.
     const double rise = std::min(0.03, 0.1 * stage_s_) * dt_s;
     lift_m_ += rise;
-    tip_m_ += rise * frame(s_m_).normal;
+    tip_m_ += rise * line_.place(s_m_).normal;
     if (lift_m_ < kHoverM) return;
-    if (sinks_ && !enough_) {
+    if (line_.sinks() && !line_.freed()) {
         stage(Stage::kWatch);
         return;
     }
-    const bool patient = time_s_ < profile_.patience_s && !enough_;
-    if (patient && plan_run(s_m_)) {
+    if (time_s_ < profile_.patience_s && !line_.freed())
+        next_or_leave(s_m_);
+    else
+        leave();
+}
+
+void OperatorModel::next_or_leave(double from_m) noexcept {
+    if (plan_run(from_m)) {
         begin_move(tip_m_);
-        return;
+    } else if (profile_.seeks_bridges && line_.placode_hangs_on() && !line_.by_bridges()) {
+        line_.seek_bridges();
+        stage(Stage::kWatch);
+    } else {
+        leave();
     }
-    leave();
 }
 
 void OperatorModel::leave() noexcept {
@@ -472,12 +319,12 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
     stage_s_ += dt_s;
     noise(dt_s);
     const bool work = stage_ == Stage::kMove || stage_ == Stage::kDescend || stage_ == Stage::kCut;
-    sinks_ |= sunk_m_ > kSunkM;
-    if (work && (time_s_ > profile_.patience_s || sinks_ || enough_)) stage(Stage::kLift);
-    if (contour_.size() < 3 && stage_ != Stage::kLook) stage(Stage::kDone);
+    if (work && (time_s_ > profile_.patience_s || line_.sinks() || line_.freed()))
+        stage(Stage::kLift);
+    if (!line_.known() && stage_ != Stage::kLook) stage(Stage::kDone);
     switch (stage_) {
         case Stage::kLook:
-            if (stage_s_ > profile_.look_s && start_m_ >= 0 && plan_run(start_m_))
+            if (stage_s_ > profile_.look_s && line_.start_m() >= 0 && plan_run(line_.start_m()))
                 begin_move(tip_m_);
             else if (stage_s_ > profile_.look_s + kForgetContourS)
                 stage(Stage::kDone);
@@ -495,11 +342,9 @@ OperatorAction OperatorModel::act(double dt_s) noexcept {
             do_lift(dt_s);
             break;
         case Stage::kWatch:
-            if (sinks_ && stage_s_ < 2 * kMostWatchS) break;
-            if (plan_run(start_m_))
-                begin_move(tip_m_);
-            else
-                leave();
+            if (line_.sinks() && stage_s_ < kMostWatchS) break;
+            if (line_.by_bridges() && stage_s_ < kSeekBridgesS) break;
+            next_or_leave(line_.start_m());
             break;
         case Stage::kLeave:
             tip_m_ = move_from_ + minimum_jerk(stage_s_ / move_s_) * (home_m_ - move_from_);

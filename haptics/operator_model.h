@@ -5,13 +5,11 @@
 // Free motion is minimum jerk (Flash & Hogan 1985), physiological tremor 8 to 12 Hz. Levels differ
 // by behaviour only; nobody tells the score who is at work. Same seed, same bits.
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include "haptics/device.h"
+#include "haptics/incision_line.h"
 #include "haptics/operator_profile.h"
 
 namespace placode::haptics {
@@ -28,34 +26,16 @@ class OperatorModel {
  public:
     OperatorModel(const OperatorProfile& profile, uint64_t seed, const Vec3& home_tip_m);
     void see(const Perception& perception, const sim::ToolFeedback& own);
-    /// True once an opened sac has sunk and the line was looked at anew.
-    [[nodiscard]] bool has_sunk() const noexcept { return has_sunk_; }
-    /// Places given up are tried once more.
-    void forget_tries() noexcept { std::fill(tries_.begin(), tries_.end(), uint8_t{0}); }
-    /// It is enough: lift, leave, finish.
-    void stop() noexcept { enough_ = true; }
     /// Next wish, `dt_s` after the last one.
     [[nodiscard]] OperatorAction act(double dt_s) noexcept;
 
  private:
     enum class Stage : uint8_t { kLook, kMove, kDescend, kCut, kLift, kWatch, kLeave, kDone };
-    struct Run {  // A piece of contour to cut, in arc length, end > begin.
-        double begin_m = 0, end_m = 0;
-    };
-    struct Frame {  // Contour at one arc length.
-        Vec3 point, normal, inward;
-    };
 
-    void remember(const Perception& seen);
-    void learn(const Perception& seen);
-    void watch_sinking(const Perception& seen);
+    void next_or_leave(double from_m) noexcept;
     void leave() noexcept;
     void stage(Stage next) noexcept;
     [[nodiscard]] bool plan_run(double from_m) noexcept;
-    [[nodiscard]] Frame frame(double s_m) const noexcept;
-    [[nodiscard]] size_t index(double s_m) const noexcept;
-    [[nodiscard]] size_t overrun_points() const noexcept;  ///< Of the line, in kOverrunM.
-    [[nodiscard]] double wrapped(double s_m) const noexcept;
     void begin_move(const Vec3& from_m) noexcept;
     void do_move(double dt_s) noexcept;
     void do_descend(double dt_s) noexcept;
@@ -78,23 +58,15 @@ class OperatorModel {
     OperatorRandom random_;
     Vec3 home_m_;
     // What is seen.
-    std::vector<Vec3> contour_, normal_;
-    std::vector<uint8_t> cut_;
-    std::vector<double> arc_;  // of each point; arc_.back() = length of the closed ring
-    std::vector<uint8_t> tries_;
-    std::vector<double> heated_s_;  // when the current was last on there
-    double sunk_m_ = 0;             // how much lower the whole line lies than remembered
-    bool sinks_ = false;            // so much that the hand lifts until it has looked anew
-    double still_z_m_ = 0, still_since_s_ = 0;
-    Vec3 centre_ = Vec3::Zero();
+    IncisionLine line_;
     bool contact_ = false;
-    double force_n_ = 0, seen_s_ = 0, placode_gap_m_ = 1, metal_gap_m_ = 1, clear_out_m_ = 0;
+    double force_n_ = 0, placode_gap_m_ = 1, metal_gap_m_ = 1, clear_out_m_ = 0;
     // What is done.
     Stage stage_ = Stage::kLook;
     double time_s_ = 0, stage_s_ = 0;
     Vec3 tip_m_;  // without tremor
-    Run run_;
-    double s_m_ = 0, start_m_ = -1, lift_m_ = 0;
+    IncisionLine::Run run_;
+    double s_m_ = 0, lift_m_ = 0;
     Vec3 move_from_ = Vec3::Zero(), move_error_ = Vec3::Zero();
     double move_s_ = 1;
     int pieces_left_ = 0;
@@ -105,7 +77,7 @@ class OperatorModel {
     double press_ = 0, early_lift_m_ = 0;
     int passes_ = 0, slips_left_ = 0;
     double slip_at_m_ = -1, slip_s_ = -1;
-    bool pedal_ = false, enough_ = false, has_sunk_ = false;
+    bool pedal_ = false;
     std::array<double, 6> tremor_phase_{}, tremor_hz_{};
 };
 

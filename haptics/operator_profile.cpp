@@ -22,6 +22,7 @@ OperatorProfile expert() {
     p.clear_m = 9e-4;
     p.clear_metal_m = 4.5e-4;
     p.cool_s = 12;
+    p.seeks_bridges = true;
     p.tries = 4;
     p.lean_out_m = 5e-4;
     p.lean_up_m = 3e-4;

@@ -56,6 +56,7 @@ struct OperatorProfile {
     double clear_m = 0;             ///< No energy with the tip nearer to the placode than that,
     double clear_metal_m = -1;      ///< nor with any of the bare metal nearer than that.
     double cool_s = 0;              ///< A place that was heated is left alone for that long.
+    bool seeks_bridges = false;     ///< Line done: goes back to where the placode still hangs on.
     int tries = 6;                  ///< Passes over one place before giving it up.
     double patience_s = 60;         ///< Gives up after.
 };

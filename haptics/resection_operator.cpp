@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "haptics/jaw_habits.h"
-#include "sim/pieces.h"
 
 namespace placode::haptics {
 
 namespace {
 
-constexpr double kRoundShare = 0.6;   // of the line is cut: look for where it still hangs on
 constexpr double kHoverM = 0.005;     // of free motion over the tissue
 constexpr double kRiseMS = 0.012;     // out of the tissue
 constexpr double kEnterMS = 0.008;    // into it
@@ -54,24 +52,6 @@ void ResectionOperator::see(const Perception& seen) {
         Perception own = seen;
         own.in_contact = seen.touches[needle];
         own.placode_gap_m[0] = seen.placode_gap_m[needle];
-        // Over an opened sac the ring is a means: a placode that is free all round needs no more
-        // energy.
-        if (ring_->has_sunk() && seen.released >= 1) ring_->stop();
-        // Once round, what counts is where the placode still hangs on.
-        const size_t points = seen.contour_cut.size();
-        const auto cut = std::count(seen.contour_cut.begin(), seen.contour_cut.end(), 1);
-        if (ring_->has_sunk() &&
-            static_cast<double>(cut) > kRoundShare * static_cast<double>(points) &&
-            !seen.sector_free.empty()) {
-            free_here_.resize(points);
-            for (size_t i = 0; i < points && i < seen.contour.size(); ++i) {
-                const auto sector = static_cast<size_t>(sim::sector_of(seen.contour[i]));
-                free_here_[i] = seen.sector_free[sector];
-            }
-            own.contour_cut = free_here_;
-            if (!looked_again_) ring_->forget_tries();
-            looked_again_ = true;
-        }
         ring_->see(own, needle < seen.tools.size() ? seen.tools[needle] : sim::ToolFeedback{});
     }
     const size_t n = seen.outline.size();

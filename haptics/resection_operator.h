@@ -82,8 +82,6 @@ class ResectionOperator final : public ScriptedOperator {
     double marked_left_ = 1, marked_held_ = 0, pull_n_ = 0, placode_gap_m_ = 1;
     int pieces_out_ = 0;
     sim::ToolFeedback needle_feedback_;
-    std::vector<uint8_t> free_here_;  // by point of the planned line
-    bool looked_again_ = false;
     // What is done.
     Right right_ = Right::kWait;
     Left left_ = Left::kLook;

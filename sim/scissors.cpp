@@ -154,14 +154,17 @@ void close(const Scene& scene, State& state, int tool, float jaw) noexcept {
         note(scene, state, s, t, f);
         ++cut;
     }
-    // Blades in the gap that they have made do not burst it open.
-    if (s.planned_count > 0) state.tools[tool].contact_share = 0;
+    if (blades_in_cut(scene, state, tool)) state.tools[tool].contact_share = 0;
 }
 
 }  // namespace
 
 bool blades_open(const Scene& scene, const State& state, int tool) noexcept {
     return scene.tools[tool].kind == ToolKind::kScissors && state.scissors[tool].jaw_rad > kOpen;
+}
+
+bool blades_in_cut(const Scene& scene, const State& state, int tool) noexcept {
+    return scene.tools[tool].kind == ToolKind::kScissors && state.scissors[tool].planned_count > 0;
 }
 
 void run_scissors(const Scene& scene, State& state) noexcept {
@@ -193,6 +196,8 @@ void run_scissors(const Scene& scene, State& state) noexcept {
                 s.start_rad = 0;
             }
         }
+        // Closed blades touch what open ones did not, perhaps deep inside: that comes up slowly.
+        if (s.jaw_rad > kOpen && jaw <= kOpen) state.tools[t].contact_share = 0;
         s.jaw_rad = jaw;
     }
 }

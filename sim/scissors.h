@@ -45,6 +45,9 @@ struct Scissors {
 /// Blades that stand open are thin edges: they pass beside tissue instead of pushing it.
 [[nodiscard]] bool blades_open(const Scene& scene, const State& state, int tool) noexcept;
 
+/// Closed blades that lie in the gap of their own snip, as far as they know: they do not burst it.
+[[nodiscard]] bool blades_in_cut(const Scene& scene, const State& state, int tool) noexcept;
+
 /// One frame of all scissors; writes a finished snip into the ledger.
 void run_scissors(const Scene& scene, State& state) noexcept;
 

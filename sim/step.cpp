@@ -196,7 +196,8 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
             // Right through the surface (a hand that jumps, a shaft that swings): pushing would
             // only tear the field apart. It is let out without force, as one that comes back.
             tool.contact_share = 0;
-        } else if (tool.gap_m > -kEmbedded) {
+        } else if (tool.gap_m > -kEmbedded || (scene.tools[t].kind == ToolKind::kScissors &&
+                                               !blades_in_cut(scene, state, t))) {
             tool.contact_share = std::min(
                 1.0f, tool.contact_share + static_cast<float>(solver.frame_s / kShareRecovery));
         }

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "haptics/servo.h"
+#include "sim/pieces.h"
 
 namespace placode::haptics {
 namespace {
@@ -233,6 +234,57 @@ TEST(Operator, LetsAPlaceCoolBeforeItGoesOverItAgain) {
     EXPECT_GE(returns, 2);
     // One second less: the near field of the test is wider than a point of the line.
     EXPECT_GT(shortest_s, profile.cool_s - 1);
+}
+
+/// A ring of which every point is cut at the start, and a placode that hangs on in one sector, with
+/// those beside it, until the needle has worked there for a second.
+struct Bridge {
+    static constexpr int kSector = 30;
+    std::array<uint8_t, sim::kSectors> free{};
+    double worked_s = 0, elsewhere_s = 0, time_s = 0;
+
+    Bridge() {
+        free.fill(1);
+        for (int s = kSector - 3; s <= kSector + 3; ++s) free[s] = 0;
+    }
+    void work(const OperatorProfile& profile) {
+        FlatWorld world;
+        world.cut.assign(kPoints, 1);
+        world.cut[0] = 0;  // else there is nothing to come for
+        OperatorModel model(profile, 1, Vec3(0, 0, 0.015));
+        OperatorAction action;
+        for (; time_s < 150 && !action.finish; time_s += kFrameS) {
+            Perception seen = world.seen();
+            seen.time_s = time_s;
+            seen.sector_free = free;
+            seen.released = free[kSector] != 0 ? 1 : 65.0F / sim::kSectors;
+            model.see(seen, {});
+            action = model.act(kFrameS);
+            world.step(action.tip_m, action.pedals != 0);
+            if (action.pedals == 0 || !world.in_contact || world.cut[0] == 0) continue;
+            const int off = std::abs(sim::sector_of(action.tip_m) - kSector);
+            (off <= 3 ? worked_s : elsewhere_s) += kFrameS;
+            if (worked_s > 1) free.fill(1);
+        }
+    }
+};
+
+TEST(Operator, TheExpertGoesBackToWhatHoldsThePlacode) {
+    Bridge bridge;
+    bridge.work(operator_profile(OperatorLevel::kExpert));
+    EXPECT_EQ(bridge.free[Bridge::kSector], 1);
+    EXPECT_LT(bridge.worked_s, 1.1) << "no more energy once it is free";
+    EXPECT_LT(bridge.elsewhere_s, 1.0) << "what is left of the cut at the first point";
+    EXPECT_LT(bridge.time_s, operator_profile(OperatorLevel::kExpert).patience_s);
+}
+
+TEST(Operator, OthersLeaveWhenTheLineIsCut) {
+    OperatorProfile profile = operator_profile(OperatorLevel::kExpert);
+    profile.seeks_bridges = false;
+    Bridge bridge;
+    bridge.work(profile);
+    EXPECT_GT(bridge.elsewhere_s, 0);
+    EXPECT_EQ(bridge.worked_s, 0);
 }
 
 TEST(Operator, DoesNotJumpWhereTheLineFoldsOver) {

@@ -235,6 +235,29 @@ TEST(Scissors, BladesThatMissOrStayOpenCutNothing) {
     EXPECT_EQ(state.splits, 0);
 }
 
+// Open blades lie in the side of a sheet, with nothing to cut between them: closed, they have to
+// come out of it without a blow.
+TEST(Scissors, BladesThatCloseInsideTissueComeOutGently) {
+    BoxOptions options = sheet();
+    options.hold_bottom = true;
+    const Scene scene = test::box_scene(options);
+    State state(scene, 1);
+    ToolInput input;
+    input.set_pose(blades(Vec3(0.00305, 0.003, -0.0005), Vec3::UnitY(), Vec3::UnitZ()));
+    input.engaged = 1;
+    ToolFeedback feedback;
+    double peak_n = 0;
+    for (int i = 0; i < 400; ++i) {
+        input.jaw_rad = static_cast<float>(std::max(0.0, 0.22 * (1 - i / 100.0)));
+        test::frame(scene, state, input, feedback);
+        peak_n = std::max(peak_n, feedback.force_n.norm());
+    }
+    EXPECT_EQ(state.splits, 0);
+    EXPECT_GT(state.tools[0].gap_m, -2e-5);
+    EXPECT_GT(feedback.force_n.norm(), 0.005);
+    EXPECT_LT(peak_n, 1.5 * feedback.force_n.norm());
+}
+
 TEST(Scissors, ASnipIsEnteredWithItsAreaAndTheCutOfThePlacodeApart) {
     for (const Tissue tissue : {Tissue::kZone, Tissue::kPlacode}) {
         BoxOptions options = sheet();
