@@ -34,10 +34,7 @@ ArmHands::ArmHands(const DeviceConfig& config, std::vector<sim::Hand> hands)
         Handle handle;
         if (tools_[i].kind == sim::ToolKind::kGrasper)
             handle.jaw_least_rad = (1 - kRatchet) * sim::grip_angle(tools_[i]);
-        for (size_t k = 0; k < tools_.size(); ++k)
-            handle.shares_port =
-                handle.shares_port || (k != i && tools_[k].hand == tools_[i].hand &&
-                                       tools_[k].kind != sim::ToolKind::kScope);
+        handle.shares_port = others_in_port(tools_, i) != 0;
         handles_.push_back(handle);
     }
     for (const sim::Hand hand : hands) {

@@ -28,11 +28,7 @@ class ScriptDevice final : public DeviceGroup {
         operator_ = open_operator(config, level, homes);
         // An instrument that shares its port with another waits outside.
         for (size_t i = 0; i < count_; ++i) {
-            bool shares = false;
-            for (size_t k = 0; k < count_; ++k) {
-                shares = shares || (k != i && config.tools[k].hand == config.tools[i].hand);
-            }
-            shares_port_.push_back(shares);
+            shares_port_.push_back(others_in_port(config.tools, i) != 0);
         }
     }
 

@@ -166,6 +166,16 @@ std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools
     return out;
 }
 
+uint32_t others_in_port(std::span<const sim::ToolSpec> tools, size_t i) noexcept {
+    uint32_t others = 0;
+    if (tools[i].kind == sim::ToolKind::kScope) return others;
+    for (size_t k = 0; k < tools.size(); ++k) {
+        if (k != i && tools[k].kind != sim::ToolKind::kScope && tools[k].hand == tools[i].hand)
+            others |= 1U << k;
+    }
+    return others;
+}
+
 std::vector<TrocarSettings> default_trocars(std::span<const sim::ToolSpec> tools,
                                             std::string_view device, const Station& station) {
     std::vector<TrocarSettings> out = default_trocars(tools, device);

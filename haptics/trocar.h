@@ -60,6 +60,10 @@ class Trocar {
 /// right).
 [[nodiscard]] Mat3 camera_basis(const Vec3& scope_pivot_m);
 
+/// Tools that go in and out through the port of `tools[i]`, in turns with it: bit k for tool k. A
+/// scope has its port for itself.
+[[nodiscard]] uint32_t others_in_port(std::span<const sim::ToolSpec> tools, size_t i) noexcept;
+
 /// Distance of the scope's tip from the lesion's centre at home [m].
 inline constexpr double kScopeDistanceM = 0.030;
 

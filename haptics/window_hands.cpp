@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/trocar.h"
 #include "sim/grasp.h"
 
 namespace placode::haptics {
@@ -45,11 +46,8 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
     for (size_t i = 0; i < hands_.size(); ++i) {
         const auto kind = config.tools[i].kind;
         hands_[i].scope = kind == sim::ToolKind::kScope;
-        hands_[i].port = config.tools[i].hand;
-        for (size_t k = 0; k < i; ++k) {
-            hands_[i].out = hands_[i].out || (!hands_[i].scope && !hands_[k].scope &&
-                                              hands_[k].port == hands_[i].port);
-        }
+        hands_[i].others_in_port = others_in_port(config.tools, i);
+        hands_[i].out = (hands_[i].others_in_port & ((1U << i) - 1)) != 0;
         hands_[i].jaw_open_rad =
             (kind == sim::ToolKind::kScissors ? kBladeOpening : kGrasperOpening) *
             config.tools[i].jaw_open_rad;
@@ -109,7 +107,7 @@ void WindowHands::next_hand(uint32_t presses) noexcept {
         // Another instrument through the same port: the old one leaves, the new one comes in at
         // its start.
         for (size_t k = 0; k < hands_.size(); ++k) {
-            if (k == i || hands_[k].scope || hands_[k].port != hands_[i].port) continue;
+            if ((hands_[i].others_in_port >> k & 1U) == 0) continue;
             hands_[k].out = true;
             hands_[k].target_m.setZero();
             hands_[k].position_m.setZero();

@@ -34,11 +34,11 @@ struct WindowHand {
     Vec3 position_m = Vec3::Zero(), velocity_m_s = Vec3::Zero();
     double roll_rad = 0, jaw_rad = 0;
     bool scope = false, energy = false;
-    sim::Hand port = sim::Hand::kRight;  ///< Instruments with the same port take turns.
-    bool out = false;                    ///< Waits outside.
-    double jaw_least_rad = 0;            ///< A ratchet holds jaws from squeezing further.
-    double jaw_open_rad = 0;             ///< As wide as the button lets them open.
-    bool latched = false;  ///< Left with closed jaws: they stay so until the next press.
+    uint32_t others_in_port = 0;  ///< By bits: they take turns.
+    bool out = false;             ///< Waits outside.
+    double jaw_least_rad = 0;     ///< A ratchet holds jaws from squeezing further.
+    double jaw_open_rad = 0;      ///< As wide as the button lets them open.
+    bool latched = false;         ///< Left with closed jaws: they stay so until the next press.
 };
 
 /// Group of virtual hands driven from the window. Servo thread only.

@@ -148,6 +148,17 @@ TEST(Trocar, LimitsTheLateralForceNearTheEndOfTheShaft) {
     EXPECT_NEAR(trocar.device_force(Vec3(0, 0, 0.1)).norm(), 0.1, 1e-9);
 }
 
+TEST(Port, IsSharedByTheInstrumentsOfOneHandAndNeverByAScope) {
+    std::vector<sim::ToolSpec> tools{needle(), needle(), needle(), scope()};
+    tools[1].hand = sim::Hand::kLeft;
+    EXPECT_EQ(others_in_port(tools, 0), 0b0100U);
+    EXPECT_EQ(others_in_port(tools, 1), 0U);
+    EXPECT_EQ(others_in_port(tools, 2), 0b0001U);
+    tools[3].hand = sim::Hand::kRight;
+    EXPECT_EQ(others_in_port(tools, 0), 0b0100U);
+    EXPECT_EQ(others_in_port(tools, 3), 0U);
+}
+
 TEST(DefaultTrocars, LookWithTheScopeAtTheLesionFromThirtyMillimetres) {
     const std::vector<sim::ToolSpec> tools{needle(), scope()};
     for (const char* device : {"mouse", "script:expert"}) {

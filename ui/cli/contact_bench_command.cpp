@@ -15,6 +15,7 @@
 #include "curriculum/attempt_recorder.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
+#include "haptics/trocar.h"
 #include "reports/report.h"
 #include "sim/anatomy/operative_field.h"
 #include "sim/step.h"
@@ -77,16 +78,6 @@ double other_of_frame(const Costs& costs, double frame_s) {
     return 1e-6 * (sum(costs.us[kParts]) - sum(costs.us[0])) / (costs.frames * frame_s);
 }
 
-/// True when another instrument is in the port: they take turns.
-bool waits_outside(const sim::Scene& scene, size_t tool) {
-    for (size_t i = 0; i < tool; ++i) {
-        if (scene.tools[i].hand == scene.tools[tool].hand &&
-            scene.tools[i].kind != sim::ToolKind::kScope)
-            return scene.tools[tool].kind != sim::ToolKind::kScope;
-    }
-    return false;
-}
-
 /// The first instrument of every port but the scope's works at the planned contour, its shaft
 /// through its trocar.
 void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, Work work,
@@ -112,7 +103,8 @@ void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, 
         if (scope) target = sim::Vec3(0, 0, 0.030);
         const sim::Vec3 along = (target - tool.pivot_m).normalized();
         inputs[i].set_pose({target, sim::Quat::FromTwoVectors(sim::Vec3::UnitZ(), along)});
-        inputs[i].engaged = waits_outside(scene, i) ? 0 : 1;
+        const uint32_t before = (1U << i) - 1;
+        inputs[i].engaged = (haptics::others_in_port(scene.tools, i) & before) != 0 ? 0 : 1;
         inputs[i].pedals = work == Work::kCut && !scope ? sim::kPedalCut : 0;
     }
 }
