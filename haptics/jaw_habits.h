@@ -26,7 +26,7 @@ struct JawHabits {
     double outward_m = 0;         ///< Mean error away from the marked tissue.
     double clear_m = 6e-4;        ///< Blades do not close nearer to the placode than that.
     int passes = 4;               ///< Along what is not parted yet.
-    double leaves = 0.15;         ///< Share of the marked tissue that is left where it is.
+    double leaves = 0.1;          ///< Share of the marked tissue that is left where it is.
     [[nodiscard]] double squeezed_rad() const noexcept { return meet_rad * (1 - squeeze); }
 };
 [[nodiscard]] const JawHabits& jaw_habits(OperatorLevel level) noexcept;

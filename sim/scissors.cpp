@@ -19,6 +19,7 @@ constexpr float kBegin = 0.01f;    // closing by so much begins a snip [rad]
 constexpr double kPastTip = 2e-4;  // the tips' own roundness [m]
 constexpr double kEdge = 1e-4;     // tissue this far beside the blades' edges is still met [m]
 constexpr int kFacesPerFrame = 24;
+constexpr int32_t kNothing = -1;  // planned_count of blades that have closed and met nothing
 
 /// tan of half the opening without the library's last bit: angles stay below 0.8 rad.
 double half_tangent(double angle) noexcept {
@@ -164,7 +165,11 @@ bool blades_open(const Scene& scene, const State& state, int tool) noexcept {
 }
 
 bool blades_in_cut(const Scene& scene, const State& state, int tool) noexcept {
-    return scene.tools[tool].kind == ToolKind::kScissors && state.scissors[tool].planned_count > 0;
+    const Scissors& s = state.scissors[tool];
+    if (scene.tools[tool].kind != ToolKind::kScissors) return false;
+    // Blades that came in closed are taken for in their gap.
+    const bool opened = s.closing || s.start_rad > 0 || s.planned_count == kNothing;
+    return s.planned_count > 0 || !opened;
 }
 
 void run_scissors(const Scene& scene, State& state) noexcept {
@@ -192,6 +197,7 @@ void run_scissors(const Scene& scene, State& state) noexcept {
             close(scene, state, t, jaw);
             if (jaw <= 0 && s.next >= s.planned_count) {
                 end_snip(state, t);
+                if (s.planned_count == 0) s.planned_count = kNothing;
                 s.closing = 0;
                 s.start_rad = 0;
             }
