@@ -31,7 +31,7 @@ struct Gradient {
 
 struct TetGradients {
     Gradient deviatoric, volume;
-    V c2, j;  ///< |F|^2 and J
+    V c2, j_over_r;  ///< |F|^2 and J / r
 };
 
 HWY_INLINE TetGradients Gradients(const V4* p, const float* rows) {
@@ -53,7 +53,7 @@ HWY_INLINE TetGradients Gradients(const V4* p, const float* rows) {
     g.volume.minus = Add(Add(c[0], c[1]), c[2]);
     // sum_ij a_ij |x_i - x_j|^2 = sum_i x_i . G_i, and J is linear in e1.
     g.c2 = hn::Add(Dot(e1, u[0]), hn::Add(Dot(e2, u[1]), Dot(e3, u[2])));
-    g.j = hn::Mul(row(6), Dot(e1, c[0]));
+    g.j_over_r = Dot(e1, c[0]);
     return g;
 }
 
@@ -66,19 +66,23 @@ HWY_INLINE V Weighted(const V4* p, const Gradient& u, const Gradient& v) {
     return sum;
 }
 
-/// x_i += w_i s u_i
-HWY_INLINE void Move(V4* p, V s, const Gradient& u) {
-    V ws = hn::Mul(p[0].w, s);
-    p[0].x = hn::NegMulAdd(ws, u.minus.x, p[0].x);
-    p[0].y = hn::NegMulAdd(ws, u.minus.y, p[0].y);
-    p[0].z = hn::NegMulAdd(ws, u.minus.z, p[0].z);
+/// x_i += w_i u_i
+HWY_INLINE void Move(V4* p, const V* w, const Gradient& u) {
+    p[0].x = hn::NegMulAdd(w[0], u.minus.x, p[0].x);
+    p[0].y = hn::NegMulAdd(w[0], u.minus.y, p[0].y);
+    p[0].z = hn::NegMulAdd(w[0], u.minus.z, p[0].z);
     for (int i = 1; i < 4; ++i) {
         const V3& g = u.corner[i - 1];
-        ws = hn::Mul(p[i].w, s);
-        p[i].x = hn::MulAdd(ws, g.x, p[i].x);
-        p[i].y = hn::MulAdd(ws, g.y, p[i].y);
-        p[i].z = hn::MulAdd(ws, g.z, p[i].z);
+        p[i].x = hn::MulAdd(w[i], g.x, p[i].x);
+        p[i].y = hn::MulAdd(w[i], g.y, p[i].y);
+        p[i].z = hn::MulAdd(w[i], g.z, p[i].z);
     }
+}
+
+/// x_i += w_i s u_i
+HWY_INLINE void Move(V4* p, V s, const Gradient& u) {
+    const V w[4] = {hn::Mul(p[0].w, s), hn::Mul(p[1].w, s), hn::Mul(p[2].w, s), hn::Mul(p[3].w, s)};
+    Move(p, w, u);
 }
 
 /// Zero unless finite.
@@ -91,20 +95,23 @@ struct Multipliers {
     V deviatoric, volume;  ///< lambda / b before and after
 };
 
-/// Share of the tet's own effective mass (S_GG, S_Gc, S_cc above) in the block: 1/2 judges the
-/// constraints in the middle of the correction that they make themselves, and takes off most of
-/// what one sweep a substep is short of the implicit step. Where the compliance is less than half
-/// of the mass it is just so much that no constraint is carried past its zero: a relaxation by at
-/// most 1.5, so that stiff tets stay stable, and with many sweeps the same solution.
-HWY_INLINE V OwnShare(V c2, V s11, V ratio, V s22) {
+/// The part that a tet's own effective mass (S_GG, S_Gc, S_cc above) has in the block. It comes in
+/// as one half, which judges the constraints in the middle of the correction that they make
+/// themselves and takes off most of what one sweep a substep is short of the implicit step. Where
+/// the compliance is less than half of the mass it becomes just so much that no constraint is
+/// carried past its zero: a relaxation by at most 1.5, so that stiff tets stay stable, and with
+/// many sweeps the same solution.
+HWY_INLINE void TakeOwnShare(V c2, V ratio, V& m11, V& m12, V& m22) {
     const D d;
-    const V half = hn::Set(d, 0.5F);
     // Soft tets, the rule at a usual step, need neither a division nor the wait for one.
-    const M soft = hn::And(hn::Ge(c2, hn::Mul(half, s11)), hn::Ge(ratio, hn::Mul(half, s22)));
-    if (HWY_LIKELY(hn::AllTrue(d, soft))) return half;
-    const M first = hn::Lt(hn::Mul(c2, s22), hn::Mul(ratio, s11));
-    const V least = hn::Div(hn::IfThenElse(first, c2, ratio), hn::IfThenElse(first, s11, s22));
-    return hn::Max(half, hn::Sub(hn::Set(d, 1.0F), least));
+    const M soft = hn::And(hn::Ge(c2, m11), hn::Ge(ratio, m22));
+    if (HWY_LIKELY(hn::AllTrue(d, soft))) return;
+    const M first = hn::Lt(hn::Mul(c2, m22), hn::Mul(ratio, m11));
+    const V least = hn::Div(hn::IfThenElse(first, c2, ratio), hn::IfThenElse(first, m11, m22));
+    const V more = hn::Max(hn::Set(d, 1.0F), hn::Sub(hn::Set(d, 2.0F), least));
+    m11 = hn::Mul(more, m11);
+    m12 = hn::Mul(more, m12);
+    m22 = hn::Mul(more, m22);
 }
 
 /// Corners of the tets that come next, loaded while these are solved: a batch is longer than what a
@@ -142,7 +149,7 @@ HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const
     if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
     g = Gradients(p, rows);
     ahead.Load(2);
-    right = hn::Sub(hn::Add(hn::Set(d, 1.0F), ratio), g.j);
+    right = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
     if constexpr (kKept) right = hn::NegMulAdd(ratio, l.volume, right);
     const V br = hn::Mul(b, r), s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
     const V z = Finite(hn::Div(right, hn::Add(s22, ratio)));
@@ -151,63 +158,69 @@ HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const
     if constexpr (kKept) l.volume = hn::Add(l.volume, z);
 }
 
-/// Both at once.
+/// Both at once. With m = half of b S, a = m + compliance and left_D = C^2 + C l_D,
+/// y = -(m12 right_H + a22 left_D) / det and z = (m12 left_D + a11 right_H) / det; they are kept
+/// doubled, because b comes in halved, and y with its sign turned.
 template <bool kKept>
-HWY_INLINE void ProjectBlock(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
+HWY_INLINE void ProjectBlock(V4* p, const float* rows, V half_b, Multipliers& l,
+                             const Ahead& ahead) {
     const D d;
     const V r = hn::Load(d, rows + 6 * kLanes);
     const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
-    const V one = hn::Set(d, 1.0F);
     const TetGradients g = Gradients(p, rows);
     const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
-    V c = hn::Zero(d), right_d = hn::Neg(c2);
-    // g.volume is the gradient of J / r.
-    V right_h = hn::Sub(hn::Add(one, ratio), g.j);
+    V c = hn::Zero(d), left_d = c2;
+    V right_h = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
     if constexpr (kKept) {
         c = hn::Sqrt(c2);
-        right_d = hn::NegMulAdd(c, l.deviatoric, right_d);
+        left_d = hn::MulAdd(c, l.deviatoric, left_d);
         right_h = hn::NegMulAdd(ratio, l.volume, right_h);
     }
-    const V br = hn::Mul(b, r);
-    const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
-    const V s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
-    const V own = OwnShare(c2, s11, ratio, s22);
+    const V half_br = hn::Mul(half_b, r);  // g.volume is the gradient of J / r.
+    V m11 = hn::Mul(half_b, Weighted(p, g.deviatoric, g.deviatoric));
+    V m22 = hn::Mul(hn::Mul(half_br, r), Weighted(p, g.volume, g.volume));
     ahead.Load(0);
-    const V a11 = hn::MulAdd(own, s11, c2), a22 = hn::MulAdd(own, s22, ratio);
-    const V a12 = hn::Mul(hn::Mul(own, br), Weighted(p, g.deviatoric, g.volume));
+    V m12 = hn::Mul(half_br, Weighted(p, g.deviatoric, g.volume));
+    TakeOwnShare(c2, ratio, m11, m12, m22);
+    const V a11 = hn::Add(m11, c2), a22 = hn::Add(m22, ratio);
     // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
     const V product = hn::Mul(a11, a22);
     const V determinant =
-        hn::Max(hn::NegMulAdd(a12, a12, product), hn::Mul(hn::Set(d, 1e-6F), product));
-    const V inverse = hn::Div(one, determinant);
+        hn::Max(hn::NegMulAdd(m12, m12, product), hn::Mul(hn::Set(d, 1e-6F), product));
+    const V twice = hn::Div(hn::Set(d, 2.0F), determinant);
     ahead.Load(1);
-    V y = hn::Mul(inverse, hn::NegMulAdd(a12, right_h, hn::Mul(a22, right_d)));
-    V z = hn::Mul(inverse, hn::NegMulAdd(a12, right_d, hn::Mul(a11, right_h)));
-    const M finite = FiniteLanes(hn::Add(y, z));
-    y = hn::IfThenElseZero(finite, y);
-    z = hn::IfThenElseZero(finite, z);
+    // While the division runs: what is finite here stays so, for m12^2 <= a11 a22.
+    const M finite = hn::Le(hn::MulAdd(right_h, right_h, product),
+                            hn::Set(d, std::numeric_limits<float>::max()));
+    const V y2 =
+        hn::IfThenElseZero(finite, hn::Mul(twice, hn::MulAdd(m12, right_h, hn::Mul(a22, left_d))));
+    const V z2 =
+        hn::IfThenElseZero(finite, hn::Mul(twice, hn::MulAdd(m12, left_d, hn::Mul(a11, right_h))));
     ahead.Load(2);
     // At rest the two parts cancel: add them before they meet the position, one rounding.
-    const V rz = hn::Mul(r, z);
+    const V by = hn::Mul(half_b, y2), brz = hn::Mul(half_br, z2);
     Gradient sum;
     for (int i = 0; i < 3; ++i) {
-        sum.corner[i] = MulAdd(y, g.deviatoric.corner[i], Scale(rz, g.volume.corner[i]));
+        sum.corner[i] = NegMulAdd(by, g.deviatoric.corner[i], Scale(brz, g.volume.corner[i]));
     }
     sum.minus = Add(Add(sum.corner[0], sum.corner[1]), sum.corner[2]);
     ahead.Load(3);
-    Move(p, b, sum);
+    const V w[4] = {p[0].w, p[1].w, p[2].w, p[3].w};
+    Move(p, w, sum);
     if constexpr (kKept) {
-        l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
-        l.volume = hn::Add(l.volume, z);
+        const V half = hn::Set(d, 0.5F);
+        l.deviatoric = hn::NegMulAdd(hn::Mul(half, c), y2, l.deviatoric);
+        l.volume = hn::MulAdd(half, z2, l.volume);
     }
 }
 
+/// half_b: half of b = h^2 mu V.
 template <bool kPair, bool kKept>
-HWY_INLINE void Project(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
+HWY_INLINE void Project(V4* p, const float* rows, V half_b, Multipliers& l, const Ahead& ahead) {
     if constexpr (kPair) {
-        ProjectPair<kKept>(p, rows, b, l, ahead);
+        ProjectPair<kKept>(p, rows, hn::Add(half_b, half_b), l, ahead);
     } else {
-        ProjectBlock<kKept>(p, rows, b, l, ahead);
+        ProjectBlock<kKept>(p, rows, half_b, l, ahead);
     }
 }
 
@@ -254,7 +267,7 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, 
         l = {hn::Load(d, memory), hn::Load(d, memory + kLanes)};
     }
     V4 x[4] = {p[0], p[1], p[2], p[3]};  // in registers
-    Project<kPair, kKept>(x, rows, hn::Mul(hn::Set(d, a.h * a.h), stiffness), l, ahead);
+    Project<kPair, kKept>(x, rows, hn::Mul(hn::Set(d, 0.5F * a.h * a.h), stiffness), l, ahead);
     if constexpr (kKept) {
         hn::Store(l.deviatoric, d, memory);
         hn::Store(l.volume, d, memory + kLanes);
