@@ -174,6 +174,10 @@ SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
         }
     }
     check_method();
+    if (spec_.solver.method != Method::kVbd) {
+        const auto courant = courant_numbers();
+        turns_ = *std::max_element(courant.begin(), courant.end()) <= kXpbdTurnCourant;
+    }
     packed_ = std::make_unique<PackedElements>(pack(*this));
     static_cast<void>(kernel_target());  // chooses the instruction set before any worker runs
 }

@@ -46,6 +46,12 @@ inline constexpr double kXpbdMaxCourant = 1.1, kXpbdPairMaxCourant = 0.7;
 inline constexpr double kVbdMaxPoissonsRatio = 0.495;
 /// Above this XPBD is announced as inexact.
 inline constexpr double kXpbdGoodCourant = 0.7;
+/// Up to this Courant number XPBD sweeps there and back in turns. A tet meets its neighbours where
+/// those that came before it have left them; with the order turned round the other ones come
+/// before, so that the two errors cancel (homogeneous states at Co 0.14: 0.2 % -> 0.01 %). The
+/// price is a tremble from sweep to sweep, which grows with Co^4: from about 0.5 on the beam of
+/// nu 0.45 is less exact with it, and at 1.1 it is 6.7 % off instead of 1.9.
+inline constexpr double kXpbdTurnCourant = 0.45;
 
 /// Linear spring from a vertex to its anchor, with its own stiffness along and across `normal`.
 /// Without any stiffness it holds nothing and only makes room for a load
@@ -156,6 +162,8 @@ class SoftBody {
     /// L of a tet is the lesser of its shortest edge and sqrt(2) x its smallest height (equal to
     /// the edge on a cubic Kuhn lattice), so that flat tets count.
     [[nodiscard]] std::array<double, kTissueCount> courant_numbers() const;
+    /// True where XPBD sweeps there and back, see kXpbdTurnCourant.
+    [[nodiscard]] bool turns() const noexcept { return turns_; }
     /// What the loader has to say: method, Courant numbers, predicted error class.
     [[nodiscard]] std::vector<std::string> notes() const;
 
@@ -166,6 +174,7 @@ class SoftBody {
     std::vector<float> mass_kg_, volume_m3_, shortest_edge_m_;
     std::vector<int32_t> vertex_tets_, vertex_tets_start_;
     std::unique_ptr<PackedElements> packed_;
+    bool turns_ = false;
 };
 
 /// What a substep goes over: everything, or what sleep.h has left awake.
@@ -211,6 +220,9 @@ struct SoftBodyState {
     std::vector<int32_t> roused;  ///< Vertices that must not sleep in the next frame; see rouse().
     int32_t roused_count = 0;     ///< Past the end of `roused`: all.
     uint32_t flags = 0;  ///< Bits of StepReport raised by the kernels; the caller clears them.
+    /// The next sweep goes back, where the body turns(). Frames begin with a sweep there, so that a
+    /// tremble with the period of two sweeps is not seen from frame to frame.
+    bool backward = false;
 };
 
 /// Where a vertex is now [m].
@@ -261,8 +273,8 @@ void sweep(const SoftBody& body, SoftBodyState& state, double h, Workers& worker
 /// End of a substep: velocities from positions, damping, tethers that break.
 void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept;
 
-/// `substeps` whole substeps of the solver's own h and iterations, without contact; the three calls
-/// above in one go, bit for bit.
+/// A frame of `substeps` whole substeps of the solver's own h and iterations, without contact; the
+/// three calls above in one go, bit for bit.
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
                   Workers& workers) noexcept;
 

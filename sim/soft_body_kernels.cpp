@@ -3,6 +3,7 @@
 // Compiled once for every instruction set: Highway includes this file again and again.
 #include "sim/soft_body_kernels.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <limits>

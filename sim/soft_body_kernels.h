@@ -21,6 +21,7 @@ struct KernelArguments {
     float over_relaxation = 1;
     std::array<float, 3> planned_fall_m{};  ///< h^2 g
     bool pair = false;                      ///< XPBD: C_D then C_H instead of the 2x2 block.
+    int direction = 1;                      ///< XPBD: -1 = from the last batch to the first.
 };
 
 /// What the begin and end of a substep read and write. The fourth number of `fall_m_s` is 0.

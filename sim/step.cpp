@@ -161,6 +161,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         mark = t;
     };
     hold_sleepers(state.body);
+    state.body.backward = false;
     for (int s = 0; s < state.substeps; ++s) {
         move_tools(scene, state, from, to, static_cast<double>(s + 1) / state.substeps);
         carry_grasped(scene, state);

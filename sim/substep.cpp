@@ -196,8 +196,12 @@ class Substep {
     }
 
     void sweep_tets() noexcept {
+        const bool backward = body_.turns() && state_.backward;
+        state_.backward = !state_.backward;
+        arguments_.direction = backward ? -1 : 1;
         const auto& phases = packed_.tet_phase_start;
-        for (size_t p = 0; p + 1 < phases.size(); ++p) {
+        for (size_t n = 1; n < phases.size(); ++n) {
+            const size_t p = backward ? phases.size() - 1 - n : n - 1;
             first_job_ = phases[p];
             workers_.run<&Substep::tet_job>(phases[p + 1] - phases[p], *this);
         }
@@ -221,8 +225,10 @@ class Substep {
                               packed_.tet_job_start[job + 1]);
             return;
         }
-        for (int r = awake.tet_job_start[job]; r < awake.tet_job_start[job + 1]; ++r) {
-            const auto& [first, last] = awake.tets[at(r)];
+        const int start = awake.tet_job_start[job], end = awake.tet_job_start[job + 1];
+        for (int r = start; r < end; ++r) {
+            const auto& [first, last] =
+                awake.tets[at(arguments_.direction < 0 ? start + end - 1 - r : r)];
             solve_tet_batches(arguments_, first, last);
         }
     }
@@ -334,6 +340,7 @@ void end_substep(const SoftBody& body, SoftBodyState& state, double h, Workers& 
 void run_substeps(const SoftBody& body, SoftBodyState& state, int substeps,
                   Workers& workers) noexcept {
     const SolverSettings& s = body.spec().solver;
+    state.backward = false;
     const bool contact = std::any_of(state.contact_vertex.begin(), state.contact_vertex.end(),
                                      [](uint8_t c) { return c != 0; });
     if (contact || !state.tether_alive.empty()) {

@@ -242,20 +242,22 @@ HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
     const size_t lane = g.lane + hn::Lanes(D());
     const TetBatch& batch = a.packed->tet_batches[static_cast<size_t>(g.batch)];
     return lane < static_cast<size_t>(batch.count) ? TetGroup{g.batch, lane}
-                                                   : TetGroup{g.batch + 1, 0};
+                                                   : TetGroup{g.batch + a.direction, 0};
 }
 
 /// Solves `now`, whose corners are in `p`, and loads those of the group after it into `q`.
+/// `end` is the batch behind the last one, in the sweep's direction.
 template <bool kPair, bool kKept>
-HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, V4* p, V4* q) {
+HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V4* p, V4* q) {
     const D d;
     const PackedElements& packed = *a.packed;
     const auto at = static_cast<size_t>(now.batch);
     const TetGroup next = After(a, now);
     Ahead following;
-    if (next.batch < last) following = {Points(a, next), Corners(a, next), q};
-    const bool waits = next.batch < last && next.batch != now.batch &&
-                       !packed.tet_batches[static_cast<size_t>(next.batch)].apart;
+    if (next.batch != end) following = {Points(a, next), Corners(a, next), q};
+    const int upper = std::max(now.batch, next.batch);
+    const bool waits = next.batch != end && next.batch != now.batch &&
+                       !packed.tet_batches[static_cast<size_t>(upper)].apart;
     const Ahead ahead = waits ? Ahead() : following;
     const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + now.lane;
     const V stiffness =
@@ -286,14 +288,16 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int last, 
 template <bool kPair, bool kKept>
 void SolveTetBatches(const KernelArguments& a, int first, int last) {
     if (first >= last) return;
+    const bool backward = a.direction < 0;
+    const int end = backward ? first - 1 : last;
     V4 p[4], q[4];
-    TetGroup now{first, 0};
+    TetGroup now{backward ? last - 1 : first, 0};
     Ahead{Points(a, now), Corners(a, now), p}.LoadAll();
     while (true) {
-        now = SolveTets<kPair, kKept>(a, now, last, p, q);
-        if (now.batch >= last) return;
-        now = SolveTets<kPair, kKept>(a, now, last, q, p);
-        if (now.batch >= last) return;
+        now = SolveTets<kPair, kKept>(a, now, end, p, q);
+        if (now.batch == end) return;
+        now = SolveTets<kPair, kKept>(a, now, end, q, p);
+        if (now.batch == end) return;
     }
 }
 

@@ -118,11 +118,11 @@ struct MethodCase {
 void PrintTo(const MethodCase& m, std::ostream* out) { *out << m.method; }
 
 class EveryMethod : public ::testing::TestWithParam<MethodCase> {};
-// 5 kPa, 1 mm: Co .54 at 8 substeps, where one xpbd sweep is Co^2-soft by some per cent.
+// 5 kPa, 1 mm: Co .14 at 32 substeps, where xpbd sweeps there and back in turns.
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          ::testing::Values(MethodCase{"vbd", 4, 1e-3}, MethodCase{"vbd", 8, 1e-3},
-                                           MethodCase{"xpbd", 32, 0.03},
-                                           MethodCase{"xpbd_pair", 32, 0.03},
+                                           MethodCase{"xpbd", 32, 1e-3},
+                                           MethodCase{"xpbd_pair", 32, 0.01},
                                            MethodCase{"explicit", 12, 1e-3},
                                            MethodCase{"newton", 1, 1e-6}));
 

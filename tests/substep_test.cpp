@@ -83,6 +83,38 @@ TEST_P(EveryMethod, GivesTheSameBitsWithAnyNumberOfThreads) {
     EXPECT_NE(state_hash(other), expected);
 }
 
+TEST(Substep, SweepsThereAndBackDependNeitherOnThreadsNorOnTheInstructionSet) {
+    for (const Method method : {Method::kXpbd, Method::kXpbdPair}) {
+        SoftBodySpec spec = slab_spec(method);
+        EXPECT_FALSE(SoftBody(spec).turns()) << "too coarse a step";
+        spec.solver.substeps = 32;
+        const SoftBody body(std::move(spec));
+        ASSERT_TRUE(body.turns());
+        const auto run = [&](int threads, int substeps) {
+            Workers workers(threads);
+            SoftBodyState state(body);
+            poke(state, 5e-5F);
+            for (const int t : {100, 101, 350}) remove_tet(body, state, t);
+            run_substeps(body, state, substeps, workers);
+            return state;
+        };
+        for (const int threads : {2, 3, 8}) {
+            EXPECT_EQ(state_hash(run(threads, 41)), state_hash(run(1, 41))) << threads;
+        }
+        const SoftBodyState reference = run(1, 20);
+        for (const int64_t target : {HWY_SCALAR, HWY_SSSE3, HWY_SSE4, HWY_AVX2, HWY_AVX3}) {
+            hwy::SetSupportedTargetsForTest(0);
+            if ((hwy::SupportedTargets() & target) == 0) continue;
+            hwy::SetSupportedTargetsForTest(target);
+            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+            // As in EveryInstructionSetAgrees.
+            EXPECT_LT(farthest(run(1, 20), reference), 2e-8) << kernel_target();
+        }
+        hwy::SetSupportedTargetsForTest(0);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    }
+}
+
 TEST_P(EveryMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {
     SoftBodySpec spec = slab_spec(GetParam());
     spec.solver.iterations = 2;

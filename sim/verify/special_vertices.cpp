@@ -27,7 +27,6 @@ SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& uni
       body_(body),
       state_(state),
       h_body_(h_body),
-      vbd_(setup.scene.solver.method == SolveMethod::kVbd),
       spheres_(units.scaled(setup.scene.spheres)),
       slot_(at(body.vertex_count()), -1) {
     if (!setup.contacts) return;
@@ -72,9 +71,7 @@ void SpecialVertices::find() {
         state_.contact_vertex[at(v)] = 0;
     }
     special_.clear();
-    if (vbd_) {
-        for (const int32_t v : setup_.partly_held()) add(v);
-    }
+    for (const int32_t v : setup_.partly_held()) add(v);
     find_touches();
     set_stiffness();
     incidence_.assign(special_.size(), {});

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The vertices that the kernels leave to others: those that spheres touch, with dry friction, and,
-// with vbd, those that only some axes hold. As sim/contact, for bodies without instruments. Private
-// to sim/verify.
+// The vertices that the kernels leave to others: those that spheres touch, with dry friction, and
+// those that only some axes hold. As sim/contact, for bodies without instruments. Private to
+// sim/verify.
 
 #include <memory>
 #include <vector>
@@ -31,8 +31,6 @@ class SpecialVertices {
     void solve();
     /// End of a substep: forces on the spheres, and where vertices stick from now on.
     void finish();
-    /// Axes that are held go where their region is.
-    void put_on_axes(int32_t v);
 
     /// Force of the tissue on a sphere, mean over the frame so far.
     [[nodiscard]] Vec3 force(size_t sphere) const;
@@ -57,6 +55,8 @@ class SpecialVertices {
     void solve_vertex(size_t i);
     void hold_axes(int32_t v, VertexSystem& system) const;
     [[nodiscard]] double gap(const SphereTouch& t) const;
+    /// Axes that are held go where their region is.
+    void put_on_axes(int32_t v);
     [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const;
     [[nodiscard]] double grip_n_m(int32_t v) const;
     void stick(const std::vector<Vec3>& load, const std::vector<int>& sphere);
@@ -66,7 +66,6 @@ class SpecialVertices {
     const SoftBody& body_;
     SoftBodyState& state_;
     const double h_body_;
-    const bool vbd_;
     const std::vector<SphereObstacle> spheres_;
     std::unique_ptr<SphereContacts> contacts_;
     double time_ = 0, k_ = 0, deepest_ = 0;
