@@ -15,13 +15,19 @@ struct Oscillation {
     double decay_per_s = 0;  ///< Of the amplitude.
 };
 
+/// The Kuhn tets of a square beam are the same when y and z change places, but not when one of them
+/// changes its sign: it bends in the diagonal planes with a frequency for each, and anywhere else
+/// with a beat of both.
+const Vec3 kPlane = Vec3(0, 1, 1).normalized();
+
 /// Squares left over by the best c + e^(-d t) (a cos w t + b sin w t).
 double misfit(const SolveResult& result, double omega, double decay) {
     Eigen::Matrix4d sums = Eigen::Matrix4d::Zero();  // of the three functions and of z itself
     for (size_t i = 0; i < result.probe_m.size(); ++i) {
         const double t = result.sample_time_s[i], e = std::exp(-decay * t);
+        const Vec3 way = result.probe_m[i][0] - result.probe_m[0][0];
         const Eigen::Vector4d f(1, e * std::cos(omega * t), e * std::sin(omega * t),
-                                result.probe_m[i][0].z() - result.probe_m[0][0].z());
+                                way.dot(kPlane));
         sums += f * f.transpose();
     }
     const Eigen::Vector3d right = sums.block<3, 1>(0, 3);
@@ -71,7 +77,7 @@ void free_oscillation(AccuracyTable& table) {
                                            {SolveMethod::kXpbd, 16},
                                            {SolveMethod::kXpbdPair, 16}}) {
         VerificationScene scene = accuracy_scene(Vec3(0.02, 4e-3, 4e-3), {10, 2, 2}, 5e3, 0.45);
-        scene.gravity_m_s2 = Vec3(0, 0, -0.2);
+        scene.gravity_m_s2 = -0.2 * kPlane;
         scene.material.damping_per_s = 2;
         scene.held.push_back(held_plane(0, 0, 7));
         scene.probes.push_back({"tip", held_plane(0, 0.02, 7).box, "/probes/0"});
@@ -94,7 +100,7 @@ void free_oscillation(AccuracyTable& table) {
         row.value = found.decay_per_s;
         row.expected = 1;
         row.error = std::abs(found.decay_per_s - 1);
-        row.target = 0;
+        row.target = method == SolveMethod::kExplicit ? 0.01 : 0;  // the others damp by themselves
         table.add(row);
     }
 }
