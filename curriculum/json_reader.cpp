@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <set>
 #include <sstream>
+#include <vector>
 
 namespace placode::curriculum {
 
@@ -49,9 +52,46 @@ fs::path find_definition(const std::string& kind, const std::string& id_or_file)
                               ", or the path of a .json file");
 }
 
+namespace {
+
+constexpr int kDeepest = 64;  // levels; nothing of ours has ten
+
+/// Refuses what the library takes: a key that stands twice (its last value would win unseen), and
+/// levels without end (which would end the program when they are taken apart).
+class Strictness {
+ public:
+    explicit Strictness(const std::string& origin) : origin_(origin) {}
+
+    bool operator()(int depth, Json::parse_event_t event, const Json& value) {
+        if (depth > kDeepest)
+            throw DefinitionError(origin_, "",
+                                  "more than " + std::to_string(kDeepest) +
+                                      " levels of brackets; expected at most that");
+        if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+        if (event == Json::parse_event_t::object_end) keys_.pop_back();
+        if (event == Json::parse_event_t::key) {
+            const std::string key = value.get<std::string>();
+            if (!keys_.back().insert(key).second)
+                throw DefinitionError(origin_, "",
+                                      "key \"" + key + "\" twice in one object; expected once");
+        }
+        return true;
+    }
+
+ private:
+    const std::string& origin_;
+    std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
+
 Json parse_json(const std::string& text, const std::string& origin) {
+    if (const size_t at = text.find('\0'); at != std::string::npos)
+        throw DefinitionError(origin, "",
+                              place_of(text, at + 1) + ": not JSON: a byte 0; expected text");
     try {
-        return Json::parse(text);
+        Strictness strict(origin);
+        return Json::parse(text, std::ref(strict));
     } catch (const Json::parse_error& error) {
         std::string what = error.what();
         // The library's own prefix repeats the place in bytes; keep what follows.

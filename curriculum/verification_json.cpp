@@ -189,10 +189,13 @@ void read_probes(const Place& list, sim::VerificationScene& scene) {
 void check_work(const Place& root, const sim::VerificationScene& scene) {
     if (scene.solver.method == sim::SolveMethod::kNewton) return;
     const double steps = scene.end_s / scene.solver.frame_s * scene.solver.substeps;
+    const std::string text =
+        sim::shortest_text(scene.end_s) + " s are " + sim::shortest_text(steps) + " substeps";
+    const Place until = root.has("until") ? root.at("until") : root;
     if (steps > 1e9)
-        root.fail(
-            sim::shortest_text(scene.end_s) + " s are " + sim::shortest_text(steps) +
-            " substeps; expected at most 1e9: a shorter time, longer frames or fewer substeps");
+        until.fail(text +
+                   "; expected at most 1e9: a shorter time, longer frames or fewer substeps");
+    if (steps < 1e-6) until.fail(text + "; expected at least one: a longer time");
     if (scene.end_s / scene.sample_s > 1e7 && !scene.probes.empty())
         root.at("sample_s")
             .expected("at most 1e7 samples in " + sim::shortest_text(scene.end_s) + " s");

@@ -195,6 +195,14 @@ TEST(MeshIo, SaysWhatItCannotRead) {
     EXPECT_THAT(error_of(scratch.write("a.node", "1 3 0 0\n0 0 0 0\n")),
                 HasSubstr("a.ele: cannot be opened"));
     EXPECT_THAT(error_of("/nowhere/a.msh"), HasSubstr("cannot be opened"));
+    // A count that is too small must not drop what follows.
+    const std::string points = "1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 0 0 -1\n";
+    (void)scratch.write("two.ele", "1 4 0\n1 1 2 3 4\n2 1 3 2 5\n");
+    EXPECT_THAT(error_of(scratch.write("two.node", "5 3 0 0\n" + points)),
+                HasSubstr("line 3: found \"2\" behind the 1 tetrahedra"));
+    (void)scratch.write("few.ele", "1 4 0\n1 1 2 3 4\n");
+    EXPECT_THAT(error_of(scratch.write("few.node", "4 3 0 0\n" + points)),
+                HasSubstr("found \"5\" behind the 4 points"));
     const std::string surface =
         "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$ENDNOD\n$ELM\n1\n1 2 1 1 3 1 2 3\n$ENDELM\n";
     EXPECT_THAT(error_of(scratch.write("d.msh", surface)),

@@ -87,6 +87,43 @@ TEST(Solve, RefusesWithPointerValueAndRange) {
     EXPECT_THAT(refusal(R"({"mesh": {"file": "nowhere.msh"}})"),
                 HasSubstr("/mesh/file: nowhere.msh: cannot be opened"));
     EXPECT_THAT(refusal("{\n  \"mesh\": nope }"), HasSubstr("line 2"));
+    EXPECT_THAT(refusal(cube(R"("damping_per_s": 1, "damping_per_s": 2)")),
+                HasSubstr("key \"damping_per_s\" twice in one object"));
+    EXPECT_THAT(refusal("{\"mesh\": " + std::string(200000, '[') + std::string(200000, ']') + "}"),
+                HasSubstr("more than 64 levels"));
+    EXPECT_THAT(refusal(cube("") + std::string(1, '\0')), HasSubstr("a byte 0"));
+    EXPECT_THAT(refusal(cube(R"("until": {"time_s": 1e-30})")), HasSubstr("/until: 1e-30 s are"));
+    EXPECT_THAT(refusal(cube(R"("material": {"poissons_ratio": 0.499999})")),
+                HasSubstr("/material/poissons_ratio: found 0.499999; expected at most 0.495"));
+}
+
+TEST(Solve, RefusesStepsThatSinglePrecisionCannotResolve) {
+    const auto beam = [](int substeps) {
+        return R"({"mesh": {"box": {"size_m": [0.04, 0.01, 0.01], "cells": [8, 2, 2]}},
+                   "gravity_m_s2": [0, 0, -1], "fixed": [{"box_m": [[0,0,0],[0,1,1]]}],
+                   "until": {"time_s": 0.01}, )" +
+               solver("vbd", substeps) + "}";
+    };
+    EXPECT_TRUE(run(beam(8)).warnings.empty());
+    // Measured 2 % at 32 and 98 % at 128 substeps, where the beam hardly falls.
+    EXPECT_THAT(run(beam(32)).warnings, ::testing::Contains(HasSubstr("inexact: a substep moves")));
+    EXPECT_THAT(refusal(beam(128)), ::testing::AllOf(HasSubstr("/solver/substeps: a substep moves"),
+                                                     HasSubstr("expected at most 15 substeps")));
+}
+
+TEST(Solve, TakesNotMoreSamplesThanSubsteps) {
+    const SolveResult r =
+        run(cube(R"("until": {"time_s": 0.005}, "sample_s": 1e-20, )" + solver("vbd", 4)));
+    EXPECT_EQ(r.sample_time_s.size(), 21u) << "the start and every substep";
+}
+
+TEST(Solve, SaysWhenTetsAreInvertedAtTheEnd) {
+    const SolveResult r = run(cube(
+        R"("fixed": [{"box_m": [[0,0,0],[0,1,1]]}], "until": {"time_s": 0.05},
+           "prescribed": [{"box_m": [[0.002,0,0],[1,1,1]], "displacement_m": [-0.01, 0, 0]}], )" +
+        solver("vbd", 4)));
+    ASSERT_GT(r.inverted_tets, 0);
+    EXPECT_THAT(r.warnings, ::testing::Contains(HasSubstr("tets are inverted at the end")));
 }
 
 TEST(Solve, RefusesMethodsAtStepsWhereTheyAreNotValid) {

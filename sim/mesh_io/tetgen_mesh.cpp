@@ -8,6 +8,13 @@
 namespace placode::sim {
 namespace {
 
+/// A count that is too small would drop what follows.
+void expect_end(FileCursor& in, int64_t n, const char* what) {
+    if (in.at_end()) return;
+    in.fail("found \"" + std::string(in.peek()) + "\" behind the " + std::to_string(n) + " " +
+            what + " that the first line counts; expected the end of the file");
+}
+
 void read_nodes(FileCursor& in, FileMesh& out, PointNumbers& numbers) {
     in.hash_comments(true);
     const int64_t n = in.count("the number of points");
@@ -27,6 +34,7 @@ void read_nodes(FileCursor& in, FileMesh& out, PointNumbers& numbers) {
         out.points.push_back(x);
         out.point_id.push_back(id);
     }
+    expect_end(in, n, "points");
 }
 
 void read_elements(FileCursor& in, FileMesh& out, const PointNumbers& numbers) {
@@ -49,6 +57,7 @@ void read_elements(FileCursor& in, FileMesh& out, const PointNumbers& numbers) {
         for (int64_t k = 0; k < attributes; ++k) (void)in.real("an attribute");
         out.tets.push_back(tet);
     }
+    expect_end(in, n, "tetrahedra");
     if (corners == 10 && n > 0)
         out.warnings.push_back(std::to_string(n) +
                                " tetrahedra of second order: their corners are used");

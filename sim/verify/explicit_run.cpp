@@ -233,7 +233,8 @@ class Run {
     void sample(double time_s, double& next) {
         if (time_s < next - h_ / 2) return;
         setup_.sample(time_s, dynamics_.x, out_);
-        while (next <= time_s + h_ / 2) next += setup_.scene.sample_s;
+        const double each = std::max(setup_.scene.sample_s, h_);  // not more than there are
+        while (next <= time_s + h_ / 2) next += each;
     }
 
     const SolveSetup& setup_;

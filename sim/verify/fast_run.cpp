@@ -18,7 +18,8 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kTorn = 1000;  // no tissue is stretched so far: the method has lost it
+constexpr double kMostRounding = 20;  // [%] of the motion lost to single precision: no result
+constexpr double kTorn = 1000;        // no tissue is stretched so far: the method has lost it
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Of vbd, where the scene names none. A vertex steps as if its neighbours stayed where they are,
@@ -48,7 +49,7 @@ class FastRun {
           workers_(setup.scene.solver.threads) {
         out.kernels = kernel_target();
         for (int v = 0; v < body_.vertex_count(); ++v) {
-            const Vec3f x = (units_.length * setup.start.segment<3>(3 * v)).cast<float>();
+            const Vec3f x = units_.place(setup.start.segment<3>(3 * v)).cast<float>();
             state_.x[at(v)] = {x.x(), x.y(), x.z(), state_.x[at(v)].w};
             if (setup.held[at(v)] != 0) held_.push_back(v);
         }
@@ -102,6 +103,7 @@ class FastRun {
 
     void check_method() const {
         const VerificationSolver& s = setup_.scene.solver;
+        check_rounding();
         if (s.method == SolveMethod::kVbd) return;
         const double limit = s.method == SolveMethod::kXpbd ? kXpbdMaxCourant : kXpbdPairMaxCourant;
         if (setup_.max_courant > limit) {
@@ -125,6 +127,31 @@ class FastRun {
             out_.warnings.push_back(
                 "xpbd with more than one iteration a substep settles beside the equilibrium; "
                 "smaller substeps are the cure");
+    }
+
+    /// What moves a vertex by less than a float resolves is lost. Measured on swinging cantilevers
+    /// of 8 and 20 cells, 1 and 9.8 m/s^2, 8 to 128 substeps, all three methods: errors of 0.2
+    /// to 1.6 times the estimate where it is between 1.6 and 66 %.
+    void check_rounding() const {
+        const VerificationSolver& s = setup_.scene.solver;
+        const double way = h_ * h_ * setup_.usual_acceleration();
+        if (way <= 0) return;
+        const float farthest = static_cast<float>(units_.farthest(setup_.scene.mesh.rest));
+        const double ulp = (std::nextafter(farthest, 2 * farthest) - farthest) / units_.length;
+        const double percent = 2 * ulp / way;
+        if (percent < 1) return;
+        const int better = static_cast<int>(std::floor(s.substeps * std::sqrt(1 / percent)));
+        const std::string text =
+            "a substep moves tissue by " + rounded_text(way, 2) + " m, single precision resolves " +
+            rounded_text(ulp, 2) + " m there: errors of about " + rounded_text(percent, 2) +
+            " %; expected " +
+            (better > 0 ? "at most " + std::to_string(better) + " substeps a frame"
+                        : std::string("longer frames")) +
+            ", or method explicit, which has double precision";
+        if (percent > kMostRounding && !s.allow_invalid)
+            throw VerificationError("/solver/substeps",
+                                    text + " (\"allow_invalid\": true runs it nevertheless)");
+        out_.warnings.push_back((percent > kMostRounding ? "not valid: " : "inexact: ") + text);
     }
 
     /// Gravity and loads enter the start guess where nothing holds against them (sim/soft_body.h).
@@ -214,10 +241,16 @@ class FastRun {
     void take_sample(double time_s, double& next) {
         if (time_s < next - h_ / 2) return;
         setup_.sample(time_s, positions(), out_);
-        while (next <= time_s + h_ / 2) next += setup_.scene.sample_s;
+        const double each = std::max(setup_.scene.sample_s, h_);  // not more than there are
+        while (next <= time_s + h_ / 2) next += each;
     }
 
-    [[nodiscard]] Coordinates positions() const { return flat(state_.x) / units_.length; }
+    [[nodiscard]] Coordinates positions() const {
+        Coordinates out = flat(state_.x);
+        for (Eigen::Index i = 0; i < out.size(); i += 3)
+            out.segment<3>(i) = units_.scene_place(out.segment<3>(i));
+        return out;
+    }
 
     static Coordinates flat(const std::vector<Float4>& points) {
         Coordinates out(3 * static_cast<Eigen::Index>(points.size()));

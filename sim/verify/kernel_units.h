@@ -3,6 +3,7 @@
 #pragma once
 // The units in which a verification scene is given to the kernels. Private to sim/verify.
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -21,19 +22,30 @@ struct KernelUnits {
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
         }
+        origin = 0.5 * (low + high);
         // A body of 20 mm and the density of water at 0.25 ms: the sizes of an operative field.
         length = 0.02 / (high - low).norm();
         time = 2.5e-4 / (scene.solver.frame_s / scene.solver.substeps);
         mass = 1000 * std::pow(length, 3) / scene.material.density_kg_m3;
     }
     double length = 1, time = 1, mass = 1;
+    /// Middle of the body in the scene: floats are finest there, wherever a mesh file puts it.
+    Vec3 origin = Vec3::Zero();
+    [[nodiscard]] Vec3 place(const Vec3& p) const { return length * (p - origin); }
+    [[nodiscard]] Vec3 scene_place(const Vec3& p) const { return p / length + origin; }
+    /// Largest coordinate of a point for the kernels.
+    [[nodiscard]] double farthest(const std::vector<Vec3>& points) const {
+        double most = 0;
+        for (const Vec3& p : points) most = std::max(most, place(p).cwiseAbs().maxCoeff());
+        return most;
+    }
     [[nodiscard]] double speed() const { return length / time; }
     [[nodiscard]] double acceleration() const { return length / (time * time); }
     [[nodiscard]] double force() const { return mass * acceleration(); }
     [[nodiscard]] double stress() const { return force() / (length * length); }
 
     [[nodiscard]] SoftBodySpec scaled(SoftBodySpec spec) const {
-        for (Vec3& p : spec.mesh.rest) p *= length;
+        for (Vec3& p : spec.mesh.rest) p = place(p);
         for (Material& m : spec.materials) {
             m.youngs_modulus_pa *= stress();
             m.density_kg_m3 *= mass / std::pow(length, 3);
@@ -46,7 +58,7 @@ struct KernelUnits {
     }
     [[nodiscard]] std::vector<SphereObstacle> scaled(std::vector<SphereObstacle> spheres) const {
         for (SphereObstacle& s : spheres) {
-            s.centre_m *= length;
+            s.centre_m = place(s.centre_m);
             s.radius_m *= length;
             s.velocity_m_s *= length;  // its time stays the scene's
         }

@@ -229,6 +229,24 @@ void SolveSetup::add_loads(double time_s, Coordinates& out) const {
     }
 }
 
+double SolveSetup::usual_acceleration() const {
+    if (scene.held.empty()) return 0;
+    const auto& points = scene.mesh.rest;
+    double extent = 0, strain = scene.start.kind == StartKind::kRest ? 0 : 0.1;
+    for (const Vec3& p : points) extent = std::max(extent, (p - points.front()).norm());
+    for (const HeldRegion& region : scene.held)
+        strain = std::max(strain, region.displacement_m.norm() / extent);
+    for (const SphereObstacle& s : scene.spheres)
+        strain = std::max(strain, std::min(0.1, s.velocity_m_s.norm() * scene.end_s / extent));
+    Vec3 load = Vec3::Zero();
+    for (const LoadRegion& region : scene.loads) load += region.total_force_n;
+    double mass = 0;
+    for (const float m : body->mass_kg()) mass += m;
+    const Material& m = scene.material;
+    return std::max({scene.gravity_m_s2.norm(), load.norm() / mass,
+                     strain * m.youngs_modulus_pa / (m.density_kg_m3 * extent)});
+}
+
 double SolveSetup::longest_ramp_s() const {
     double longest = 0;
     for (const HeldRegion& r : scene.held) longest = std::max(longest, r.ramp_s);
@@ -278,6 +296,9 @@ void SolveSetup::finish(const Coordinates& x, const Coordinates& v, double time_
     }
     out.elastic_energy_j = body->energy(x);
     out.inverted_tets = body->inverted_tets(x);
+    if (out.inverted_tets > 0)
+        out.warnings.push_back(std::to_string(out.inverted_tets) +
+                               " tets are inverted at the end: no tissue can be in that state");
 
     // A support gives what elastic forces, gravity and loads leave over in its coordinates.
     Coordinates support = Coordinates::Zero(x.size());
@@ -327,6 +348,12 @@ SolveResult solve(const VerificationScene& scene) {
                                     ", which knows tetrahedra only, and " +
                                     std::to_string(scene.sheet.size()) +
                                     " triangles of sheets; expected vbd, explicit or newton");
+    if (method == SolveMethod::kVbd && scene.material.poissons_ratio > kVbdMaxPoissonsRatio &&
+        !scene.mesh.tets.empty())
+        throw VerificationError("/material/poissons_ratio",
+                                "found " + shortest_text(scene.material.poissons_ratio) +
+                                    "; expected at most " + shortest_text(kVbdMaxPoissonsRatio) +
+                                    " for vbd, which would tremble, or method explicit or newton");
     SolveSetup setup(scene);
     SoftBodySpec spec = setup.spec;
     spec.solver.frame_s = scene.solver.frame_s / scene.solver.substeps;

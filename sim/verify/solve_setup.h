@@ -32,6 +32,10 @@ class SolveSetup {
     [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
     /// Longest ramp [s].
     [[nodiscard]] double longest_ramp_s() const;
+    /// Size of the accelerations that the scene is about [m/s^2]: gravity, loads over the mass, and
+    /// what the stress of the prescribed strains does to a body of this size. 0 where nothing is
+    /// held: what flies free keeps its velocity whatever its position rounds to.
+    [[nodiscard]] double usual_acceleration() const;
     /// Vertices that only some axes hold (V), ascending.
     [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
 

@@ -47,7 +47,8 @@ Vec3 SpecialVertices::force(size_t sphere) const {
 }
 
 float SpecialVertices::held_at(int32_t v, int axis) const {
-    return static_cast<float>(units_.length * setup_.held_at(v, axis, time_));
+    return static_cast<float>(units_.length *
+                              (setup_.held_at(v, axis, time_) - units_.origin[axis]));
 }
 
 void SpecialVertices::put_on_axes(int32_t v) {
