@@ -127,7 +127,7 @@ void read_start(const Place& place, sim::VerificationScene& scene) {
 
 void read_solver(const Place& place, sim::VerificationScene& scene) {
     place.keys({"method", "frame_s", "substeps", "iterations", "threads", "over_relaxation",
-                "allow_invalid"});
+                "allow_invalid", "single_precision"});
     sim::VerificationSolver& s = scene.solver;
     if (place.has("method")) {
         const Place method = place.at("method");
@@ -148,6 +148,7 @@ void read_solver(const Place& place, sim::VerificationScene& scene) {
     place.take("threads", s.threads, 1, 64);
     place.take("over_relaxation", s.over_relaxation, {0, 1.3, true, false});
     place.take("allow_invalid", s.allow_invalid);
+    place.take("single_precision", s.single_precision);
 }
 
 void read_until(const Place& place, sim::VerificationScene& scene) {

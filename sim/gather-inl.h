@@ -58,6 +58,14 @@ HWY_INLINE V3 Select(M m, const V3& yes, const V3& no) {
             hn::IfThenElse(m, yes.z, no.z)};
 }
 
+/// x + low += step without loss (Knuth's two-sum): x takes what a float has room for.
+HWY_INLINE void Carry(V& x, V& low, V step) {
+    const V add = hn::Add(low, step), sum = hn::Add(x, add);
+    const V added = hn::Sub(sum, x);
+    low = hn::Add(hn::Sub(x, hn::Sub(sum, added)), hn::Sub(add, added));
+    x = sum;
+}
+
 HWY_INLINE M FiniteLanes(V a) {
     return hn::Le(hn::Abs(a), hn::Set(D(), std::numeric_limits<float>::max()));
 }

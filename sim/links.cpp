@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "sim/event.h"
+#include "sim/low_parts.h"
 #include "sim/packing.h"
 
 namespace placode::sim {
@@ -31,8 +32,7 @@ void move(Float4& x, const Vec3& step) noexcept {
 uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
     uint32_t flags = 0;
     for (const int32_t i : body.packed().single_vertices) {
-        Float4& x = state.x[at(i)];
-        if (x.w == 0) continue;
+        if (state.x[at(i)].w == 0) continue;
         const VertexSystem s = vertex_system(body, state, i, h);
         Vec3 step = -body.spec().solver.over_relaxation * s.hessian.ldlt().solve(s.gradient);
         if (!step.allFinite()) continue;
@@ -41,7 +41,7 @@ uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h)
             step *= limit / step.norm();
             flags |= kStepLimited;
         }
-        move(x, step);
+        move_vertex(state, i, step);
     }
     for (size_t i = 0; i < state.tether_alive.size(); ++i) {
         if (state.tether_alive[i] == 0) continue;

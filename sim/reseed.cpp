@@ -4,10 +4,14 @@
 // gradients of |F|^2 and of J are both zero. And a free piece at rest in a fold, another minimum of
 // the energy: without load, what is at rest and not stressed by anybody must have its rest shape.
 
+#include "sim/reseed.h"
+
+#include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 
 #include "sim/event.h"
+#include "sim/low_parts.h"
 #include "sim/packing.h"
 
 namespace placode::sim {
@@ -16,7 +20,7 @@ namespace {
 constexpr double kCollapsed = 1e-3;  // of the rest length; a working solver never comes near
 constexpr uint8_t kSeen = 2;         // in free_vertex, for the time of the search
 constexpr double kFolded = 0.4;      // edge against rest; pre-tension is at most 0.15
-constexpr double kSlow = 0.02;       // against the mean of the piece [m/s]
+constexpr double kBalanced = 0.05;   // a vertex would go on, of its shortest edge
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
@@ -88,17 +92,29 @@ size_t gather_free(const SoftBody& body, SoftBodyState& state, int32_t first) no
     return count;
 }
 
+/// True where a vertex would hardly move if its neighbours stayed where they are. At the turning
+/// point of a swing nothing moves either, but the surface is out of balance.
+bool balanced(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept {
+    constexpr double kNoInertia = 1e3;  // a step of so many seconds
+    const VertexSystem s = vertex_system(body, state, vertex, kNoInertia);
+    const Vec3 step = s.hessian.ldlt().solve(s.gradient);
+    return step.norm() <
+           kBalanced * static_cast<double>(body.shortest_edge_m()[at(origin_of(state, vertex))]);
+}
+
 /// True when the piece in scratch is at rest, untouched and folded.
 bool rests_folded(const SoftBody& body, const SoftBodyState& state, size_t count,
-                  const Vec3& velocity) noexcept {
+                  const Vec3& velocity, double slow_m_s) noexcept {
     double worst = 0;
     for (size_t i = 0; i < count; ++i) {
         const size_t v = at(state.scratch[i]);
         if (state.contact_vertex[v] != 0 || state.x[v].w == 0) return false;
-        if (!((to_vec(state.v[v]) - velocity).norm() < kSlow)) return false;
+        if (!((to_vec(state.v[v]) - velocity).norm() < slow_m_s)) return false;
         worst = std::max(worst, worst_edge(body, state, v));
     }
-    return worst > kFolded;
+    if (!(worst > kFolded)) return false;
+    return std::all_of(state.scratch.begin(), state.scratch.begin() + static_cast<int64_t>(count),
+                       [&](int32_t v) { return balanced(body, state, v); });
 }
 
 /// Rest shape in the place and turn that fit the piece in scratch best (Kabsch).
@@ -125,13 +141,13 @@ void unfold(const SoftBody& body, SoftBodyState& state, size_t count,
     const Vec3f u = velocity.cast<float>();
     for (size_t i = 0; i < count; ++i) {
         const size_t v = at(state.scratch[i]);
-        const Vec3f x = (middle + turn * (rest_of(body, state, v) - rest_middle)).cast<float>();
-        state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
+        put_vertex(state, state.scratch[i],
+                   middle + turn * (rest_of(body, state, v) - rest_middle));
         state.v[v] = {u.x(), u.y(), u.z(), 0};
     }
 }
 
-int reseed_folded(const SoftBody& body, SoftBodyState& state) noexcept {
+int reseed_folded(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
     int placed = 0;
     for (size_t first = 0; first < state.free_vertex.size(); ++first) {
         if (state.free_vertex[first] != 1) continue;
@@ -140,7 +156,7 @@ int reseed_folded(const SoftBody& body, SoftBodyState& state) noexcept {
         for (size_t i = 0; i < count; ++i) {
             velocity += to_vec(state.v[at(state.scratch[i])]) / static_cast<double>(count);
         }
-        if (!rests_folded(body, state, count, velocity)) continue;
+        if (!rests_folded(body, state, count, velocity, slow_m_s)) continue;
         unfold(body, state, count, velocity);
         placed += static_cast<int>(count);
     }
@@ -199,8 +215,7 @@ int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noex
     for (size_t i = 0; i < count; ++i) {
         const size_t v = at(state.scratch[i]);
         if (state.x[v].w == 0) continue;
-        const Vec3f x = (rest_of(body, state, v) + way).cast<float>();
-        state.x[v] = {x.x(), x.y(), x.z(), state.x[v].w};
+        put_vertex(state, state.scratch[i], rest_of(body, state, v) + way);
         state.v[v] = {u.x(), u.y(), u.z(), 0};
         ++placed;
     }
@@ -209,8 +224,8 @@ int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noex
 
 }  // namespace
 
-int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept {
-    int placed = reseed_folded(body, state);
+int reseed_collapsed(const SoftBody& body, SoftBodyState& state, double slow_m_s) noexcept {
+    int placed = reseed_folded(body, state, slow_m_s);
     for (int t = 0; t < body.tet_count(); ++t) {
         if (!collapsed(body, state, t)) continue;
         const size_t count = gather_collapsed(body, state, corners(body, state, t));

@@ -211,11 +211,14 @@ struct SoftBodyState {
     std::vector<Float4> force_n;         ///< External force on each vertex [N] (V); empty = none.
                                          ///< Set it (size V) before the substep it acts in.
     std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
-    AlignedVector<float> lanes;          ///< Private to the kernels (per-lane element switches).
-    AlignedVector<float> springs;        ///< Anchor springs and loads; see set_load().
-    std::vector<int32_t> scratch;        ///< Private to reseed_collapsed (V).
-    std::vector<uint8_t> seen_tet;       ///< Private to update_free_vertices (T).
-    TopologyPointer topology;            ///< Only in bodies with spare vertices.
+    /// What a float has no room for: x + x_low is the position (V); empty = it is rounded. See
+    /// low_parts.h.
+    std::vector<Float4> x_low, x_start_low;
+    AlignedVector<float> lanes;     ///< Private to the kernels (per-lane element switches).
+    AlignedVector<float> springs;   ///< Anchor springs and loads; see set_load().
+    std::vector<int32_t> scratch;   ///< Private to reseed_collapsed (V).
+    std::vector<uint8_t> seen_tet;  ///< Private to update_free_vertices (T).
+    TopologyPointer topology;       ///< Only in bodies with spare vertices.
     AwakeRuns awake;
     std::vector<int32_t> roused;  ///< Vertices that must not sleep in the next frame; see rouse().
     int32_t roused_count = 0;     ///< Past the end of `roused`: all.
@@ -300,12 +303,6 @@ void rouse_all(SoftBodyState& state) noexcept;
 
 /// Takes a tet out of the body (vaporised, torn). Its mass stays with its vertices.
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept;
-
-/// Looks for tets that have shrunk to a point (every edge below 1e-3 of the rest length): there all
-/// forces vanish and no method gets out by itself. Every piece made of such tets gets its rest
-/// shape back, where it is (beside its held vertices, if it has some) and with its mean velocity,
-/// and kReseed is raised. Never allocates. Returns the number of vertices that were placed anew.
-int reseed_collapsed(const SoftBody& body, SoftBodyState& state) noexcept;
 
 /// 64-bit FNV-1a hash over positions, velocities and alive flags, in vertex order.
 [[nodiscard]] uint64_t state_hash(const SoftBodyState& state) noexcept;

@@ -26,7 +26,10 @@ namespace HWY_NAMESPACE {
 
 uint32_t VertexBatches(const KernelArguments& arguments, int first, int last) {
     uint32_t flags = 0;
-    for (int b = first; b < last; ++b) flags |= SolveVertexBatch(arguments, b);
+    for (int b = first; b < last; ++b) {
+        flags |= arguments.x_low != nullptr ? SolveVertexBatch<true>(arguments, b)
+                                            : SolveVertexBatch<false>(arguments, b);
+    }
     return flags;
 }
 
@@ -34,15 +37,21 @@ void SpringBatches(const KernelArguments& arguments, int first, int last) {
     for (int b = first; b < last; ++b) SolveSpringBatch(arguments, b);
 }
 
-void TetBatches(const KernelArguments& arguments, int first, int last) {
+template <bool kLow>
+void TetBatchesOf(const KernelArguments& arguments, int first, int last) {
     const bool kept = arguments.packed->tet_lambda_start >= 0;
     if (arguments.pair) {
-        kept ? SolveTetBatches<true, true>(arguments, first, last)
-             : SolveTetBatches<true, false>(arguments, first, last);
+        kept ? SolveTetBatches<true, true, kLow>(arguments, first, last)
+             : SolveTetBatches<true, false, kLow>(arguments, first, last);
     } else {
-        kept ? SolveTetBatches<false, true>(arguments, first, last)
-             : SolveTetBatches<false, false>(arguments, first, last);
+        kept ? SolveTetBatches<false, true, kLow>(arguments, first, last)
+             : SolveTetBatches<false, false, kLow>(arguments, first, last);
     }
+}
+
+void TetBatches(const KernelArguments& arguments, int first, int last) {
+    arguments.x_low != nullptr ? TetBatchesOf<true>(arguments, first, last)
+                               : TetBatchesOf<false>(arguments, first, last);
 }
 
 size_t BeginVertices(const MotionArguments& arguments, size_t first, size_t last) {

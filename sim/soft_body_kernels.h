@@ -15,6 +15,8 @@ struct KernelArguments {
     Float4* x = nullptr;
     const Float4* x_start = nullptr;
     const Float4* v = nullptr;
+    Float4* x_low = nullptr;  ///< nullptr: positions are rounded (SoftBodyState::x_low).
+    const Float4* x_start_low = nullptr;
     float* lanes = nullptr;
     const float* springs = nullptr;
     float h = 0;  ///< [s]

@@ -12,6 +12,7 @@
 #include "sim/cutting.h"
 #include "sim/diathermy.h"
 #include "sim/ledger.h"
+#include "sim/reseed.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {

@@ -9,6 +9,7 @@
 
 #include "sim/event.h"
 #include "sim/links.h"
+#include "sim/low_parts.h"
 #include "sim/soft_body_kernels.h"
 #include "sim/topology.h"
 
@@ -30,6 +31,13 @@ constexpr size_t kByHand = 4;
 
 bool finite(const Float4& p) noexcept { return p.x * 0 + p.y * 0 + p.z * 0 == 0; }
 
+/// x + low += h velocity
+void advance(Float4& x, Float4& low, const Float4& velocity, float h) noexcept {
+    carry(x.x, low.x, h * velocity.x);
+    carry(x.y, low.y, h * velocity.y);
+    carry(x.z, low.z, h * velocity.z);
+}
+
 class Substep {
  public:
     Substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept
@@ -41,6 +49,12 @@ class Substep {
         arguments_.x = state.x.data();
         arguments_.x_start = state.x_start.data();
         if (!state.force_n.empty()) state.pushed.resize(state.v.size());  // once
+        keeps_low_ = !state.x_low.empty();
+        if (keeps_low_) {
+            arguments_.x_low = state.x_low.data();
+            arguments_.x_start_low = state.x_start_low.data();
+        }
+        plain_ = state.force_n.empty() && !keeps_low_;
         arguments_.v = state.force_n.empty() ? state.v.data() : state.pushed.data();
         arguments_.lanes = state.lanes.data();
         arguments_.springs = state.springs.data();
@@ -66,7 +80,7 @@ class Substep {
         uint32_t flags = 0;
         for_vertices(part, [&](size_t i, size_t last) noexcept {
             while (i < last) {
-                if (state_.force_n.empty()) i = begin_motion(motion_, i, last);
+                if (plain_) i = begin_motion(motion_, i, last);
                 for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
                     flags |= begin_vertex(i);
                 }
@@ -91,7 +105,7 @@ class Substep {
         uint32_t flags = 0;
         for_vertices(part, [&](size_t i, size_t last) noexcept {
             while (i < last) {
-                if (state_.force_n.empty()) i = end_motion(motion_, i, last);
+                if (plain_) i = end_motion(motion_, i, last);
                 for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
                     flags |= end_vertex(i);
                 }
@@ -120,6 +134,7 @@ class Substep {
             state_.pushed[i] = v;
         }
         if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
+        if (keeps_low_) begin_low(i);
         return flags;
     }
 
@@ -131,6 +146,7 @@ class Substep {
         if (!finite(x)) {
             x = {start.x, start.y, start.z, x.w};
             v = {};
+            if (keeps_low_) state_.x_low[i] = state_.x_start_low[i];
             return kNotFinite;
         }
         // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
@@ -140,11 +156,32 @@ class Substep {
             from = guess(i, start, v);
             base = planned(i, v);
         }
+        Float4 changed = {x.x - from.x, x.y - from.y, x.z - from.z, 0};
+        if (keeps_low_) changed = changed_low(i, base);
         const float keep = 1.0F / (1.0F + h * packed_.damping_per_s[i]);
-        v = {keep * (base.x + (x.x - from.x) * inverse_h),
-             keep * (base.y + (x.y - from.y) * inverse_h),
-             keep * (base.z + (x.z - from.z) * inverse_h), 0};
+        v = {keep * (base.x + changed.x * inverse_h), keep * (base.y + changed.y * inverse_h),
+             keep * (base.z + changed.z * inverse_h), 0};
         return 0;
+    }
+
+    /// The guess once more, with low parts.
+    void begin_low(size_t i) noexcept {
+        Float4& low = state_.x_low[i];
+        if (!finite(low)) low = {};
+        state_.x_start_low[i] = low;
+        Float4 x = state_.x_start[i];
+        if (x.w == 0) return;
+        advance(x, low, planned(i, state_.v[i]), arguments_.h);
+        state_.x[i] = x;
+    }
+
+    /// What the sweep changed, with low parts.
+    [[nodiscard]] Float4 changed_low(size_t i, const Float4& base) const noexcept {
+        const Float4 &x = state_.x[i], &low = state_.x_low[i];
+        Float4 from = state_.x_start[i], from_low = state_.x_start_low[i];
+        advance(from, from_low, base, arguments_.h);
+        return {(x.x - from.x) + (low.x - from_low.x), (x.y - from.y) + (low.y - from_low.y),
+                (x.z - from.z) + (low.z - from_low.z), 0};
     }
 
     /// A whole substep without contact, from the caller.
@@ -310,6 +347,8 @@ class Substep {
     double h_ = 0;
     int first_job_ = 0;  // of the current run
     bool vbd_ = true, broke_ = false;
+    bool keeps_low_ = false;  // positions have low parts
+    bool plain_ = true;       // no forces and no low parts: the kernels of begin and end do
 };
 
 }  // namespace

@@ -34,12 +34,47 @@ struct TetGradients {
     V c2, j_over_r;  ///< |F|^2 and J / r
 };
 
-HWY_INLINE TetGradients Gradients(const V4* p, const float* rows) {
+/// Corners of 16 tets; `low` is what positions have beside the floats, or nullptr. It is known when
+/// this is compiled, and costs nothing where it is not there.
+struct TetPoints {
+    V4* p;
+    V3* low;
+
+    HWY_INLINE V3 Edge(int corner) const {
+        const V4 &a = p[0], &b = p[corner];
+        const V3 e = Sub({b.x, b.y, b.z}, {a.x, a.y, a.z});
+        return low == nullptr ? e : Add(e, Sub(low[corner], low[0]));
+    }
+    /// p += s u
+    HWY_INLINE void Move(int corner, V s, const V3& u) const {
+        V4& a = p[corner];
+        if (low == nullptr) {
+            a.x = hn::MulAdd(s, u.x, a.x);
+            a.y = hn::MulAdd(s, u.y, a.y);
+            a.z = hn::MulAdd(s, u.z, a.z);
+            return;
+        }
+        Carry(a.x, low[corner].x, hn::Mul(s, u.x));
+        Carry(a.y, low[corner].y, hn::Mul(s, u.y));
+        Carry(a.z, low[corner].z, hn::Mul(s, u.z));
+    }
+    /// p -= s u
+    HWY_INLINE void MoveBack(int corner, V s, const V3& u) const {
+        V4& a = p[corner];
+        if (low == nullptr) {
+            a.x = hn::NegMulAdd(s, u.x, a.x);
+            a.y = hn::NegMulAdd(s, u.y, a.y);
+            a.z = hn::NegMulAdd(s, u.z, a.z);
+            return;
+        }
+        Move(corner, hn::Neg(s), u);
+    }
+};
+
+HWY_INLINE TetGradients Gradients(const TetPoints& corners, const float* rows) {
     const D d;
     const auto row = [d, rows](size_t r) HWY_ATTR { return hn::Load(d, rows + r * kLanes); };
-    const V3 x0 = {p[0].x, p[0].y, p[0].z};
-    const V3 e1 = Sub({p[1].x, p[1].y, p[1].z}, x0), e2 = Sub({p[2].x, p[2].y, p[2].z}, x0),
-             e3 = Sub({p[3].x, p[3].y, p[3].z}, x0);
+    const V3 e1 = corners.Edge(1), e2 = corners.Edge(2), e3 = corners.Edge(3);
     TetGradients g;
     V3* u = g.deviatoric.corner;
     u[0] = MulAdd(row(4), e3, MulAdd(row(3), e2, Scale(row(0), e1)));
@@ -67,22 +102,16 @@ HWY_INLINE V Weighted(const V4* p, const Gradient& u, const Gradient& v) {
 }
 
 /// x_i += w_i u_i
-HWY_INLINE void Move(V4* p, const V* w, const Gradient& u) {
-    p[0].x = hn::NegMulAdd(w[0], u.minus.x, p[0].x);
-    p[0].y = hn::NegMulAdd(w[0], u.minus.y, p[0].y);
-    p[0].z = hn::NegMulAdd(w[0], u.minus.z, p[0].z);
-    for (int i = 1; i < 4; ++i) {
-        const V3& g = u.corner[i - 1];
-        p[i].x = hn::MulAdd(w[i], g.x, p[i].x);
-        p[i].y = hn::MulAdd(w[i], g.y, p[i].y);
-        p[i].z = hn::MulAdd(w[i], g.z, p[i].z);
-    }
+HWY_INLINE void Move(const TetPoints& corners, const V* w, const Gradient& u) {
+    corners.MoveBack(0, w[0], u.minus);
+    for (int i = 1; i < 4; ++i) corners.Move(i, w[i], u.corner[i - 1]);
 }
 
 /// x_i += w_i s u_i
-HWY_INLINE void Move(V4* p, V s, const Gradient& u) {
+HWY_INLINE void Move(const TetPoints& corners, V s, const Gradient& u) {
+    const V4* p = corners.p;
     const V w[4] = {hn::Mul(p[0].w, s), hn::Mul(p[1].w, s), hn::Mul(p[2].w, s), hn::Mul(p[3].w, s)};
-    Move(p, w, u);
+    Move(corners, w, u);
 }
 
 /// Zero unless finite.
@@ -130,11 +159,13 @@ struct Ahead {
 
 /// The constraints one after the other.
 template <bool kKept>
-HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const Ahead& ahead) {
+HWY_INLINE void ProjectPair(const TetPoints& corners, const float* rows, V b, Multipliers& l,
+                            const Ahead& ahead) {
     const D d;
+    const V4* p = corners.p;
     const V r = hn::Load(d, rows + 6 * kLanes);
     const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
-    TetGradients g = Gradients(p, rows);
+    TetGradients g = Gradients(corners, rows);
     ahead.Load(0);
     const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
     V c = hn::Zero(d), right = hn::Neg(c2);
@@ -145,16 +176,16 @@ HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const
     const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
     ahead.Load(1);
     const V y = Finite(hn::Div(right, hn::Add(s11, c2)));
-    Move(p, hn::Mul(b, y), g.deviatoric);
+    Move(corners, hn::Mul(b, y), g.deviatoric);
     if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
-    g = Gradients(p, rows);
+    g = Gradients(corners, rows);
     ahead.Load(2);
     right = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
     if constexpr (kKept) right = hn::NegMulAdd(ratio, l.volume, right);
     const V br = hn::Mul(b, r), s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
     const V z = Finite(hn::Div(right, hn::Add(s22, ratio)));
     ahead.Load(3);
-    Move(p, hn::Mul(br, z), g.volume);
+    Move(corners, hn::Mul(br, z), g.volume);
     if constexpr (kKept) l.volume = hn::Add(l.volume, z);
 }
 
@@ -162,12 +193,13 @@ HWY_INLINE void ProjectPair(V4* p, const float* rows, V b, Multipliers& l, const
 /// y = -(m12 right_H + a22 left_D) / det and z = (m12 left_D + a11 right_H) / det; they are kept
 /// doubled, because b comes in halved, and y with its sign turned.
 template <bool kKept>
-HWY_INLINE void ProjectBlock(V4* p, const float* rows, V half_b, Multipliers& l,
+HWY_INLINE void ProjectBlock(const TetPoints& corners, const float* rows, V half_b, Multipliers& l,
                              const Ahead& ahead) {
     const D d;
+    const V4* p = corners.p;
     const V r = hn::Load(d, rows + 6 * kLanes);
     const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
-    const TetGradients g = Gradients(p, rows);
+    const TetGradients g = Gradients(corners, rows);
     const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
     V c = hn::Zero(d), left_d = c2;
     V right_h = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
@@ -206,7 +238,7 @@ HWY_INLINE void ProjectBlock(V4* p, const float* rows, V half_b, Multipliers& l,
     sum.minus = Add(Add(sum.corner[0], sum.corner[1]), sum.corner[2]);
     ahead.Load(3);
     const V w[4] = {p[0].w, p[1].w, p[2].w, p[3].w};
-    Move(p, w, sum);
+    Move(corners, w, sum);
     if constexpr (kKept) {
         const V half = hn::Set(d, 0.5F);
         l.deviatoric = hn::NegMulAdd(hn::Mul(half, c), y2, l.deviatoric);
@@ -216,11 +248,12 @@ HWY_INLINE void ProjectBlock(V4* p, const float* rows, V half_b, Multipliers& l,
 
 /// half_b: half of b = h^2 mu V.
 template <bool kPair, bool kKept>
-HWY_INLINE void Project(V4* p, const float* rows, V half_b, Multipliers& l, const Ahead& ahead) {
+HWY_INLINE void Project(const TetPoints& corners, const float* rows, V half_b, Multipliers& l,
+                        const Ahead& ahead) {
     if constexpr (kPair) {
-        ProjectPair<kKept>(p, rows, hn::Add(half_b, half_b), l, ahead);
+        ProjectPair<kKept>(corners, rows, hn::Add(half_b, half_b), l, ahead);
     } else {
-        ProjectBlock<kKept>(p, rows, half_b, l, ahead);
+        ProjectBlock<kKept>(corners, rows, half_b, l, ahead);
     }
 }
 
@@ -234,8 +267,8 @@ HWY_INLINE const uint16_t* Corners(const KernelArguments& a, TetGroup g) {
     return a.packed->tet_index.data() + static_cast<size_t>(g.batch) * 4 * kLanes + g.lane;
 }
 
-HWY_INLINE char* Points(const KernelArguments& a, TetGroup g) {
-    return reinterpret_cast<char*>(a.x + a.packed->tet_batches[static_cast<size_t>(g.batch)].base);
+HWY_INLINE char* Points(const KernelArguments& a, Float4* of, TetGroup g) {
+    return reinterpret_cast<char*>(of + a.packed->tet_batches[static_cast<size_t>(g.batch)].base);
 }
 
 HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
@@ -247,14 +280,14 @@ HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
 
 /// Solves `now`, whose corners are in `p`, and loads those of the group after it into `q`.
 /// `end` is the batch behind the last one, in the sweep's direction.
-template <bool kPair, bool kKept>
+template <bool kPair, bool kKept, bool kLow>
 HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V4* p, V4* q) {
     const D d;
     const PackedElements& packed = *a.packed;
     const auto at = static_cast<size_t>(now.batch);
     const TetGroup next = After(a, now);
     Ahead following;
-    if (next.batch != end) following = {Points(a, next), Corners(a, next), q};
+    if (next.batch != end) following = {Points(a, a.x, next), Corners(a, next), q};
     const int upper = std::max(now.batch, next.batch);
     const bool waits = next.batch != end && next.batch != now.batch &&
                        !packed.tet_batches[static_cast<size_t>(upper)].apart;
@@ -268,15 +301,25 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V
         memory = a.lanes + packed.tet_lambda_start + at * 2 * kLanes + now.lane;
         l = {hn::Load(d, memory), hn::Load(d, memory + kLanes)};
     }
+    const uint16_t* corners = Corners(a, now);
+    const int count = packed.tet_batches[at].count - static_cast<int>(now.lane);
     V4 x[4] = {p[0], p[1], p[2], p[3]};  // in registers
-    Project<kPair, kKept>(x, rows, hn::Mul(hn::Set(d, 0.5F * a.h * a.h), stiffness), l, ahead);
+    const V half_b = hn::Mul(hn::Set(d, 0.5F * a.h * a.h), stiffness);
+    if constexpr (kLow) {
+        char* lows = Points(a, a.x_low, now);
+        V3 low[4];
+        for (size_t c = 0; c < 4; ++c) low[c] = Gather3(lows, corners + c * kLanes);
+        Project<kPair, kKept>({x, low}, rows, half_b, l, ahead);
+        for (size_t c = 0; c < 4; ++c)
+            Scatter({low[c].x, low[c].y, low[c].z, hn::Zero(d)}, lows, corners + c * kLanes, count);
+    } else {
+        Project<kPair, kKept>({x, nullptr}, rows, half_b, l, ahead);
+    }
     if constexpr (kKept) {
         hn::Store(l.deviatoric, d, memory);
         hn::Store(l.volume, d, memory + kLanes);
     }
-    char* points = Points(a, now);
-    const uint16_t* corners = Corners(a, now);
-    const int count = packed.tet_batches[at].count - static_cast<int>(now.lane);
+    char* points = Points(a, a.x, now);
     Scatter(x[0], points, corners, count);
     Scatter(x[1], points, corners + kLanes, count);
     Scatter(x[2], points, corners + 2 * kLanes, count);
@@ -285,18 +328,18 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V
     return next;
 }
 
-template <bool kPair, bool kKept>
+template <bool kPair, bool kKept, bool kLow>
 void SolveTetBatches(const KernelArguments& a, int first, int last) {
     if (first >= last) return;
     const bool backward = a.direction < 0;
     const int end = backward ? first - 1 : last;
     V4 p[4], q[4];
     TetGroup now{backward ? last - 1 : first, 0};
-    Ahead{Points(a, now), Corners(a, now), p}.LoadAll();
+    Ahead{Points(a, a.x, now), Corners(a, now), p}.LoadAll();
     while (true) {
-        now = SolveTets<kPair, kKept>(a, now, end, p, q);
+        now = SolveTets<kPair, kKept, kLow>(a, now, end, p, q);
         if (now.batch == end) return;
-        now = SolveTets<kPair, kKept>(a, now, end, q, p);
+        now = SolveTets<kPair, kKept, kLow>(a, now, end, q, p);
         if (now.batch == end) return;
     }
 }

@@ -23,10 +23,13 @@ struct Systems {
     V floor;  ///< Lower bound of every pivot.
 };
 
+template <bool kLow>
 HWY_INLINE void AddElastic(const KernelArguments& a, const VertexBatch& b, size_t lane, const V3& x,
-                           Systems& s) {
+                           const V3& x_low, Systems& s) {
     const D d;
     const char* points = reinterpret_cast<const char*>(a.x + b.base);
+    [[maybe_unused]] const char* lows =
+        reinterpret_cast<const char*>(a.x_low + (kLow ? b.base : 0));
     const uint16_t* strip = a.packed->strip.data() + b.step_start * kLanes + lane;
     const uint16_t* keep = a.packed->keep.data() + b.step_start;
     const float* row = a.lanes + b.lane_start + kLanes + lane;
@@ -34,7 +37,8 @@ HWY_INLINE void AddElastic(const KernelArguments& a, const VertexBatch& b, size_
     V xx = s.xx, xy = s.xy, xz = s.xz, yy = s.yy, yz = s.yz, zz = s.zz;
     V3 older = {hn::Zero(d), hn::Zero(d), hn::Zero(d)}, newer = older;
     for (int32_t step = 0; step < b.steps; ++step) {
-        const V3 p = Sub(Gather3(points, strip), x);
+        V3 p = Sub(Gather3(points, strip), x);
+        if constexpr (kLow) p = Add(p, Sub(Gather3(lows, strip), x_low));
         gradient = NegMulAdd(hn::Load(d, row), p, gradient);
         const V stiffness = hn::Load(d, row + kLanes);
         const V3 normal = Cross(Sub(newer, older), Sub(p, older));
@@ -100,6 +104,7 @@ HWY_INLINE V3 Descend(const Systems& s) {
     return {x, y, z};
 }
 
+template <bool kLow>
 HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
     const D d;
     const VertexBatch& b = a.packed->batches[static_cast<size_t>(number)];
@@ -107,6 +112,7 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
     const V h = hn::Set(d, a.h);
     const V3 fall = {hn::Set(d, a.planned_fall_m[0]), hn::Set(d, a.planned_fall_m[1]),
                      hn::Set(d, a.planned_fall_m[2])};
+    const V zero = hn::Zero(d);
     uint32_t flags = 0;
     for (size_t lane = 0; lane < static_cast<size_t>(b.count); lane += hn::Lanes(d)) {
         const uint16_t* self = b.self.data() + lane;
@@ -115,12 +121,18 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
         const V3 start = Gather3(reinterpret_cast<const char*>(a.x_start + b.base), self);
         const V3 velocity = Gather3(reinterpret_cast<const char*>(a.v + b.base), self);
         // x - target from small numbers only; the target as a float has lost most of h^2 g.
-        const V3 off = Sub(Sub(x, start), MulAdd(h, velocity, fall));
+        V3 way = Sub(x, start), low = {zero, zero, zero};
+        if constexpr (kLow) {
+            low = Gather3(reinterpret_cast<const char*>(a.x_low + b.base), self);
+            way =
+                Add(way,
+                    Sub(low, Gather3(reinterpret_cast<const char*>(a.x_start_low + b.base), self)));
+        }
+        const V3 off = Sub(way, MulAdd(h, velocity, fall));
         const V inertia = hn::Mul(hn::Load(d, b.mass_kg.data() + lane), inverse_h2);
         const V diagonal = hn::Add(inertia, hn::Load(d, a.lanes + b.lane_start + lane));
-        const V zero = hn::Zero(d);
         Systems s = {Scale(inertia, off), diagonal, zero, zero, diagonal, zero, diagonal, diagonal};
-        AddElastic(a, b, lane, x, s);
+        AddElastic<kLow>(a, b, lane, x, low, s);
         AddSprings(a, b, lane, x, s);
         V3 step = Scale(hn::Set(d, a.over_relaxation), Descend(s));
 
@@ -136,10 +148,19 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
             flags |= kStepLimited;
         }
         // A step that is not finite is not taken, so that one bad vertex does not spread.
-        Scatter({hn::Add(x.x, hn::IfThenElseZero(sane, step.x)),
-                 hn::Add(x.y, hn::IfThenElseZero(sane, step.y)),
-                 hn::Add(x.z, hn::IfThenElseZero(sane, step.z)), point.w},
-                reinterpret_cast<char*>(a.x + b.base), self, b.count - static_cast<int>(lane));
+        step = Select(sane, step, {zero, zero, zero});
+        const int count = b.count - static_cast<int>(lane);
+        V3 moved = Add(x, step);
+        if constexpr (kLow) {
+            moved = x;
+            Carry(moved.x, low.x, step.x);
+            Carry(moved.y, low.y, step.y);
+            Carry(moved.z, low.z, step.z);
+            Scatter({low.x, low.y, low.z, zero}, reinterpret_cast<char*>(a.x_low + b.base), self,
+                    count);
+        }
+        Scatter({moved.x, moved.y, moved.z, point.w}, reinterpret_cast<char*>(a.x + b.base), self,
+                count);
     }
     return flags;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/low_parts.h"
 #include "sim/packing.h"
 
 namespace placode::sim {
@@ -18,14 +19,14 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
     const PackedElements& packed = packed_of(body, state);
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     const size_t lane = at(packed.slot[at(vertex)] % kLanes);
-    const Vec3 x = to_vec(state.x[at(vertex)]);
+    const Vec3 x = exact_position(state, vertex);
     const float* row = state.lanes.data() + b.lane_start + lane;
     hessian.diagonal().array() += static_cast<double>(row[0]);
     row += kLanes;
     Vec3 older = Vec3::Zero(), newer = Vec3::Zero();
     for (int64_t s = 0; s < b.steps; ++s, row += 3 * kLanes) {
         const int32_t other = b.base + packed.strip[at(b.step_start + s) * kLanes + lane] / 2;
-        const Vec3 p = to_vec(state.x[at(other)]) - x;
+        const Vec3 p = exact_position(state, other) - x;
         gradient -= static_cast<double>(row[0]) * p;
         const double stiffness = row[kLanes];
         if (stiffness > 0) {
@@ -84,7 +85,7 @@ VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int
     // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
     const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;
     if (!state.force_n.empty()) out.gradient = -to_vec(state.force_n[i]);
-    out.gradient += inertia * (to_vec(state.x[i]) - to_vec(state.x_start[i]) - planned);
+    out.gradient += inertia * (way_in_substep(state, vertex) - planned);
     out.hessian.diagonal().setConstant(inertia);
     add_elastic(body, state, vertex, out.gradient, out.hessian);
     add_springs(body, state, vertex, out);

@@ -12,6 +12,7 @@
 
 #include "deformed.h"
 #include "sim/packing.h"
+#include "sim/reseed.h"
 #include "sim/verify/newton.h"
 
 using namespace placode::sim;

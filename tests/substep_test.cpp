@@ -9,6 +9,7 @@
 #include <random>
 
 #include "sim/event.h"
+#include "sim/reseed.h"
 #include "sim/soft_body.h"
 
 using namespace placode::sim;

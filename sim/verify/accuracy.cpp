@@ -19,14 +19,16 @@ VerificationScene accuracy_scene(const Vec3& size_m, const std::array<int, 3>& c
     scene.gravity_m_s2.setZero();
     scene.solver.threads = 1;
     scene.solver.allow_invalid = true;
+    scene.solver.single_precision = true;
     return scene;
 }
 
 void set_text(std::string& text, const char* to) { text = std::string(to); }
 
-void use_method(VerificationScene& scene, SolveMethod method, int substeps) {
-    scene.solver.method = method;
-    scene.solver.substeps = substeps;
+void use_method(VerificationScene& scene, const MethodChoice& choice) {
+    scene.solver.method = choice.method;
+    scene.solver.substeps = choice.substeps;
+    scene.solver.single_precision = !choice.low_parts;
 }
 
 HeldRegion held_plane(int axis, double at_m, uint8_t axes, const std::string& pointer) {
@@ -45,6 +47,7 @@ AccuracyRow row_of(const VerificationScene& scene, const SolveResult& result,
     row.study = study;
     row.setting = setting;
     row.method = method_name(scene.solver.method);
+    if (!scene.solver.single_precision) row.method += " 48-bit";
     row.quantity = quantity;
     row.edge_m = edge_m;
     row.tets = static_cast<int>(scene.mesh.tets.size());

@@ -28,7 +28,13 @@ class AccuracyTable {
                                                double youngs_modulus_pa, double poissons_ratio);
 /// Out of line: g++ 12 warns wrongly (-Wrestrict) where it inlines such assignments.
 void set_text(std::string& text, const char* to);
-void use_method(VerificationScene& scene, SolveMethod method, int substeps);
+/// What a row measures: in the floats of the simulator, or with the low parts of positions.
+struct MethodChoice {
+    SolveMethod method = SolveMethod::kVbd;
+    int substeps = 1;
+    bool low_parts = false;
+};
+void use_method(VerificationScene& scene, const MethodChoice& choice);
 [[nodiscard]] HeldRegion held_plane(int axis, double at_m, uint8_t axes,
                                     const std::string& pointer = "/fixed/0");
 /// A row with method, step, mesh and cost of a run filled in.

@@ -11,15 +11,18 @@
 #include <cmath>
 
 #include "sim/event.h"
+#include "sim/low_parts.h"
 #include "sim/number_text.h"
 #include "sim/packing.h"
+#include "sim/reseed.h"
 #include "sim/verify/special_vertices.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kMostRounding = 20;  // [%] of the motion lost to single precision: no result
-constexpr double kTorn = 1000;        // no tissue is stretched so far: the method has lost it
+constexpr double kMostRounding = 20;  // [%] of the motion lost to rounding: no result
+constexpr double kVbdGoodCourant = 0.6;
+constexpr double kTorn = 1000;  // no tissue is stretched so far: the method has lost it
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Of vbd, where the scene names none. A vertex steps as if its neighbours stayed where they are,
@@ -48,12 +51,13 @@ class FastRun {
           special_(setup, units_, body_, state_, h_body_),
           workers_(setup.scene.solver.threads) {
         out.kernels = kernel_target();
+        if (!setup.scene.solver.single_precision) keep_low_parts(state_);
         for (int v = 0; v < body_.vertex_count(); ++v) {
-            const Vec3f x = units_.place(setup.start.segment<3>(3 * v)).cast<float>();
-            state_.x[at(v)] = {x.x(), x.y(), x.z(), state_.x[at(v)].w};
+            put_vertex(state_, v, units_.place(setup.start.segment<3>(3 * v)));
             if (setup.held[at(v)] != 0) held_.push_back(v);
         }
         state_.x_start = state_.x;
+        state_.x_start_low = state_.x_low;
         find_free();
     }
 
@@ -104,7 +108,16 @@ class FastRun {
     void check_method() const {
         const VerificationSolver& s = setup_.scene.solver;
         check_rounding();
-        if (s.method == SolveMethod::kVbd) return;
+        check_forces();
+        if (s.method == SolveMethod::kVbd) {
+            if (setup_.max_courant > kVbdGoodCourant)
+                out_.warnings.push_back("inexact in motion: Courant number " +
+                                        rounded_text(setup_.max_courant, 4) +
+                                        ", vbd falls behind fast motion, by 10 % in a swing at 0.6 "
+                                        "and 60 % at 1.1; what "
+                                        "comes to rest is exact");
+            return;
+        }
         const double limit = s.method == SolveMethod::kXpbd ? kXpbdMaxCourant : kXpbdPairMaxCourant;
         if (setup_.max_courant > limit) {
             const std::string text =
@@ -129,29 +142,52 @@ class FastRun {
                 "smaller substeps are the cure");
     }
 
-    /// What moves a vertex by less than a float resolves is lost. Measured on swinging cantilevers
-    /// of 8 and 20 cells, 1 and 9.8 m/s^2, 8 to 128 substeps, all three methods: errors of 0.2
-    /// to 1.6 times the estimate where it is between 1.6 and 66 %.
+    /// What moves a vertex by less than a position resolves is lost. Measured on swinging
+    /// cantilevers, errors against the estimate: floats, 8 and 20 cells, 1 and 9.8 m/s^2, 8 to 128
+    /// substeps, all three methods, 0.2 to 1.6 times where it is between 1.6 and 66 %; with low
+    /// parts, 8 cells, 1 mm/s^2, 8192 and 32768 substeps, 0.5 to 1.0 times.
     void check_rounding() const {
         const VerificationSolver& s = setup_.scene.solver;
         const double way = h_ * h_ * setup_.usual_acceleration();
         if (way <= 0) return;
         const float farthest = static_cast<float>(units_.farthest(setup_.scene.mesh.rest));
         const double ulp = (std::nextafter(farthest, 2 * farthest) - farthest) / units_.length;
-        const double percent = 2 * ulp / way;
-        if (percent < 1) return;
+        const double resolved = s.single_precision ? ulp : 0x1p-24 * ulp;
+        const double percent = (s.single_precision ? 2 : 0.35) * resolved / way;
         const int better = static_cast<int>(std::floor(s.substeps * std::sqrt(1 / percent)));
+        inexact(percent, "/solver/substeps",
+                "a substep moves tissue by " + rounded_text(way, 2) + " m, positions resolve " +
+                    rounded_text(resolved, 2) + " m there",
+                (better > 0 ? "at most " + std::to_string(better) + " substeps a frame"
+                            : std::string("longer frames")) +
+                    (s.single_precision ? ", or no \"single_precision\""
+                                        : ", or method explicit, which has double precision"));
+    }
+
+    /// Forces are single precision, and at rest the sum of larger ones. Measured at rest,
+    /// cantilever and hanging bar, 0.1 and 1 mm/s^2, vbd and xpbd: 0.1 to 2 times the estimate.
+    void check_forces() const {
+        const double stress = setup_.usual_stress();
+        if (stress <= 0) return;
+        const double modulus = setup_.scene.material.youngs_modulus_pa;
+        inexact(40 * 0x1p-24 * modulus / stress, "/solver/method",
+                "stresses of about " + rounded_text(stress, 2) + " Pa are " +
+                    rounded_text(stress / modulus, 2) +
+                    " of Young's modulus, and forces are single precision",
+                "larger loads, or explicit or newton, which have double precision");
+    }
+
+    /// Warns of an error above 1 %, refuses one above kMostRounding.
+    void inexact(double percent, const char* pointer, const std::string& why,
+                 const std::string& cure) const {
+        if (percent < 1) return;
         const std::string text =
-            "a substep moves tissue by " + rounded_text(way, 2) + " m, single precision resolves " +
-            rounded_text(ulp, 2) + " m there: errors of about " + rounded_text(percent, 2) +
-            " %; expected " +
-            (better > 0 ? "at most " + std::to_string(better) + " substeps a frame"
-                        : std::string("longer frames")) +
-            ", or method explicit, which has double precision";
-        if (percent > kMostRounding && !s.allow_invalid)
-            throw VerificationError("/solver/substeps",
+            why + ": errors of about " + rounded_text(percent, 2) + " %; expected " + cure;
+        const bool no_result = percent > kMostRounding;
+        if (no_result && !setup_.scene.solver.allow_invalid)
+            throw VerificationError(pointer,
                                     text + " (\"allow_invalid\": true runs it nevertheless)");
-        out_.warnings.push_back((percent > kMostRounding ? "not valid: " : "inexact: ") + text);
+        out_.warnings.push_back((no_result ? "not valid: " : "inexact: ") + text);
     }
 
     /// Gravity and loads enter the start guess where nothing holds against them (sim/soft_body.h).
@@ -192,11 +228,16 @@ class FastRun {
     void start_frame() {
         special_.start_frame();
         state_.backward = false;
-        if (const int placed = reseed_collapsed(body_, state_); placed > 0)
+        // Slow against the waves of this tissue, as kReseedSlow is in soft tissue of 5 kPa.
+        const Material& m = setup_.scene.material;
+        const double slow =
+            kReseedSlow / std::sqrt(5.0) * std::sqrt(m.youngs_modulus_pa / m.density_kg_m3);
+        const int placed = reseed_collapsed(body_, state_, slow * units_.speed());
+        if (placed > 0)
             out_.warnings.push_back("t = " + rounded_text(time_, 4) +
                                     " s: " + std::to_string(placed) +
-                                    " vertices of tissue shrunk to a point were re-seeded from the "
-                                    "rest shape");
+                                    " vertices of tissue shrunk to a point, or at rest in a fold, "
+                                    "were re-seeded from the rest shape");
     }
 
     void substep(double time_s) {
@@ -221,8 +262,8 @@ class FastRun {
     void move_held() {
         for (const int32_t v : held_) {
             if (setup_.held[at(v)] != 7) continue;
-            Float4& x = state_.x[at(v)];
-            x = {special_.held_at(v, 0), special_.held_at(v, 1), special_.held_at(v, 2), 0};
+            put_vertex(state_, v,
+                       {special_.held_at(v, 0), special_.held_at(v, 1), special_.held_at(v, 2)});
         }
     }
 
@@ -246,9 +287,9 @@ class FastRun {
     }
 
     [[nodiscard]] Coordinates positions() const {
-        Coordinates out = flat(state_.x);
-        for (Eigen::Index i = 0; i < out.size(); i += 3)
-            out.segment<3>(i) = units_.scene_place(out.segment<3>(i));
+        Coordinates out(3 * static_cast<Eigen::Index>(body_.vertex_count()));
+        for (int v = 0; v < body_.vertex_count(); ++v)
+            out.segment<3>(3 * v) = units_.scene_place(exact_position(state_, v));
         return out;
     }
 

@@ -91,7 +91,7 @@ double indent(AccuracyTable& table, VerificationScene scene, double edge_m, cons
 void measure_indentation(AccuracyTable& table) {
     const double edge = (table.quick() ? 0.3 : 0.2) * std::sqrt(kRadius * kDepth);
     const auto with = [](VerificationScene scene, SolveMethod method, int substeps) {
-        use_method(scene, method, substeps);
+        use_method(scene, {method, substeps});
         return scene;
     };
     const VerificationScene small = block(table.quick() ? 8 : 16, 10, edge);

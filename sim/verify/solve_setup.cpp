@@ -217,9 +217,12 @@ void SolveSetup::make_start() {
 }
 
 double SolveSetup::held_at(int vertex, int axis, double time_s) const {
+    return scene.mesh.rest[at(vertex)][axis] + held_way(vertex, axis, time_s);
+}
+
+double SolveSetup::held_way(int vertex, int axis, double time_s) const {
     const HeldRegion& region = scene.held[at(held_by_[at(vertex)][at(axis)])];
-    return scene.mesh.rest[at(vertex)][axis] +
-           ramp(time_s, region.ramp_s) * region.displacement_m[axis];
+    return ramp(time_s, region.ramp_s) * region.displacement_m[axis];
 }
 
 void SolveSetup::add_loads(double time_s, Coordinates& out) const {
@@ -229,11 +232,21 @@ void SolveSetup::add_loads(double time_s, Coordinates& out) const {
     }
 }
 
+double SolveSetup::usual_stress() const {
+    return scene.material.density_kg_m3 * usual_acceleration() * longest_way();
+}
+
+double SolveSetup::longest_way() const {
+    double longest = 0;
+    for (const Vec3& p : scene.mesh.rest)
+        longest = std::max(longest, (p - scene.mesh.rest.front()).norm());
+    return longest;
+}
+
 double SolveSetup::usual_acceleration() const {
     if (scene.held.empty()) return 0;
-    const auto& points = scene.mesh.rest;
-    double extent = 0, strain = scene.start.kind == StartKind::kRest ? 0 : 0.1;
-    for (const Vec3& p : points) extent = std::max(extent, (p - points.front()).norm());
+    const double extent = longest_way();
+    double strain = scene.start.kind == StartKind::kRest ? 0 : 0.1;
     for (const HeldRegion& region : scene.held)
         strain = std::max(strain, region.displacement_m.norm() / extent);
     for (const SphereObstacle& s : scene.spheres)

@@ -27,6 +27,8 @@ class SolveSetup {
 
     /// Where a held coordinate is at time t [m].
     [[nodiscard]] double held_at(int vertex, int axis, double time_s) const;
+    /// How far that is from rest [m].
+    [[nodiscard]] double held_way(int vertex, int axis, double time_s) const;
     /// External forces without gravity at time t, added to `out` (3 V).
     void add_loads(double time_s, Coordinates& out) const;
     [[nodiscard]] bool has_loads() const { return !loads_.empty(); }
@@ -36,6 +38,8 @@ class SolveSetup {
     /// what the stress of the prescribed strains does to a body of this size. 0 where nothing is
     /// held: what flies free keeps its velocity whatever its position rounds to.
     [[nodiscard]] double usual_acceleration() const;
+    /// Of a body of this size that is accelerated so [Pa].
+    [[nodiscard]] double usual_stress() const;
     /// Vertices that only some axes hold (V), ascending.
     [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
 
@@ -58,6 +62,7 @@ class SolveSetup {
     void hold();
     void make_loads();
     void make_start();
+    [[nodiscard]] double longest_way() const;  // from the first vertex to another
 
     std::vector<std::array<int32_t, 3>> held_by_;  ///< (V x 3) region, -1 = free
     std::vector<int32_t> partly_;

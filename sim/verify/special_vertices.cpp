@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "sim/low_parts.h"
+
 namespace placode::sim {
 namespace {
 
@@ -46,17 +48,20 @@ Vec3 SpecialVertices::force(size_t sphere) const {
     return force_[sphere] / (units_.force() * std::max(1, frame_substeps_));
 }
 
-float SpecialVertices::held_at(int32_t v, int axis) const {
-    return static_cast<float>(units_.length *
-                              (setup_.held_at(v, axis, time_) - units_.origin[axis]));
+double SpecialVertices::held_at(int32_t v, int axis) const {
+    // The way as a float, which is the same in all units.
+    const auto way = static_cast<float>(units_.length * setup_.held_way(v, axis, time_));
+    return body_.mesh().rest[at(v)][axis] + static_cast<double>(way);
 }
 
 void SpecialVertices::put_on_axes(int32_t v) {
-    Float4& x = state_.x[at(v)];
     const uint8_t axes = setup_.held[at(v)];
-    if (axes & kAxisX) x.x = held_at(v, 0);
-    if (axes & kAxisY) x.y = held_at(v, 1);
-    if (axes & kAxisZ) x.z = held_at(v, 2);
+    if (axes == 0) return;
+    Vec3 place = exact_position(state_, v);
+    for (int a = 0; a < 3; ++a) {
+        if ((axes >> a & 1) != 0) place[a] = held_at(v, a);
+    }
+    put_vertex(state_, v, place);
 }
 
 void SpecialVertices::add(int32_t v) {
@@ -88,6 +93,8 @@ void SpecialVertices::find() {
         if (x.w == 0) continue;
         const Float4& before = state_.x_start[at(special_[i])];
         x = {before.x, before.y, before.z, x.w};
+        if (!state_.x_low.empty())
+            state_.x_low[at(special_[i])] = state_.x_start_low[at(special_[i])];
     }
 }
 
@@ -142,7 +149,7 @@ void SpecialVertices::set_stiffness() {
 
 double SpecialVertices::gap(const SphereTouch& t) const {
     double g = t.gap_m;
-    for (int i = 0; i < 3; ++i) g += t.b[i] * t.n.dot(to_vec(state_.x[at(t.vertex[at(i)])]));
+    for (int i = 0; i < 3; ++i) g += t.b[i] * t.n.dot(exact_position(state_, t.vertex[at(i)]));
     return g;
 }
 
@@ -158,7 +165,7 @@ SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) cons
     if (a.sphere < 0 || !(size > 0)) return grip;
     const SphereObstacle& s = spheres_[at(a.sphere)];
     grip.normal = load / size;
-    const Vec3 way = to_vec(state_.x[at(v)]) - (s.centre_at(time_) + a.from_centre);
+    const Vec3 way = exact_position(state_, v) - (s.centre_at(time_) + a.from_centre);
     grip.slide = way - grip.normal * grip.normal.dot(way);
     grip.limit_n = s.friction * size;
     grip.stiffness_n_m = grip_n_m(v);
@@ -179,8 +186,7 @@ void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
 
 void SpecialVertices::solve_vertex(size_t i) {
     const int32_t v = special_[i];
-    Float4& x = state_.x[at(v)];
-    if (x.w == 0) return;
+    if (state_.x[at(v)].w == 0) return;
     put_on_axes(v);
     VertexSystem system = vertex_system(body_, state_, v, h_body_);
     Vec3 load = Vec3::Zero();
@@ -204,9 +210,7 @@ void SpecialVertices::solve_vertex(size_t i) {
     const double length = step.norm();
     if (!std::isfinite(length)) return;
     if (length > longest) step *= longest / length;
-    x.x += static_cast<float>(step.x());
-    x.y += static_cast<float>(step.y());
-    x.z += static_cast<float>(step.z());
+    move_vertex(state_, v, step);
 }
 
 void SpecialVertices::solve() {
@@ -246,7 +250,7 @@ void SpecialVertices::stick(const std::vector<Vec3>& load, const std::vector<int
             continue;
         }
         const SphereObstacle& s = spheres_[at(sphere[i])];
-        Vec3 place = to_vec(state_.x[at(v)]);
+        Vec3 place = exact_position(state_, v);
         if (anchor.sphere == sphere[i]) {
             const Grip grip = grip_of(v, load[i]);
             force_[at(sphere[i])] += grip.stiffness_n_m * grip.slide;

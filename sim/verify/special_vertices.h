@@ -37,7 +37,7 @@ class SpecialVertices {
     [[nodiscard]] size_t spheres() const { return force_.size(); }
     [[nodiscard]] double deepest() const { return deepest_; }
     /// Where a held coordinate is at the substep's end.
-    [[nodiscard]] float held_at(int32_t v, int axis) const;
+    [[nodiscard]] double held_at(int32_t v, int axis) const;
 
  private:
     struct Anchor {

@@ -10,6 +10,7 @@
 
 #include "sim/event.h"
 #include "sim/number_text.h"
+#include "sim/reseed.h"
 #include "sim/step.h"
 #include "sim/verify/random_pokes.h"
 

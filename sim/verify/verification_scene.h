@@ -72,6 +72,9 @@ struct VerificationSolver {
     int threads = 2;
     double over_relaxation = 0;  ///< vbd only; 0 = 1.2, or 1 above a Poisson's ratio of 0.46.
     bool allow_invalid = false;  ///< Run a method where it is not valid, with a warning.
+    /// xpbd, xpbd_pair and vbd: positions are rounded to floats, as they are in the simulator; for
+    /// measuring that. Without it they have 48 bits.
+    bool single_precision = false;
 };
 
 struct Probe {
