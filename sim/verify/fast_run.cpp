@@ -15,13 +15,12 @@
 #include "sim/number_text.h"
 #include "sim/packing.h"
 #include "sim/reseed.h"
+#include "sim/verify/method_checks.h"
 #include "sim/verify/special_vertices.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kMostRounding = 20;  // [%] of the motion lost to rounding: no result
-constexpr double kVbdGoodCourant = 0.6;
 constexpr double kTorn = 1000;  // no tissue is stretched so far: the method has lost it
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
@@ -101,93 +100,8 @@ class FastRun {
         for (size_t v = 0; v < setup_.held.size(); ++v) {
             if (setup_.held[v] == 7) spec.fixed.push_back(static_cast<int32_t>(v));
         }
-        check_method();
+        check_method(setup_, units_, out_);
         return spec;
-    }
-
-    void check_method() const {
-        const VerificationSolver& s = setup_.scene.solver;
-        check_rounding();
-        check_forces();
-        if (s.method == SolveMethod::kVbd) {
-            if (setup_.max_courant > kVbdGoodCourant)
-                out_.warnings.push_back("inexact in motion: Courant number " +
-                                        rounded_text(setup_.max_courant, 4) +
-                                        ", vbd falls behind fast motion, by 10 % in a swing at 0.6 "
-                                        "and 60 % at 1.1; what "
-                                        "comes to rest is exact");
-            return;
-        }
-        const double limit = s.method == SolveMethod::kXpbd ? kXpbdMaxCourant : kXpbdPairMaxCourant;
-        if (setup_.max_courant > limit) {
-            const std::string text =
-                "Courant number " + rounded_text(setup_.max_courant, 4) + " is above " +
-                rounded_text(limit, 4) + ", the limit of " + method_name(s.method) + "; with " +
-                std::to_string(s.substeps) + " substeps a frame expected at least " +
-                rounded_text(std::ceil(s.substeps * setup_.max_courant / limit), 4) +
-                ", or method vbd, which is valid at any";
-            if (!s.allow_invalid)
-                throw VerificationError("/solver/substeps",
-                                        text + " (\"allow_invalid\": true runs it nevertheless)");
-            out_.warnings.push_back("not valid: " + text);
-        } else if (setup_.max_courant > kXpbdGoodCourant) {
-            out_.warnings.push_back("inexact: Courant number " +
-                                    rounded_text(setup_.max_courant, 4) +
-                                    ", xpbd is up to about 7 % too soft (good up to " +
-                                    rounded_text(kXpbdGoodCourant, 4) + ")");
-        }
-        if (s.iterations > 1)
-            out_.warnings.push_back(
-                "xpbd with more than one iteration a substep settles beside the equilibrium; "
-                "smaller substeps are the cure");
-    }
-
-    /// What moves a vertex by less than a position resolves is lost. Measured on swinging
-    /// cantilevers, errors against the estimate: floats, 8 and 20 cells, 1 and 9.8 m/s^2, 8 to 128
-    /// substeps, all three methods, 0.2 to 1.6 times where it is between 1.6 and 66 %; with low
-    /// parts, 8 cells, 1 mm/s^2, 8192 and 32768 substeps, 0.5 to 1.0 times.
-    void check_rounding() const {
-        const VerificationSolver& s = setup_.scene.solver;
-        const double way = h_ * h_ * setup_.usual_acceleration();
-        if (way <= 0) return;
-        const float farthest = static_cast<float>(units_.farthest(setup_.scene.mesh.rest));
-        const double ulp = (std::nextafter(farthest, 2 * farthest) - farthest) / units_.length;
-        const double resolved = s.single_precision ? ulp : 0x1p-24 * ulp;
-        const double percent = (s.single_precision ? 2 : 0.35) * resolved / way;
-        const int better = static_cast<int>(std::floor(s.substeps * std::sqrt(1 / percent)));
-        inexact(percent, "/solver/substeps",
-                "a substep moves tissue by " + rounded_text(way, 2) + " m, positions resolve " +
-                    rounded_text(resolved, 2) + " m there",
-                (better > 0 ? "at most " + std::to_string(better) + " substeps a frame"
-                            : std::string("longer frames")) +
-                    (s.single_precision ? ", or no \"single_precision\""
-                                        : ", or method explicit, which has double precision"));
-    }
-
-    /// Forces are single precision, and at rest the sum of larger ones. Measured at rest,
-    /// cantilever and hanging bar, 0.1 and 1 mm/s^2, vbd and xpbd: 0.1 to 2 times the estimate.
-    void check_forces() const {
-        const double stress = setup_.usual_stress();
-        if (stress <= 0) return;
-        const double modulus = setup_.scene.material.youngs_modulus_pa;
-        inexact(40 * 0x1p-24 * modulus / stress, "/solver/method",
-                "stresses of about " + rounded_text(stress, 2) + " Pa are " +
-                    rounded_text(stress / modulus, 2) +
-                    " of Young's modulus, and forces are single precision",
-                "larger loads, or explicit or newton, which have double precision");
-    }
-
-    /// Warns of an error above 1 %, refuses one above kMostRounding.
-    void inexact(double percent, const char* pointer, const std::string& why,
-                 const std::string& cure) const {
-        if (percent < 1) return;
-        const std::string text =
-            why + ": errors of about " + rounded_text(percent, 2) + " %; expected " + cure;
-        const bool no_result = percent > kMostRounding;
-        if (no_result && !setup_.scene.solver.allow_invalid)
-            throw VerificationError(pointer,
-                                    text + " (\"allow_invalid\": true runs it nevertheless)");
-        out_.warnings.push_back((no_result ? "not valid: " : "inexact: ") + text);
     }
 
     /// Gravity and loads enter the start guess where nothing holds against them (sim/soft_body.h).
