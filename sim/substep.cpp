@@ -9,9 +9,9 @@
 
 #include "sim/event.h"
 #include "sim/links.h"
-#include "sim/low_parts.h"
 #include "sim/soft_body_kernels.h"
 #include "sim/topology.h"
+#include "sim/vertex_motion.h"
 
 namespace placode::sim {
 namespace {
@@ -29,19 +29,14 @@ std::pair<size_t, size_t> share(size_t n, int part, int parts) noexcept {
 /// Vertices done one by one when the kernels of begin and end give up.
 constexpr size_t kByHand = 4;
 
-bool finite(const Float4& p) noexcept { return p.x * 0 + p.y * 0 + p.z * 0 == 0; }
-
-/// x + low += h velocity
-void advance(Float4& x, Float4& low, const Float4& velocity, float h) noexcept {
-    carry(x.x, low.x, h * velocity.x);
-    carry(x.y, low.y, h * velocity.y);
-    carry(x.z, low.z, h * velocity.z);
-}
-
 class Substep {
  public:
     Substep(const SoftBody& body, SoftBodyState& state, double h, Workers& workers) noexcept
-        : body_(body), state_(state), packed_(packed_of(body, state)), workers_(workers) {
+        : body_(body),
+          state_(state),
+          packed_(packed_of(body, state)),
+          workers_(workers),
+          by_hand_(state, motion_) {
         const SolverSettings& s = body.spec().solver;
         vbd_ = s.method == Method::kVbd;
         h_ = h;
@@ -49,12 +44,10 @@ class Substep {
         arguments_.x = state.x.data();
         arguments_.x_start = state.x_start.data();
         if (!state.force_n.empty()) state.pushed.resize(state.v.size());  // once
-        keeps_low_ = !state.x_low.empty();
-        if (keeps_low_) {
+        if (!state.x_low.empty()) {
             arguments_.x_low = state.x_low.data();
             arguments_.x_start_low = state.x_start_low.data();
         }
-        plain_ = state.force_n.empty() && !keeps_low_;
         arguments_.v = state.force_n.empty() ? state.v.data() : state.pushed.data();
         arguments_.lanes = state.lanes.data();
         arguments_.springs = state.springs.data();
@@ -64,8 +57,7 @@ class Substep {
         for (size_t i = 0; i < 3; ++i) {
             const double g = s.gravity_m_s2[static_cast<Eigen::Index>(i)];
             arguments_.planned_fall_m[i] = static_cast<float>(h * h * g);
-            gravity_[i] = static_cast<float>(h * g);
-            motion_.fall_m_s[i] = gravity_[i];
+            motion_.fall_m_s[i] = static_cast<float>(h * g);
         }
         motion_.x = state.x.data();
         motion_.v = state.v.data();
@@ -80,9 +72,9 @@ class Substep {
         uint32_t flags = 0;
         for_vertices(part, [&](size_t i, size_t last) noexcept {
             while (i < last) {
-                if (plain_) i = begin_motion(motion_, i, last);
+                if (by_hand_.plain()) i = begin_motion(motion_, i, last);
                 for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
-                    flags |= begin_vertex(i);
+                    flags |= by_hand_.begin(i);
                 }
             }
         });
@@ -105,83 +97,14 @@ class Substep {
         uint32_t flags = 0;
         for_vertices(part, [&](size_t i, size_t last) noexcept {
             while (i < last) {
-                if (plain_) i = end_motion(motion_, i, last);
+                if (by_hand_.plain()) i = end_motion(motion_, i, last);
                 for (const size_t end = std::min(i + kByHand, last); i < end; ++i) {
-                    flags |= end_vertex(i);
+                    flags |= by_hand_.end(i);
                 }
             }
         });
         raise(flags);
         if (part == 0) break_tethers();
-    }
-
-    uint32_t begin_vertex(size_t i) noexcept {
-        uint32_t flags = 0;
-        Float4 x = state_.x[i], v = state_.v[i];
-        if (!finite(x) || !finite(v)) {
-            const float w = x.w;
-            if (!finite(x)) x = state_.x_start[i];
-            x.w = w;
-            v = {};
-            state_.v[i] = v;
-            state_.x[i] = x;
-            flags = kNotFinite;
-        }
-        state_.x_start[i] = x;
-        if (!state_.force_n.empty()) {
-            const Float4 push = pushed_by_force(i);
-            v = {v.x + push.x, v.y + push.y, v.z + push.z, 0};
-            state_.pushed[i] = v;
-        }
-        if (x.w > 0) state_.x[i] = guess(i, x, state_.v[i]);
-        if (keeps_low_) begin_low(i);
-        return flags;
-    }
-
-    uint32_t end_vertex(size_t i) noexcept {
-        const float h = arguments_.h, inverse_h = 1.0F / h;
-        Float4& x = state_.x[i];
-        const Float4 start = state_.x_start[i];
-        Float4& v = state_.v[i];
-        if (!finite(x)) {
-            x = {start.x, start.y, start.z, x.w};
-            v = {};
-            if (keeps_low_) state_.x_low[i] = state_.x_start_low[i];
-            return kNotFinite;
-        }
-        // Velocity is a state of its own: what the guess assumed plus what the sweep changed,
-        // so that rounding of the position never enters it. Held vertices: the difference.
-        Float4 from = start, base{};
-        if (x.w > 0) {
-            from = guess(i, start, v);
-            base = planned(i, v);
-        }
-        Float4 changed = {x.x - from.x, x.y - from.y, x.z - from.z, 0};
-        if (keeps_low_) changed = changed_low(i, base);
-        const float keep = 1.0F / (1.0F + h * packed_.damping_per_s[i]);
-        v = {keep * (base.x + changed.x * inverse_h), keep * (base.y + changed.y * inverse_h),
-             keep * (base.z + changed.z * inverse_h), 0};
-        return 0;
-    }
-
-    /// The guess once more, with low parts.
-    void begin_low(size_t i) noexcept {
-        Float4& low = state_.x_low[i];
-        if (!finite(low)) low = {};
-        state_.x_start_low[i] = low;
-        Float4 x = state_.x_start[i];
-        if (x.w == 0) return;
-        advance(x, low, planned(i, state_.v[i]), arguments_.h);
-        state_.x[i] = x;
-    }
-
-    /// What the sweep changed, with low parts.
-    [[nodiscard]] Float4 changed_low(size_t i, const Float4& base) const noexcept {
-        const Float4 &x = state_.x[i], &low = state_.x_low[i];
-        Float4 from = state_.x_start[i], from_low = state_.x_start_low[i];
-        advance(from, from_low, base, arguments_.h);
-        return {(x.x - from.x) + (low.x - from_low.x), (x.y - from.y) + (low.y - from_low.y),
-                (x.z - from.z) + (low.z - from_low.z), 0};
     }
 
     /// A whole substep without contact, from the caller.
@@ -270,27 +193,6 @@ class Substep {
         }
     }
 
-    /// Velocity that the start guess assumes. VBD leaves gravity to the target (in the guess it
-    /// makes the sweep overshoot), except where nothing holds the tissue.
-    [[nodiscard]] Float4 planned(size_t i, const Float4& v) const noexcept {
-        const float g = !vbd_ || state_.free_vertex[i] != 0 ? 1.0F : 0.0F;
-        const Float4 u = {v.x + g * gravity_[0], v.y + g * gravity_[1], v.z + g * gravity_[2], 0};
-        if (state_.force_n.empty()) return u;
-        const Float4 push = pushed_by_force(i);
-        return {u.x + g * push.x, u.y + g * push.y, u.z + g * push.z, 0};
-    }
-    /// h force / m.
-    [[nodiscard]] Float4 pushed_by_force(size_t i) const noexcept {
-        const Float4& f = state_.force_n[i];
-        const float s = arguments_.h * state_.x[i].w;
-        return {s * f.x, s * f.y, s * f.z, 0};
-    }
-    [[nodiscard]] Float4 guess(size_t i, const Float4& x, const Float4& v) const noexcept {
-        const Float4 u = planned(i, v);
-        const float h = arguments_.h;
-        return {x.x + h * u.x, x.y + h * u.y, x.z + h * u.z, x.w};
-    }
-
     /// Calls `visit(first, last)` on the part's share of the vertices that are awake.
     template <class Visit>
     void for_vertices(int part, Visit&& visit) const noexcept {
@@ -343,12 +245,10 @@ class Substep {
     Workers& workers_;
     KernelArguments arguments_;
     MotionArguments motion_;
-    std::array<float, 3> gravity_{};  // h g
+    VertexMotion by_hand_;
     double h_ = 0;
     int first_job_ = 0;  // of the current run
     bool vbd_ = true, broke_ = false;
-    bool keeps_low_ = false;  // positions have low parts
-    bool plain_ = true;       // no forces and no low parts: the kernels of begin and end do
 };
 
 }  // namespace
