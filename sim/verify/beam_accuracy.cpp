@@ -36,9 +36,10 @@ void static_cantilever(AccuracyTable& table, double edge_m, double nu,
     use_method(scene, {SolveMethod::kNewton, 1});
     const SolveResult reference = solve(scene);
     scene.material.damping_per_s = 30;  // about critical: at rest after 1.2 s
-    scene.end_s = 1.2;
     scene.sample_s = 1;
     for (const Choice& choice : choices) {
+        // vbd comes to rest late where the Courant number is large, nu 0.49 after 4 s.
+        scene.end_s = choice.method == SolveMethod::kVbd ? 6.0 : 1.2;
         for (const int substeps : choice.substeps) {
             use_method(scene, {choice.method, substeps, choice.low_parts});
             const SolveResult result = solve(scene);
