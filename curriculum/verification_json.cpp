@@ -253,9 +253,9 @@ sim::VerificationScene load_verification_scene(const std::string& file) {
 }
 
 sim::SolveResult solve_verification_scene(const sim::VerificationScene& scene,
-                                          const std::string& origin) {
+                                          const std::string& origin, const sim::SolveWatch& watch) {
     try {
-        return sim::solve(scene);
+        return sim::solve(scene, watch);
     } catch (const sim::VerificationError& error) {
         throw DefinitionError(origin, error.pointer(), error.what());
     } catch (const sim::MeshError& error) {

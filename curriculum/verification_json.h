@@ -22,6 +22,7 @@ namespace placode::curriculum {
 
 /// solve() with its refusals as DefinitionError of `origin`.
 [[nodiscard]] sim::SolveResult solve_verification_scene(const sim::VerificationScene& scene,
-                                                        const std::string& origin);
+                                                        const std::string& origin,
+                                                        const sim::SolveWatch& watch = {});
 
 }  // namespace placode::curriculum

@@ -134,6 +134,23 @@ TEST(Solve, FollowsTheReferenceHoweverShortTheSteps) {
     }
 }
 
+TEST(Solve, SaysHowFarItIs) {
+    for (const char* method : {"vbd", "explicit", "newton"}) {
+        const sim::VerificationScene scene = curriculum::verification_scene_from_json(
+            beam(0.01, solver(method, 64)), "scene.json", ".");
+        int calls = 0;
+        const SolveResult watched = curriculum::solve_verification_scene(
+            scene, "scene.json", [&](const std::string& words) {
+                EXPECT_THAT(words, HasSubstr(method == std::string("newton") ? " % of the load, "
+                                                                             : " s of 0.01 s"));
+                ++calls;
+            });
+        EXPECT_GE(calls, 1) << method << ", the first report is not waited for";
+        EXPECT_EQ(watched.state_hash,
+                  curriculum::solve_verification_scene(scene, "scene.json").state_hash);
+    }
+}
+
 TEST(Solve, TakesNotMoreSamplesThanSubsteps) {
     const SolveResult r =
         run(cube(R"("until": {"time_s": 0.005}, "sample_s": 1e-20, )" + solver("vbd", 4)));

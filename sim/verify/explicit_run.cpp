@@ -146,6 +146,7 @@ class Run {
             }
             ++n;
             step(static_cast<double>(n) * h_);
+            setup_.report_time(static_cast<double>(n) * h_);
             sample(static_cast<double>(n) * h_, next);
             if (n % s.substeps != 0) continue;
             const double fastest = dynamics_.v.lpNorm<Eigen::Infinity>();

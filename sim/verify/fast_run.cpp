@@ -71,6 +71,7 @@ class FastRun {
             if (n % s.substeps == 0) start_frame();
             ++n;
             substep(static_cast<double>(n) * h_);
+            setup_.report_time(static_cast<double>(n) * h_);
             take_sample(static_cast<double>(n) * h_, next_sample);
             if (n % s.substeps == 0 && rest.frame(static_cast<double>(n) * h_, positions())) {
                 out_.at_rest = true;

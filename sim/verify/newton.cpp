@@ -170,6 +170,7 @@ class StaticSolver {
             gradient(nullptr);
             report_.residual_n = residual();
             report_.force_scale_n = force_scale();
+            if (settings_.watch) settings_.watch(share, report_);
             const double small = std::max(settings_.tolerance * report_.force_scale_n, rounding_);
             if (!moving && report_.residual_n <= small) return true;
             if (report_.residual_n < 0.5 * halved) {

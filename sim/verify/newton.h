@@ -4,6 +4,7 @@
 // Quasi-static equilibrium in double precision: Newton's method with the exact tangent, a line
 // search on the energy and load steps. The reference of every accuracy figure.
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,17 +24,19 @@ struct StaticProblem {
     double contact_time_s = 0;                 ///< Where the spheres are at share 1.
 };
 
-struct NewtonSettings {
-    double tolerance = 1e-10;  ///< Largest residual over the largest force [-].
-    int max_iterations = 100;  ///< Of one load step.
-    int load_steps = 1;        ///< To start with; halved where a step does not converge.
-};
-
 struct NewtonReport {
     bool converged = false;
     int iterations = 0, load_steps = 0;
     double residual_n = 0;     ///< Largest residual of a free coordinate [N].
     double force_scale_n = 0;  ///< What it is compared with [N].
+};
+
+struct NewtonSettings {
+    double tolerance = 1e-10;  ///< Largest residual over the largest force [-].
+    int max_iterations = 100;  ///< Of one load step.
+    int load_steps = 1;        ///< To start with; halved where a step does not converge.
+    /// Called before every iteration with the share of the load that is being solved.
+    std::function<void(double share, const NewtonReport&)> watch = {};
 };
 
 /// Moves x (its start guess) to equilibrium. @pre sizes as stated. Without convergence x is the

@@ -96,6 +96,13 @@ void run_newton(const SolveSetup& setup, SolveResult& out) {
     setup.sample(0, x, out);
     NewtonSettings settings;
     settings.load_steps = load_steps(setup, time_s);
+    settings.watch = [&](double share, const NewtonReport& report) {
+        setup.report([&] {
+            return rounded_text(100 * share, 4) + " % of the load, " +
+                   std::to_string(report.iterations) + " iterations, residual " +
+                   rounded_text(report.residual_n, 2) + " N";
+        });
+    };
     // Touches that come and go make the last digits slow.
     if (setup.contacts) settings.tolerance = 1e-7;
     NewtonReport report = solve_static(problem, x, settings);

@@ -69,7 +69,8 @@ const char* method_name(SolveMethod method) noexcept {
     return "?";
 }
 
-SolveSetup::SolveSetup(const VerificationScene& source) : scene(source) {
+SolveSetup::SolveSetup(const VerificationScene& source, SolveWatch watch)
+    : scene(source), watch_(std::move(watch)) {
     warnings = scene.warnings;
     spec.mesh = scene.mesh;
     spec.materials.fill(scene.material);
@@ -216,6 +217,13 @@ void SolveSetup::make_start() {
     }
 }
 
+void SolveSetup::report_time(double time_s) const {
+    report([&] {
+        return "t = " + rounded_text(time_s, 4) + " s of " +
+               (scene.rest_speed_m_s ? "at most " : "") + rounded_text(scene.end_s, 4) + " s";
+    });
+}
+
 double SolveSetup::held_at(int vertex, int axis, double time_s) const {
     return scene.mesh.rest[at(vertex)][axis] + held_way(vertex, axis, time_s);
 }
@@ -353,7 +361,7 @@ bool RestWatch::frame(double time_s, const Coordinates& x) {
     return quiet_ >= kQuietFrames;
 }
 
-SolveResult solve(const VerificationScene& scene) {
+SolveResult solve(const VerificationScene& scene, const SolveWatch& watch) {
     const SolveMethod method = scene.solver.method;
     if (!scene.sheet.empty() && (method == SolveMethod::kXpbd || method == SolveMethod::kXpbdPair))
         throw VerificationError("/solver/method",
@@ -367,7 +375,7 @@ SolveResult solve(const VerificationScene& scene) {
                                 "found " + shortest_text(scene.material.poissons_ratio) +
                                     "; expected at most " + shortest_text(kVbdMaxPoissonsRatio) +
                                     " for vbd, which would tremble, or method explicit or newton");
-    SolveSetup setup(scene);
+    SolveSetup setup(scene, watch);
     SoftBodySpec spec = setup.spec;
     spec.solver.frame_s = scene.solver.frame_s / scene.solver.substeps;
     spec.solver.substeps = 1;

@@ -4,6 +4,7 @@
 // What all methods of solve() share: selections put to vertices, ramps, start shapes, samples, the
 // summary. Vertex numbers are those of the scene's mesh. Private to sim/verify.
 
+#include <chrono>
 #include <memory>
 
 #include "sim/verify/reference_body.h"
@@ -14,7 +15,7 @@ namespace placode::sim {
 class SolveSetup {
  public:
     /// @throws VerificationError.
-    explicit SolveSetup(const VerificationScene& scene);
+    SolveSetup(const VerificationScene& scene, SolveWatch watch);
 
     const VerificationScene& scene;
     SoftBodySpec spec;                         ///< Without held vertices.
@@ -24,6 +25,17 @@ class SolveSetup {
     std::unique_ptr<SphereContacts> contacts;  ///< nullptr = no spheres.
     double max_courant = 0;
     std::vector<std::string> warnings;
+
+    /// Tells the watch, at most twice a second.
+    template <class Words>
+    void report(Words&& words) const {
+        const auto now = std::chrono::steady_clock::now();
+        if (!watch_ || now < next_report_) return;
+        next_report_ = now + std::chrono::milliseconds(500);
+        watch_(words());
+    }
+    /// The same of simulated time.
+    void report_time(double time_s) const;
 
     /// Where a held coordinate is at time t [m].
     [[nodiscard]] double held_at(int vertex, int axis, double time_s) const;
@@ -64,7 +76,9 @@ class SolveSetup {
     void make_start();
     [[nodiscard]] double longest_way() const;  // from the first vertex to another
 
-    std::vector<std::array<int32_t, 3>> held_by_;  ///< (V x 3) region, -1 = free
+    SolveWatch watch_;
+    mutable std::chrono::steady_clock::time_point next_report_;  // reporting changes no result
+    std::vector<std::array<int32_t, 3>> held_by_;                ///< (V x 3) region, -1 = free
     std::vector<int32_t> partly_;
     std::vector<Load> loads_;
     std::vector<std::vector<int32_t>> probe_vertices_;

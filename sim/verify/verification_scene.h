@@ -5,6 +5,7 @@
 // `placodectl solve` reads it from JSON (curriculum/verification_json.h) and writes the result.
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -164,8 +165,11 @@ void use_sheet(VerificationScene& scene, const SheetInput& sheet);
 /// All boundary triangles with their corners in the box, as a sheet on the mesh.
 [[nodiscard]] SheetInput boundary_in(const VerificationScene& scene, const BoxSelection& box);
 
+/// Is told about twice a second how far a run is.
+using SolveWatch = std::function<void(const std::string& words)>;
+
 /// Runs the scene. @throws VerificationError for settings that cannot be (empty selections, a
 /// method that is not valid at its step, ...), MeshError for a body that cannot be built.
-[[nodiscard]] SolveResult solve(const VerificationScene& scene);
+[[nodiscard]] SolveResult solve(const VerificationScene& scene, const SolveWatch& watch = {});
 
 }  // namespace placode::sim

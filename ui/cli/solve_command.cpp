@@ -3,6 +3,9 @@
 // placodectl solve SCENE.json --out DIR: a verification scene, with vertices.csv, probes.csv and
 // summary.json. Everything is checked before the first file is written.
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -107,9 +110,19 @@ void make_folder(const std::string& folder) {
                          "); choose another place");
 }
 
+/// One line of the terminal, drawn over itself.
+void show_progress(const std::string& words) {
+    constexpr size_t kWidth = 78;
+    std::cerr << '\r' << words << std::string(kWidth - std::min(kWidth, words.size()), ' ')
+              << std::flush;
+}
+
 int solve(const Context& context, const Options& options) {
     const sim::VerificationScene scene = curriculum::load_verification_scene(options.scene);
-    const sim::SolveResult result = curriculum::solve_verification_scene(scene, options.scene);
+    const bool show = isatty(STDERR_FILENO) != 0;
+    const sim::SolveResult result = curriculum::solve_verification_scene(
+        scene, options.scene, show ? show_progress : sim::SolveWatch());
+    if (show) std::cerr << '\r' << std::string(79, ' ') << '\r';
     make_folder(options.out);
     const std::filesystem::path folder = options.out;
     const Json summary = summary_of(scene, result);
