@@ -29,8 +29,9 @@ class SolveSetup {
     /// Tells the watch, at most twice a second.
     template <class Words>
     void report(Words&& words) const {
+        if (!watch_) return;
         const auto now = std::chrono::steady_clock::now();
-        if (!watch_ || now < next_report_) return;
+        if (now < next_report_) return;
         next_report_ = now + std::chrono::milliseconds(500);
         watch_(words());
     }
