@@ -21,12 +21,6 @@ Vec3 between(const SoftBodyState& state, const Tether& t) noexcept {
     return Vec3(b.x, b.y, b.z) - Vec3(a.x, a.y, a.z);
 }
 
-void move(Float4& x, const Vec3& step) noexcept {
-    x.x += static_cast<float>(step.x());
-    x.y += static_cast<float>(step.y());
-    x.z += static_cast<float>(step.z());
-}
-
 }  // namespace
 
 uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
@@ -56,8 +50,8 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
     for (size_t i = 0; i < state.tether_alive.size(); ++i) {
         if (state.tether_alive[i] == 0) continue;
         const Tether& t = body.spec().tethers[i];
-        Float4& a = state.x[at(t.vertex[0])];
-        Float4& b = state.x[at(t.vertex[1])];
+        const Float4& a = state.x[at(t.vertex[0])];
+        const Float4& b = state.x[at(t.vertex[1])];
         const Vec3 d = between(state, t);
         const double length = d.norm(), w = static_cast<double>(a.w) + static_cast<double>(b.w);
         const double compliance = t.compliance_m_n / (h * h);
@@ -68,8 +62,8 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
         if (!(length > 0) || !std::isfinite(after)) continue;
         const Vec3 step = (after - before) / length * d;
         state.tether_lambda_n[i] = static_cast<float>(after / (h * h));
-        move(a, static_cast<double>(a.w) * step);
-        move(b, -static_cast<double>(b.w) * step);
+        move_vertex(state, t.vertex[0], static_cast<double>(a.w) * step);
+        move_vertex(state, t.vertex[1], -static_cast<double>(b.w) * step);
     }
 }
 

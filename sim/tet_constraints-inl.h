@@ -58,17 +58,6 @@ struct TetPoints {
         Carry(a.y, low[corner].y, hn::Mul(s, u.y));
         Carry(a.z, low[corner].z, hn::Mul(s, u.z));
     }
-    /// p -= s u
-    HWY_INLINE void MoveBack(int corner, V s, const V3& u) const {
-        V4& a = p[corner];
-        if (low == nullptr) {
-            a.x = hn::NegMulAdd(s, u.x, a.x);
-            a.y = hn::NegMulAdd(s, u.y, a.y);
-            a.z = hn::NegMulAdd(s, u.z, a.z);
-            return;
-        }
-        Move(corner, hn::Neg(s), u);
-    }
 };
 
 HWY_INLINE TetGradients Gradients(const TetPoints& corners, const float* rows) {
@@ -103,7 +92,7 @@ HWY_INLINE V Weighted(const V4* p, const Gradient& u, const Gradient& v) {
 
 /// x_i += w_i u_i
 HWY_INLINE void Move(const TetPoints& corners, const V* w, const Gradient& u) {
-    corners.MoveBack(0, w[0], u.minus);
+    corners.Move(0, hn::Neg(w[0]), u.minus);
     for (int i = 1; i < 4; ++i) corners.Move(i, w[i], u.corner[i - 1]);
 }
 

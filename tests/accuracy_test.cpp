@@ -7,19 +7,24 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace placode::sim {
 namespace {
 
-TEST(Accuracy, XpbdBeamsMeetTheirTargetsFromFourSubstepsOn) {
+std::vector<AccuracyRow> quick_rows(const char* group) {
     AccuracyOptions options;
     options.quick = true;
     options.field = false;
-    options.only = "beams";
+    options.only = group;
+    return measure_accuracy(options);
+}
+
+TEST(Accuracy, XpbdBeamsMeetTheirTargetsFromFourSubstepsOn) {
     int measured = 0, falling = 0;
     double worst_static = 0, best_static = 1;
     std::map<std::string, double> last;  // error at the next longer step
-    for (const AccuracyRow& row : measure_accuracy(options)) {
+    for (const AccuracyRow& row : quick_rows("beams")) {
         if (row.method.find(" 48-bit") != std::string::npos && row.h_s > 0 &&
             row.study.rfind("cantilever", 0) == 0) {
             // Nothing is lost to rounding: the shorter the step, the better. At rest vbd is exact.
@@ -45,12 +50,8 @@ TEST(Accuracy, XpbdBeamsMeetTheirTargetsFromFourSubstepsOn) {
 }
 
 TEST(Accuracy, OneSweepThereAndOneBackMeetHomogeneousStates) {
-    AccuracyOptions options;
-    options.quick = true;
-    options.field = false;
-    options.only = "homogeneous";
     int fine = 0, finest = 0;
-    for (const AccuracyRow& row : measure_accuracy(options)) {
+    for (const AccuracyRow& row : quick_rows("homogeneous")) {
         if (row.method != "xpbd" && row.method != "xpbd_pair") continue;
         if (row.courant > 0.45) continue;
         EXPECT_LT(row.error, 0.01) << row.setting << ", " << row.method << ", h " << row.h_s;
@@ -66,12 +67,8 @@ TEST(Accuracy, OneSweepThereAndOneBackMeetHomogeneousStates) {
 }
 
 TEST(Accuracy, ABeamSwingsWithThePeriodOfTheReferenceAndDecaysByItsDamping) {
-    AccuracyOptions options;
-    options.quick = true;
-    options.field = false;
-    options.only = "motion";
     int periods = 0, decays = 0;
-    for (const AccuracyRow& row : measure_accuracy(options)) {
+    for (const AccuracyRow& row : quick_rows("motion")) {
         if (row.study != "free oscillation") continue;
         const bool decay = row.quantity.find("decay") != std::string::npos;
         if (!decay) {
@@ -93,13 +90,9 @@ TEST(Accuracy, ABeamSwingsWithThePeriodOfTheReferenceAndDecaysByItsDamping) {
 }
 
 TEST(Accuracy, XpbdKeepsMomentumAndLosesAngularMomentumWithTheStep) {
-    AccuracyOptions options;
-    options.quick = true;
-    options.field = false;
-    options.only = "motion";
     int kept = 0;
     double before = 1;
-    for (const AccuracyRow& row : measure_accuracy(options)) {
+    for (const AccuracyRow& row : quick_rows("motion")) {
         if (row.study != "conservation" || row.method.find("xpbd") != 0) continue;
         if (row.method.find(" 48-bit") == std::string::npos) continue;
         if (row.quantity.rfind("momentum", 0) == 0) {
