@@ -3,168 +3,21 @@
 
 #include "sim/heat.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <map>
-#include <numbers>
+
+#include "sim/heat_parts.h"
+#include "sim/surface.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kBoilC = 100;
-constexpr double kKelvin = 273.15;
-constexpr double kGasConstant = 8.314462618;  // J/(mol K)
-constexpr double kSpreadK = 0.001;            // a vertex this warm wakes its neighbours
-constexpr double kDoseFloorC = 38;            // below, a dose grows by less than 0.001 min/min
+constexpr double kSpreadK = 0.001;  // a vertex this warm wakes its neighbours
+constexpr double kDoseFloorC = 38;  // below, a dose grows by less than 0.001 min/min
 constexpr float kOmegaFrozen = 10;
-constexpr double kDryConduction = 0.01;     // electrical conductivity of dry against wet tissue
-constexpr double kStillWet = 0.6;           // dried fraction from which conduction falls
-constexpr double kSafety = 0.9;             // of the explicit stability limit
 constexpr uint8_t kWakes = 1, kDrying = 2;  // bits of HeatState::wakes
-constexpr int kFace[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
-/// So many powers are worked out side by side: each is a chain of divisions, which a processor
-/// overlaps and vectorises.
-constexpr int kPowers = 8;
-using Powers = std::array<double, kPowers>;
-
-/// 2^x by range reduction and a Taylor polynomial (relative error below 1e-13). The C library's
-/// exp2 may give other bits on another processor, and replays must not.
-void exp2_portable(Powers& x) noexcept {
-    Powers whole, y, sum;
-    for (int i = 0; i < kPowers; ++i) {
-        x[i] = std::clamp(x[i], -1000.0, 1000.0);
-        whole[i] = std::floor(x[i] + 0.5);
-        y[i] = (x[i] - whole[i]) * std::numbers::ln2;
-        sum[i] = 1;
-    }
-    for (int n = 12; n >= 1; --n) {
-        for (int i = 0; i < kPowers; ++i) sum[i] = 1 + sum[i] * y[i] / n;
-    }
-    for (int i = 0; i < kPowers; ++i) {
-        const auto exponent = static_cast<uint64_t>(static_cast<int64_t>(whole[i]) + 1023);
-        x[i] = sum[i] * std::bit_cast<double>(exponent << 52);
-    }
-}
-
-double exp2_portable(double x) noexcept {
-    Powers all{x};
-    exp2_portable(all);
-    return all[0];
-}
-
-/// Exponents of 2 in the rates of thermal dose and of damage. 0.25^x = 2^(-2x), 0.5^x = 2^(-x).
-double cem43_exponent(double temperature_c) noexcept {
-    return (temperature_c >= 43 ? 1.0 : 2.0) * (temperature_c - 43);
-}
-double arrhenius_exponent(double ea_j_mol, double temperature_c) noexcept {
-    return -ea_j_mol / (kGasConstant * (temperature_c + kKelvin)) * std::numbers::log2e;
-}
-
-double smoothstep(double from, double to, double x) noexcept {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
-
-/// Gradients of the barycentric coordinates (3 x 4) [1/m], and the volume.
-Eigen::Matrix<double, 3, 4> shape_gradients(const TetMesh& mesh, int tet, double& volume) noexcept {
-    const auto& v = mesh.tets[tet];
-    Mat3 edges;
-    for (int i = 0; i < 3; ++i) edges.col(i) = mesh.rest[v[i + 1]] - mesh.rest[v[0]];
-    volume = edges.determinant() / 6;
-    const Mat3 inverse = edges.inverse();
-    Eigen::Matrix<double, 3, 4> g;
-    for (int i = 0; i < 3; ++i) g.col(i + 1) = inverse.row(i).transpose();
-    g.col(0) = -(g.col(1) + g.col(2) + g.col(3));
-    return g;
-}
-
-double face_area(const TetMesh& mesh, int tet, int face) noexcept {
-    const auto& v = mesh.tets[tet];
-    const Vec3& a = mesh.rest[v[kFace[face][0]]];
-    const Vec3& b = mesh.rest[v[kFace[face][1]]];
-    const Vec3& c = mesh.rest[v[kFace[face][2]]];
-    return 0.5 * (b - a).cross(c - a).norm();
-}
-
-/// Free boundary area of every vertex at rest.
-std::vector<float> exposed_areas(const TetMesh& mesh) {
-    std::map<std::array<int32_t, 3>, std::pair<int, double>> faces;
-    for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
-        for (int f = 0; f < 4; ++f) {
-            std::array<int32_t, 3> key{};
-            for (int i = 0; i < 3; ++i) key[i] = mesh.tets[t][kFace[f][i]];
-            std::sort(key.begin(), key.end());
-            auto& entry = faces[key];
-            ++entry.first;
-            entry.second = face_area(mesh, t, f);
-        }
-    }
-    std::vector<float> area(mesh.rest.size(), 0.0f);
-    for (const auto& [key, entry] : faces) {
-        if (entry.first != 1) continue;
-        for (const int32_t v : key) area[v] += static_cast<float>(entry.second / 3);
-    }
-    return area;
-}
 
 }  // namespace
-
-double cem43_rate(double temperature_c) noexcept {
-    return exp2_portable(cem43_exponent(temperature_c));
-}
-
-double arrhenius_rate(double a_per_s, double ea_j_mol, double temperature_c) noexcept {
-    return a_per_s * exp2_portable(arrhenius_exponent(ea_j_mol, temperature_c));
-}
-
-HeatModel::HeatModel(const TetMesh& mesh, const MaterialTable& materials,
-                     const HeatSettings& settings)
-    : settings_(settings), exposed_area_m2_(exposed_areas(mesh)) {
-    const int vertices = static_cast<int>(mesh.rest.size());
-    for (int i = 0; i < kTissueCount; ++i) {
-        const Material& m = materials[i];
-        capacity_j_m3k_[i] = static_cast<float>(m.density_kg_m3 * m.heat_capacity_j_kgk);
-        latent_j_m3_[i] =
-            static_cast<float>(m.density_kg_m3 * m.water_fraction * settings.latent_heat_j_kg);
-        conductivity_w_mk_[i] = static_cast<float>(m.heat_conductivity_w_mk);
-    }
-    std::vector<double> capacity(vertices, 0.0), latent(vertices, 0.0);
-    std::vector<std::map<int32_t, double>> rows(vertices);
-    double fastest = 0;
-    for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
-        const int tissue = static_cast<int>(mesh.tissue[t]);
-        double volume = 0;
-        const Eigen::Matrix<double, 3, 4> g = shape_gradients(mesh, t, volume);
-        const double k = conductivity_w_mk_[tissue];
-        for (int i = 0; i < 4; ++i) {
-            const int32_t vi = mesh.tets[t][i];
-            capacity[vi] += capacity_j_m3k_[tissue] * volume / 4;
-            latent[vi] += latent_j_m3_[tissue] * volume / 4;
-            for (int j = 0; j < 4; ++j) {
-                if (j != i) rows[vi][mesh.tets[t][j]] -= k * volume * g.col(i).dot(g.col(j));
-            }
-        }
-        // K_e = k V G^T G against lumped C_e = rho c V / 4: rate = 4 k/(rho c) eig(G G^T).
-        Eigen::SelfAdjointEigenSolver<Mat3> eigen;
-        eigen.computeDirect(g * g.transpose(), Eigen::EigenvaluesOnly);
-        fastest = std::max(fastest, 4 * k / capacity_j_m3k_[tissue] * eigen.eigenvalues()[2]);
-    }
-    stable_step_s_ = fastest > 0 ? kSafety * 2 / fastest : 1e9;
-    capacity_j_k_.assign(capacity.begin(), capacity.end());
-    latent_j_.assign(latent.begin(), latent.end());
-    edge_start_.reserve(vertices + 1);
-    edge_start_.push_back(0);
-    for (const auto& row : rows) {
-        for (const auto& [to, w] : row) {
-            edge_to_.push_back(to);
-            edge_w_k_.push_back(static_cast<float>(w));
-        }
-        edge_start_.push_back(static_cast<int32_t>(edge_to_.size()));
-    }
-}
 
 HeatState::HeatState(const HeatModel& model, int vertices, int)
     : temperature_c(vertices, static_cast<float>(model.settings_.body_temperature_c)),
@@ -399,7 +252,7 @@ struct HeatStepper {
             const int other = neighbours[tet][f];
             const bool uncovers = other >= 0 && alive[other];
             const auto area = static_cast<float>(face_area(mesh, tet, f) / 3);
-            for (const int k : kFace[f]) {
+            for (const int k : kTetFaces[f]) {
                 float& exposed = state.exposed_m2[c[k]];
                 exposed = std::max(0.0f, exposed + (uncovers ? area : -area));
             }
@@ -436,50 +289,6 @@ double stored_energy_j(const HeatState& state) noexcept {
     double sum = 0;
     for (int n = 0; n < state.warm_count; ++n) sum += state.enthalpy_j[state.warm_list[n]];
     return sum;
-}
-
-double deposit_power(const SoftBody&, const SoftBodyState& tissue, HeatState& state,
-                     std::span<const int32_t> candidates, const Vec3& tip, double a_m,
-                     double power_w, const DepositLimits& limits) noexcept {
-    const double reach = 4 * a_m;
-    // Weight of a vertex: density of the source times what the vertex stands for.
-    const auto weight = [&](int v) noexcept {
-        const Float4& x = tissue.x[v];
-        const double c = state.capacity_j_k[v];
-        const double r = (Vec3(x.x, x.y, x.z) - tip).norm();
-        if (r > reach || c <= 0 || state.dried[v] > limits.dried_limit) return 0.0;
-        const double s = a_m / std::max(r, a_m);
-        return c * s * s * s * s;
-    };
-    // Most that the vertex may hold, and most that it may take in one step.
-    const auto room_w = [&](int v) noexcept {
-        const double c = state.capacity_j_k[v];
-        const double sensible = c * (kBoilC - limits.body_temperature_c);
-        const double room = sensible - state.enthalpy_j[v] +
-                            std::max(0.0, limits.dried_limit - state.dried[v]) * state.latent_j[v] +
-                            (limits.dried_limit >= 1 ? c * (limits.peak_c - kBoilC) : 0.0);
-        const double rise = std::min(room, 0.5 * (sensible + state.latent_j[v]));
-        return std::max(0.0, rise / limits.step_s - state.power_w[v]);
-    };
-    // Shares are those of wet tissue: what dried tissue does not conduct is not pressed into its
-    // neighbours; the generator sees a higher resistance and delivers less.
-    double total = 0;
-    for (const int32_t v : candidates) total += weight(v);
-    if (total <= 0) return 0;
-    double taken = 0;
-    for (const int32_t v : candidates) {
-        const double dry = smoothstep(kStillWet, 1, state.dried[v]);
-        const double conducts = 1 - (1 - kDryConduction) * dry;
-        const double p = std::min(power_w * conducts * (weight(v) / total), room_w(v));
-        if (p <= 0) continue;
-        state.power_w[v] += p;
-        taken += p;
-        if (state.warm[v] == 0) {
-            state.warm[v] = 1;
-            state.warm_list[state.warm_count++] = v;
-        }
-    }
-    return taken;
 }
 
 }  // namespace placode::sim
