@@ -5,7 +5,6 @@
 // together; the incision's progress is counted from them (see CutProgress).
 
 #include <cstdint>
-#include <vector>
 
 #include "sim/event.h"
 #include "sim/geometry.h"
@@ -14,19 +13,6 @@ namespace placode::sim {
 
 struct Scene;
 struct State;
-struct CutProgress;
-
-inline constexpr int kColumnsPerPoint = 11;
-inline constexpr double kColumnSpacing = 0.0002;  ///< Between columns, across the contour [m].
-
-/// Constant: which columns of the planned contour a tet belongs to (compressed rows).
-struct CutTables {
-    std::vector<int32_t> start;   // (T + 1)
-    std::vector<int32_t> column;  // contour point * kColumnsPerPoint + column
-};
-
-/// Finds the tets of every column and fills `progress` for the untouched body.
-[[nodiscard]] CutTables make_cut_tables(const Scene& scene, CutProgress& progress);
 
 /// Largest principal stretch of a tet against its stress-free shape.
 [[nodiscard]] double principal_stretch(const Scene& scene, const State& state, int tet) noexcept;

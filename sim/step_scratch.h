@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/contact.h"
-#include "sim/cutting.h"
+#include "sim/cut_columns.h"
 #include "sim/damage.h"
 #include "sim/pieces.h"
 #include "sim/separation.h"

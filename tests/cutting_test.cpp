@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "sim/anatomy/operative_field.h"
+#include "sim/cut_columns.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {
