@@ -20,11 +20,6 @@ void keep_low_parts(SoftBodyState& state) {
     state.x_start_low.resize(state.x.size());
 }
 
-Vec3 exact_position(const SoftBodyState& state, int vertex) noexcept {
-    const Vec3 high = to_vec(state.x[at(vertex)]);
-    return state.x_low.empty() ? high : high + to_vec(state.x_low[at(vertex)]);
-}
-
 Vec3 way_in_substep(const SoftBodyState& state, int vertex) noexcept {
     const auto i = at(vertex);
     const Vec3 rounded = to_vec(state.x[i]) - to_vec(state.x_start[i]);

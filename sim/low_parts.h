@@ -14,7 +14,11 @@ namespace placode::sim {
 void keep_low_parts(SoftBodyState& state);
 
 /// Where a vertex is now [m], with its low part if there is one.
-[[nodiscard]] Vec3 exact_position(const SoftBodyState& state, int vertex) noexcept;
+[[nodiscard]] inline Vec3 exact_position(const SoftBodyState& state, int vertex) noexcept {
+    const auto i = static_cast<size_t>(vertex);
+    const Vec3 high = to_vec(state.x[i]);
+    return state.x_low.empty() ? high : high + to_vec(state.x_low[i]);
+}
 
 /// How far a vertex has come in this substep [m], likewise.
 [[nodiscard]] Vec3 way_in_substep(const SoftBodyState& state, int vertex) noexcept;

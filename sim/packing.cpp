@@ -59,7 +59,19 @@ PackedElements pack(const SoftBody& body) {
     PackedElements out;
     pack_vertices(body, out);
     if (body.spec().solver.method != Method::kVbd) pack_tets(body, out);
+    give_back_slack(out);
     return out;
+}
+
+void give_back_slack(PackedElements& packed) {
+    packed.batches.shrink_to_fit();
+    packed.strip.shrink_to_fit();
+    packed.keep.shrink_to_fit();
+    packed.springs.shrink_to_fit();
+    packed.tether_start.shrink_to_fit();
+    packed.tet_batches.shrink_to_fit();
+    packed.tet_index.shrink_to_fit();
+    packed.tet_rows.shrink_to_fit();
 }
 
 AlignedVector<float> initial_lanes(const SoftBody& body, const PackedElements& packed) {
@@ -67,7 +79,7 @@ AlignedVector<float> initial_lanes(const SoftBody& body, const PackedElements& p
     for (int t = 0; t < body.tet_count(); ++t) {
         const TetConstants k = tet_constants(body.spec(), t);
         const double six_v = 6 * k.volume_m3;
-        for (size_t corner = 0; corner < 4; ++corner) {
+        for (size_t corner = 0; corner < 4 && has_strips(packed); ++corner) {
             const size_t row = at(packed.corner_lane[4 * at(t) + corner]);
             const double sign = packed.corner_sign[at(t)] >> corner & 1 ? -1 : 1;
             lanes[row] = static_cast<float>(k.material.lambda_pa * k.volume_m3 / (six_v * six_v));

@@ -48,9 +48,10 @@ struct TetBatch {
 };
 
 struct PackedElements {
-    // VBD. Batches of job j: [job_start[j], job_start[j + 1]), one after the other; behind the last
-    // job follow vertices that the sweep leaves out (fixed, tethered, in a sheet) but whose
-    // forces are asked for. Jobs, phases and colours: VertexPlan.
+    // Vertices. Batches of job j: [job_start[j], job_start[j + 1]), one after the other; behind the
+    // last job follow vertices that the sweep leaves out (fixed, tethered, in a sheet) but whose
+    // forces are asked for. Jobs, phases and colours: VertexPlan. XPBD needs of this only where the
+    // springs are: its batches have no steps, and what a strip is made of is empty.
     std::vector<VertexBatch> batches;
     std::vector<int32_t> job_start, phase_start;
     std::vector<int32_t> job, colour;  ///< (V) -1 = left out
@@ -91,8 +92,16 @@ struct TetConstants {
 };
 [[nodiscard]] TetConstants tet_constants(const SoftBodySpec& spec, int t);
 
+/// True where strips over the links are packed: the kernels of VBD walk along them.
+[[nodiscard]] inline bool has_strips(const PackedElements& packed) noexcept {
+    return !packed.corner_lane.empty();
+}
+
 /// Builds everything above. @throws MeshError when a batch spans too many vertices.
 [[nodiscard]] PackedElements pack(const SoftBody& body);
+
+/// Frees what the arrays that grew batch by batch have too much: up to a third of a body.
+void give_back_slack(PackedElements& packed);
 
 /// What SoftBodyState::lanes starts as, in the layout of `packed` (the body's, or one with room to
 /// grow): written anew for each state, because kept it would be a third of a body's memory.

@@ -4,11 +4,18 @@
 // Parts of packing: the batches of VBD and of XPBD, and what is also needed when a tet is removed.
 // Internal to the solver.
 
+#include <algorithm>
+#include <array>
 #include <span>
 
 #include "sim/packing.h"
 
 namespace placode::sim {
+
+/// Local number of vertex `v` in a tet; 4 = it is no corner of it.
+[[nodiscard]] inline size_t corner_of(const std::array<int32_t, 4>& tet, int32_t v) noexcept {
+    return static_cast<size_t>(std::find(tet.begin(), tet.end(), v) - tet.begin());
+}
 
 /// Throws MeshError when two vertices of one batch are too far apart for 16-bit offsets.
 void check_span(int32_t first, int32_t last);

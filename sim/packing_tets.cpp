@@ -79,8 +79,8 @@ void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
         for (const int32_t t : body.tets_of(v)) {
             if (!tet_alive.empty() && tet_alive[at(t)] == 0) continue;
             const auto& tet = body.mesh().tets[at(t)];
-            const auto me = at(std::find(tet.begin(), tet.end(), v) - tet.begin());
-            const auto it = at(std::find(tet.begin(), tet.end(), other) - tet.begin());
+            const auto me = corner_of(tet, v);
+            const auto it = corner_of(tet, other);
             if (it < 4) sum += packed.edge_weight_n_m[6 * at(t) + at(kEdge[me][it])];
         }
         rows[kLanes * (1 + 3 * s)] = static_cast<float>(sum);

@@ -34,8 +34,10 @@ class VertexPacker {
         make_strips();
         make_plan();
         out_.slot.resize(at(body_.vertex_count()));
-        out_.corner_lane.resize(4 * at(body_.tet_count()));
-        out_.corner_sign.assign(at(body_.tet_count()), 0);
+        if (packs_strips_) {
+            out_.corner_lane.resize(4 * at(body_.tet_count()));
+            out_.corner_sign.assign(at(body_.tet_count()), 0);
+        }
         const int jobs = out_.phase_start.back();
         const auto groups = by_job_and_colour();
         for (int j = 0; j < jobs; ++j) {
@@ -150,7 +152,7 @@ class VertexPacker {
             link.clear();
             for (const int32_t t : body_.tets_of(v)) {
                 const auto& tet = body_.mesh().tets[at(t)];
-                const auto k = at(std::find(tet.begin(), tet.end(), v) - tet.begin());
+                const size_t k = corner_of(tet, v);
                 const auto& o = kOpposite[k];
                 link.push_back({{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, t});
             }
@@ -267,7 +269,7 @@ class VertexPacker {
         b.base = std::numeric_limits<int32_t>::max();
         int32_t last = 0;
         for (const int32_t v : members) {
-            b.steps = std::max(b.steps, static_cast<int32_t>(steps(v)));
+            if (packs_strips_) b.steps = std::max(b.steps, static_cast<int32_t>(steps(v)));
             b.base = std::min(b.base, v);
             last = std::max(last, v);
             for (const StripStep& s : strips_[at(v)]) {
@@ -300,6 +302,7 @@ class VertexPacker {
 
     void fill_lane(const VertexBatch& b, size_t lane, int32_t v) {
         out_.slot[at(v)] = static_cast<int32_t>(out_.batches.size() * kLanes + lane);
+        if (!packs_strips_) return;
         int64_t step = 0;
         for (const StripStep& s : strips_[at(v)]) {
             out_.strip[at(b.step_start + step) * kLanes + lane] =
@@ -308,8 +311,8 @@ class VertexPacker {
             const size_t row = at(b.lane_start) + kLanes * at(1 + 3 * step) + lane;
             if (s.tet >= 0) {
                 const auto& tet = body_.mesh().tets[at(s.tet)];
-                const auto corner = std::find(tet.begin(), tet.end(), v) - tet.begin();
-                out_.corner_lane[4 * at(s.tet) + at(corner)] = static_cast<int32_t>(row + kLanes);
+                const size_t corner = corner_of(tet, v);
+                out_.corner_lane[4 * at(s.tet) + corner] = static_cast<int32_t>(row + kLanes);
                 if (s.sign < 0) out_.corner_sign[at(s.tet)] |= static_cast<uint8_t>(1U << corner);
             }
             ++step;
@@ -341,6 +344,7 @@ class VertexPacker {
 
     const SoftBody& body_;
     PackedElements& out_;
+    const bool packs_strips_ = body_.spec().solver.method == Method::kVbd;
     std::vector<uint32_t> place_;  // (V) along a curve through space
     std::vector<std::vector<StripStep>> strips_;
     std::vector<int32_t> spring_of_;

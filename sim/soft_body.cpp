@@ -133,6 +133,7 @@ SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
     std::vector<double> mass(vertices, 0.0);
     std::vector<double> shortest(vertices, std::numeric_limits<double>::infinity());
     vertex_tets_start_.assign(vertices + 1, 0);
+    volume_m3_.reserve(tets);
     for (size_t t = 0; t < tets; ++t) {
         const double volume = rest_volume(spec_.mesh, static_cast<int>(t));
         volume_m3_.push_back(static_cast<float>(volume));
@@ -178,6 +179,9 @@ SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
         const auto courant = courant_numbers();
         turns_ = *std::max_element(courant.begin(), courant.end()) <= kXpbdTurnCourant;
     }
+    spec_.mesh.rest.shrink_to_fit();
+    spec_.mesh.tets.shrink_to_fit();
+    spec_.mesh.tissue.shrink_to_fit();
     packed_ = std::make_unique<PackedElements>(pack(*this));
     static_cast<void>(kernel_target());  // chooses the instruction set before any worker runs
 }

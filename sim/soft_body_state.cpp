@@ -180,7 +180,7 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
     if (state.tet_alive[at(tet)] == 0) return;
     state.tet_alive[at(tet)] = 0;
     for (size_t k = 0; k < 4; ++k) {
-        state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
+        if (has_strips(packed)) state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
         const int32_t v = corners(body, state, tet)[k];
         rouse(state, v);
         if (state.topology) {

@@ -41,7 +41,7 @@ State::State(const Scene& scene, int threads)
     : substeps(scene.body.spec().solver.substeps),
       body(scene.body),
       sleep(scene.body),
-      surface(scene.surface, scene.body.mesh()),
+      surface(scene.surface, scene.body.mesh(), scene.body.spec().spare_vertices > 0),
       self_contact(scene),
       held_by(scene.body.vertex_capacity(), -1),
       friction(scene.body.vertex_capacity()),

@@ -45,6 +45,12 @@ SurfaceTriangle triangle_of(const TetMesh& mesh, int face,
     return triangle;
 }
 
+// Sides of faces, or faces: those inside have two sides, those of the boundary one.
+size_t most_slots(const Surface& surface, const TetMesh& mesh, bool can_part) {
+    const size_t sides = 4 * mesh.tets.size();
+    return can_part ? sides : (sides + surface.rest_triangles().size()) / 2;
+}
+
 }  // namespace
 
 Surface::Surface(const TetMesh& mesh) : neighbours_(mesh.tets.size(), {-1, -1, -1, -1}) {
@@ -71,11 +77,11 @@ Surface::Surface(const TetMesh& mesh) : neighbours_(mesh.tets.size(), {-1, -1, -
     }
 }
 
-SurfaceState::SurfaceState(const Surface& surface, const TetMesh& mesh)
-    : tree_(mesh, 4 * mesh.tets.size(), mesh.tets.size()),
-      triangles_(4 * mesh.tets.size()),
+SurfaceState::SurfaceState(const Surface& surface, const TetMesh& mesh, bool can_part)
+    : tree_(mesh, most_slots(surface, mesh, can_part), mesh.tets.size()),
+      triangles_(most_slots(surface, mesh, can_part)),
       slot_of_face_(4 * mesh.tets.size(), -1),
-      face_of_slot_(4 * mesh.tets.size(), -1) {
+      face_of_slot_(triangles_.size(), -1) {
     for (size_t face = 0; face < slot_of_face_.size(); ++face) {
         if (surface.neighbours()[face / 4][face % 4] < 0) {
             put(static_cast<int>(face), triangle_of(mesh, static_cast<int>(face)));
@@ -85,6 +91,7 @@ SurfaceState::SurfaceState(const Surface& surface, const TetMesh& mesh)
 
 void SurfaceState::put(int face, const SurfaceTriangle& triangle) noexcept {
     assert(slot_of_face_[face] < 0 && "face is on the surface already");
+    assert(count_ < static_cast<int>(triangles_.size()) && "tets parted that cannot be");
     triangles_[count_] = triangle;
     slot_of_face_[face] = count_;
     face_of_slot_[count_] = face;

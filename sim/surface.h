@@ -47,7 +47,9 @@ class Surface {
 /// Changing part. `triangles()` is unordered but deterministic.
 class SurfaceState {
  public:
-    explicit SurfaceState(const Surface& surface, const TetMesh& mesh);
+    /// Where nothing parts tets (`can_part` false, no cut_face), a face is on the surface from one
+    /// side at most, and half the room is enough.
+    SurfaceState(const Surface& surface, const TetMesh& mesh, bool can_part);
     [[nodiscard]] std::span<const SurfaceTriangle> triangles() const noexcept {
         return {triangles_.data(), static_cast<size_t>(count_)};
     }
@@ -77,7 +79,7 @@ class SurfaceState {
 
  private:
     SurfaceTree tree_;
-    std::vector<SurfaceTriangle> triangles_;  // capacity for every face
+    std::vector<SurfaceTriangle> triangles_;  // room for all that can be on the surface
     std::vector<int32_t> slot_of_face_;  // (4 T) index into triangles_, -1 when not on the surface
     std::vector<int32_t> face_of_slot_;  // the way back: 4 * tet + local vertex opposite
     void put(int face, const SurfaceTriangle& triangle) noexcept;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/low_parts.h"
-#include "sim/packing.h"
+#include "sim/packing_parts.h"
 
 namespace placode::sim {
 namespace {
@@ -14,9 +14,8 @@ namespace {
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
-void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
-                 Mat3& hessian) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+void walk_strip(const PackedElements& packed, const SoftBodyState& state, int vertex,
+                Vec3& gradient, Mat3& hessian) noexcept {
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     const size_t lane = at(packed.slot[at(vertex)] % kLanes);
     const Vec3 x = exact_position(state, vertex);
@@ -37,6 +36,48 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
         }
         if ((packed.keep[at(b.step_start + s)] >> lane & 1) == 0) older = newer;
         newer = p;
+    }
+}
+
+/// The same from one of its tets, where no strips are packed (XPBD): from the kernel's own numbers.
+void add_tet(const PackedElements& packed, const SoftBodyState& state, int32_t tet,
+             const std::array<int32_t, 4>& corners, int vertex, const Vec3& x, Vec3& gradient,
+             Mat3& hessian) noexcept {
+    const size_t me = corner_of(corners, vertex);
+    const float* weights = packed.edge_weight_n_m.data() + 6 * at(tet);
+    std::array<Vec3, 3> p;  // the others, so that det(p) is six volumes
+    double sum = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t other = at(kOpposite[me][i]);
+        p[i] = exact_position(state, corners[other]) - x;
+        const double w = weights[kEdge[me][other]];
+        gradient -= w * p[i];
+        sum += w;
+    }
+    const int32_t slot = packed.tet_slot[at(tet)];
+    const float* row =
+        packed.tet_rows.data() + at(slot / kLanes) * kTetRows * kLanes + at(slot % kLanes);
+    const double r = row[6 * kLanes], mu_over_lambda = row[7 * kLanes];
+    const double mu_v = state.lanes[at(packed.tet_lane_start + slot)];
+    // s = lambda V r^2 and s (det - gamma / r), with one division.
+    const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double s = mu_v * r * r / mu_over_lambda;
+    gradient -= (s * normal.dot(p[0]) - mu_v * r * (1 + mu_over_lambda) / mu_over_lambda) * normal;
+    hessian += s * normal * normal.transpose();
+    hessian.diagonal().array() += sum;
+}
+
+void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
+                 Mat3& hessian) noexcept {
+    const PackedElements& packed = packed_of(body, state);
+    if (has_strips(packed)) {
+        walk_strip(packed, state, vertex, gradient, hessian);
+        return;
+    }
+    const Vec3 x = exact_position(state, vertex);
+    for (const int32_t t : tets_around(body, state, vertex)) {
+        if (state.tet_alive[at(t)] == 0) continue;
+        add_tet(packed, state, t, corners(body, state, t), vertex, x, gradient, hessian);
     }
 }
 

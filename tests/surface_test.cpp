@@ -45,6 +45,25 @@ std::map<Key, int> recomputed(const TetMesh& mesh, const std::vector<uint8_t>& a
     return open;
 }
 
+// 0 and 1 so that tets with a common face differ, as they can in a Kuhn lattice.
+std::vector<uint8_t> two_kinds(const Surface& surface) {
+    std::vector<uint8_t> kind(surface.neighbours().size(), 2);
+    std::vector<int32_t> waiting{0};
+    kind[0] = 0;
+    while (!waiting.empty()) {
+        const int32_t t = waiting.back();
+        waiting.pop_back();
+        for (const int32_t other : surface.neighbours()[t]) {
+            if (other < 0) continue;
+            EXPECT_NE(kind[other], kind[t]);
+            if (kind[other] != 2) continue;
+            kind[other] = 1 - kind[t];
+            waiting.push_back(other);
+        }
+    }
+    return kind;
+}
+
 TEST(Surface, OfABoxIsClosedAndPointsOutward) {
     const TetMesh mesh = box_mesh(Vec3(0.004, 0.003, 0.002), {4, 3, 2});
     const Surface surface(mesh);
@@ -98,7 +117,7 @@ TEST(Surface, AfterEveryRemovalEqualsTheBoundaryComputedAnew) {
     TetMesh mesh = box_mesh(Vec3(0.004, 0.004, 0.003), {4, 4, 3});
     for (size_t t = 0; t < mesh.tets.size(); ++t) mesh.tissue[t] = static_cast<Tissue>(t % 8);
     const Surface surface(mesh);
-    SurfaceState state(surface, mesh);
+    SurfaceState state(surface, mesh, false);
     const SurfaceTriangle* storage = state.triangles().data();
     std::vector<uint8_t> alive(mesh.tets.size(), 1);
     std::vector<int> order(mesh.tets.size());
@@ -120,10 +139,32 @@ TEST(Surface, AfterEveryRemovalEqualsTheBoundaryComputedAnew) {
     EXPECT_EQ(state.triangles().data(), storage) << "the list must not be reallocated";
 }
 
-TEST(Surface, SameRemovalsGiveTheSameOrder) {
+TEST(Surface, EveryOtherTetGoneFillsTheRoomToTheLastFace) {
+    // With one of two kinds gone every face is on the surface, inner ones from one side: there is
+    // room for no more. The gone kind's own faces of the boundary are what is left over.
+    const TetMesh mesh = box_mesh(Vec3(0.003, 0.003, 0.002), {3, 3, 2});
+    const Surface surface(mesh);
+    const std::vector<uint8_t> kind = two_kinds(surface);
+    for (const uint8_t gone : {0, 1}) {
+        SurfaceState state(surface, mesh, false);
+        std::vector<uint8_t> alive(mesh.tets.size(), 1);
+        for (size_t t = 0; t < kind.size(); ++t) {
+            if (kind[t] != gone) continue;
+            alive[t] = 0;
+            state.remove_tet(surface, mesh, alive, static_cast<int>(t));
+        }
+        const auto left = static_cast<size_t>(std::count(alive.begin(), alive.end(), 1));
+        EXPECT_EQ(state.triangles().size(), 4 * left);
+        EXPECT_LE(2 * state.triangles().size(),
+                  4 * mesh.tets.size() + surface.rest_triangles().size());
+        EXPECT_EQ(keys_of(state.triangles()), recomputed(mesh, alive));
+    }
+}
+
+TEST(Surface, SameRemovalsGiveTheSameOrderAndSoDoesTheRoom) {
     const TetMesh mesh = box_mesh(Vec3(0.003, 0.003, 0.003), {3, 3, 3});
     const Surface surface(mesh);
-    SurfaceState a(surface, mesh), b(surface, mesh);
+    SurfaceState a(surface, mesh, false), b(surface, mesh, true);
     std::vector<uint8_t> alive(mesh.tets.size(), 1);
     for (const int tet : {3, 77, 40, 41, 12}) {
         alive[tet] = 0;

@@ -72,7 +72,7 @@ std::vector<int> near_by_tree(const SurfaceState& surface, const std::vector<Flo
 TEST(SurfaceTree, FindsWhatAScanFindsOnABentBodyWithHoles) {
     const TetMesh mesh = box_mesh(Vec3(0.012, 0.010, 0.003), {12, 10, 3}, Tissue::kSkin);
     const Surface surface(mesh);
-    SurfaceState state(surface, mesh);
+    SurfaceState state(surface, mesh, false);
     std::vector<uint8_t> alive(mesh.tets.size(), 1);
     std::mt19937 random(7);
     const auto uniform = [&](double low, double high) {
@@ -106,7 +106,7 @@ TEST(SurfaceTree, FindsWhatAScanFindsOnABentBodyWithHoles) {
 TEST(SurfaceTree, LookingAtWhatMovesGivesTheSameBoxes) {
     const TetMesh mesh = box_mesh(Vec3(0.012, 0.010, 0.003), {12, 10, 3}, Tissue::kSkin);
     const Surface surface(mesh);
-    SurfaceState whole(surface, mesh), part(surface, mesh);
+    SurfaceState whole(surface, mesh, false), part(surface, mesh, false);
     std::vector<uint8_t> alive(mesh.tets.size(), 1);
     std::vector<Float4> x = bent(mesh, 0);
     std::vector<uint8_t> moves(static_cast<size_t>(part.tree().nodes()), 0);
@@ -155,7 +155,7 @@ TEST(SurfaceTree, LookingAtWhatMovesGivesTheSameBoxes) {
 TEST(SurfaceTree, ABodyThatIsGoneIsEmpty) {
     const TetMesh mesh = box_mesh(Vec3(0.002, 0.002, 0.002), {2, 2, 2}, Tissue::kSkin);
     const Surface surface(mesh);
-    SurfaceState state(surface, mesh);
+    SurfaceState state(surface, mesh, false);
     std::vector<uint8_t> alive(mesh.tets.size(), 1);
     EXPECT_FALSE(state.tree().empty());
     for (int t = 0; t < static_cast<int>(mesh.tets.size()); ++t) {
@@ -172,7 +172,7 @@ TEST(SurfaceTree, ABodyThatIsGoneIsEmpty) {
 TEST(SurfaceTree, AVertexThatIsNotANumberDoesNotHideTheOthers) {
     const TetMesh mesh = box_mesh(Vec3(0.002, 0.002, 0.002), {2, 2, 2}, Tissue::kSkin);
     const Surface surface(mesh);
-    SurfaceState state(surface, mesh);
+    SurfaceState state(surface, mesh, false);
     std::vector<Float4> x = bent(mesh, 0);
     x[0] = {std::nanf(""), std::nanf(""), std::nanf(""), 1};
     state.refit(x);
