@@ -158,7 +158,8 @@ TEST(MeshIo, NamesPointsThatDoNotExistOrAreNotFinite) {
     EXPECT_THAT(msh1_error("3 4 1 1 4 10 20 40 80", "3 4 1 1 4 10 20 45 80"),
                 HasSubstr("line 17: element 3: no point 45; the points are numbered 10 to 90"));
     EXPECT_THAT(msh1_error("20 1 0 0", "20 nan 0 0"),
-                HasSubstr("line 4: point 20: coordinates not finite"));
+                HasSubstr("line 4: point 20: x is nan; expected a finite number"));
+    EXPECT_THAT(msh1_error("20 1 0 0", "20 1 0 -inf"), HasSubstr("line 4: point 20: z is -inf"));
     EXPECT_THAT(msh1_error("20 1 0 0", "20 1e999 0 0"), HasSubstr("outside the range"));
     EXPECT_THAT(msh1_error("20 1 0 0", "10 1 0 0"), HasSubstr("point 10 is there twice"));
     EXPECT_THAT(msh1_error("20 1 0 0", "20 1,5 0 0"), HasSubstr("line 4: \"1,5\""));
@@ -207,6 +208,27 @@ TEST(MeshIo, SaysWhatItCannotRead) {
         "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$ENDNOD\n$ELM\n1\n1 2 1 1 3 1 2 3\n$ENDELM\n";
     EXPECT_THAT(error_of(scratch.write("d.msh", surface)),
                 HasSubstr("no tetrahedra; found 1 triangle"));
+}
+
+TEST(MeshIo, SaysThatAFileIsCutOff) {
+    const Scratch scratch;
+    const auto cut = [&](const char* name, const char* from, size_t more) {
+        const std::string text = text_of(name);
+        const std::string ending = std::string(name).substr(std::string(name).rfind('.'));
+        return error_of(scratch.write("cut" + ending, text.substr(0, text.find(from) + more)));
+    };
+    EXPECT_THAT(cut("box_gmsh22_ascii.msh", "$Elements", 12),
+                HasSubstr("line 18: the file is cut off: it ends where an element number is "
+                          "expected"));
+    EXPECT_THAT(cut("box_gmsh41_ascii.msh", "$Elements", 40), HasSubstr("the file is cut off"));
+    EXPECT_THAT(cut("box_gmsh41_ascii.msh", "$EndElements", 0),
+                HasSubstr("the file is cut off: it ends where $EndElements is expected"));
+    EXPECT_THAT(cut("box_gmsh1.msh", "$ELM", 25), HasSubstr("the file is cut off"));
+    EXPECT_THAT(cut("box_gmsh22_binary.msh", "$Elements", 40),
+                HasSubstr("the file is cut off: it ends at byte "));
+    EXPECT_THAT(cut("box_vtk42_ascii.vtk", "CELLS", 30), HasSubstr("the file is cut off"));
+    EXPECT_THAT(cut("box_ascii.vtu", "offsets", 40),
+                HasSubstr("the file is cut off: it ends inside the <Piece> of line 5"));
 }
 
 TEST(MeshIo, SurvivesFilesThatAreCutOffAnywhere) {

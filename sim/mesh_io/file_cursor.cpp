@@ -3,10 +3,13 @@
 #include "sim/mesh_io/file_cursor.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <limits>
+
+#include "sim/number_text.h"
 
 namespace placode::sim {
 namespace {
@@ -38,8 +41,29 @@ FileCursor::FileCursor(const std::string& path) : file_(path) {
     if (in.gcount() != size) throw MeshError(path + ": could not be read to its end");
 }
 
-void FileCursor::fail(const std::string& message) const {
-    throw MeshError(file_ + ": line " + std::to_string(line_) + ": " + message);
+void FileCursor::fail(const std::string& message) const { fail_at(line_, message); }
+
+void FileCursor::fail_at(int line, const std::string& message) const {
+    throw MeshError(file_ + ": line " + std::to_string(line) + ": " + message);
+}
+
+void FileCursor::fail_expecting(std::string_view found, std::string_view what) const {
+    const std::string wanted =
+        " where " + std::string(what) + " is expected" + (part_.empty() ? "" : "; " + part_);
+    fail(found.empty() ? "the file is cut off: it ends" + wanted : in_quotes(found) + wanted);
+}
+
+void FileCursor::fail_cut_off(std::string_view what) const {
+    throw MeshError(file_ + ": the file is cut off: it ends at byte " +
+                    std::to_string(text_.size()) + ", inside " + std::string(what));
+}
+
+void FileCursor::check_point(int64_t id, const Vec3& x) const {
+    for (int a = 0; a < 3; ++a) {
+        if (!std::isfinite(x[a]))
+            fail("point " + std::to_string(id) + ": " + "xyz"[a] + " is " + shortest_text(x[a]) +
+                 "; expected a finite number");
+    }
 }
 
 void FileCursor::skip_space() {
@@ -96,13 +120,13 @@ void FileCursor::end_line() {
 
 int64_t FileCursor::whole(std::string_view what) {
     std::string_view text = word();
-    if (text.empty()) fail("the file ends where " + std::string(what) + " is expected");
+    if (text.empty()) fail_expecting("", what);
     const std::string found(text);
     if (text.front() == '+') text.remove_prefix(1);
     int64_t value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || end != text.data() + text.size())
-        fail(in_quotes(found) + " where " + std::string(what) + " (a whole number) is expected");
+        fail_expecting(found, std::string(what) + " (a whole number)");
     return value;
 }
 
@@ -117,7 +141,7 @@ int64_t FileCursor::count(std::string_view what) { return checked_count(whole(wh
 
 double FileCursor::real(std::string_view what) {
     std::string_view text = word();
-    if (text.empty()) fail("the file ends where " + std::string(what) + " is expected");
+    if (text.empty()) fail_expecting("", what);
     const std::string found(text);
     if (text.front() == '+') text.remove_prefix(1);
     double value = 0;
@@ -125,29 +149,24 @@ double FileCursor::real(std::string_view what) {
     if (error == std::errc::result_out_of_range && end == text.data() + text.size())
         fail(std::string(what) + " " + found.substr(0, 40) + " is outside the range of a number");
     if (error != std::errc() || end != text.data() + text.size())
-        fail(in_quotes(found) + " where " + std::string(what) + " (a number) is expected");
+        fail_expecting(found, std::string(what) + " (a number)");
     return value;
 }
 
 void FileCursor::expect(std::string_view wanted) {
     const std::string found(word());
-    if (found != wanted)
-        fail((found.empty() ? std::string("the file ends") : in_quotes(found)) + " where " +
-             std::string(wanted) + " is expected");
+    if (found != wanted) fail_expecting(found, wanted);
+    part_.clear();
 }
 
 void FileCursor::take(unsigned char* out, size_t n, std::string_view what) {
-    if (n > text_.size() - at_)
-        throw MeshError(file_ + ": the file ends at byte " + std::to_string(text_.size()) +
-                        ", inside " + std::string(what));
+    if (n > text_.size() - at_) fail_cut_off(what);
     std::memcpy(out, text_.data() + at_, n);
     at_ += n;
 }
 
 void FileCursor::skip_bytes(int64_t n, std::string_view what) {
-    if (n < 0 || static_cast<size_t>(n) > text_.size() - at_)
-        throw MeshError(file_ + ": the file ends at byte " + std::to_string(text_.size()) +
-                        ", inside " + std::string(what));
+    if (n < 0 || static_cast<size_t>(n) > text_.size() - at_) fail_cut_off(what);
     at_ += static_cast<size_t>(n);
 }
 

@@ -68,14 +68,25 @@ class FileCursor {
     }
     [[nodiscard]] size_t offset() const noexcept { return at_; }
 
+    /// What the file says about the part that is being read, "line 9 says 8 nodes": added to every
+    /// message about what is expected next, because a wrong count shows far behind the place where
+    /// it stands. "" = nothing.
+    void within(std::string part) { part_ = std::move(part); }
+
     /// @throws MeshError "file: line n: message".
     [[noreturn]] void fail(const std::string& message) const;
+    /// The same for a line that was read before.
+    [[noreturn]] void fail_at(int line, const std::string& message) const;
+    /// @throws MeshError naming point, axis and value unless all coordinates are finite.
+    void check_point(int64_t id, const Vec3& x) const;
 
  private:
     void skip_space();
     void take(unsigned char* out, size_t n, std::string_view what);
+    [[noreturn]] void fail_expecting(std::string_view found, std::string_view what) const;
+    [[noreturn]] void fail_cut_off(std::string_view what) const;
 
-    std::string file_, text_;
+    std::string file_, text_, part_;
     size_t at_ = 0;
     int line_ = 1;
     bool hash_comments_ = false;

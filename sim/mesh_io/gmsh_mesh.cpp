@@ -127,7 +127,7 @@ class GmshReader {
     }
 
     void add_point(int64_t id, const Vec3& x) {
-        if (!x.allFinite()) in_.fail("point " + std::to_string(id) + ": coordinates not finite");
+        in_.check_point(id, x);
         numbers_.add(id, static_cast<int32_t>(out_.points.size()), in_);
         out_.points.push_back(x);
         out_.point_id.push_back(id);

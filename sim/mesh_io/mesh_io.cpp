@@ -240,9 +240,12 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
         }
         out.vertex_of_point[p] = static_cast<int32_t>(out.mesh.rest.size());
         const Vec3 x = scale * file.points[p];
-        if (!x.allFinite())
-            throw MeshError(file.file + ": point " + std::to_string(file.point_id[p]) +
-                            " times scale " + rounded_text(scale, 3) + " is not finite");
+        for (int a = 0; a < 3; ++a) {
+            if (!std::isfinite(x[a]))
+                throw MeshError(file.file + ": point " + std::to_string(file.point_id[p]) + ": " +
+                                "xyz"[a] + " = " + shortest_text(file.points[p][a]) +
+                                " times scale " + shortest_text(scale) + " is not finite");
+        }
         out.mesh.rest.push_back(x);
     }
     if (unused > 0)

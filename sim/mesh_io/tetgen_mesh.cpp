@@ -28,7 +28,7 @@ void read_nodes(FileCursor& in, FileMesh& out, PointNumbers& numbers) {
         const int64_t id = in.whole("a point number");
         Vec3 x;
         for (int c = 0; c < 3; ++c) x[c] = in.real("a coordinate");
-        if (!x.allFinite()) in.fail("point " + std::to_string(id) + ": coordinates not finite");
+        in.check_point(id, x);
         for (int64_t k = 0; k < attributes + markers; ++k) (void)in.real("an attribute");
         numbers.add(id, static_cast<int32_t>(out.points.size()), in);
         out.points.push_back(x);

@@ -94,7 +94,7 @@ class VtkReader {
         for (int64_t i = 0; i < n; ++i) {
             Vec3 x;
             for (int c = 0; c < 3; ++c) x[c] = real(type, "a coordinate");
-            if (!x.allFinite()) in_.fail("point " + std::to_string(i) + ": coordinates not finite");
+            in_.check_point(i, x);
             out_.points.push_back(x);
             out_.point_id.push_back(i);
         }

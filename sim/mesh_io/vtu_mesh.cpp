@@ -92,12 +92,17 @@ class VtuReader {
 
     void piece(Tag& head) {
         ++pieces_;
+        const int line = in_.line();
         const auto first_point = static_cast<int64_t>(out_.points.size());
         std::string section;
         VtkCells cells;
         cells.offsets.push_back(0);
         Tag tag;
-        while (next(tag) && tag.name != "/Piece") {
+        while (true) {
+            if (!next(tag))
+                in_.fail("the file is cut off: it ends inside the <Piece> of line " +
+                         std::to_string(line));
+            if (tag.name == "/Piece") break;
             if (tag.name == "Points" || tag.name == "Cells" || tag.name == "PointData" ||
                 tag.name == "CellData") {
                 section = tag.name;
@@ -149,8 +154,7 @@ class VtuReader {
                 x[c] = in_.real("a coordinate");
             }
             const auto id = static_cast<int64_t>(out_.points.size());
-            if (!x.allFinite())
-                in_.fail("point " + std::to_string(id) + ": coordinates not finite");
+            in_.check_point(id, x);
             out_.points.push_back(x);
             out_.point_id.push_back(id);
         }
