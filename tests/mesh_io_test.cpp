@@ -168,7 +168,35 @@ TEST(MeshIo, NamesPointsThatDoNotExistOrAreNotFinite) {
 TEST(MeshIo, RefusesCountsThatTheFileCannotHold) {
     EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n900000000000"), HasSubstr("is not possible"));
     EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n-9"), HasSubstr("is not possible"));
-    EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n8"), HasSubstr("$ENDNOD is expected"));
+    EXPECT_THAT(msh1_error("$NOD\n9", "$NOD\n8"),
+                HasSubstr("line 11: \"90\" where $ENDNOD is expected; line 2 says 8 nodes"));
+}
+
+TEST(MeshIo, NamesTheHeadWhoseCountIsWrong) {
+    const Scratch scratch;
+    const auto error = [&](const char* from, const char* to) {
+        return error_of(
+            scratch.write("a.msh", replaced(text_of("box_gmsh41_ascii.msh"), from, to)));
+    };
+    for (const char* count : {"8", "10"})
+        EXPECT_THAT(error("3 1 0 9", (std::string("3 1 0 ") + count).c_str()),
+                    HasSubstr(std::string("a.msh: line 10: node block 1 of 1 says ") + count +
+                              " nodes, but line 9 says 9 nodes in 1 blocks"));
+    EXPECT_THAT(error("3 1 4 6", "3 1 4 5"),
+                HasSubstr("line 35: element block 2 of 2 says 5 elements, 7 with those before it "
+                          "(line 32 says 2 elements in block 1), but line 31 says 8 elements in 2 "
+                          "blocks"));
+    EXPECT_THAT(error("2 8 1 8", "1 8 1 8"),
+                HasSubstr("line 32: element block 1 of 1 says 2 elements, but line 31 says 8"));
+    EXPECT_THAT(error("2 8 1 8", "3 8 1 8"),
+                HasSubstr("\"$EndElements\" where the dimension of an element block (a whole "
+                          "number) is expected; line 35 says 6 elements in block 2, line 31 says 8 "
+                          "elements in 3 blocks"));
+    // The second element is taken for the head of block 2.
+    EXPECT_THAT(error("2 1 2 2\n1 1 2 4\n2 1 4 3\n", "2 1 2 1\n1 1 2 4\n2 1 4 3\n"),
+                HasSubstr("line 32 says 1 elements in block 1), but line 31 says 8 elements"));
+    EXPECT_THAT(error("1 9 1 9", "0 9 1 9"),
+                HasSubstr("line 9: 9 nodes in 0 blocks; expected at least one block"));
 }
 
 TEST(MeshIo, RefusesPiecesThatDoNotHangTogetherUnlessAllowed) {

@@ -4,46 +4,11 @@
 // Source: Gmsh reference manual, "MSH file format" and "MSH file format version 1 / 2 (Legacy)".
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
-#include "sim/mesh_io/file_cursor.h"
+#include "sim/mesh_io/gmsh_parts.h"
 
 namespace placode::sim {
 namespace {
-
-struct ElementType {
-    const char* name;
-    int points;
-};
-
-/// Types 1 to 19 of the manual; 0 points = unknown to us.
-ElementType element_type(int64_t type) {
-    constexpr std::array<ElementType, 20> kTypes{{{"", 0},
-                                                  {"line", 2},
-                                                  {"triangle", 3},
-                                                  {"quadrangle", 4},
-                                                  {"tetrahedron", 4},
-                                                  {"hexahedron", 8},
-                                                  {"prism", 6},
-                                                  {"pyramid", 5},
-                                                  {"line", 3},
-                                                  {"triangle", 6},
-                                                  {"quadrangle", 9},
-                                                  {"tetrahedron of second order", 10},
-                                                  {"hexahedron", 27},
-                                                  {"prism", 18},
-                                                  {"pyramid", 14},
-                                                  {"point", 1},
-                                                  {"quadrangle", 8},
-                                                  {"hexahedron", 20},
-                                                  {"prism", 15},
-                                                  {"pyramid", 13}}};
-    if (type < 1 || type >= static_cast<int64_t>(kTypes.size())) return {"other element", 0};
-    return kTypes[static_cast<size_t>(type)];
-}
-
-constexpr int kTriangle = 2, kTetrahedron = 4, kSecondOrderTetrahedron = 11;
 
 class GmshReader {
  public:
@@ -135,7 +100,7 @@ class GmshReader {
 
     void nodes_1_and_2() {
         nodes_read_ = true;
-        const int64_t n = in_.count("the number of nodes");
+        const int64_t n = counted("nodes");
         if (binary_) (void)in_.rest_of_line();
         for (int64_t i = 0; i < n; ++i) {
             int64_t id = 0;
@@ -151,15 +116,31 @@ class GmshReader {
         }
     }
 
+    /// The number that formats 1 and 2 have at the head of a section.
+    int64_t counted(const std::string& what) {
+        const int64_t n = in_.count("the number of " + what);
+        if (!binary_) in_.within(says(in_, n, what));
+        return n;
+    }
+
+    /// The head of a section of format 4.1.
+    GmshBlocks head_4(const std::string& what) {
+        const int64_t blocks = count_4("the number of " + what + " blocks");
+        const int64_t all = count_4("the number of " + what + "s");
+        for (int i = 0; i < 2; ++i) (void)size_4("the least and the greatest " + what + " number");
+        return {what, blocks, all, binary_, in_};
+    }
+
     void nodes_4() {
         nodes_read_ = true;
         if (binary_) in_.end_line();
-        const int64_t blocks = count_4("the number of node blocks");
-        for (int i = 0; i < 3; ++i) (void)size_4("$Nodes");
-        for (int64_t b = 0; b < blocks; ++b) {
-            const int64_t dimension = int_4("$Nodes");
-            (void)int_4("$Nodes");
-            const int64_t parametric = int_4("$Nodes"), n = count_4("the number of nodes");
+        GmshBlocks blocks = head_4("node");
+        while (blocks.next()) {
+            const int64_t dimension = int_4("the dimension of a node block");
+            (void)int_4("the entity of a node block");
+            const int64_t parametric = int_4("0 or 1 (parametric)");
+            const int64_t n = count_4("the number of nodes");
+            blocks.count(n);
             std::vector<int64_t> ids;
             for (int64_t i = 0; i < n; ++i) ids.push_back(size_4("a node number"));
             for (const int64_t id : ids) {
@@ -173,7 +154,7 @@ class GmshReader {
 
     void elements_1() {
         elements_read_ = true;
-        const int64_t n = in_.count("the number of elements");
+        const int64_t n = counted("elements");
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
             group_ = in_.whole("a region");
@@ -187,7 +168,7 @@ class GmshReader {
 
     void elements_2_ascii() {
         elements_read_ = true;
-        const int64_t n = in_.count("the number of elements");
+        const int64_t n = counted("elements");
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
             const int64_t tags = in_.count("the number of tags");
@@ -204,13 +185,13 @@ class GmshReader {
     /// Unknown types are skipped by the line.
     void ascii_points(int64_t type) {
         points_.clear();
-        const int points = element_type(type).points;
+        const int points = gmsh_element_type(type).points;
         if (points == 0) (void)in_.rest_of_line();
         for (int k = 0; k < points; ++k) points_.push_back(in_.whole("a node number"));
     }
 
     int known_points(int64_t type) {
-        const int points = element_type(type).points;
+        const int points = gmsh_element_type(type).points;
         if (points == 0)
             throw MeshError(out_.file + ": element type " + std::to_string(type) +
                             " is unknown and cannot be skipped in a binary file; expected types 1 "
@@ -220,7 +201,7 @@ class GmshReader {
 
     void elements_2_binary() {
         elements_read_ = true;
-        const int64_t n = in_.count("the number of elements");
+        const int64_t n = counted("elements");
         (void)in_.rest_of_line();
         for (int64_t i = 0; i < n;) {
             const auto type = in_.binary<int32_t>(swap_, "$Elements");
@@ -245,12 +226,12 @@ class GmshReader {
     void elements_4() {
         elements_read_ = true;
         if (binary_) in_.end_line();
-        const int64_t blocks = count_4("the number of element blocks");
-        for (int i = 0; i < 3; ++i) (void)size_4("$Elements");
-        for (int64_t b = 0; b < blocks; ++b) {
-            (void)int_4("$Elements");
-            group_ = int_4("$Elements");
+        GmshBlocks blocks = head_4("element");
+        while (blocks.next()) {
+            (void)int_4("the dimension of an element block");
+            group_ = int_4("the entity of an element block");
             const int64_t type = int_4("an element type"), n = count_4("the number of elements");
+            blocks.count(n);
             const int points = binary_ ? known_points(type) : 0;
             for (int64_t i = 0; i < n; ++i) {
                 const int64_t id = size_4("an element number");
@@ -266,15 +247,15 @@ class GmshReader {
     }
 
     void add_element(int64_t id, int64_t type) {
-        if (type != kTetrahedron && type != kSecondOrderTetrahedron) {
-            ++out_.skipped[element_type(type).name];
-            if (type == kTriangle) add_triangle(id);
+        if (type != kGmshTetrahedron && type != kGmshSecondOrderTetrahedron) {
+            ++out_.skipped[gmsh_element_type(type).name];
+            if (type == kGmshTriangle) add_triangle(id);
             return;
         }
         const std::string name = "element " + std::to_string(id);
         if (points_.size() < 4)
             in_.fail(name + ": " + std::to_string(points_.size()) + " nodes; a tetrahedron has 4");
-        if (type == kSecondOrderTetrahedron) ++second_order_;
+        if (type == kGmshSecondOrderTetrahedron) ++second_order_;
         FileTet tet;
         tet.id = id;
         tet.line = binary_ ? 0 : in_.line();
