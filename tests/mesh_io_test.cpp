@@ -199,6 +199,41 @@ TEST(MeshIo, NamesTheHeadWhoseCountIsWrong) {
                 HasSubstr("line 9: 9 nodes in 0 blocks; expected at least one block"));
 }
 
+TEST(MeshIo, NamesTheLineOfCellsInVtkFiles) {
+    const Scratch scratch;
+    const std::string cells = "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";
+    const auto vtu = [&](const std::string& from, const std::string& to) {
+        return error_of(scratch.write("a.vtu", replaced(text_of("box_ascii.vtu"), from, to)));
+    };
+    const std::string faces = cells + "0\n1\n3\n0\n3\n2\n";  // the first tet follows: 0 1 3 7
+    EXPECT_THAT(vtu(faces + "0\n1\n3\n7", faces + "1\n0\n3\n7"),
+                HasSubstr("a.vtu: 1 of 6 tetrahedra are inverted: number 2 (line 46)"));
+    EXPECT_THAT(vtu(faces + "0\n1\n3\n7", faces + "0\n1\n3\n70"),
+                HasSubstr("a.vtu: line 49: cell 2: no point 70; the points are numbered 0 to 8"));
+    EXPECT_THAT(vtu(faces + "0\n1\n3\n7", faces + "0\n1\n3"),
+                HasSubstr("line 79: cell 7: offsets 26 to 30 do not fit the connectivity of 29"));
+    EXPECT_THAT(vtu("5\n5\n10", "5\n10"),
+                HasSubstr("line 5: Piece says NumberOfCells \"8\", found 7"));
+    EXPECT_THAT(vtu("30\n\n</DataArray>", "\n</DataArray>"),
+                HasSubstr("line 5: 7 cells, but 8 cell types"));
+    // Cells are counted through all pieces.
+    const std::string text = text_of("box_ascii.vtu");
+    const std::string piece =
+        text.substr(text.find("<Piece"), text.find("</UnstructuredGrid>") - text.find("<Piece"));
+    const std::string second = replaced(piece, faces + "0\n1\n3\n7", faces + "0\n1\n1\n7");
+    EXPECT_THAT(vtu("</UnstructuredGrid>", second + "</UnstructuredGrid>"),
+                HasSubstr("number 10 (line "));
+    EXPECT_THAT(error_of(scratch.write("a.vtk", replaced(text_of("box_vtk51_ascii.vtk"),
+                                                         "0 1 3 7 0 2 6", "0 1 3 70 0 2 6"))),
+                HasSubstr("a.vtk: line 23: cell 2: no point 70"));
+    // Behind binary data lines mean nothing.
+    std::string binary = text_of("box_gmsh22_binary.msh");
+    const size_t x = binary.find("$Nodes\n9\n") + 9 + 4;
+    binary.replace(x, 8, std::string("\0\0\0\0\0\0\xf0\x7f", 8));
+    EXPECT_THAT(error_of(scratch.write("a.msh", binary)),
+                HasSubstr("a.msh: byte " + std::to_string(x + 24) + ": point 1: x is inf"));
+}
+
 TEST(MeshIo, RefusesPiecesThatDoNotHangTogetherUnlessAllowed) {
     const std::string two =
         "$NOD\n8\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n5 5 0 0\n6 6 0 0\n7 5 1 0\n8 5 0 1\n$ENDNOD\n"

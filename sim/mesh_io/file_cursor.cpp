@@ -41,7 +41,10 @@ FileCursor::FileCursor(const std::string& path) : file_(path) {
     if (in.gcount() != size) throw MeshError(path + ": could not be read to its end");
 }
 
-void FileCursor::fail(const std::string& message) const { fail_at(line_, message); }
+void FileCursor::fail(const std::string& message) const {
+    if (!binary_) fail_at(line_, message);
+    throw MeshError(file_ + ": byte " + std::to_string(at_) + ": " + message);
+}
 
 void FileCursor::fail_at(int line, const std::string& message) const {
     throw MeshError(file_ + ": line " + std::to_string(line) + ": " + message);
@@ -163,6 +166,7 @@ void FileCursor::take(unsigned char* out, size_t n, std::string_view what) {
     if (n > text_.size() - at_) fail_cut_off(what);
     std::memcpy(out, text_.data() + at_, n);
     at_ += n;
+    binary_ = true;
 }
 
 void FileCursor::skip_bytes(int64_t n, std::string_view what) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Walks through a mesh file: words with their line, numbers with '.' in every locale, raw binary.
-// Every error is a MeshError with file and line. Private to sim/mesh_io.
+// Every error is a MeshError with file and line, or byte behind binary data. Private to
+// sim/mesh_io.
 
 #include <cstdint>
 #include <string>
@@ -73,7 +74,7 @@ class FileCursor {
     /// it stands. "" = nothing.
     void within(std::string part) { part_ = std::move(part); }
 
-    /// @throws MeshError "file: line n: message".
+    /// @throws MeshError "file: line n: message", or with the byte behind binary data.
     [[noreturn]] void fail(const std::string& message) const;
     /// The same for a line that was read before.
     [[noreturn]] void fail_at(int line, const std::string& message) const;
@@ -90,6 +91,7 @@ class FileCursor {
     size_t at_ = 0;
     int line_ = 1;
     bool hash_comments_ = false;
+    bool binary_ = false;  // Behind binary data, where lines mean nothing.
 };
 
 /// Puts point numbers of any kind (tags, 1-based) to indices. Dense tags use a table.

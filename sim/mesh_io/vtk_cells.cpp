@@ -41,33 +41,39 @@ const char* cell_name(int64_t type) {
     }
 }
 
+int32_t line_at(const std::vector<int32_t>& lines, size_t i) {
+    return i < lines.size() ? lines[i] : 0;
+}
+
 }  // namespace
 
 void add_vtk_cells(const VtkCells& cells, const FileCursor& cursor, FileMesh& out,
-                   int64_t first_point) {
-    const auto fail = [&](const std::string& message) {
+                   int64_t first_point, int64_t first_cell) {
+    const auto fail = [&](int32_t line, const std::string& message) {
+        if (line > 0) cursor.fail_at(line, message);
         throw MeshError(cursor.file() + ": " + message);
     };
     const size_t n = cells.types.size();
     if (cells.offsets.size() != n + 1)
-        fail(std::to_string(cells.offsets.size() - 1) + " cells, but " + std::to_string(n) +
-             " cell types");
+        fail(cells.line, std::to_string(cells.offsets.size() - 1) + " cells, but " +
+                             std::to_string(n) + " cell types");
     const auto points = static_cast<int64_t>(out.points.size()) - first_point;
     int quadratic = 0;
     for (size_t c = 0; c < n; ++c) {
         const int64_t from = cells.offsets[c], to = cells.offsets[c + 1];
-        const std::string line = c < cells.line.size() && cells.line[c] > 0
-                                     ? "line " + std::to_string(cells.line[c]) + ": "
-                                     : "";
-        const std::string name = line + "cell " + std::to_string(c);
+        const int64_t id = first_cell + static_cast<int64_t>(c);
+        const std::string name = "cell " + std::to_string(id);
         if (from < 0 || to < from || to > static_cast<int64_t>(cells.connectivity.size()))
-            fail(name + ": offsets " + std::to_string(from) + " to " + std::to_string(to) +
-                 " do not fit the connectivity of " + std::to_string(cells.connectivity.size()));
+            fail(line_at(cells.offsets_line, c + 1), name + ": offsets " + std::to_string(from) +
+                                                         " to " + std::to_string(to) +
+                                                         " do not fit the connectivity of " +
+                                                         std::to_string(cells.connectivity.size()));
+        const int32_t line = line_at(cells.connectivity_line, static_cast<size_t>(from));
         if (cells.types[c] != kTetrahedron && cells.types[c] != kQuadraticTetrahedron) {
             ++out.skipped[cell_name(cells.types[c])];
             if (cells.types[c] != kTriangle) continue;
             // A broken triangle is an error where it is used.
-            FileTriangle triangle{{-1, -1, -1}, static_cast<int64_t>(c), 0};
+            FileTriangle triangle{{-1, -1, -1}, id, 0};
             for (size_t k = 0; k < 3 && to - from == 3; ++k) {
                 const int64_t p = cells.connectivity[static_cast<size_t>(from) + k];
                 if (p >= 0 && p < points) triangle.point[k] = static_cast<int32_t>(first_point + p);
@@ -77,17 +83,18 @@ void add_vtk_cells(const VtkCells& cells, const FileCursor& cursor, FileMesh& ou
         }
         const bool second = cells.types[c] == kQuadraticTetrahedron;
         if (to - from != (second ? 10 : 4))
-            fail(name + ": " + std::to_string(to - from) + " points; a tetrahedron has " +
-                 (second ? "10" : "4"));
+            fail(line, name + ": " + std::to_string(to - from) + " points; a tetrahedron has " +
+                           (second ? "10" : "4"));
         quadratic += second ? 1 : 0;
         FileTet tet;
-        tet.id = static_cast<int64_t>(c);
-        tet.line = c < cells.line.size() ? cells.line[c] : 0;
+        tet.id = id;
+        tet.line = line;
         for (size_t k = 0; k < 4; ++k) {
             const int64_t p = cells.connectivity[static_cast<size_t>(from) + k];
             if (p < 0 || p >= points)
-                fail(name + ": no point " + std::to_string(p) + "; the points are numbered 0 to " +
-                     std::to_string(points - 1));
+                fail(line_at(cells.connectivity_line, static_cast<size_t>(from) + k),
+                     name + ": no point " + std::to_string(p) + "; the points are numbered 0 to " +
+                         std::to_string(points - 1));
             tet.point[k] = static_cast<int32_t>(first_point + p);
         }
         out.tets.push_back(tet);

@@ -104,6 +104,7 @@ class VtkReader {
     void cells() {
         const int64_t n = in_.count("the number of cells"), size = in_.count("the size of CELLS");
         cells_.known = true;
+        cells_.line = binary_ ? 0 : in_.line();
         if (five_) {
             cells_of_version_5(n, size);
             return;
@@ -115,8 +116,8 @@ class VtkReader {
             const int64_t k = in_.checked_count(integer("int", "a number of points"), "cell size");
             for (int64_t p = 0; p < k; ++p) {
                 cells_.connectivity.push_back(integer("int", "a point number"));
+                if (!binary_) cells_.connectivity_line.push_back(in_.line());
             }
-            cells_.line.push_back(binary_ ? 0 : in_.line());
             cells_.offsets.push_back(static_cast<int64_t>(cells_.connectivity.size()));
             read += k + 1;
         }
@@ -134,6 +135,9 @@ class VtkReader {
             for (int64_t i = 0; i < (part == 0 ? offsets : size); ++i) {
                 const int64_t value = integer(type, name);
                 (part == 0 ? cells_.offsets : cells_.connectivity).push_back(value);
+                if (!binary_)
+                    (part == 0 ? cells_.offsets_line : cells_.connectivity_line)
+                        .push_back(in_.line());
             }
         }
         if (cells_.offsets.empty()) cells_.offsets.push_back(0);

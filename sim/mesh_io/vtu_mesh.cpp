@@ -97,6 +97,8 @@ class VtuReader {
         std::string section;
         VtkCells cells;
         cells.offsets.push_back(0);
+        cells.offsets_line.push_back(0);
+        cells.line = line;
         Tag tag;
         while (true) {
             if (!next(tag))
@@ -112,20 +114,24 @@ class VtuReader {
                 points(tag);
             } else if (tag.name == "DataArray" && section == "Cells") {
                 const std::string name = tag.attribute["Name"];
-                if (name == "connectivity") integers(tag, cells.connectivity);
-                if (name == "offsets") integers(tag, cells.offsets);
-                if (name == "types") integers(tag, cells.types);
+                std::vector<int32_t> unused;
+                if (name == "connectivity")
+                    integers(tag, cells.connectivity, cells.connectivity_line);
+                if (name == "offsets") integers(tag, cells.offsets, cells.offsets_line);
+                if (name == "types") integers(tag, cells.types, unused);
             }
         }
-        check_count(head, "NumberOfPoints", static_cast<int64_t>(out_.points.size()) - first_point);
-        check_count(head, "NumberOfCells", static_cast<int64_t>(cells.types.size()));
-        add_vtk_cells(cells, in_, out_, first_point);
+        check_count(head, line, "NumberOfPoints",
+                    static_cast<int64_t>(out_.points.size()) - first_point);
+        check_count(head, line, "NumberOfCells", static_cast<int64_t>(cells.types.size()));
+        add_vtk_cells(cells, in_, out_, first_point, cells_);
+        cells_ += static_cast<int64_t>(cells.types.size());
     }
 
-    void check_count(Tag& tag, const std::string& key, int64_t found) {
+    void check_count(Tag& tag, int line, const std::string& key, int64_t found) {
         if (tag.attribute[key] != std::to_string(found))
-            throw MeshError(out_.file + ": Piece says " + key + " \"" + tag.attribute[key] +
-                            "\", found " + std::to_string(found));
+            in_.fail_at(line, "Piece says " + key + " \"" + tag.attribute[key] + "\", found " +
+                                  std::to_string(found));
     }
 
     void need_ascii(Tag& tag) {
@@ -137,9 +143,12 @@ class VtuReader {
 
     bool more() { return !in_.at_end() && in_.text()[in_.offset()] != '<'; }
 
-    void integers(Tag& tag, std::vector<int64_t>& out) {
+    void integers(Tag& tag, std::vector<int64_t>& out, std::vector<int32_t>& line) {
         need_ascii(tag);
-        while (more()) out.push_back(in_.whole(tag.attribute["Name"]));
+        while (more()) {
+            out.push_back(in_.whole(tag.attribute["Name"]));
+            line.push_back(in_.line());
+        }
     }
 
     void points(Tag& tag) {
@@ -162,6 +171,7 @@ class VtuReader {
 
     FileCursor in_;
     FileMesh out_;
+    int64_t cells_ = 0;  // of all pieces so far
     int pieces_ = 0;
 };
 
