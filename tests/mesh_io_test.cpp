@@ -144,7 +144,10 @@ TEST(MeshIo, NamesDuplicatesDegenerateAndOverlappingElements) {
     EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 10 20 40 30"),
                 HasSubstr("1 degenerate tetrahedra: number 4 (line 18)"));
     EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 10 30 30 80"),
-                HasSubstr("number 4 (line 18): point 30 is there twice"));
+                ::testing::AllOf(HasSubstr("a.msh: 1 tetrahedra without four different points: "
+                                           "number 4 (line 18): corners 2 and 3 are both point 30"),
+                                 ::testing::Not(HasSubstr("degenerate")),
+                                 ::testing::Not(HasSubstr("overlap"))));
     // Everything that is wrong is said at once.
     EXPECT_THAT(msh1_error("4 4 1 1 4 10 30 70 80", "4 4 1 1 4 20 10 40 80"),
                 ::testing::AllOf(HasSubstr("duplicate"), HasSubstr("inverted")));

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "sim/mesh_io/file_cursor.h"
 #include "sim/number_text.h"
@@ -53,6 +54,30 @@ void add_problem(std::string& problems, const std::string& text) {
     problems += (problems.empty() ? "" : "; ") + text;
 }
 
+/// Two corners that are one point; such a tet has no volume whatever its points are.
+std::optional<std::pair<size_t, size_t>> same_corners(const FileTet& tet) {
+    for (size_t i = 1; i < 4; ++i) {
+        for (size_t j = 0; j < i; ++j) {
+            if (tet.point[i] == tet.point[j]) return std::pair{j, i};
+        }
+    }
+    return std::nullopt;
+}
+
+void check_corners(const FileMesh& file, std::string& problems) {
+    NumberList twice;
+    for (const FileTet& tet : file.tets) {
+        if (const auto same = same_corners(tet))
+            twice.add(tet, ": corners " + std::to_string(same->first + 1) + " and " +
+                               std::to_string(same->second + 1) + " are both point " +
+                               std::to_string(file.point_id[at(tet.point[same->first])]));
+    }
+    if (twice.count() > 0)
+        add_problem(problems, std::to_string(twice.count()) +
+                                  " tetrahedra without four different points: number " +
+                                  twice.text());
+}
+
 /// Finds degenerate and some inverted tets; true when all are turned the other way.
 bool check_volumes(const FileMesh& file, std::string& problems) {
     NumberList flat, inverted;
@@ -60,7 +85,7 @@ bool check_volumes(const FileMesh& file, std::string& problems) {
         const double edge = mean_edge(file, tet), volume = signed_volume(file, tet);
         // Relative: the unit of the file does not matter. As in check_mesh.
         if (!(std::abs(volume) > 1e-9 * edge * edge * edge)) {
-            flat.add(tet);
+            if (!same_corners(tet)) flat.add(tet);
         } else if (volume < 0) {
             inverted.add(tet);
         }
@@ -102,6 +127,7 @@ void check_duplicates(const FileMesh& file, std::string& problems) {
 void check_faces(const FileMesh& file, std::string& problems) {
     std::vector<std::pair<std::array<int32_t, 3>, int32_t>> faces;
     for (size_t t = 0; t < file.tets.size(); ++t) {
+        if (same_corners(file.tets[t])) continue;
         for (size_t skip = 0; skip < 4; ++skip) {
             std::array<int32_t, 3> face{};
             for (size_t i = 0, n = 0; i < 4; ++i) {
@@ -205,18 +231,8 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
     out.warnings = file.warnings;
     for (const auto& [kind, n] : file.skipped)
         out.warnings.push_back("skipped " + std::to_string(n) + " cells: " + kind);
-    for (const FileTet& tet : file.tets) {
-        for (size_t i = 0; i < 4; ++i) {
-            for (size_t j = 0; j < i; ++j) {
-                if (tet.point[i] == tet.point[j])
-                    throw MeshError(file.file + ": tetrahedron number " + std::to_string(tet.id) +
-                                    place_of(tet) + ": point " +
-                                    std::to_string(file.point_id[at(tet.point[i])]) +
-                                    " is there twice; expected four different points");
-            }
-        }
-    }
     std::string problems;
+    check_corners(file, problems);
     const bool turn = check_volumes(file, problems);
     check_duplicates(file, problems);
     check_faces(file, problems);
