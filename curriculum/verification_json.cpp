@@ -14,9 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Other systems of units are welcome; beyond these the solver's floats have no room.
-constexpr Range kModulus{0, 1e18, true, false};
-
 uint8_t axes_of(const Place& place) {
     uint8_t axes = 0;
     const std::string text = place.text();
@@ -214,9 +211,9 @@ sim::BoxSelection box_of(const Place& place) {
 }
 
 void read_elastic(const Place& place, sim::Material& material) {
-    place.take("youngs_modulus_pa", material.youngs_modulus_pa, kModulus);
+    place.take("youngs_modulus_pa", material.youngs_modulus_pa, kAnyUnit);
     place.take("poissons_ratio", material.poissons_ratio, {-1, 0.5, true, true});
-    place.take("density_kg_m3", material.density_kg_m3, kModulus);
+    place.take("density_kg_m3", material.density_kg_m3, kAnyUnit);
 }
 
 sim::VerificationScene verification_scene_from_json(const std::string& text,

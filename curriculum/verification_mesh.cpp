@@ -164,7 +164,7 @@ void read_sheet(const Place& place, const std::string& folder, const sim::FileMe
                        std::to_string(kMostTriangles));
         sheet.material = scene.material;
         read_elastic(place, sheet.material);
-        sheet.thickness_m = place.at("thickness_m").number(kPositive);
+        sheet.thickness_m = place.at("thickness_m").number(kAnyUnit);
         place.take("allow_disconnected", sheet.allow_disconnected);
         sim::use_sheet(scene, sheet);
     } catch (const sim::MeshError& problem) {

@@ -41,6 +41,9 @@ struct Range {
 inline constexpr Range kAny{};
 inline constexpr Range kPositive{0, kInfinity, true, false};
 inline constexpr Range kNotNegative{0, kInfinity};
+/// Modulus, density and thickness in whatever system of units: water has 1e-24 kg/nm^3. A float
+/// ends at 1e-38 and 3e38: the rest is for volumes, 1e-14 m^3 and less.
+inline constexpr Range kAnyUnit{1e-24, 1e18, false, true};
 
 /// A place in the document.
 class Place {

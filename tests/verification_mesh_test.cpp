@@ -164,7 +164,7 @@ TEST(SheetScene, RefusesWhatCannotBe) {
     EXPECT_THAT(with(R"({"group": 1, "thickness_m": 1e-4})"),
                 HasSubstr("/sheets/0/group: belongs to a \"mesh\" from a file"));
     EXPECT_THAT(with(R"({"box_m": [[0,0,0.0005],[1,1,1]], "thickness_m": 0})"),
-                HasSubstr("/sheets/0/thickness_m: found 0; expected a number above 0"));
+                HasSubstr("/sheets/0/thickness_m: found 0; expected a number from 1e-24"));
     EXPECT_THAT(with(R"({"box_m": [[0,0,0.0005],[1,1,1]], "thickness_m": 1e-4})"),
                 HasSubstr("accepted"));
     EXPECT_THAT(with(R"({"box_m": [[0,0,0.0005],[1,1,0.0007]], "thickness_m": 1e-4})"),

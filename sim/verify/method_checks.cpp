@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kMostRounding = 20;  // [%] of the motion lost to rounding: no result
 constexpr double kVbdGoodCourant = 0.6;
+// Measured: right at 2e12, vertices that never move at 2e13 (nu 0.49) and 6e13 (nu 0.3).
+constexpr double kVbdMostCourant = 1e12;
 // Above it vbd settles beside the equilibrium: a cantilever of nu 0.49 at Courant number 2.3 by 2.4
 // %.
 constexpr double kVbdExactPoissonsRatio = 0.46;
@@ -59,6 +61,13 @@ class MethodChecks {
     }
 
     void vbd() const {
+        if (setup_.max_courant > kVbdMostCourant)
+            not_valid("/material/youngs_modulus_pa",
+                      courant() +
+                          ": a stiffness so far above mass over step^2 leaves the range of "
+                          "a float, and nothing moves; expected at most " +
+                          rounded_text(kVbdMostCourant, 4) +
+                          " by another modulus, density or substep, or method newton");
         if (setup_.max_courant <= kVbdGoodCourant) return;
         const bool exact = setup_.scene.material.poissons_ratio <= kVbdExactPoissonsRatio;
         out_.warnings.push_back(

@@ -242,7 +242,7 @@ double SolveSetup::usual_acceleration() const {
     Vec3 load = Vec3::Zero();
     for (const LoadRegion& region : scene.loads) load += region.total_force_n;
     double mass = 0;
-    for (const float m : body->mass_kg()) mass += m;
+    for (const double m : body->mass_kg()) mass += m;
     const Material& m = scene.material;
     return std::max({scene.gravity_m_s2.norm(), load.norm() / mass,
                      strain * m.youngs_modulus_pa / (m.density_kg_m3 * extent)});
