@@ -141,6 +141,26 @@ TEST(Solve, FollowsTheReferenceHoweverShortTheSteps) {
     }
 }
 
+TEST(Solve, SaysWhatStressThePairLeavesBehind) {
+    // Hangs along x on rollers: the support carries the weight, or what the pair makes of it.
+    const auto hung = [](const char* method, int substeps) {
+        return run(R"({"mesh": {"box": {"size_m": [0.02, 0.004, 0.004], "cells": [10, 2, 2]}},
+            "material": {"youngs_modulus_pa": 50000}, "gravity_m_s2": [9.81, 0, 0],
+            "damping_per_s": 80, "until": {"time_s": 0.3}, )" +
+                   kRollers + ", " + solver(method, substeps) + "}");
+    };
+    const double weight = 1000 * 9.81 * 0.02 * 16e-6;
+    for (const int substeps : {16, 32}) {
+        const SolveResult pair = hung("xpbd_pair", substeps);
+        ASSERT_EQ(pair.warnings.size(), 1u);
+        const size_t at = pair.warnings[0].find("up to ");
+        ASSERT_NE(at, std::string::npos) << pair.warnings[0];
+        const double said = std::stod(pair.warnings[0].substr(at + 6)) / 100;
+        EXPECT_NEAR((weight + pair.reaction_n.x()) / weight, said, 0.15 * said) << substeps;
+        EXPECT_TRUE(hung("xpbd", substeps).warnings.empty());
+    }
+}
+
 TEST(Solve, SaysHowFarItIs) {
     for (const char* method : {"vbd", "explicit", "newton"}) {
         const sim::VerificationScene scene = curriculum::verification_scene_from_json(
