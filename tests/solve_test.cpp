@@ -384,6 +384,21 @@ TEST(Solve, ANearlyIncompressibleBeamComesToRestWhereNewtonSaysItDoes) {
     EXPECT_NEAR(tip[1] / tip[0], 1, 0.005);  // with over-relaxation 1.2 it trembles, 7 % off
 }
 
+TEST(Solve, ExplicitAndNewtonTakeWhatIsTooIncompressibleForVbd) {
+    const auto with = [](const char* method, int substeps) {
+        return cube(R"("fixed": [{"box_m": [[0,0,0],[0,1,1]]}], "damping_per_s": 100,
+            "material": {"poissons_ratio": 0.499}, "until": {"time_s": 0.3}, )" +
+                    solver(method, substeps));
+    };
+    EXPECT_THAT(refusal(with("vbd", 8)), HasSubstr("expected at most 0.495 for vbd"));
+    const SolveResult a = run(with("newton", 1)), b = run(with("explicit", 96));
+    for (const SolveResult* r : {&a, &b}) {
+        EXPECT_FALSE(r->diverged);
+        EXPECT_NEAR(r->reaction_n.z(), 8e-6 * 9.81, 1e-3 * 8e-6 * 9.81);
+    }
+    EXPECT_NEAR(b.final_m[26].z(), a.final_m[26].z(), 1e-3 * (0.002 - a.final_m[26].z()));
+}
+
 TEST(Solve, FrictionHoldsATangentialPullUpToTheCone) {
     // The sphere sits 0.4 mm deep and moves sideways: with friction it drags the surface along.
     double side[2]{};
