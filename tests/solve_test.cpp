@@ -399,6 +399,18 @@ TEST(Solve, ExplicitAndNewtonTakeWhatIsTooIncompressibleForVbd) {
     EXPECT_NEAR(b.final_m[26].z(), a.final_m[26].z(), 1e-3 * (0.002 - a.final_m[26].z()));
 }
 
+TEST(Solve, SaysWhenASphereBeginsInsideTheTissue) {
+    const auto with = [](const char* centre) {
+        return run(cube(R"("until": {"time_s": 0.001}, "sdf_contacts": [{"sphere": {"centre_m": )" +
+                        std::string(centre) + R"(, "radius_m": 0.0003}}], )" + solver("vbd", 4)))
+            .warnings;
+    };
+    EXPECT_THAT(with("[0.0004, 0.0011, 0.0013]"),
+                ::testing::Contains(HasSubstr("/sdf_contacts/0: the centre begins inside")));
+    EXPECT_THAT(with("[0.0004, 0.0011, 0.0023]"),
+                ::testing::Not(::testing::Contains(HasSubstr("the centre begins inside"))));
+}
+
 TEST(Solve, FrictionHoldsATangentialPullUpToTheCone) {
     // The sphere sits 0.4 mm deep and moves sideways: with friction it drags the surface along.
     double side[2]{};

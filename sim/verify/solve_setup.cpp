@@ -32,6 +32,19 @@ double ramp(double time_s, double ramp_s) {
     return ramp_s > 0 ? std::clamp(time_s / ramp_s, 0.0, 1.0) : 1.0;
 }
 
+/// In one of the tets at rest.
+bool is_inside(const TetMesh& mesh, const Vec3& p) {
+    for (const auto& tet : mesh.tets) {
+        Vec3 to[4];
+        for (size_t k = 0; k < 4; ++k) to[k] = mesh.rest[at(tet[k])] - p;
+        // On the inner side of all four faces.
+        if (to[1].dot(to[2].cross(to[3])) > 0 && to[0].dot(to[3].cross(to[2])) > 0 &&
+            to[0].dot(to[1].cross(to[3])) > 0 && to[0].dot(to[2].cross(to[1])) > 0)
+            return true;
+    }
+    return false;
+}
+
 /// Uniform in [0, 1), the same everywhere (splitmix64).
 class Random {
  public:
@@ -66,6 +79,13 @@ SolveSetup::SolveSetup(const VerificationScene& source, SolveWatch watch)
         probe_vertices_.push_back(select(probe.box, probe.pointer));
     if (!scene.spheres.empty())
         contacts = std::make_unique<SphereContacts>(spec.mesh, scene.spheres, free_sheet());
+    for (size_t s = 0; s < scene.spheres.size(); ++s) {
+        if (is_inside(scene.mesh, scene.spheres[s].centre_m))
+            warnings.push_back("/sdf_contacts/" + std::to_string(s) +
+                               ": the centre begins inside the tissue, whose faces are touched "
+                               "from outside only: those turned away from it let it through; "
+                               "expected a centre outside");
+    }
     make_start();
 }
 
