@@ -21,6 +21,9 @@ bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r' |
 std::string in_quotes(std::string_view text) {
     std::string out(1, '"');
     out.append(text.substr(0, 40));
+    for (char& c : out) {
+        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // a byte 0 would end it
+    }
     out += '"';
     return out;
 }
@@ -193,6 +196,10 @@ int32_t PointNumbers::index(int64_t id, const std::string& element,
 int32_t PointNumbers::find(int64_t id) const {
     const auto found = index_.find(id);
     return found == index_.end() ? -1 : found->second;
+}
+
+std::string says(const FileCursor& in, int64_t n, const std::string& what) {
+    return "line " + std::to_string(in.line()) + " says " + std::to_string(n) + " " + what;
 }
 
 std::string place_of(const FileTet& tet) {

@@ -78,13 +78,14 @@ class FileCursor {
     [[noreturn]] void fail(const std::string& message) const;
     /// The same for a line that was read before.
     [[noreturn]] void fail_at(int line, const std::string& message) const;
+    /// "..." where `what` is expected; that the file is cut off where nothing was found.
+    [[noreturn]] void fail_expecting(std::string_view found, std::string_view what) const;
     /// @throws MeshError naming point, axis and value unless all coordinates are finite.
     void check_point(int64_t id, const Vec3& x) const;
 
  private:
     void skip_space();
     void take(unsigned char* out, size_t n, std::string_view what);
-    [[noreturn]] void fail_expecting(std::string_view found, std::string_view what) const;
     [[noreturn]] void fail_cut_off(std::string_view what) const;
 
     std::string file_, text_, part_;
@@ -111,6 +112,9 @@ class PointNumbers {
 
 /// The text in quotation marks, at most 40 characters of it.
 [[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// "line 9 says 8 nodes" of the line that was just read.
+[[nodiscard]] std::string says(const FileCursor& in, int64_t n, const std::string& what);
 
 /// "line 12" or "" in binary files.
 [[nodiscard]] std::string place_of(const FileTet& tet);

@@ -46,11 +46,6 @@ struct GmshElementType {
 
 inline constexpr int kGmshTriangle = 2, kGmshTetrahedron = 4, kGmshSecondOrderTetrahedron = 11;
 
-/// "line 9 says 8 nodes" of the line that was just read.
-[[nodiscard]] inline std::string says(const FileCursor& in, int64_t n, const std::string& what) {
-    return "line " + std::to_string(in.line()) + " says " + std::to_string(n) + " " + what;
-}
-
 /// Walks through the blocks of $Nodes or $Elements and compares their counts with the section's.
 class GmshBlocks {
  public:

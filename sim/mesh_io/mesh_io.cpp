@@ -103,7 +103,9 @@ bool check_volumes(const FileMesh& file, std::string& problems) {
     return inverted.count() > 0;
 }
 
-void check_duplicates(const FileMesh& file, std::string& problems) {
+/// Returns which tets are there a second time (T).
+std::vector<uint8_t> check_duplicates(const FileMesh& file, std::string& problems) {
+    std::vector<uint8_t> second(file.tets.size(), 0);
     std::vector<std::pair<std::array<int32_t, 4>, int32_t>> keys;
     for (size_t t = 0; t < file.tets.size(); ++t) {
         auto key = file.tets[t].point;
@@ -114,6 +116,7 @@ void check_duplicates(const FileMesh& file, std::string& problems) {
     NumberList same;
     for (size_t i = 1; i < keys.size(); ++i) {
         if (keys[i].first != keys[i - 1].first) continue;
+        second[at(keys[i].second)] = 1;
         const FileTet& first = file.tets[at(keys[i - 1].second)];
         same.add(file.tets[at(keys[i].second)], " = " + std::to_string(first.id) + place_of(first));
     }
@@ -121,13 +124,16 @@ void check_duplicates(const FileMesh& file, std::string& problems) {
         add_problem(problems, std::to_string(same.count()) +
                                   " duplicate tetrahedra (same four points): number " +
                                   same.text());
+    return second;
 }
 
-/// A face belongs to one tet at the boundary and to two inside.
-void check_faces(const FileMesh& file, std::string& problems) {
+/// A face belongs to one tet at the boundary and to two inside. @param left_out (T) tets that are
+/// known to be wrong.
+void check_faces(const FileMesh& file, const std::vector<uint8_t>& left_out,
+                 std::string& problems) {
     std::vector<std::pair<std::array<int32_t, 3>, int32_t>> faces;
     for (size_t t = 0; t < file.tets.size(); ++t) {
-        if (same_corners(file.tets[t])) continue;
+        if (left_out[t] != 0 || same_corners(file.tets[t])) continue;
         for (size_t skip = 0; skip < 4; ++skip) {
             std::array<int32_t, 3> face{};
             for (size_t i = 0, n = 0; i < 4; ++i) {
@@ -138,14 +144,19 @@ void check_faces(const FileMesh& file, std::string& problems) {
         }
     }
     std::sort(faces.begin(), faces.end());
-    NumberList crowded;
+    std::vector<int32_t> overlapping;
     for (size_t i = 2; i < faces.size(); ++i) {
-        if (faces[i].first == faces[i - 2].first) crowded.add(file.tets[at(faces[i].second)]);
+        if (faces[i].first != faces[i - 2].first) continue;
+        for (size_t k = 0; k < 3; ++k) overlapping.push_back(faces[i - k].second);
     }
+    std::sort(overlapping.begin(), overlapping.end());
+    overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
+    NumberList crowded;
+    for (const int32_t t : overlapping) crowded.add(file.tets[at(t)]);
     if (crowded.count() > 0)
-        add_problem(
-            problems,
-            "more than two tetrahedra at one face, so that they overlap: number " + crowded.text());
+        add_problem(problems,
+                    "more than two tetrahedra at one face, so that some of them overlap: number " +
+                        crowded.text());
 }
 
 /// Size of every component, largest first, with a point of it.
@@ -234,8 +245,8 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
     std::string problems;
     check_corners(file, problems);
     const bool turn = check_volumes(file, problems);
-    check_duplicates(file, problems);
-    check_faces(file, problems);
+    const std::vector<uint8_t> second = check_duplicates(file, problems);
+    check_faces(file, second, problems);
     check_connected(file, allow_disconnected, out.warnings, problems);
     if (!problems.empty()) throw MeshError(file.file + ": " + problems + "; repair the mesh");
     if (turn)

@@ -40,7 +40,7 @@ class VtkReader {
             } else if (section == "field") {
                 field();
             } else {
-                in_.fail(in_quotes(section) + " where POINTS, CELLS or CELL_TYPES is expected");
+                in_.fail_expecting(section, "POINTS, CELLS or CELL_TYPES");
             }
         }
         if (!points_ || !cells_.known || !cells_.types_known)
@@ -57,7 +57,7 @@ class VtkReader {
         const std::string first(in_.rest_of_line());
         const std::string wanted = "# vtk DataFile Version ";
         if (first.rfind(wanted, 0) != 0)
-            in_.fail(in_quotes(first) + " where \"" + wanted + "x.y\" is expected");
+            in_.fail_at(1, in_quotes(first) + " where \"" + wanted + "x.y\" is expected");
         const std::string version = first.substr(wanted.size());
         five_ = !version.empty() && version[0] >= '5';
         (void)in_.rest_of_line();
@@ -85,8 +85,14 @@ class VtkReader {
         return in_.binary<int32_t>(kSwap, what);
     }
 
+    int64_t counted(const std::string& what) {
+        const int64_t n = in_.count("the number of " + what);
+        if (!binary_) in_.within(says(in_, n, what));
+        return n;
+    }
+
     void points() {
-        const int64_t n = in_.count("the number of points");
+        const int64_t n = counted("points");
         const std::string type = lower(in_.word());
         if (type != "float" && type != "double")
             in_.fail("points of type " + type.substr(0, 40) + "; expected float or double");
@@ -102,7 +108,7 @@ class VtkReader {
     }
 
     void cells() {
-        const int64_t n = in_.count("the number of cells"), size = in_.count("the size of CELLS");
+        const int64_t n = counted("cells"), size = in_.count("the size of CELLS");
         cells_.known = true;
         cells_.line = binary_ ? 0 : in_.line();
         if (five_) {
@@ -144,7 +150,7 @@ class VtkReader {
     }
 
     void cell_types() {
-        const int64_t n = in_.count("the number of cell types");
+        const int64_t n = counted("cell types");
         if (binary_) (void)in_.rest_of_line();
         for (int64_t i = 0; i < n; ++i) cells_.types.push_back(integer("int", "a cell type"));
         cells_.types_known = true;

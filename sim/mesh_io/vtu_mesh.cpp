@@ -14,6 +14,7 @@ namespace {
 struct Tag {
     std::string name;  ///< "/Piece" for an end tag.
     std::map<std::string, std::string> attribute;
+    bool closed = false;  ///< <Tag/>
 };
 
 class VtuReader {
@@ -72,6 +73,7 @@ class VtuReader {
 
     Tag parse(const std::string& inside) {
         Tag tag;
+        tag.closed = inside.back() == '/';
         size_t at = inside.find_first_of(" \t\r\n/", 1);
         tag.name = inside.substr(0, at);
         while (at != std::string::npos) {
@@ -100,7 +102,7 @@ class VtuReader {
         cells.offsets_line.push_back(0);
         cells.line = line;
         Tag tag;
-        while (true) {
+        while (!head.closed) {
             if (!next(tag))
                 in_.fail("the file is cut off: it ends inside the <Piece> of line " +
                          std::to_string(line));
