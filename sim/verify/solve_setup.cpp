@@ -3,6 +3,7 @@
 #include "sim/verify/solve_setup.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "sim/number_text.h"
@@ -32,15 +33,15 @@ double ramp(double time_s, double ramp_s) {
     return ramp_s > 0 ? std::clamp(time_s / ramp_s, 0.0, 1.0) : 1.0;
 }
 
-/// In one of the tets at rest.
+/// In one of the tets at rest, or on a face between them.
 bool is_inside(const TetMesh& mesh, const Vec3& p) {
-    for (const auto& tet : mesh.tets) {
-        Vec3 to[4];
-        for (size_t k = 0; k < 4; ++k) to[k] = mesh.rest[at(tet[k])] - p;
-        // On the inner side of all four faces.
-        if (to[1].dot(to[2].cross(to[3])) > 0 && to[0].dot(to[3].cross(to[2])) > 0 &&
-            to[0].dot(to[1].cross(to[3])) > 0 && to[0].dot(to[2].cross(to[1])) > 0)
-            return true;
+    for (size_t t = 0; t < mesh.tets.size(); ++t) {
+        std::array<Vec3, 4> to;
+        for (size_t k = 0; k < 4; ++k) to[k] = mesh.rest[at(mesh.tets[t][k])] - p;
+        const double least =
+            std::min({to[1].dot(to[2].cross(to[3])), to[0].dot(to[3].cross(to[2])),
+                      to[0].dot(to[1].cross(to[3])), to[0].dot(to[2].cross(to[1]))});
+        if (least >= -1e-9 * 6 * rest_volume(mesh, static_cast<int>(t))) return true;
     }
     return false;
 }
