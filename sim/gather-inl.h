@@ -10,6 +10,7 @@
 #define PLACODE_SIM_GATHER_INL
 #endif
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include "sim/packing.h"

@@ -15,6 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace placode::sim {
 namespace HWY_NAMESPACE {
 
+/// Tets of larger meshes come from memory, and the processor by itself stops asking at the end of a
+/// page: their rows are asked for six batches ahead (slab of 642,000 tets: 1.1 to 1.3 times as
+/// fast). At 43,200 that would cost 2 to 4 %.
+constexpr size_t kBatchesInCache = 6000;
+
 /// As many tets of one batch as a vector has lanes.
 struct TetGroup {
     int batch = 0;
@@ -51,6 +56,10 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V
                        !packed.tet_batches[static_cast<size_t>(upper)].apart;
     const Ahead ahead = waits ? Ahead() : following;
     const float* rows = packed.tet_rows.data() + at * kTetRows * kLanes + now.lane;
+    if (HWY_UNLIKELY(packed.tet_batches.size() > kBatchesInCache)) {
+        const float* later = rows + 6 * kTetRows * kLanes;
+        for (size_t k = 0; k < kTetRows; ++k) hwy::Prefetch(later + k * kLanes);
+    }
     const V stiffness =
         hn::Load(d, a.lanes + static_cast<size_t>(packed.tet_lane_start) + at * kLanes + now.lane);
     Multipliers l = {hn::Zero(d), hn::Zero(d)};
