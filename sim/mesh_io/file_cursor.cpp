@@ -202,6 +202,12 @@ std::string says(const FileCursor& in, int64_t n, const std::string& what) {
     return "line " + std::to_string(in.line()) + " says " + std::to_string(n) + " " + what;
 }
 
+int64_t counted(FileCursor& in, const std::string& what, bool binary) {
+    const int64_t n = in.count("the number of " + what);
+    if (!binary) in.within(says(in, n, what));
+    return n;
+}
+
 std::string place_of(const FileTet& tet) {
     return tet.line > 0 ? " (line " + std::to_string(tet.line) + ")" : "";
 }

@@ -116,6 +116,10 @@ class PointNumbers {
 /// "line 9 says 8 nodes" of the line that was just read.
 [[nodiscard]] std::string says(const FileCursor& in, int64_t n, const std::string& what);
 
+/// Reads "the number of nodes" at the head of a part, which is within() from here on; not where the
+/// part is binary.
+[[nodiscard]] int64_t counted(FileCursor& in, const std::string& what, bool binary = false);
+
 /// "line 12" or "" in binary files.
 [[nodiscard]] std::string place_of(const FileTet& tet);
 

@@ -100,7 +100,7 @@ class GmshReader {
 
     void nodes_1_and_2() {
         nodes_read_ = true;
-        const int64_t n = counted("nodes");
+        const int64_t n = counted(in_, "nodes", binary_);
         if (binary_) (void)in_.rest_of_line();
         for (int64_t i = 0; i < n; ++i) {
             int64_t id = 0;
@@ -114,13 +114,6 @@ class GmshReader {
             }
             add_point(id, x);
         }
-    }
-
-    /// The number that formats 1 and 2 have at the head of a section.
-    int64_t counted(const std::string& what) {
-        const int64_t n = in_.count("the number of " + what);
-        if (!binary_) in_.within(says(in_, n, what));
-        return n;
     }
 
     /// The head of a section of format 4.1.
@@ -154,7 +147,7 @@ class GmshReader {
 
     void elements_1() {
         elements_read_ = true;
-        const int64_t n = counted("elements");
+        const int64_t n = counted(in_, "elements", binary_);
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
             group_ = in_.whole("a region");
@@ -168,7 +161,7 @@ class GmshReader {
 
     void elements_2_ascii() {
         elements_read_ = true;
-        const int64_t n = counted("elements");
+        const int64_t n = counted(in_, "elements", binary_);
         for (int64_t i = 0; i < n; ++i) {
             const int64_t id = in_.whole("an element number"), type = in_.whole("an element type");
             const int64_t tags = in_.count("the number of tags");
@@ -201,7 +194,7 @@ class GmshReader {
 
     void elements_2_binary() {
         elements_read_ = true;
-        const int64_t n = counted("elements");
+        const int64_t n = counted(in_, "elements", binary_);
         (void)in_.rest_of_line();
         for (int64_t i = 0; i < n;) {
             const auto type = in_.binary<int32_t>(swap_, "$Elements");

@@ -17,8 +17,7 @@ void expect_end(FileCursor& in, int64_t n, const char* what) {
 
 void read_nodes(FileCursor& in, FileMesh& out, PointNumbers& numbers) {
     in.hash_comments(true);
-    const int64_t n = in.count("the number of points");
-    in.within(says(in, n, "points"));
+    const int64_t n = counted(in, "points");
     const int64_t dimension = in.whole("the dimension");
     if (dimension != 3) in.fail("dimension " + std::to_string(dimension) + "; expected 3");
     const int64_t attributes = in.count("the number of attributes");
@@ -40,8 +39,7 @@ void read_nodes(FileCursor& in, FileMesh& out, PointNumbers& numbers) {
 
 void read_elements(FileCursor& in, FileMesh& out, const PointNumbers& numbers) {
     in.hash_comments(true);
-    const int64_t n = in.count("the number of tetrahedra");
-    in.within(says(in, n, "tetrahedra"));
+    const int64_t n = counted(in, "tetrahedra");
     const int64_t corners = in.whole("points per tetrahedron");
     if (corners != 4 && corners != 10)
         in.fail(std::to_string(corners) + " points per tetrahedron; expected 4 or 10");

@@ -85,14 +85,8 @@ class VtkReader {
         return in_.binary<int32_t>(kSwap, what);
     }
 
-    int64_t counted(const std::string& what) {
-        const int64_t n = in_.count("the number of " + what);
-        if (!binary_) in_.within(says(in_, n, what));
-        return n;
-    }
-
     void points() {
-        const int64_t n = counted("points");
+        const int64_t n = counted(in_, "points", binary_);
         const std::string type = lower(in_.word());
         if (type != "float" && type != "double")
             in_.fail("points of type " + type.substr(0, 40) + "; expected float or double");
@@ -108,7 +102,7 @@ class VtkReader {
     }
 
     void cells() {
-        const int64_t n = counted("cells"), size = in_.count("the size of CELLS");
+        const int64_t n = counted(in_, "cells", binary_), size = in_.count("the size of CELLS");
         cells_.known = true;
         cells_.line = binary_ ? 0 : in_.line();
         if (five_) {
@@ -150,7 +144,7 @@ class VtkReader {
     }
 
     void cell_types() {
-        const int64_t n = counted("cell types");
+        const int64_t n = counted(in_, "cell types", binary_);
         if (binary_) (void)in_.rest_of_line();
         for (int64_t i = 0; i < n; ++i) cells_.types.push_back(integer("int", "a cell type"));
         cells_.types_known = true;
