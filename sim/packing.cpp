@@ -17,7 +17,8 @@ void check_span(int32_t first, int32_t last) {
     // Offsets are 16 bit in steps of 8 bytes.
     if (last - first > 32767) {
         throw MeshError("vertices " + std::to_string(first) + " and " + std::to_string(last) +
-                        " are neighbours but more than 32767 apart; put the mesh in RCM order");
+                        " are worked on together but more than 32767 apart; expected RCM order, "
+                        "a coarser mesh or one of smaller cross-section");
     }
 }
 

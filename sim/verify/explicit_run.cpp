@@ -10,7 +10,7 @@
 #include <cstring>
 
 #include "sim/number_text.h"
-#include "sim/verify/solve_setup.h"
+#include "sim/verify/rest_watch.h"
 
 namespace placode::sim {
 namespace {
@@ -135,7 +135,7 @@ class Run {
     void run() {
         const VerificationSolver& s = setup_.scene.solver;
         const auto total = static_cast<int64_t>(std::ceil(setup_.scene.end_s / h_ - 1e-9));
-        RestWatch rest(setup_);
+        RestWatch rest(setup_, out_);
         double next = 0;
         sample(0, next);
         int64_t n = 0;
@@ -162,6 +162,7 @@ class Run {
                 break;
             }
         }
+        rest.end(static_cast<double>(n) * h_, dynamics_.x);
         out_.substeps_total = n;
         for (size_t i = 0; i < force_.size(); ++i)
             out_.contact_forces.push_back(

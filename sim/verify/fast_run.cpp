@@ -16,6 +16,7 @@
 #include "sim/packing.h"
 #include "sim/reseed.h"
 #include "sim/verify/method_checks.h"
+#include "sim/verify/rest_watch.h"
 #include "sim/verify/special_vertices.h"
 
 namespace placode::sim {
@@ -63,7 +64,7 @@ class FastRun {
     void run() {
         const VerificationSolver& s = setup_.scene.solver;
         const auto total = static_cast<int64_t>(std::ceil(setup_.scene.end_s / h_ - 1e-9));
-        RestWatch rest(setup_);
+        RestWatch rest(setup_, out_);
         double next_sample = 0;
         take_sample(0, next_sample);
         int64_t n = 0;
@@ -78,6 +79,7 @@ class FastRun {
                 break;
             }
         }
+        rest.end(static_cast<double>(n) * h_, positions());
         out_.substeps_total = n;
         finish(static_cast<double>(n) * h_);
     }

@@ -2,17 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/verify/newton.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "sim/verify/tangent_solver.h"
+
 namespace placode::sim {
 namespace {
 
-// Above this many unknowns the factors of a direct solver grow past the memory of a small machine.
-constexpr int kMostDirect = 150000;
 // Added to the diagonal, relative to its mean: rigid motion that nothing holds stays where it is.
 // Far below the smallest stiffness of a body (about (edge / size)^2), it does not slow convergence.
 constexpr double kProximal = 1e-11;
@@ -20,17 +18,25 @@ constexpr double kProximal = 1e-11;
 // iterations, and is this near to the tolerance, is accepted.
 constexpr int kStall = 12;
 constexpr double kStalled = 1e3;
+constexpr TangentEffort kOnce{1e10, 1e-6, 500};  // a single step: some seconds at most
 
 class StaticSolver {
  public:
-    StaticSolver(const StaticProblem& problem, Coordinates& x, const NewtonSettings& settings)
-        : problem_(problem), body_(*problem.body), x_(x), settings_(settings) {
+    StaticSolver(const StaticProblem& problem, Coordinates& x, const NewtonSettings& settings,
+                 const TangentEffort& effort = {})
+        : problem_(problem), body_(*problem.body), x_(x), settings_(settings), tangent_(effort) {
         const auto n = static_cast<size_t>(x.size());
         rounding_ = 1e-14 * body_.largest_term_n();
         free_.assign(n, -1);
         for (size_t i = 0; i < n; ++i) {
             if (problem.held[i] == 0) free_[i] = free_count_++;
         }
+    }
+
+    /// One whole step at share 1, held coordinates where they are. false = no descent from here.
+    bool single_step(Coordinates& direction) {
+        share_ = 1;
+        return newton_direction(Coordinates::Zero(x_.size()), false, direction);
     }
 
     NewtonReport run() {
@@ -115,36 +121,12 @@ class StaticSolver {
         SparseMatrix k(free_count_, free_count_);
         k.setFromTriplets(kept.begin(), kept.end());
         Coordinates step;
-        if (!solve_linear(k, right, step)) return false;
+        if (!tangent_.solve(k, right, step)) return false;
         direction = held_step;
         for (size_t i = 0; i < free_.size(); ++i) {
             if (free_[i] >= 0) direction[static_cast<Eigen::Index>(i)] = step[free_[i]];
         }
         return direction.allFinite();
-    }
-
-    bool solve_linear(const SparseMatrix& lower, const Coordinates& right, Coordinates& out) {
-        if (free_count_ == 0) {
-            out.resize(0);
-            return true;
-        }
-        if (free_count_ <= kMostDirect) {
-            if (!analysed_) direct_.analyzePattern(lower);
-            analysed_ = true;
-            direct_.factorize(lower);
-            if (direct_.info() != Eigen::Success) return false;
-            out = direct_.solve(right);
-            return true;
-        }
-        Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower,
-                                 Eigen::IncompleteCholesky<double, Eigen::Lower>>
-            iterative;
-        iterative.setTolerance(1e-9);
-        iterative.setMaxIterations(5000);
-        iterative.compute(lower);
-        if (iterative.info() != Eigen::Success) return false;
-        out = iterative.solve(right);
-        return out.allFinite();
     }
 
     /// Largest force that the residual is compared with: what acts on single coordinates.
@@ -231,8 +213,7 @@ class StaticSolver {
     int free_count_ = 0;
     double share_ = 1, rounding_ = 0;
     double touch_n_ = 0;  // largest force of contact on a coordinate
-    bool analysed_ = false;
-    Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> direct_;
+    TangentSolver tangent_;
 };
 
 }  // namespace
@@ -240,6 +221,12 @@ class StaticSolver {
 NewtonReport solve_static(const StaticProblem& problem, Coordinates& x,
                           const NewtonSettings& settings) {
     return StaticSolver(problem, x, settings).run();
+}
+
+std::optional<Coordinates> newton_step(const StaticProblem& problem, const Coordinates& x) {
+    Coordinates at = x, step;
+    if (!StaticSolver(problem, at, {}, kOnce).single_step(step)) return std::nullopt;
+    return step;
 }
 
 }  // namespace placode::sim

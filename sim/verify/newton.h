@@ -5,6 +5,7 @@
 // search on the energy and load steps. The reference of every accuracy figure.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,5 +44,10 @@ struct NewtonSettings {
 /// last iterate and `converged` is false.
 [[nodiscard]] NewtonReport solve_static(const StaticProblem& problem, Coordinates& x,
                                         const NewtonSettings& settings = {});
+
+/// The step (3 V) [m] that Newton's method would take from x under the whole load, held coordinates
+/// staying where they are; nullopt where the tangent is not positive definite (an unstable state).
+[[nodiscard]] std::optional<Coordinates> newton_step(const StaticProblem& problem,
+                                                     const Coordinates& x);
 
 }  // namespace placode::sim

@@ -5,36 +5,12 @@
 #include <cmath>
 
 #include "sim/number_text.h"
-#include "sim/verify/newton.h"
-#include "sim/verify/solve_setup.h"
+#include "sim/verify/equilibrium.h"
 
 namespace placode::sim {
 namespace {
 
-// x E x edge: overlap of some 1e-5 of the indentation.
-constexpr double kContactStiffness = 1000;
-
 size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-/// Without support along an axis there is no equilibrium unless the forces along it cancel.
-void check_support(const SolveSetup& setup, const Coordinates& force) {
-    if (setup.contacts) return;
-    Vec3 sum = Vec3::Zero(), size = Vec3::Zero();
-    for (Eigen::Index i = 0; i < force.size(); i += 3) {
-        sum += force.segment<3>(i);
-        size += force.segment<3>(i).cwiseAbs();
-    }
-    uint8_t held = 0;
-    for (const uint8_t h : setup.held) held |= h;
-    for (int a = 0; a < 3; ++a) {
-        if ((held >> a & 1) != 0 || !(std::abs(sum[a]) > 1e-9 * size.sum())) continue;
-        throw VerificationError(
-            "/fixed", std::string("nothing holds the body along ") + "xyz"[a] +
-                          ", but gravity and loads add up to " + rounded_text(sum[a], 4) +
-                          " N there: newton finds no equilibrium; expected a fixed or prescribed "
-                          "region along that axis, or another method");
-    }
-}
 
 int load_steps(const SolveSetup& setup, double time_s) {
     double farthest = 0, size = 0;
@@ -67,27 +43,8 @@ void run_newton(const SolveSetup& setup, SolveResult& out) {
                               ? std::min(scene.end_s, setup.longest_ramp_s())
                               : scene.end_s;
     const Eigen::Index n = 3 * setup.body->vertex_count();
-    StaticProblem problem;
-    problem.body = setup.body.get();
-    problem.held.assign(at(n), 0);
-    problem.held_at = setup.body->rest();
-    problem.force_n = Coordinates::Zero(n);
-    setup.add_loads(time_s, problem.force_n);
-    for (int v = 0; v < setup.body->vertex_count(); ++v) {
-        problem.force_n.segment<3>(3 * v) += setup.body->mass_kg()[at(v)] * scene.gravity_m_s2;
-        for (int a = 0; a < 3; ++a) {
-            if ((setup.held[at(v)] >> a & 1) == 0) continue;
-            problem.held[at(3 * v + a)] = 1;
-            problem.held_at[3 * v + a] = setup.held_at(v, a, time_s);
-        }
-    }
+    const StaticProblem problem = static_problem(setup, time_s);
     check_support(setup, problem.force_n);
-    if (setup.contacts) {
-        problem.contacts = setup.contacts.get();
-        problem.contact_n_m =
-            kContactStiffness * scene.material.youngs_modulus_pa * setup.contacts->mean_edge_m();
-        problem.contact_time_s = time_s;
-    }
     Coordinates x = setup.start;
     if (scene.start.kind == StartKind::kPoint && scene.start.amount > 0.999) {
         x = setup.body->rest();

@@ -4,6 +4,7 @@
 // What all methods of solve() share: selections put to vertices, ramps, start shapes, samples, the
 // summary. Vertex numbers are those of the scene's mesh. Private to sim/verify.
 
+#include <algorithm>
 #include <chrono>
 #include <memory>
 
@@ -53,6 +54,8 @@ class SolveSetup {
     [[nodiscard]] double usual_acceleration() const;
     /// Of a body of this size that is accelerated so [Pa].
     [[nodiscard]] double usual_stress() const;
+    /// From the first vertex to the farthest other, at rest [m].
+    [[nodiscard]] double longest_way() const;
     /// Vertices that only some axes hold (V), ascending.
     [[nodiscard]] const std::vector<int32_t>& partly_held() const { return partly_; }
 
@@ -75,7 +78,6 @@ class SolveSetup {
     void hold();
     void make_loads();
     void make_start();
-    [[nodiscard]] double longest_way() const;  // from the first vertex to another
 
     SolveWatch watch_;
     mutable std::chrono::steady_clock::time_point next_report_;  // reporting changes no result
@@ -84,6 +86,14 @@ class SolveSetup {
     std::vector<Load> loads_;
     std::vector<std::vector<int32_t>> probe_vertices_;
 };
+
+/// Longest of the ways of all vertices (3 V) [m].
+[[nodiscard]] inline double farthest_way(const Coordinates& way) {
+    double farthest = 0;
+    for (Eigen::Index i = 0; i < way.size(); i += 3)
+        farthest = std::max(farthest, way.segment<3>(i).norm());
+    return farthest;
+}
 
 /// Label of the k-th sheet's material; the tets have kSubcutis.
 [[nodiscard]] inline Tissue sheet_tissue(size_t k) noexcept {
@@ -95,19 +105,5 @@ class SolveSetup {
 void run_fast(const SolveSetup& setup, SolveResult& out);      ///< xpbd, xpbd_pair, vbd
 void run_explicit(const SolveSetup& setup, SolveResult& out);  ///< double precision, symplectic
 void run_newton(const SolveSetup& setup, SolveResult& out);    ///< quasi-static
-
-/// Watches for rest: nothing faster than the limit for 10 frames after the last ramp.
-class RestWatch {
- public:
-    RestWatch(const SolveSetup& setup) : setup_(setup) {}
-    /// Call once a frame. true = at rest. Speeds are means over the frame: those of single substeps
-    /// carry the rounding of positions, which is 10 um/s for a last digit in 30 us.
-    [[nodiscard]] bool frame(double time_s, const Coordinates& x);
-
- private:
-    const SolveSetup& setup_;
-    Coordinates before_;
-    int quiet_ = 0;
-};
 
 }  // namespace placode::sim

@@ -99,7 +99,7 @@ struct VerificationScene {
     StartShape start;
     VerificationSolver solver;
     double end_s = 1;                      ///< Time, or longest time until rest.
-    std::optional<double> rest_speed_m_s;  ///< Ends when nothing is faster for 10 frames.
+    std::optional<double> rest_speed_m_s;  ///< Ends at rest: RestWatch.
     std::vector<Probe> probes;
     double sample_s = 1e-3;
     std::vector<std::string> warnings;  ///< From the loader.
@@ -115,7 +115,8 @@ struct SolveResult {
     std::vector<double> sample_time_s;
     std::vector<std::vector<Vec3>> probe_m;  ///< (samples x probes) mean positions.
     double simulated_s = 0, wall_s = 0;
-    double cpu_s = 0;  ///< Of all threads together, without the check of the scene.
+    double cpu_s = 0;    ///< Of all threads together, without the check of the scene.
+    double check_s = 0;  ///< Spent on whether it rests in equilibrium, in neither of them [s].
     int64_t substeps_total = 0;
     double kinetic_energy_j = 0, elastic_energy_j = 0;
     Vec3 momentum_kg_m_s = Vec3::Zero();           ///< Sum of m v.
@@ -133,14 +134,16 @@ struct SolveResult {
     uint64_t state_hash = 0;
     bool diverged = false;  ///< explicit or newton gave up.
     bool at_rest = false;   ///< `until` rest was reached.
+    /// At rest, to first order: largest way of a vertex to equilibrium; nothing = not known.
+    std::optional<double> equilibrium_error_m;
     int newton_iterations = 0;
     double newton_residual_n = 0;
     std::string kernels;  ///< Instruction set of the fast solver.
     std::vector<std::string> warnings;
 };
 
-/// Puts a mesh into the scene, in RCM order; `vertex_of_output` says which of its vertices each
-/// output point is, -1 = none.
+/// Puts a mesh into the scene, in RCM order (thick ones along their axis); `vertex_of_output` says
+/// which of its vertices each output point is, -1 = none.
 void use_mesh(VerificationScene& scene, const TetMesh& mesh, std::vector<Vec3> output_points,
               const std::vector<int32_t>& vertex_of_output);
 /// The same with a box of Kuhn tets, one corner at the origin.

@@ -64,6 +64,8 @@ Json summary_of(const sim::VerificationScene& scene, const sim::SolveResult& res
             {"contact_forces", to_json(result.contact_forces)},
             {"penetration_m", result.penetration_m},
             {"at_rest", result.at_rest},
+            {"equilibrium_error_m",
+             result.equilibrium_error_m ? Json(*result.equilibrium_error_m) : Json()},
             {"diverged", result.diverged},
             {"newton_iterations", result.newton_iterations},
             {"newton_residual_n", result.newton_residual_n},
