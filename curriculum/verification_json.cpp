@@ -94,9 +94,9 @@ void read_contacts(const Place& list, sim::VerificationScene& scene) {
         const Place sphere = place.at("sphere");
         sphere.keys({"centre_m", "radius_m"});
         sim::SphereObstacle& out = scene.spheres.emplace_back();
-        out.centre_m = sphere.at("centre_m").vector();
-        out.radius_m = sphere.at("radius_m").number(kPositive);
-        place.take("velocity_m_s", out.velocity_m_s);
+        out.centre_m = sphere.at("centre_m").vector(kPlace);
+        out.radius_m = sphere.at("radius_m").number({0, kPlace.high, true, false});
+        if (place.has("velocity_m_s")) out.velocity_m_s = place.at("velocity_m_s").vector(kPlace);
         place.take("friction", out.friction, {0, 10});
     });
 }
@@ -227,8 +227,7 @@ sim::VerificationScene verification_scene_from_json(const std::string& text,
     sim::VerificationScene scene;
     scene.material.damping_per_s = 0;
     if (root.has("material")) read_material(root.at("material"), scene);
-    if (root.has("gravity_m_s2"))
-        scene.gravity_m_s2 = root.at("gravity_m_s2").vector({-1e12, 1e12});
+    if (root.has("gravity_m_s2")) scene.gravity_m_s2 = root.at("gravity_m_s2").vector(kPlace);
     root.take("damping_per_s", scene.material.damping_per_s, {0, 1e6});
     if (root.has("fixed")) read_fixed(root.at("fixed"), scene);
     if (root.has("prescribed")) read_prescribed(root.at("prescribed"), scene);

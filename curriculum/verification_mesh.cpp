@@ -44,7 +44,7 @@ void read_file_mesh(const Place& mesh, const std::string& folder, sim::Verificat
     const Place file = mesh.at("file");
     double scale = 1;
     bool allow = false;
-    mesh.take("scale", scale, kPositive);
+    mesh.take("scale", scale, kScale);
     mesh.take("allow_disconnected", allow);
     try {
         read = sim::read_mesh_file(path_of(file, folder));
@@ -143,7 +143,7 @@ void read_sheet(const Place& place, const std::string& folder, const sim::FileMe
     if (scene.sheet_materials.size() == sim::kMostSheets)
         place.fail("one sheet too many; expected at most " + std::to_string(sim::kMostSheets));
     double scale = 1;
-    place.take("scale", scale, kPositive);
+    place.take("scale", scale, kScale);
     if (place.has("scale") && !place.has("file")) place.at("scale").fail("belongs to \"file\"");
     sim::SheetInput sheet;
     try {
@@ -180,7 +180,7 @@ void read_mesh_and_sheets(const Place& root, const std::string& folder,
     double scale = 1;
     if (root.has("mesh") || !root.has("sheets")) {
         read_mesh(root.at("mesh"), folder, scene, file);
-        root.at("mesh").take("scale", scale, kPositive);
+        root.at("mesh").take("scale", scale, kScale);
     }
     root.take("sheet_bending", scene.sheet_bending, {0, 1});
     if (!root.has("sheets")) {

@@ -44,6 +44,10 @@ inline constexpr Range kNotNegative{0, kInfinity};
 /// Modulus, density and thickness in whatever system of units: water has 1e-24 kg/nm^3. A float
 /// ends at 1e-38 and 3e38: the rest is for volumes, 1e-14 m^3 and less.
 inline constexpr Range kAnyUnit{1e-24, 1e18, false, true};
+/// Of coordinates, speeds and accelerations: their squares and cubes stay finite.
+inline constexpr Range kPlace{-1e12, 1e12};
+/// Metres in a file's unit of length.
+inline constexpr Range kScale{0, 1e12, true, false};
 
 /// A place in the document.
 class Place {

@@ -204,6 +204,16 @@ TEST(MeshIo, NamesTheHeadWhoseCountIsWrong) {
                 HasSubstr("line 9: 9 nodes in 0 blocks; expected at least one block"));
 }
 
+TEST(MeshIo, TakesVtuAsXmlAllowsIt) {
+    const Scratch scratch;
+    const auto tets = [&](const std::string& from, const std::string& to) {
+        return read_mesh_file(scratch.write("a.vtu", replaced(text_of("box_ascii.vtu"), from, to)))
+            .tets.size();
+    };
+    EXPECT_EQ(tets("Name=\"Points\" ", "Name='a > \"b\"' "), 6u);
+    EXPECT_EQ(tets("Name=\"offsets\" format=\"ascii\"", "Name=\"offsets\""), 6u);
+}
+
 TEST(MeshIo, NamesTheLineOfCellsInVtkFiles) {
     const Scratch scratch;
     const std::string cells = "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">\n";

@@ -9,54 +9,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "curriculum/verification_json.h"
+#include "solve_scene.h"
 
 using namespace placode;
+using namespace placode::test;
 using placode::sim::SolveResult;
 using ::testing::HasSubstr;
-
-namespace {
-
-/// A cube of 2 mm on rollers; `more` replaces or adds keys.
-std::string cube(const std::string& more) {
-    return R"({"mesh": {"box": {"size_m": [0.002, 0.002, 0.002], "cells": [2, 2, 2]}})" +
-           (more.empty() ? "" : ", " + more) + "}";
-}
-
-SolveResult run(const std::string& text) {
-    const sim::VerificationScene scene =
-        curriculum::verification_scene_from_json(text, "scene.json", ".");
-    return curriculum::solve_verification_scene(scene, "scene.json");
-}
-
-std::string refusal(const std::string& text) {
-    try {
-        (void)run(text);
-    } catch (const curriculum::DefinitionError& error) {
-        return error.what();
-    }
-    return "accepted";
-}
-
-const std::string kRollers =
-    R"("fixed": [{"box_m": [[0,0,0],[0,1,1]], "axes": "x"}, {"box_m": [[0,0,0],[1,0,1]], "axes": "y"},
-                 {"box_m": [[0,0,0],[1,1,0]], "axes": "z"}])";
-
-std::string solver(const std::string& method, int substeps, const std::string& more = "") {
-    return R"("solver": {"method": ")" + method + R"(", "threads": 1, "substeps": )" +
-           std::to_string(substeps) + more + "}";
-}
-
-/// 40 x 10 x 10 mm, held at one end, begins to fall under 1 m/s^2.
-std::string beam(double end_s, const std::string& solver_text) {
-    return R"({"mesh": {"box": {"size_m": [0.04, 0.01, 0.01], "cells": [8, 2, 2]}},
-               "gravity_m_s2": [0, 0, -1], "fixed": [{"box_m": [[0,0,0],[0,1,1]]}],
-               "probes": [{"name": "tip", "box_m": [[0.04,0,0],[1,1,1]]}],
-               "until": {"time_s": )" +
-           std::to_string(end_s) + "}, " + solver_text + "}";
-}
-
-}  // namespace
 
 TEST(Solve, RefusesWithPointerValueAndRange) {
     const std::pair<const char*, const char*> cases[]{
@@ -313,60 +271,6 @@ TEST_P(EveryMethod, StartsThatRecoverComeBackToTheRestShape) {
     }
 }
 
-TEST(Solve, ASphereIsPressedBackByWhatItPressesOn) {
-    // Equilibrium: the support carries what the sphere does, whatever the law of contact.
-    for (const auto& [method, substeps] :
-         {std::pair{"vbd", 16}, {"xpbd", 16}, {"explicit", 24}, {"newton", 1}}) {
-        const SolveResult r = run(
-            R"({"mesh": {"box": {"size_m": [0.006,0.006,0.004], "cells": [6,6,4]}},
-                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
-                "fixed": [{"box_m": [[0,0,0],[1,1,0]]}],
-                "sdf_contacts": [{"sphere": {"centre_m": [0.003,0.003,0.0065], "radius_m": 0.002},
-                                  "velocity_m_s": [0,0,-0.005], "friction": 0}],
-                "until": {"time_s": 0.2}, )" +
-            solver(method, substeps) + "}");
-        // 0.5 mm deep at the end, at 5 mm/s: inertia and damping take a small share.
-        EXPECT_LT(r.contact_force_n.z() * -1, 0) << method;
-        EXPECT_NEAR(r.contact_force_n.z(), r.reaction_n.z(), 0.08 * r.contact_force_n.z())
-            << method;
-        EXPECT_LT(r.penetration_m, 1e-4) << method;  // explicit: as stiff as its step bears
-        EXPECT_EQ(r.inverted_tets, 0) << method;
-    }
-}
-
-TEST(Solve, TheForceOnASphereIsThatOfNewtonOnTheSameGradedMesh) {
-    // Edges of 0.3 mm below the sphere and of 2 mm at the sides: a contact as stiff as the mean
-    // edge asks for would burst on the small ones. Newton itself must come to an end.
-    double force[2]{};
-    for (const bool fast : {false, true}) {
-        sim::VerificationScene scene = curriculum::verification_scene_from_json(
-            R"({"mesh": {"box": {"size_m": [0.008,0.008,0.008], "cells": [8,8,8]}},
-                "material": {"youngs_modulus_pa": 50000, "poissons_ratio": 0.45, "density_kg_m3": 1000},
-                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
-                "fixed": [{"box_m": [[-1,-1,0],[1,1,0]], "axes": "xyz"}],
-                "sdf_contacts": [{"sphere": {"centre_m": [0,0,0.013], "radius_m": 0.005},
-                                  "velocity_m_s": [0,0,-0.001], "friction": 0}],
-                "until": {"time_s": 0.2}, )" +
-                solver(fast ? "vbd" : "newton", 4) + "}",
-            "scene.json", ".");
-        for (std::vector<sim::Vec3>* points : {&scene.mesh.rest, &scene.output_points}) {
-            for (sim::Vec3& p : *points) {
-                for (int a = 0; a < 3; ++a) {
-                    const double t = p[a] / 0.008;
-                    p[a] = a < 2 ? 0.008 * t * (0.3 + 0.7 * t) : 0.008 * t * (1.7 - 0.7 * t);
-                }
-            }
-        }
-        const SolveResult result = curriculum::solve_verification_scene(scene, "scene.json");
-        EXPECT_FALSE(result.diverged);
-        EXPECT_EQ(result.inverted_tets, 0);
-        force[fast] = result.contact_force_n.z();
-    }
-    EXPECT_GT(force[0], 1e-3);
-    // 0.2 s at 1 mm/s and penalty contacts of different stiffness: 2 %.
-    EXPECT_NEAR(force[1] / force[0], 1, 0.02);
-}
-
 TEST(Solve, ANearlyIncompressibleBeamComesToRestWhereNewtonSaysItDoes) {
     double tip[2]{};
     for (const bool fast : {false, true}) {
@@ -397,37 +301,6 @@ TEST(Solve, ExplicitAndNewtonTakeWhatIsTooIncompressibleForVbd) {
         EXPECT_NEAR(r->reaction_n.z(), 8e-6 * 9.81, 1e-3 * 8e-6 * 9.81);
     }
     EXPECT_NEAR(b.final_m[26].z(), a.final_m[26].z(), 1e-3 * (0.002 - a.final_m[26].z()));
-}
-
-TEST(Solve, SaysWhenASphereBeginsInsideTheTissue) {
-    const auto with = [](const char* centre) {
-        return run(cube(R"("until": {"time_s": 0.001}, "sdf_contacts": [{"sphere": {"centre_m": )" +
-                        std::string(centre) + R"(, "radius_m": 0.0003}}], )" + solver("vbd", 4)))
-            .warnings;
-    };
-    for (const char* inside : {"[0.0004, 0.0011, 0.0013]", "[0.001, 0.001, 0.001]"})
-        EXPECT_THAT(with(inside),
-                    ::testing::Contains(HasSubstr("/sdf_contacts/0: the centre begins inside")));
-    EXPECT_THAT(with("[0.0004, 0.0011, 0.0023]"),
-                ::testing::Not(::testing::Contains(HasSubstr("the centre begins inside"))));
-}
-
-TEST(Solve, FrictionHoldsATangentialPullUpToTheCone) {
-    // The sphere sits 0.4 mm deep and moves sideways: with friction it drags the surface along.
-    double side[2]{};
-    for (int i = 0; i < 2; ++i) {
-        const SolveResult r = run(
-            R"({"mesh": {"box": {"size_m": [0.006,0.006,0.004], "cells": [6,6,4]}},
-                "gravity_m_s2": [0,0,0], "damping_per_s": 100,
-                "fixed": [{"box_m": [[0,0,0],[1,1,0]]}],
-                "sdf_contacts": [{"sphere": {"centre_m": [0.0025,0.003,0.0056], "radius_m": 0.002},
-                                  "velocity_m_s": [0.002,0,0], "friction": )" +
-            std::string(i == 0 ? "0" : "0.3") + R"(}], "until": {"time_s": 0.3}, )" +
-            solver("vbd", 4) + "}");
-        side[i] = -r.contact_force_n.x() / r.contact_force_n.z();
-    }
-    // Sliding: the tangential force is mu times the normal one (the surface's slope adds a little).
-    EXPECT_NEAR(side[1] - side[0], 0.3, 0.06);
 }
 
 TEST(Solve, ReadsMeshFilesAndKeepsTheirNumbering) {

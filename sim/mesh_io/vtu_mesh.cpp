@@ -53,7 +53,7 @@ class VtuReader {
             const size_t open = text.find('<', in_.offset());
             if (open == std::string::npos) return false;
             const bool comment = text.compare(open, 4, "<!--") == 0;
-            const size_t close = comment ? text.find("-->", open) : text.find('>', open);
+            const size_t close = comment ? text.find("-->", open) : end_of_tag(open);
             go_to(open);
             if (close == std::string::npos) in_.fail("a tag that is not closed by '>'");
             const std::string inside = text.substr(open + 1, close - open - 1);
@@ -62,6 +62,22 @@ class VtuReader {
             tag = parse(inside);
             return true;
         }
+    }
+
+    /// The '>' that closes the tag at `open`: one within quotes is part of a value.
+    [[nodiscard]] size_t end_of_tag(size_t open) const {
+        const std::string& text = in_.text();
+        char quote = 0;
+        for (size_t i = open; i < text.size(); ++i) {
+            const char c = text[i];
+            if (quote == 0 && c == '>') return i;
+            if (quote == 0 && (c == '"' || c == '\'')) {
+                quote = c;
+            } else if (c == quote) {
+                quote = 0;
+            }
+        }
+        return std::string::npos;
     }
 
     void go_to(size_t offset) {
@@ -137,9 +153,9 @@ class VtuReader {
     }
 
     void need_ascii(Tag& tag) {
-        if (tag.attribute["format"] != "ascii")
-            in_.fail("DataArray \"" + tag.attribute["Name"] + "\" has format \"" +
-                     tag.attribute["format"] +
+        const std::string& format = tag.attribute["format"];
+        if (!format.empty() && format != "ascii")  // without one it is ascii to VTK, too
+            in_.fail("DataArray \"" + tag.attribute["Name"] + "\" has format \"" + format +
                      "\"; only ascii is read (save with data mode Ascii)");
     }
 

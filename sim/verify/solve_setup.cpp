@@ -80,14 +80,29 @@ SolveSetup::SolveSetup(const VerificationScene& source, SolveWatch watch)
         probe_vertices_.push_back(select(probe.box, probe.pointer));
     if (!scene.spheres.empty())
         contacts = std::make_unique<SphereContacts>(spec.mesh, scene.spheres, free_sheet());
+    check_spheres();
+    make_start();
+}
+
+void SolveSetup::check_spheres() {
     for (size_t s = 0; s < scene.spheres.size(); ++s) {
-        if (is_inside(scene.mesh, scene.spheres[s].centre_m))
-            warnings.push_back("/sdf_contacts/" + std::to_string(s) +
+        const SphereObstacle& sphere = scene.spheres[s];
+        const std::string pointer = "/sdf_contacts/" + std::to_string(s);
+        int within = 0;
+        for (size_t v = 0; v < held.size(); ++v) {
+            const Vec3 way = scene.mesh.rest[v] - sphere.centre_m;
+            within += held[v] == 7 && way.norm() < 0.999 * sphere.radius_m ? 1 : 0;
+        }
+        if (within > 0)
+            warnings.push_back(pointer + ": " + std::to_string(within) +
+                               " held vertices begin inside it and cannot give way: its force "
+                               "has no meaning; expected a sphere that clears them");
+        if (is_inside(scene.mesh, sphere.centre_m))
+            warnings.push_back(pointer +
                                ": the centre begins inside the tissue, whose faces are touched "
                                "from outside only: those turned away from it let it through; "
                                "expected a centre outside");
     }
-    make_start();
 }
 
 std::vector<int32_t> SolveSetup::select(const BoxSelection& box, const std::string& pointer) const {

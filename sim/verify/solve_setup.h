@@ -75,6 +75,7 @@ class SolveSetup {
     };
     [[nodiscard]] std::vector<int32_t> select(const BoxSelection& box,
                                               const std::string& pointer) const;
+    void check_spheres();
     void hold();
     void make_loads();
     void make_start();
