@@ -71,6 +71,17 @@ TEST(RestWatch, WhatSetsOutSlowlyIsNotAtRest) {
     EXPECT_GT(result.simulated_s, 0.05);  // a quarter of its period
 }
 
+TEST(RestWatch, WhatSetsOutSlowlyOnASphereIsNotAtRest) {
+    VerificationScene scene = cantilever(SolveMethod::kVbd, 4, 20);
+    scene.rest_speed_m_s = 0.5;
+    scene.spheres.push_back({Vec3(0.018, 0.005, -0.0052), 0.005, Vec3::Zero(), 0});
+    const SolveResult result = solve(scene);
+    EXPECT_TRUE(result.at_rest);
+    EXPECT_GT(result.contact_force_n.norm(), 1e-4);  // it has come down on the sphere
+    const auto [distance_m, moved_m] = distance(scene, result);
+    EXPECT_LT(distance_m, 0.02 * moved_m);  // penalties of different stiffness
+}
+
 TEST(RestWatch, AMethodThatSettlesBesideTheEquilibriumSaysHowFar) {
     VerificationScene scene = cantilever(SolveMethod::kXpbdPair, 16, 30);
     scene.material.youngs_modulus_pa = 5e4;

@@ -133,14 +133,17 @@ void check_support(const SolveSetup& setup, const Coordinates& force_n) {
     }
 }
 
-std::optional<Coordinates> way_to_equilibrium(const SolveSetup& setup, const Coordinates& x,
-                                              double time_s) {
-    if (setup.contacts || x.size() > kMostUnknowns || !x.allFinite()) return std::nullopt;
+bool is_held(const SolveSetup& setup) {
     int pieces = 0;
     const std::vector<int32_t> piece = pieces_of(setup, pieces);
     std::vector<uint8_t> held(at(pieces), 0);
     for (size_t v = 0; v < piece.size(); ++v) held[at(piece[v])] |= setup.held[v];
-    if (std::any_of(held.begin(), held.end(), [](uint8_t axes) { return axes != 7; }))
+    return std::all_of(held.begin(), held.end(), [](uint8_t axes) { return axes == 7; });
+}
+
+std::optional<Coordinates> way_to_equilibrium(const SolveSetup& setup, const Coordinates& x,
+                                              double time_s) {
+    if (setup.contacts || x.size() > kMostUnknowns || !x.allFinite() || !is_held(setup))
         return std::nullopt;
     auto step = newton_step(static_problem(setup, time_s), x);
     if (!step || !(farthest_way(*step) < setup.longest_way())) return std::nullopt;

@@ -18,6 +18,9 @@ namespace placode::sim {
 /// @throws VerificationError naming the piece, the axis and the force that nothing holds.
 void check_support(const SolveSetup& setup, const Coordinates& force_n);
 
+/// Every piece of the body is held along every axis, somewhere.
+[[nodiscard]] bool is_held(const SolveSetup& setup);
+
 /// The Newton step of the double-precision reference from x (3 V) [m]: to first order all that is
 /// left to equilibrium, whichever method led to x. nullopt where it says nothing: a scene with
 /// spheres (their penalty is not the fast methods' contact), an unstable state, pieces that nothing

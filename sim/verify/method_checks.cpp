@@ -13,9 +13,6 @@ constexpr double kMostRounding = 20;  // [%] of the motion lost to rounding: no 
 constexpr double kVbdGoodCourant = 0.6;
 // Measured: right at 2e12, vertices that never move at 2e13 (nu 0.49) and 6e13 (nu 0.3).
 constexpr double kVbdMostCourant = 1e12;
-// Above it vbd settles beside the equilibrium: a cantilever of nu 0.49 at Courant number 2.3 by 2.4
-// %.
-constexpr double kVbdExactPoissonsRatio = 0.46;
 
 class MethodChecks {
  public:

@@ -45,11 +45,13 @@ bool RestWatch::frame(double time_s, const Coordinates& x) {
 }
 
 bool RestWatch::arrived(double time_s, const Coordinates& x) {
+    const double moved = farthest_way(x - setup_.body->rest());
+    const double little = std::max(kThere * moved, kNothing * setup_.longest_way());
     const auto step = way_to_equilibrium(setup_, x, time_s);
-    if (!step) return true;
-    const double left = farthest_way(*step), moved = farthest_way(x - setup_.body->rest());
+    if (!step) return stays(time_s, x, little);
+    const double left = farthest_way(*step);
     out_.equilibrium_error_m = left;
-    if (left <= std::max(kThere * moved, kNothing * setup_.longest_way())) return true;
+    if (left <= little) return true;
     const double length = step->norm();
     const double toward =
         (x - recent_).dot(*step) / length / (recent_frames_ * setup_.scene.solver.frame_s);
@@ -61,6 +63,15 @@ bool RestWatch::arrived(double time_s, const Coordinates& x) {
     last_ = {length, toward, length * std::exp(-std::max(0.0, toward) * time_s / length)};
     next_check_s_ = 2 * time_s;
     return false;
+}
+
+/// Where no step tells: doubling the time moved it by little. What nothing holds may drift.
+bool RestWatch::stays(double time_s, const Coordinates& x, double little) {
+    if (!is_held(setup_)) return true;
+    const bool stayed = checked_.size() > 0 && farthest_way(x - checked_) <= little;
+    checked_ = x;
+    next_check_s_ = 2 * time_s;
+    return stayed;
 }
 
 /// Faster than before, and not by noise: at that speed it gets there in this scene, or nearly.
@@ -76,7 +87,7 @@ bool RestWatch::came_nearer(double length) const {
 
 void RestWatch::warn(double left_m, double moved_m) {
     out_.warnings.push_back("at rest, but about " + rounded_text(left_m, 2) + " m (" +
-                            rounded_text(100 * left_m / moved_m, 2) +
+                            rounded_text(100 * left_m / moved_m, 3) +
                             " % of the largest displacement) from equilibrium, and nearer slowly "
                             "or not at all; expected more substeps, or method newton");
 }

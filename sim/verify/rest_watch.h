@@ -11,7 +11,8 @@ namespace placode::sim {
 /// Watches for rest: nothing faster than the limit for 10 frames after the last ramp. Slow is not
 /// there yet, for tissue sets out slowly, creeps and turns back in a swing: a Newton step of the
 /// reference tells how far it is from equilibrium. The scene goes on until 0.5 % of the
-/// displacement are left, or doubling the time brings it no nearer; that is said then.
+/// displacement are left, or doubling the time brings it no nearer; that is said then. With spheres
+/// and in large bodies no step tells, and it goes on until doubling the time moves it by no more.
 class RestWatch {
  public:
     RestWatch(const SolveSetup& setup, SolveResult& out) : setup_(setup), out_(out) {}
@@ -23,6 +24,7 @@ class RestWatch {
 
  private:
     [[nodiscard]] bool arrived(double time_s, const Coordinates& x);
+    [[nodiscard]] bool stays(double time_s, const Coordinates& x, double little);
     [[nodiscard]] bool sets_out(double length, double toward) const;
     [[nodiscard]] bool came_nearer(double length) const;
     void warn(double left_m, double moved_m);
@@ -35,7 +37,7 @@ class RestWatch {
 
     const SolveSetup& setup_;
     SolveResult& out_;
-    Coordinates before_, recent_;  // a frame ago; some quiet frames ago
+    Coordinates before_, recent_, checked_;  // a frame ago; some quiet frames ago; at a check
     int quiet_ = 0, recent_frames_ = 0;
     Check last_;
     double next_check_s_ = 0;
