@@ -66,6 +66,8 @@ TEST(Equilibrium, RefusesAFreeBodyThatLoadsTurn) {
     // Pulled along their line the same forces are in balance.
     scene.loads = {push(0, 0, Vec3(-1e-5, 0, 0)), push(2e-3, 0, Vec3(1e-5, 0, 0))};
     EXPECT_EQ(refusal(scene), "accepted");
+    scene.start = {StartKind::kRandom, 0.2, 1};
+    EXPECT_EQ(refusal(scene), "accepted");
 }
 
 TEST(Equilibrium, TheWayThereIsTheDistanceToIt) {

@@ -52,7 +52,7 @@ std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
     int count = 0;
     const std::vector<int32_t> number = pieces_of(setup, count);
     std::vector<Piece> pieces(at(count));
-    const Coordinates& x = setup.start;
+    const Coordinates& x = setup.body->rest();  // a random start turns what is in balance
     for (size_t v = 0; v < number.size(); ++v) {
         Piece& piece = pieces[at(number[v])];
         piece.place += x.segment<3>(static_cast<Eigen::Index>(3 * v));

@@ -13,140 +13,23 @@
 #include "sim/reseed.h"
 #include "sim/step.h"
 #include "sim/verify/random_pokes.h"
+#include "sim/verify/stability_block.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kCell = 0.001;      // edge of the block's cells [m]
-constexpr int kCells = 6;            // along each side
-constexpr double kEdgeBound = 0.02;  // an edge within 2 % of its rest length counts as back
-constexpr double kCheck = 0.01;      // between two looks [s]
+constexpr double kCheck = 0.01;  // between two looks [s]
 constexpr double kReseedEvery = 0.256;
-
-/// What a case changes on the block (5 kPa, nu 0.45, cells of 1 mm, free; VBD with its usual 4
-/// substeps a frame, XPBD with the 8 that its Courant number asks for).
-struct Block {
-    double poissons_ratio = 0.45, frame_s = 1e-3, damping_per_s = 20;
-    double dense_kg_m3 = 1000;  // of its upper half
-    double thin_m = 0;          // thickness of the middle layer, 0 = like the others
-    bool hold_bottom = false;
-    Vec3 gravity = Vec3::Zero();
-};
-
-SoftBodySpec block_spec(const Block& block, Method method) {
-    SoftBodySpec spec;
-    TetMesh box = box_mesh(Vec3(1, 1, 1) * (kCells * kCell), {kCells, kCells, kCells});
-    for (Vec3& x : box.rest) {
-        x -= Vec3(1, 1, 1) * (kCells * kCell / 2);
-        if (block.thin_m > 0 && x.z() > kCell / 2) x.z() -= kCell - block.thin_m;
-    }
-    for (size_t t = 0; t < box.tets.size(); ++t) {
-        double z = 0;
-        for (const int32_t v : box.tets[t]) z += box.rest[static_cast<size_t>(v)].z() / 4;
-        if (z > 0) box.tissue[t] = Tissue::kMuscle;
-    }
-    spec.mesh = renumbered(box, rcm_order(box));
-    Material m;
-    m.poissons_ratio = block.poissons_ratio;
-    m.damping_per_s = block.damping_per_s;
-    m.fail_stretch = m.injury_stretch = 1000;
-    spec.materials.fill(m);
-    spec.materials[static_cast<size_t>(Tissue::kMuscle)].density_kg_m3 = block.dense_kg_m3;
-    spec.solver.method = method;
-    spec.solver.frame_s = block.frame_s;
-    spec.solver.substeps = method == Method::kVbd ? 4 : 8;
-    spec.solver.over_relaxation = 1.0;
-    spec.solver.gravity_m_s2 = block.gravity;
-    for (size_t v = 0; v < spec.mesh.rest.size(); ++v) {
-        if (block.hold_bottom && spec.mesh.rest[v].z() < -kCells * kCell / 2 + 1e-9) {
-            spec.fixed.push_back(static_cast<int32_t>(v));
-        }
-    }
-    return spec;
-}
-
-Vec3 at(const SoftBodyState& state, int32_t v) {
-    const Float4& x = state.x[static_cast<size_t>(v)];
-    return {x.x, x.y, x.z};
-}
 
 void put(SoftBodyState& state, size_t v, const Vec3& p) {
     state.x[v] = {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
                   state.x[v].w};
 }
 
-struct Shape {
-    double worst_edge = 0;  // |length / rest - 1|
-    int inverted = 0;
-    bool finite = true;
-    [[nodiscard]] bool sound() const { return finite && inverted == 0 && worst_edge < kEdgeBound; }
-};
-
-Shape shape_of(const SoftBody& body, const SoftBodyState& state) {
-    Shape shape;
-    for (int t = 0; t < body.tet_count(); ++t) {
-        const auto& k = body.mesh().tets[static_cast<size_t>(t)];
-        Mat3 edges;
-        for (int i = 1; i < 4; ++i) edges.col(i - 1) = at(state, k[i]) - at(state, k[0]);
-        if (!edges.allFinite()) shape.finite = false;
-        if (!(edges.determinant() > 0)) ++shape.inverted;
-        for (int i = 1; i < 4; ++i) {
-            for (int j = 0; j < i; ++j) {
-                const double rest = (body.mesh().rest[static_cast<size_t>(k[i])] -
-                                     body.mesh().rest[static_cast<size_t>(k[j])])
-                                        .norm();
-                const double now = (at(state, k[i]) - at(state, k[j])).norm();
-                shape.worst_edge = std::max(shape.worst_edge, std::abs(now / rest - 1));
-            }
-        }
-    }
-    return shape;
-}
-
-std::string microns(double metres) { return rounded_text(1e6 * metres, 3) + " um"; }
-
-std::string describe(const Shape& shape) {
-    if (!shape.finite) return "not finite";
-    return std::to_string(shape.inverted) + " inverted tets, worst edge off by " +
-           rounded_text(100 * shape.worst_edge, 3) + " %";
-}
-
-/// Follows a shape that was disturbed: when was it back for good?
-class Watch {
- public:
-    void look(double time, const Shape& shape) {
-        last_ = shape;
-        if (shape.sound()) {
-            if (back_ < 0) back_ = time;
-        } else {
-            back_ = -1;
-            left_ = true;
-        }
-        if (!shape.finite) never_finite_ = true;
-    }
-    void finish(StabilityResult& result, bool reseeded) const {
-        result.error = last_.worst_edge;
-        result.seconds = std::max(back_, 0.0);
-        if (never_finite_ || back_ < 0) {
-            result.verdict = StabilityVerdict::kFails;
-            result.detail = never_finite_ ? "not finite" : "at the end " + describe(last_);
-        } else {
-            result.verdict = reseeded ? StabilityVerdict::kReseeded
-                             : left_  ? StabilityVerdict::kRecovers
-                                      : StabilityVerdict::kHolds;
-        }
-    }
-
- private:
-    Shape last_;
-    double back_ = -1;
-    bool left_ = false, never_finite_ = false;
-};
-
 using Disturb = std::function<void(const SoftBody&, SoftBodyState&)>;
 
 /// Runs the bare solver on a disturbed block.
-void run_block(StabilityResult& result, const Block& block, Method method, double seconds,
+void run_block(StabilityResult& result, const StabilityBlock& block, Method method, double seconds,
                const Disturb& disturb) {
     const SoftBody body(block_spec(block, method));
     SoftBodyState state(body);
@@ -157,7 +40,7 @@ void run_block(StabilityResult& result, const Block& block, Method method, doubl
     const auto count = static_cast<int64_t>(seconds / h);
     const auto look = std::max<int64_t>(1, static_cast<int64_t>(kCheck / h));
     const auto search = std::max<int64_t>(1, static_cast<int64_t>(kReseedEvery / h));
-    Watch watch;
+    BlockWatch watch;
     watch.look(0, shape_of(body, state));
     bool reseeded = false;
     for (int64_t n = 1; n <= count; ++n) {
@@ -170,8 +53,8 @@ void run_block(StabilityResult& result, const Block& block, Method method, doubl
     watch.finish(result, reseeded);
 }
 
-/// Block with probes of 1 mm radius and a hand of 600 N/m.
-Scene probe_scene(const Block& block, Method method, int tools) {
+/// StabilityBlock with probes of 1 mm radius and a hand of 600 N/m.
+Scene probe_scene(const StabilityBlock& block, Method method, int tools) {
     Scene scene{SoftBody(block_spec(block, method))};
     scene.id = "block";
     for (const Vec3& x : scene.body.mesh().rest) {
@@ -187,13 +70,13 @@ Scene probe_scene(const Block& block, Method method, int tools) {
 /// Hands that follow `path(tool, time)`: tip and direction.
 using Path = std::function<Pose(int tool, double time)>;
 
-void run_probes(StabilityResult& result, const Block& block, Method method, int tools,
+void run_probes(StabilityResult& result, const StabilityBlock& block, Method method, int tools,
                 double seconds, const Path& path) {
     const Scene scene = probe_scene(block, method, tools);
     State state(scene, 1);
     std::vector<ToolInput> inputs(static_cast<size_t>(tools));
     std::vector<ToolFeedback> feedback(inputs.size());
-    Watch watch;
+    BlockWatch watch;
     double force = 0, deepest = 0;
     const double frame_s = block.frame_s;
     const auto frames = static_cast<int64_t>(seconds / frame_s);
@@ -219,7 +102,7 @@ void run_probes(StabilityResult& result, const Block& block, Method method, int 
 Quat pointing(const Vec3& distal) { return Quat::FromTwoVectors(Vec3::UnitZ(), distal); }
 
 void run_through(StabilityResult& result, Method method, double seconds) {
-    Block block;
+    StabilityBlock block;
     block.hold_bottom = true;
     const double top = kCells * kCell / 2;
     // One frame from 2 mm above to 2 mm below the whole block, and back up after half the time.
@@ -231,7 +114,7 @@ void run_through(StabilityResult& result, Method method, double seconds) {
 }
 
 void run_squeeze(StabilityResult& result, Method method, double seconds) {
-    Block block;
+    StabilityBlock block;
     const double side = kCells * kCell / 2;
     // From both sides to 60 % of the width within 0.2 s, held, and let go in the second half.
     run_probes(result, block, method, 2, seconds, [&](int tool, double t) {
@@ -242,7 +125,7 @@ void run_squeeze(StabilityResult& result, Method method, double seconds) {
 }
 
 void run_pokes(StabilityResult& result, Method method, const StabilityOptions& options) {
-    Block block;
+    StabilityBlock block;
     block.hold_bottom = true;
     Scene scene = probe_scene(block, method, 1);
     scene.tools[0] = ToolSpec{};  // a needle
@@ -267,7 +150,7 @@ void run_pokes(StabilityResult& result, Method method, const StabilityOptions& o
 }
 
 void run_rest(StabilityResult& result, Method method, double seconds) {
-    Block block;
+    StabilityBlock block;
     block.hold_bottom = true;
     // Undamped where nothing has to come to rest first.
     if (method != Method::kXpbdPair) block.damping_per_s = 0;
@@ -289,12 +172,12 @@ void run_rest(StabilityResult& result, Method method, double seconds) {
     std::vector<Vec3> settled;
     double own = 0;
     for (int32_t v = 0; v < body.vertex_count(); ++v) {
-        settled.push_back(at(state, v));
+        settled.push_back(place_of(state, v));
         own = std::max(own, (settled.back() - body.mesh().rest[static_cast<size_t>(v)]).norm());
     }
     run(seconds);
     for (int32_t v = 0; v < body.vertex_count(); ++v) {
-        const double moved = (at(state, v) - settled[static_cast<size_t>(v)]).norm();
+        const double moved = (place_of(state, v) - settled[static_cast<size_t>(v)]).norm();
         result.error = std::isfinite(moved) ? std::max(result.error, moved) : 1.0;
     }
     // A unit in the last place of 3 mm is 0.2 nm.
@@ -384,7 +267,7 @@ StabilityResult run_stability_case(const std::string& name, Method method,
     StabilityResult result;
     result.name = name;
     result.method = method_name(method);
-    Block block;
+    StabilityBlock block;
     const double t = options.seconds;
     try {
         if (name == "flat") {
