@@ -77,7 +77,10 @@ BlockShape shape_of(const SoftBody& body, const SoftBodyState& state) {
     return shape;
 }
 
-std::string microns(double metres) { return rounded_text(1e6 * metres, 3) + " um"; }
+std::string length_text(double metres) {
+    return metres < 999.5e-6 ? rounded_text(1e6 * metres, 3) + " um"
+                             : rounded_text(1e3 * metres, 3) + " mm";
+}
 
 void BlockWatch::look(double time, const BlockShape& shape) {
     last_ = shape;

@@ -40,7 +40,7 @@ struct BlockShape {
 [[nodiscard]] BlockShape shape_of(const SoftBody& body, const SoftBodyState& state);
 
 /// "12.3 um".
-[[nodiscard]] std::string microns(double metres);
+[[nodiscard]] std::string length_text(double metres);
 
 /// Follows a shape that was disturbed: when was it back for good?
 class BlockWatch {

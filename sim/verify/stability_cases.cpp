@@ -96,7 +96,7 @@ void run_probes(StabilityResult& result, const StabilityBlock& block, Method met
     }
     watch.finish(result, false);
     result.detail += (result.detail.empty() ? "" : "; ") + std::string("peak force ") +
-                     rounded_text(force, 3) + " N, deepest " + microns(deepest);
+                     rounded_text(force, 3) + " N, deepest " + length_text(deepest);
 }
 
 Quat pointing(const Vec3& distal) { return Quat::FromTwoVectors(Vec3::UnitZ(), distal); }
@@ -144,8 +144,8 @@ void run_pokes(StabilityResult& result, Method method, const StabilityOptions& o
     const bool sound = report.not_finite == 0 && report.p99_m < 1e-4 && report.deepest_m < 3e-4;
     result.verdict = sound ? StabilityVerdict::kHolds : StabilityVerdict::kFails;
     result.detail = std::to_string(report.touching) + " of " + std::to_string(report.frames) +
-                    " frames in touch, penetration p50 " + microns(report.median_m) + ", p99 " +
-                    microns(report.p99_m) + ", max " + microns(report.deepest_m) + ", peak force " +
+                    " frames in touch, penetration p50 " + length_text(report.median_m) + ", p99 " +
+                    length_text(report.p99_m) + ", max " + length_text(report.deepest_m) + ", peak force " +
                     rounded_text(report.largest_force_n, 3) + " N";
 }
 
@@ -182,8 +182,8 @@ void run_rest(StabilityResult& result, Method method, double seconds) {
     }
     // A unit in the last place of 3 mm is 0.2 nm.
     result.verdict = result.error < 1e-6 ? StabilityVerdict::kHolds : StabilityVerdict::kFails;
-    result.detail = "moved " + microns(result.error) + " in " + rounded_text(seconds, 3) +
-                    " s; its rest shape lies " + microns(own) + " from the body's";
+    result.detail = "moved " + length_text(result.error) + " in " + rounded_text(seconds, 3) +
+                    " s; its rest shape lies " + length_text(own) + " from the body's";
 }
 
 Disturb stretch(double factor) {
