@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <numbers>
 #include <thread>
 
+#include "curriculum/attempt_sample.h"
 #include "curriculum/preset.h"
 #include "haptics/real_time.h"
 #include "sim/damage.h"
@@ -18,41 +17,16 @@ namespace placode::curriculum {
 namespace {
 
 using sim::EventKind;
-using sim::Vec3;
 
 constexpr double kCutFraction = 0.995, kLiftedM = 0.001, kLiftedS = 1.0;
-constexpr double kNearPlacodeM = 0.001;
 constexpr auto kPublishEvery = std::chrono::milliseconds(16);
 constexpr int64_t kPublishFrames = 16;  // when running faster than real time
 // Later than this the schedule starts afresh: simulated time then runs slower than the clock.
 constexpr auto kLatest = std::chrono::milliseconds(5);
-constexpr int kFewestSubsteps = 2;
-constexpr int kSlowFrames = 200, kQuickFrames = 2000;  // before the substeps change
-constexpr size_t kCosts = 1024;
 constexpr int64_t kFramesAhead = 400;  // of what is committed, in a fast run
 constexpr int kQuietHands = 50;        // frames without a word from the servo
 
-bool is_electric(sim::ToolKind kind) {
-    return kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
-}
-
 }  // namespace
-
-bool tip_in_view(const sim::Scene& scene, const sim::State& state, size_t tool) noexcept {
-    for (size_t i = 0; i < scene.tools.size(); ++i) {
-        const sim::ToolSpec& scope = scene.tools[i];
-        if (scope.kind != sim::ToolKind::kScope) continue;
-        if (i == tool) return true;
-        const sim::Pose& pose = state.tools[i].proxy;
-        // An oblique scope looks down in its own picture (+y of the camera is down).
-        const double tilt = scope.scope_angle_deg * std::numbers::pi / 180;
-        const Vec3 axis = pose.q * Vec3(0, std::sin(tilt), std::cos(tilt));
-        const Vec3 away = state.tools[tool].proxy.p - pose.p;
-        const double half = scope.field_of_view_deg / 2 * std::numbers::pi / 180;
-        return away.dot(axis) >= away.norm() * std::cos(half);
-    }
-    return true;
-}
 
 AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
                          std::shared_ptr<sim::Scene> scene, std::unique_ptr<haptics::Servo> servo,
@@ -72,20 +46,10 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
       sight_(*scene_),
-      costs_ms_(kCosts, 0.0f),
-      sorted_ms_(kCosts, 0.0f) {
-    if (scene_->geometry.placode_edge.size() >= 3) placode_.emplace(scene_->geometry.placode_edge);
-    used_substeps_ = state_.substeps;
+      warnings_(*scene_),
+      used_substeps_(state_.substeps) {
     sim::settle(*scene_, state_, task.settle_s);
-    if (!options.steps.empty()) {
-        std::vector<sim::PracticeStep> goals;
-        for (const TaskStep& step : options.steps) goals.push_back(step.goal);
-        practice_.emplace(goals, scene_->tools, scene_->geometry);
-        target_vertex_.resize(goals.size(), {-1, -1});
-        for (size_t i = 0; i < goals.size(); ++i) find_targets(goals[i], target_vertex_[i]);
-        goal_.count = practice_->count();
-        look_at_goal();
-    }
+    practice_ = PracticeGuide(options.steps, *scene_, state_);
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {
         sim::fill_snapshot(*scene_, state_, snapshots_.back());
@@ -139,7 +103,7 @@ void AttemptLoop::perceive() noexcept {
     haptics::Perception seen = sight_.seen(state_);
     seen.tools = {feedback_.data(), scene_->tools.size()};
     seen.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
-    seen.practice = goal_;
+    seen.practice = practice_.goal();
     servo_->devices().perceive(seen);
 }
 
@@ -194,140 +158,27 @@ void AttemptLoop::hand_out(const sim::StepReport& report) noexcept {
     numbers_now_.cut_fraction =
         points > 0 ? static_cast<double>(state_.progress.cut_count) / static_cast<double>(points)
                    : 0;
-    warn();
-    if (state_.frame % frames_per_sample_ == 0) take_sample();
+    const bool sampled = state_.frame % frames_per_sample_ == 0;
+    warnings_.look(state_, {inputs_.data(), scene_->tools.size()}, sampled);
+    if (sampled) take_sample();
     watch_end();
 }
 
 void AttemptLoop::take_sample() noexcept {
-    sim::Sample sample;
-    sample.time_s = state_.time_s;
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        const sim::ToolState& tool = state_.tools[i];
-        sim::ToolSample& out = sample.tools[i];
-        sim::ToolInput pose;  // for its conversion to float
-        pose.set_pose(tool.proxy);
-        out.tip_m = pose.position_m;
-        out.orientation = pose.orientation;
-        for (int k = 0; k < 3; ++k)
-            out.force_n[static_cast<size_t>(k)] = static_cast<float>(tool.force_n[k]);
-        out.jaw_rad = inputs_[i].jaw_rad;
-        out.tip_gap_m = static_cast<float>(tool.tip_gap_m);
-        out.power_w = static_cast<float>(tool.power_in_tissue_w);
-        out.pedals = inputs_[i].pedals;
-        out.in_contact = tool.in_contact;
-        out.in_view = tip_in_view(*scene_, state_, i) ? 1 : 0;
-        out.touched = tool.touched;
-    }
-    sample.placode_peak_c = state_.placode_peak_c;
-    sample.placode_peak_cem43_min = state_.placode_peak_cem43_min;
-    sample.placode_burned_m3 = state_.placode_burned_m3;
+    sim::Sample sample = sample_of(*scene_, state_, {inputs_.data(), scene_->tools.size()});
     sample.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
-    sample.phase = state_.phase;
     sample.step_flags = sample_flags_;
     sample_flags_ = 0;
     record(sample);
-    if (practice_) practise(sample);
+    practise(sample);
 }
 
-/// The surface vertices that stand for a step's targets: targets move with the tissue.
-void AttemptLoop::find_targets(const sim::PracticeStep& step, std::array<int32_t, 2>& out) {
-    for (int t = 0; t < sim::targets_of(step.kind); ++t) {
-        const sim::Vec2 wanted = assessment::practice_target(step, scene_->geometry, t == 1);
-        double nearest = 1;
-        for (size_t v = 0; v < scene_->field.depth_m.size(); ++v) {
-            if (scene_->field.depth_m[v] > 0) continue;
-            const double way = (to_vec(state_.body.x[v]).head<2>() - wanted).norm();
-            if (way >= nearest) continue;
-            nearest = way;
-            out[static_cast<size_t>(t)] = static_cast<int32_t>(v);
-        }
-    }
-}
-
-void AttemptLoop::look_at_goal() noexcept {
-    goal_.index = practice_->index();
-    goal_.step = practice_->step();
-    goal_.progress = practice_->progress();
-    goal_.traced = practice_->traced();
-    goal_.targets = 0;
-    if (practice_->done()) return;
-    for (const int32_t v : target_vertex_[static_cast<size_t>(goal_.index)]) {
-        if (v < 0) continue;
-        goal_.target_m[static_cast<size_t>(goal_.targets++)] =
-            to_vec(state_.body.x[static_cast<size_t>(v)]);
-    }
-}
-
-/// One sample for the steps of a practice task; what was done is written into the ledger.
+/// What was done of a practice task is written into the ledger.
 void AttemptLoop::practise(const sim::Sample& sample) noexcept {
-    look_at_goal();
-    assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}};
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        sight.holds[i] = state_.grasps[i].count > 0;
-        sight.pull_n[i] = state_.grasps[i].force_n.norm();
-        sight.engaged[i] = inputs_[i].engaged != 0;
-    }
-    for (const sim::Event& event : practice_->see(sight)) {
+    for (const sim::Event& event :
+         practice_.see(state_, {inputs_.data(), scene_->tools.size()}, sample)) {
         record(event);
-        if (event.kind == sim::kTargetMissed) say("Beside the mark");
-    }
-    look_at_goal();
-}
-
-void AttemptLoop::say(const char* phrase) noexcept {
-    message_.fill('\0');
-    std::strncpy(message_.data(), phrase, message_.size() - 1);
-    message_at_s_ = state_.time_s;
-}
-
-/// The newest warning, the worst last so that it wins.
-void AttemptLoop::warn() noexcept {
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        const sim::ToolState& tool = state_.tools[i];
-        if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
-        const bool energised = is_electric(scene_->tools[i].kind) && inputs_[i].pedals != 0;
-        if (tool.air_s > 1) say("Energy in air");
-        if (tool.dwell_s > 1) say("Too long on one spot");
-        if (energised && state_.frame % frames_per_sample_ == 0) {
-            const sim::Vec2 tip = tool.proxy.p.head<2>();
-            if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)
-                say("Too close to the placode");
-            if (!tip_in_view(*scene_, state_, i)) say("Energy out of view");
-        }
-        if (tool.in_contact != 0 && tool.touched == sim::Tissue::kPlacode && tool.contact_s > 0)
-            say("Placode touched");
-    }
-    for (int i = 0; i < state_.event_count; ++i) {
-        switch (state_.events[static_cast<size_t>(i)].kind) {
-            case EventKind::kOverForce:
-                say("Too much force");
-                break;
-            case EventKind::kTorn:
-                say("Tissue torn");
-                break;
-            case EventKind::kSlipped:
-                say("Grasp slips");
-                break;
-            case EventKind::kCrushed:
-                say("Tissue crushed");
-                break;
-            case EventKind::kOverTraction:
-                say("Pulled too hard");
-                break;
-            case EventKind::kPlacodeCut:
-                say("Placode cut");
-                break;
-            case EventKind::kPlacodeOverheated:
-                say("Placode heated");
-                break;
-            case EventKind::kPlacodeBurned:
-                say("Placode burned");
-                break;
-            default:
-                break;
-        }
+        if (event.kind == sim::kTargetMissed) warnings_.say("Beside the mark", state_.time_s);
     }
 }
 
@@ -340,7 +191,7 @@ void AttemptLoop::watch_end() noexcept {
     const bool cut = finish_when_cut_ && numbers_now_.cut_fraction >= kCutFraction;
     lifted_s_ = cut && lifted ? lifted_s_ + frame_s_ : 0;
     // A moment to see the last step ticked off.
-    practised_s_ = practice_ && practice_->done() ? practised_s_ + frame_s_ : 0;
+    practised_s_ = practice_.done() ? practised_s_ + frame_s_ : 0;
     const auto requested = static_cast<sim::EndReason>(requested_.load(std::memory_order_relaxed));
     if (requested != sim::EndReason::kRunning)
         reason_ = requested;
@@ -350,45 +201,11 @@ void AttemptLoop::watch_end() noexcept {
         reason_ = sim::EndReason::kTimeLimit;
 }
 
-/// Frame cost for the display and for the choice of substeps.
-void AttemptLoop::measure(Clock::duration cost) noexcept {
-    const double seconds = std::chrono::duration<double>(cost).count();
-    cost_s_ += 0.02 * (seconds - cost_s_);
-    costs_ms_[cost_count_++ % kCosts] = static_cast<float>(seconds * 1e3);
-    ++second_frames_;
-    const auto now = Clock::now();
-    const double elapsed = std::chrono::duration<double>(now - second_).count();
-    if (elapsed < 1) return;
-    numbers_now_.physics_hz = second_frames_ / elapsed;
-    second_ = now;
-    second_frames_ = 0;
-    const size_t n = std::min(cost_count_, kCosts);
-    std::copy_n(costs_ms_.begin(), n, sorted_ms_.begin());
-    const auto p99 = sorted_ms_.begin() + static_cast<long>((n - 1) * 99 / 100);
-    std::nth_element(sorted_ms_.begin(), p99, sorted_ms_.begin() + static_cast<long>(n));
-    numbers_now_.frame_p99_ms = *p99;
-}
-
-/// Fewer substeps when frames take longer than they stand for, more again when there is room. Only
-/// for hands: a script must give the same bits at any speed of the machine.
-void AttemptLoop::adapt(double frame_s) noexcept {
-    const int wanted = scene_->body.spec().solver.substeps;
-    slow_frames_ = cost_s_ > 0.95 * frame_s ? slow_frames_ + 1 : 0;
-    // One substep more must still fit, or the number would swing to and fro.
-    const double room = 0.8 * frame_s * state_.substeps / (state_.substeps + 1);
-    quick_frames_ = cost_s_ < room ? quick_frames_ + 1 : 0;
-    if (slow_frames_ >= kSlowFrames && state_.substeps > std::min(kFewestSubsteps, wanted)) {
-        --state_.substeps;
-        slow_frames_ = 0;
-    } else if (quick_frames_ >= kQuickFrames && state_.substeps < wanted) {
-        ++state_.substeps;
-        quick_frames_ = 0;
-    }
-}
-
 void AttemptLoop::publish() noexcept {
     numbers_now_.time_s = state_.time_s;
     numbers_now_.phase = state_.phase;
+    numbers_now_.physics_hz = costs_.frames_per_s();
+    numbers_now_.frame_p99_ms = costs_.p99_ms();
     numbers_now_.substeps = state_.substeps;
     numbers_now_.dropped = dropped_;
     numbers_.publish(numbers_now_);
@@ -399,10 +216,10 @@ void AttemptLoop::publish() noexcept {
     out.substeps = state_.substeps;
     out.finished = reason_ != sim::EndReason::kRunning ? 1 : 0;
     out.paused = paused_.load(std::memory_order_relaxed) ? 1 : 0;
-    out.message = message_;
-    out.message_age_s = static_cast<float>(std::min(1e9, state_.time_s - message_at_s_));
+    out.message = warnings_.phrase();
+    out.message_age_s = static_cast<float>(std::min(1e9, state_.time_s - warnings_.said_s()));
     snapshots_.publish();
-    practice_out_.publish(goal_);
+    practice_out_.publish(practice_.goal());
 }
 
 void AttemptLoop::keep_pace() noexcept {
@@ -425,7 +242,7 @@ void AttemptLoop::keep_pace() noexcept {
 // A thread of the FIFO class that never sleeps would starve picture, recorder and desktop: beyond
 // four fifths of its period it goes back to the ordinary scheduler for good.
 void AttemptLoop::leave_room() noexcept {
-    if (!real_time_ || cost_s_ < 0.8 * frame_s_) return;
+    if (!real_time_ || costs_.smoothed_s() < 0.8 * frame_s_) return;
     haptics::make_thread_ordinary();
     real_time_ = false;
 }
@@ -435,7 +252,8 @@ void AttemptLoop::run() noexcept {
     // Hands that feel come before pictures; the others need no more than the usual share.
     real_time_ = !lock_step_ && servo_->renders_force() &&
                  haptics::make_thread_real_time(haptics::kPhysicsPriority);
-    next_ = published_ = second_ = Clock::now();
+    next_ = published_ = Clock::now();
+    costs_.start(next_);
     if (preset_) {
         sim::Event event;
         event.kind = sim::kTuned;
@@ -453,15 +271,22 @@ void AttemptLoop::run() noexcept {
         }
         const auto start = Clock::now();
         one_frame();
-        measure(Clock::now() - start);
+        const auto now = Clock::now();
+        costs_.add(now - start, now);
         leave_room();
-        if (!fast_ && !lock_step_) adapt(frame_s_);
+        if (!fast_ && !lock_step_) {
+            const int wanted = scene_->body.spec().solver.substeps;
+            state_.substeps = costs_.adapted(state_.substeps, wanted, frame_s_);
+        }
         keep_pace();
     }
     servo_->stop();
-    if (practice_) {
-        for (const sim::Event& event : practice_->end(state_.time_s)) record(event);
-    }
+    close();
+}
+
+/// The last events, and what the recording ends with.
+void AttemptLoop::close() noexcept {
+    for (const sim::Event& event : practice_.end(state_.time_s)) record(event);
     try {
         for (const sim::Event& event : sim::closing_events(*scene_, state_)) record(event);
     } catch (const std::exception&) {

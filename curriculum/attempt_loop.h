@@ -7,15 +7,13 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
-#include <optional>
-#include <span>
-#include <vector>
 
-#include "assessment/practice.h"
-#include "assessment/tissue_metrics.h"
 #include "curriculum/attempt_recorder.h"
 #include "curriculum/attempt_runner.h"
+#include "curriculum/frame_costs.h"
+#include "curriculum/live_warnings.h"
 #include "curriculum/operator_sight.h"
+#include "curriculum/practice_guide.h"
 #include "sim/retune.h"
 
 namespace placode::curriculum {
@@ -29,10 +27,6 @@ struct LoopNumbers {
     double cut_fraction = 0;
     int64_t dropped = 0;
 };
-
-/// True when the tip of tool `tool` lies inside the scope's picture; true without a scope.
-[[nodiscard]] bool tip_in_view(const sim::Scene& scene, const sim::State& state,
-                               size_t tool) noexcept;
 
 class AttemptLoop {
  public:
@@ -55,21 +49,16 @@ class AttemptLoop {
     [[nodiscard]] const sim::RecordingEnd& end() const noexcept { return end_; }  ///< After run().
 
  private:
-    using Clock = std::chrono::steady_clock;
+    using Clock = FrameCosts::Clock;
 
     void gather_inputs() noexcept;
     void perceive() noexcept;
     void one_frame() noexcept;
     void hand_out(const sim::StepReport& report) noexcept;
     void take_sample() noexcept;
-    void find_targets(const sim::PracticeStep& step, std::array<int32_t, 2>& out);
-    void look_at_goal() noexcept;
     void practise(const sim::Sample& sample) noexcept;
-    void warn() noexcept;
-    void say(const char* phrase) noexcept;
     void watch_end() noexcept;
-    void measure(Clock::duration cost) noexcept;
-    void adapt(double frame_s) noexcept;
+    void close() noexcept;
     void take_tunings() noexcept;
     void publish() noexcept;
     void keep_pace() noexcept;
@@ -87,7 +76,6 @@ class AttemptLoop {
     double time_limit_s_, frame_s_;
     bool finish_when_cut_, fast_, lock_step_, preset_;
     int64_t frames_per_sample_, frames_per_look_;
-    std::optional<assessment::ClosedContour> placode_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};
     std::atomic<bool> paused_{false}, finished_{false};
@@ -101,23 +89,18 @@ class AttemptLoop {
     std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
     std::array<sim::ToolFeedback, sim::kMaxTools> feedback_{};
     OperatorSight sight_;
+    LiveWarnings warnings_;
+    PracticeGuide practice_;
+    FrameCosts costs_;
     uint32_t sample_flags_ = 0;
     int used_substeps_ = 0;  // of the last frame
     int64_t dropped_ = 0;
     double lifted_s_ = 0, practised_s_ = 0;
-    std::optional<assessment::PracticeTracker> practice_;
-    std::vector<std::array<int32_t, 2>> target_vertex_;  // of every step, -1 = none
-    sim::PracticeGoal goal_;
-    std::array<char, 64> message_{};
-    double message_at_s_ = -1e9;
     sim::EndReason reason_ = sim::EndReason::kRunning;
     sim::RecordingEnd end_;
-    Clock::time_point next_{}, published_{}, second_{};
-    int second_frames_ = 0, slow_frames_ = 0, quick_frames_ = 0, quiet_frames_ = 0;
-    double cost_s_ = 0;       // of a frame, smoothed
+    Clock::time_point next_{}, published_{};
+    int quiet_frames_ = 0;
     bool real_time_ = false;  // SCHED_FIFO was granted and is kept
-    std::vector<float> costs_ms_, sorted_ms_;
-    size_t cost_count_ = 0;
     LoopNumbers numbers_now_;
 };
 

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/live_warnings.h"
+
+#include <cstring>
+
+#include "curriculum/attempt_sample.h"
+
+namespace placode::curriculum {
+
+namespace {
+
+using sim::EventKind;
+
+constexpr double kNearPlacodeM = 0.001;
+constexpr double kAirS = 1, kDwellS = 1;
+
+bool is_electric(sim::ToolKind kind) {
+    return kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
+}
+
+/// Null for an event that nobody is warned of.
+const char* phrase_of(EventKind kind) {
+    switch (kind) {
+        case EventKind::kOverForce:
+            return "Too much force";
+        case EventKind::kTorn:
+            return "Tissue torn";
+        case EventKind::kSlipped:
+            return "Grasp slips";
+        case EventKind::kCrushed:
+            return "Tissue crushed";
+        case EventKind::kOverTraction:
+            return "Pulled too hard";
+        case EventKind::kPlacodeCut:
+            return "Placode cut";
+        case EventKind::kPlacodeOverheated:
+            return "Placode heated";
+        case EventKind::kPlacodeBurned:
+            return "Placode burned";
+        default:
+            return nullptr;
+    }
+}
+
+}  // namespace
+
+LiveWarnings::LiveWarnings(const sim::Scene& scene) : scene_(scene) {
+    if (scene.geometry.placode_edge.size() >= 3) placode_.emplace(scene.geometry.placode_edge);
+}
+
+void LiveWarnings::say(const char* phrase, double time_s) noexcept {
+    phrase_.fill('\0');
+    std::strncpy(phrase_.data(), phrase, phrase_.size() - 1);
+    said_s_ = time_s;
+}
+
+void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs,
+                                  size_t i, bool sampled) noexcept {
+    const sim::ToolState& tool = state.tools[i];
+    if (tool.air_s > kAirS) say("Energy in air", state.time_s);
+    if (tool.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
+    if (!sampled || !is_electric(scene_.tools[i].kind) || inputs[i].pedals == 0) return;
+    const sim::Vec2 tip = tool.proxy.p.head<2>();
+    if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)
+        say("Too close to the placode", state.time_s);
+    if (!tip_in_view(scene_, state, i)) say("Energy out of view", state.time_s);
+}
+
+void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput> inputs,
+                        bool sampled) noexcept {
+    // The worst last, so that it wins.
+    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+        const sim::ToolState& tool = state.tools[i];
+        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
+        look_at_energy(state, inputs, i, sampled);
+        if (tool.in_contact != 0 && tool.touched == sim::Tissue::kPlacode && tool.contact_s > 0)
+            say("Placode touched", state.time_s);
+    }
+    for (int i = 0; i < state.event_count; ++i) {
+        const char* phrase = phrase_of(state.events[static_cast<size_t>(i)].kind);
+        if (phrase != nullptr) say(phrase, state.time_s);
+    }
+}
+
+}  // namespace placode::curriculum

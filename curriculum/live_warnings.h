@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The short warnings that a trainee sees in the picture while operating. Physics thread; allocates
+// in the constructor only. Private to curriculum.
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "assessment/tissue_metrics.h"
+#include "sim/step.h"
+
+namespace placode::curriculum {
+
+class LiveWarnings {
+ public:
+    /// `scene` must outlive it.
+    explicit LiveWarnings(const sim::Scene& scene);
+    /// After a frame with these inputs; `sampled` = look at what is judged once a sample, too.
+    void look(const sim::State& state, std::span<const sim::ToolInput> inputs,
+              bool sampled) noexcept;
+    /// A warning of somebody else's. The newest wins.
+    void say(const char* phrase, double time_s) noexcept;
+
+    [[nodiscard]] const std::array<char, 64>& phrase() const noexcept { return phrase_; }
+    [[nodiscard]] double said_s() const noexcept { return said_s_; }  ///< Simulated time.
+
+ private:
+    void look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs, size_t i,
+                        bool sampled) noexcept;
+
+    const sim::Scene& scene_;
+    std::optional<assessment::ClosedContour> placode_;
+    std::array<char, 64> phrase_{};
+    double said_s_ = -1e9;
+};
+
+}  // namespace placode::curriculum

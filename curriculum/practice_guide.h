@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Follows the steps of a practice task while it is done: which step, where its targets lie on the
+// moving tissue, what was achieved. Physics thread; allocates in the constructor only. Private to
+// curriculum.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "assessment/practice.h"
+#include "curriculum/task.h"
+#include "sim/step.h"
+
+namespace placode::curriculum {
+
+class PracticeGuide {
+ public:
+    PracticeGuide() = default;  ///< Without steps it has nothing to do.
+    /// `settled` is the state in which the targets are looked for.
+    PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scene& scene,
+                  const sim::State& settled);
+
+    [[nodiscard]] bool done() const noexcept { return tracker_ && tracker_->done(); }
+    /// count == 0: the task has no steps.
+    [[nodiscard]] const sim::PracticeGoal& goal() const noexcept { return goal_; }
+    /// One sample later: the events it brought, valid until the next call.
+    [[nodiscard]] std::span<const sim::Event> see(const sim::State& state,
+                                                  std::span<const sim::ToolInput> inputs,
+                                                  const sim::Sample& sample) noexcept;
+    /// The end of the attempt: what was going on is written down.
+    [[nodiscard]] std::span<const sim::Event> end(double time_s) noexcept;
+
+ private:
+    void look(const sim::State& state) noexcept;
+
+    std::optional<assessment::PracticeTracker> tracker_;
+    std::vector<std::array<int32_t, 2>> target_vertex_;  // of every step, -1 = none
+    sim::PracticeGoal goal_;
+};
+
+}  // namespace placode::curriculum
