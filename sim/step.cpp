@@ -132,85 +132,84 @@ void measure_tips(const Scene& scene, State& state) noexcept {
     }
 }
 
-}  // namespace
+enum CostItem : size_t { kSolve, kContact, kHeat, kCut, kRest };  // as in StepReport::cost_ns
 
-StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inputs,
-                std::span<ToolFeedback> feedback) noexcept {
-    StepReport report;
+/// Charges the wall clock of a frame to the items of its report, stretch by stretch.
+class CostClock {
+ public:
+    explicit CostClock(StepReport& report) noexcept : report_(report), mark_(now_ns()) {}
+    /// What passed since the last charge goes to `item`.
+    void charge(CostItem item) noexcept {
+        const int64_t now = now_ns();
+        report_.cost_ns[item] += now - mark_;
+        mark_ = now;
+    }
+
+ private:
+    StepReport& report_;
+    int64_t mark_;
+};
+
+/// Hands, instruments and tissue from the end of one frame to the end of the next.
+void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxTools>& from,
+                  const std::array<Pose, kMaxTools>& to, CostClock& costs) noexcept {
     const SolverSettings& solver = scene.body.spec().solver;
-    const int tools = static_cast<int>(scene.tools.size());
-    state.substeps = std::clamp(state.substeps, 1, 64);
     const double h = solver.frame_s / state.substeps;
-    const int64_t start = now_ns();
-    ++state.frame;
-    state.time_s = static_cast<double>(state.frame) * solver.frame_s;
-    state.event_count = 0;
-    state.flags = 0;
-    state.body.flags = 0;
-
-    std::array<Pose, kMaxTools> from, to;
-    take_inputs(scene, state, inputs, from, to);
-    collect_candidates(scene, state);
-    collect_tissue_pairs(scene, state);
-    update_sac(scene, state, solver.frame_s, false);
-    wake_tissue(scene, state);
-    int64_t mark = now_ns();
-    report.cost_ns[1] += mark - start;
-    const auto charge = [&](int item) noexcept {
-        const int64_t t = now_ns();
-        report.cost_ns[item] += t - mark;
-        mark = t;
-    };
     hold_sleepers(state.body);
     state.body.backward = false;
     for (int s = 0; s < state.substeps; ++s) {
         move_tools(scene, state, from, to, static_cast<double>(s + 1) / state.substeps);
         carry_grasped(scene, state);
-        charge(1);
+        costs.charge(kContact);
         begin_substep(scene.body, state.body, h, *state.workers);
-        charge(0);
+        costs.charge(kSolve);
         find_contacts(scene, state);
-        charge(1);
+        costs.charge(kContact);
         for (int i = 0; i < solver.iterations; ++i) {
             solve_contacts(scene, state, h, false);
-            charge(1);
+            costs.charge(kContact);
             sweep(scene.body, state.body, h, *state.workers);
-            charge(0);
+            costs.charge(kSolve);
             solve_contacts(scene, state, h, true);
-            charge(1);
+            costs.charge(kContact);
         }
         finish_contacts(state);
         feel_grasped(scene, state);
-        charge(1);
+        costs.charge(kContact);
         end_substep(scene.body, state.body, h, *state.workers);
-        charge(0);
+        costs.charge(kSolve);
     }
     release_sleepers(state.body);
-    measure_tips(scene, state);
-    for (int t = 0; t < tools; ++t) {
+}
+
+/// How much of its contact force tool `t` has in the next frame. The whole of it comes back at once
+/// in the open, over a while where the tip only touches, and not at all while the needle is still
+/// stuck in what it has not removed.
+float contact_share_of(const Scene& scene, const State& state, int t) noexcept {
+    const ToolState& tool = state.tools[t];
+    if (tool.gap_m >= 0) return 1;
+    // Right through the surface (a hand that jumps, a shaft that swings): pushing would only tear
+    // the field apart. It is let out without force, as one that comes back.
+    const double radius = state.scratch->contacts.shapes[t].parts[0].near_radius_m;
+    if (tool.gap_m < -kThrough * radius) return 0;
+    const bool touches = tool.gap_m > -kEmbedded || (scene.tools[t].kind == ToolKind::kScissors &&
+                                                     !blades_in_cut(scene, state, t));
+    if (!touches) return tool.contact_share;
+    const double frame_s = scene.body.spec().solver.frame_s;
+    return std::min(1.0f, tool.contact_share + static_cast<float>(frame_s / kShareRecovery));
+}
+
+void give_feedback(const Scene& scene, State& state, std::span<ToolFeedback> feedback) noexcept {
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
-        // The whole contact force comes back at once in the open, over a while where the tip only
-        // touches, and not at all while the needle is still stuck in what it has not removed.
-        if (tool.gap_m >= 0) {
-            tool.contact_share = 1;
-        } else if (tool.gap_m <
-                   -kThrough * state.scratch->contacts.shapes[t].parts[0].near_radius_m) {
-            // Right through the surface (a hand that jumps, a shaft that swings): pushing would
-            // only tear the field apart. It is let out without force, as one that comes back.
-            tool.contact_share = 0;
-        } else if (tool.gap_m > -kEmbedded || (scene.tools[t].kind == ToolKind::kScissors &&
-                                               !blades_in_cut(scene, state, t))) {
-            tool.contact_share = std::min(
-                1.0f, tool.contact_share + static_cast<float>(solver.frame_s / kShareRecovery));
-        }
+        tool.contact_share = contact_share_of(scene, state, t);
         tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
         feedback[t] = {tool.proxy, tool.force_n + tool.steel_n, tool.stiffness_n_m, state.time_s};
     }
-    update_grasps(scene, state, solver.frame_s);
-    charge(1);
-    std::array<uint8_t, kMaxTools> active{};
-    report.vaporised = run_diathermy(scene, state, inputs, active, solver.frame_s);
-    charge(2);
+}
+
+/// Cuts, tears, and what has come loose by them.
+void part_tissue(const Scene& scene, State& state) noexcept {
     run_scissors(scene, state);
     tear(scene, state);
     separate(scene, state);
@@ -220,13 +219,45 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
         state.loose_version = state.surface.version();
         update_free_vertices(scene.body, state.body);
     }
-    charge(3);
+}
+
+}  // namespace
+
+StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inputs,
+                std::span<ToolFeedback> feedback) noexcept {
+    StepReport report;
+    CostClock costs(report);
+    const double frame_s = scene.body.spec().solver.frame_s;
+    state.substeps = std::clamp(state.substeps, 1, 64);
+    ++state.frame;
+    state.time_s = static_cast<double>(state.frame) * frame_s;
+    state.event_count = 0;
+    state.flags = 0;
+    state.body.flags = 0;
+
+    std::array<Pose, kMaxTools> from, to;
+    take_inputs(scene, state, inputs, from, to);
+    collect_candidates(scene, state);
+    collect_tissue_pairs(scene, state);
+    update_sac(scene, state, frame_s, false);
+    wake_tissue(scene, state);
+    costs.charge(kContact);
+    run_substeps(scene, state, from, to, costs);
+    measure_tips(scene, state);
+    give_feedback(scene, state, feedback);
+    update_grasps(scene, state, frame_s);
+    costs.charge(kContact);
+    std::array<uint8_t, kMaxTools> active{};
+    report.vaporised = run_diathermy(scene, state, inputs, active, frame_s);
+    costs.charge(kHeat);
+    part_tissue(scene, state);
+    costs.charge(kCut);
     doze(scene, state);
     // Tissue shrunk to a point feels no force and raises no flag: it has to be looked for.
     if (state.frame % kReseedInterval == 0) reseed_collapsed(scene.body, state.body);
     state.flags |= state.body.flags;
-    update_ledger(scene, state, active, solver.frame_s);
-    charge(4);
+    update_ledger(scene, state, active, frame_s);
+    costs.charge(kRest);
     report.flags = state.flags;
     report.contacts = state.scratch->contacts.most_contacts;
     return report;
