@@ -93,69 +93,91 @@ double limit_of(Method m) {
                                 : kXpbdPairMaxCourant;
 }
 
-}  // namespace
-
-SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
-    check_sheet(spec_.mesh.rest, spec_.sheet);
-    check_mesh(spec_.mesh, sheet_vertices(spec_));
-    check_solver(spec_.solver);
-    for (const Tissue tissue : spec_.mesh.tissue) {
-        check_material(spec_.materials[static_cast<size_t>(tissue)],
+void check_spec(const SoftBodySpec& spec) {
+    check_sheet(spec.mesh.rest, spec.sheet);
+    check_mesh(spec.mesh, sheet_vertices(spec));
+    check_solver(spec.solver);
+    for (const Tissue tissue : spec.mesh.tissue) {
+        check_material(spec.materials[static_cast<size_t>(tissue)],
                        std::string(tissue_name(tissue)));
     }
-    for (const SheetTriangle& t : spec_.sheet) {
-        check_material(spec_.materials[static_cast<size_t>(t.tissue)],
+    for (const SheetTriangle& t : spec.sheet) {
+        check_material(spec.materials[static_cast<size_t>(t.tissue)],
                        std::string(tissue_name(t.tissue)));
     }
-    require(spec_.sheet_bending >= 0 && spec_.sheet_bending <= 1,
-            "sheet: bending " + rounded_text(spec_.sheet_bending, 4) + ", allowed 0 to 1");
-    check_attachments(spec_);
+    require(spec.sheet_bending >= 0 && spec.sheet_bending <= 1,
+            "sheet: bending " + rounded_text(spec.sheet_bending, 4) + ", allowed 0 to 1");
+    check_attachments(spec);
+}
 
-    const size_t vertices = spec_.mesh.rest.size(), tets = spec_.mesh.tets.size();
-    std::vector<double> mass(vertices, 0.0);
-    std::vector<double> shortest(vertices, std::numeric_limits<double>::infinity());
-    vertex_tets_start_.assign(vertices + 1, 0);
-    volume_m3_.reserve(tets);
-    for (size_t t = 0; t < tets; ++t) {
-        const double volume = rest_volume(spec_.mesh, static_cast<int>(t));
-        volume_m3_.push_back(static_cast<float>(volume));
-        const double density =
-            spec_.materials[static_cast<size_t>(spec_.mesh.tissue[t])].density_kg_m3;
-        for (const int32_t v : spec_.mesh.tets[t]) {
+/// Of every vertex: its share of the mass around it [kg], and the shortest edge that it has [m].
+struct Lumped {
+    std::vector<double> mass, shortest;
+
+    explicit Lumped(size_t vertices)
+        : mass(vertices, 0.0), shortest(vertices, std::numeric_limits<double>::infinity()) {}
+
+    void add_tet(const SoftBodySpec& spec, size_t t, double volume) {
+        const TetMesh& mesh = spec.mesh;
+        const double density = spec.materials[static_cast<size_t>(mesh.tissue[t])].density_kg_m3;
+        for (const int32_t v : mesh.tets[t]) {
             const auto i = static_cast<size_t>(v);
             mass[i] += volume * density / 4;
-            ++vertex_tets_start_[i + 1];
-            for (const int32_t other : spec_.mesh.tets[t]) {
+            for (const int32_t other : mesh.tets[t]) {
                 if (other == v) continue;
-                const double edge =
-                    (spec_.mesh.rest[i] - spec_.mesh.rest[static_cast<size_t>(other)]).norm();
+                const double edge = (mesh.rest[i] - mesh.rest[static_cast<size_t>(other)]).norm();
                 shortest[i] = std::min(shortest[i], edge);
             }
         }
     }
-    for (const SheetTriangle& t : spec_.sheet) {
-        const double area = area_of(spec_.mesh.rest, t);
-        const double density = spec_.materials[static_cast<size_t>(t.tissue)].density_kg_m3;
+
+    void add_triangle(const SoftBodySpec& spec, const SheetTriangle& t) {
+        const double area = area_of(spec.mesh.rest, t);
+        const double density = spec.materials[static_cast<size_t>(t.tissue)].density_kg_m3;
         for (size_t k = 0; k < 3; ++k) {
             const auto a = static_cast<size_t>(t.vertex[k]);
             const auto b = static_cast<size_t>(t.vertex[(k + 1) % 3]);
-            const double edge = (spec_.mesh.rest[a] - spec_.mesh.rest[b]).norm();
+            const double edge = (spec.mesh.rest[a] - spec.mesh.rest[b]).norm();
             mass[a] += area * t.thickness_m * density / 3;
             shortest[a] = std::min(shortest[a], edge);
             shortest[b] = std::min(shortest[b], edge);
         }
     }
-    mass_kg_.assign(mass.begin(), mass.end());
-    shortest_edge_m_.assign(shortest.begin(), shortest.end());
-    for (size_t v = 0; v < vertices; ++v) vertex_tets_start_[v + 1] += vertex_tets_start_[v];
-    vertex_tets_.resize(4 * tets);
-    std::vector<int32_t> fill(vertex_tets_start_.begin(), vertex_tets_start_.end() - 1);
+};
+
+/// The tets of every vertex, those of vertex v from start[v] to start[v + 1].
+void index_tets(const TetMesh& mesh, std::vector<int32_t>& start, std::vector<int32_t>& tets_of) {
+    const size_t vertices = mesh.rest.size(), tets = mesh.tets.size();
+    start.assign(vertices + 1, 0);
+    for (const auto& tet : mesh.tets) {
+        for (const int32_t v : tet) ++start[static_cast<size_t>(v) + 1];
+    }
+    for (size_t v = 0; v < vertices; ++v) start[v + 1] += start[v];
+    tets_of.resize(4 * tets);
+    std::vector<int32_t> fill(start.begin(), start.end() - 1);
     for (size_t t = 0; t < tets; ++t) {
-        for (const int32_t v : spec_.mesh.tets[t]) {
-            vertex_tets_[static_cast<size_t>(fill[static_cast<size_t>(v)]++)] =
-                static_cast<int32_t>(t);
+        for (const int32_t v : mesh.tets[t]) {
+            tets_of[static_cast<size_t>(fill[static_cast<size_t>(v)]++)] = static_cast<int32_t>(t);
         }
     }
+}
+
+}  // namespace
+
+SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
+    check_spec(spec_);
+    Lumped lumped(spec_.mesh.rest.size());
+    const size_t tets = spec_.mesh.tets.size();
+    volume_m3_.reserve(tets);
+    for (size_t t = 0; t < tets; ++t) {
+        const double volume = rest_volume(spec_.mesh, static_cast<int>(t));
+        volume_m3_.push_back(static_cast<float>(volume));
+        lumped.add_tet(spec_, t, volume);
+    }
+    for (const SheetTriangle& t : spec_.sheet) lumped.add_triangle(spec_, t);
+    mass_kg_.assign(lumped.mass.begin(), lumped.mass.end());
+    shortest_edge_m_.assign(lumped.shortest.begin(), lumped.shortest.end());
+    index_tets(spec_.mesh, vertex_tets_start_, vertex_tets_);
     check_method();
     if (spec_.solver.method != Method::kVbd) {
         const auto courant = courant_numbers();
