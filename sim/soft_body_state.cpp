@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "sim/fnv_hash.h"
 #include "sim/packing_parts.h"
 #include "sim/topology.h"
 
@@ -9,19 +10,6 @@ namespace placode::sim {
 namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-/// FNV-1a, 64 bits.
-class Hash {
- public:
-    void add(const void* data, size_t bytes) noexcept {
-        const auto* p = static_cast<const unsigned char*>(data);
-        for (size_t i = 0; i < bytes; ++i) value_ = (value_ ^ p[i]) * 1099511628211ULL;
-    }
-    [[nodiscard]] uint64_t value() const noexcept { return value_; }
-
- private:
-    uint64_t value_ = 14695981039346656037ULL;
-};
 
 }  // namespace
 
@@ -212,13 +200,13 @@ void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3
 }
 
 uint64_t state_hash(const SoftBodyState& state) noexcept {
-    Hash hash;
+    FnvHash hash;
     for (size_t i = 0; i < state.x.size(); ++i) {
-        hash.add(&state.x[i], sizeof(Float4));
-        hash.add(&state.v[i], 3 * sizeof(float));
+        hash.bytes(&state.x[i], sizeof(Float4));
+        hash.bytes(&state.v[i], 3 * sizeof(float));
     }
-    hash.add(state.tet_alive.data(), state.tet_alive.size());
-    hash.add(state.tether_alive.data(), state.tether_alive.size());
+    hash.bytes(state.tet_alive.data(), state.tet_alive.size());
+    hash.bytes(state.tether_alive.data(), state.tether_alive.size());
     return hash.value();
 }
 

@@ -5,17 +5,14 @@
 #include <cstring>
 #include <type_traits>
 
+#include "sim/fnv_hash.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {
 namespace {
 
-class Hash {
+class Hash : public FnvHash {
  public:
-    void bytes(const void* data, size_t size) noexcept {
-        const auto* p = static_cast<const unsigned char*>(data);
-        for (size_t i = 0; i < size; ++i) value_ = (value_ ^ p[i]) * 1099511628211ull;
-    }
     template <class T>
     void add(const T& value) noexcept {
         static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
@@ -32,10 +29,6 @@ class Hash {
     void all(const std::vector<T>& values) noexcept {
         bytes(values.data(), values.size() * sizeof(T));
     }
-    [[nodiscard]] uint64_t value() const noexcept { return value_; }
-
- private:
-    uint64_t value_ = 14695981039346656037ull;
 };
 
 void hash_tool(Hash& hash, const ToolState& t) noexcept {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/fnv_hash.h"
 #include "sim/number_text.h"
 #include "sim/verify/rest_watch.h"
 
@@ -18,13 +19,6 @@ namespace {
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr double kContactStiffness = 300;  // x E x edge, where the step allows it
-
-uint64_t hash_of(const Coordinates& x, uint64_t value) {
-    const auto* p = reinterpret_cast<const unsigned char*>(x.data());
-    for (size_t i = 0; i < sizeof(double) * at(x.size()); ++i)
-        value = (value ^ p[i]) * 1099511628211ULL;
-    return value;
-}
 
 }  // namespace
 
@@ -167,7 +161,10 @@ class Run {
         for (size_t i = 0; i < force_.size(); ++i)
             out_.contact_forces.push_back(
                 {"/sdf_contacts/" + std::to_string(i), force_[i] / std::max(1, in_frame_)});
-        out_.state_hash = hash_of(dynamics_.v, hash_of(dynamics_.x, 14695981039346656037ULL));
+        FnvHash hash;
+        for (const Coordinates* c : {&dynamics_.x, &dynamics_.v})
+            hash.bytes(c->data(), sizeof(double) * at(c->size()));
+        out_.state_hash = hash.value();
         setup_.finish(dynamics_.x, dynamics_.v, static_cast<double>(n) * h_, out_);
     }
 

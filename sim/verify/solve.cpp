@@ -14,6 +14,30 @@ namespace {
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
+/// Kinetic energy, momentum, and angular momentum about the centre of mass.
+void add_motion(const ReferenceBody& body, const Coordinates& x, const Coordinates& v,
+                SolveResult& out) {
+    double mass = 0;
+    Vec3 centre = Vec3::Zero();
+    for (int i = 0; i < body.vertex_count(); ++i) {
+        const double m = body.mass_kg()[at(i)];
+        const Vec3 place = x.segment<3>(3 * i), speed = v.segment<3>(3 * i);
+        out.not_finite += place.allFinite() && speed.allFinite() ? 0 : 1;
+        out.kinetic_energy_j += 0.5 * m * speed.squaredNorm();
+        mass += m;
+        centre += m * place;
+    }
+    centre /= mass;
+    for (int i = 0; i < body.vertex_count(); ++i) {
+        const Vec3 p = body.mass_kg()[at(i)] * v.segment<3>(3 * i);
+        const Vec3 arm = Vec3(x.segment<3>(3 * i)) - centre;
+        out.momentum_kg_m_s += p;
+        out.momentum_scale_kg_m_s += p.norm();
+        out.angular_momentum_kg_m2_s += arm.cross(p);
+        out.angular_momentum_scale_kg_m2_s += arm.norm() * p.norm();
+    }
+}
+
 }  // namespace
 
 const char* method_name(SolveMethod method) noexcept {
@@ -52,33 +76,18 @@ void SolveSetup::finish(const Coordinates& x, const Coordinates& v, double time_
         const int32_t vertex = scene.vertex_of_output[p];
         if (vertex >= 0) out.final_m[p] = x.segment<3>(3 * vertex);
     }
-    for (int i = 0; i < body->vertex_count(); ++i) {
-        out.not_finite +=
-            x.segment<3>(3 * i).allFinite() && v.segment<3>(3 * i).allFinite() ? 0 : 1;
-        out.kinetic_energy_j += 0.5 * body->mass_kg()[at(i)] * v.segment<3>(3 * i).squaredNorm();
-    }
-    double mass = 0;
-    Vec3 centre = Vec3::Zero();
-    for (int i = 0; i < body->vertex_count(); ++i) {
-        mass += body->mass_kg()[at(i)];
-        centre += body->mass_kg()[at(i)] * x.segment<3>(3 * i);
-    }
-    centre /= mass;
-    for (int i = 0; i < body->vertex_count(); ++i) {
-        const Vec3 p = body->mass_kg()[at(i)] * v.segment<3>(3 * i);
-        const Vec3 arm = Vec3(x.segment<3>(3 * i)) - centre;
-        out.momentum_kg_m_s += p;
-        out.momentum_scale_kg_m_s += p.norm();
-        out.angular_momentum_kg_m2_s += arm.cross(p);
-        out.angular_momentum_scale_kg_m2_s += arm.norm() * p.norm();
-    }
+    add_motion(*body, x, v, out);
     out.elastic_energy_j = body->energy(x);
     out.inverted_tets = body->inverted_tets(x);
     if (out.inverted_tets > 0)
         out.warnings.push_back(std::to_string(out.inverted_tets) +
                                " tets are inverted at the end: no tissue can be in that state");
+    add_reactions(x, time_s, out);
+    for (const RegionForce& f : out.contact_forces) out.contact_force_n += f.force_n;
+}
 
-    // A support gives what elastic forces, gravity and loads leave over in its coordinates.
+/// A support gives what elastic forces, gravity and loads leave over in its coordinates.
+void SolveSetup::add_reactions(const Coordinates& x, double time_s, SolveResult& out) const {
     Coordinates support = Coordinates::Zero(x.size());
     body->add_gradient(x, support);
     Coordinates outer = Coordinates::Zero(x.size());
@@ -101,7 +110,6 @@ void SolveSetup::finish(const Coordinates& x, const Coordinates& v, double time_
             if (fixed || !any_fixed) out.reaction_n[static_cast<Eigen::Index>(a)] += f;
         }
     }
-    for (const RegionForce& f : out.contact_forces) out.contact_force_n += f.force_n;
 }
 
 SolveResult solve(const VerificationScene& scene, const SolveWatch& watch) {

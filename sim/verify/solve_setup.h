@@ -79,6 +79,7 @@ class SolveSetup {
     void hold();
     void make_loads();
     void make_start();
+    void add_reactions(const Coordinates& x, double time_s, SolveResult& out) const;
 
     SolveWatch watch_;
     mutable std::chrono::steady_clock::time_point next_report_;  // reporting changes no result
