@@ -89,21 +89,20 @@ TEST(Accuracy, ABeamSwingsWithThePeriodOfTheReferenceAndDecaysByItsDamping) {
     EXPECT_EQ(decays, 5);
 }
 
-TEST(Accuracy, XpbdKeepsMomentumAndLosesAngularMomentumWithTheStep) {
+TEST(Accuracy, FreeBodiesKeepMomentumAndAngularMomentum) {
     int kept = 0;
-    double before = 1;
     for (const AccuracyRow& row : quick_rows("motion")) {
-        if (row.study != "conservation" || row.method.find("xpbd") != 0) continue;
+        if (row.study != "conservation") continue;
         if (row.method.find(" 48-bit") == std::string::npos) continue;
-        if (row.quantity.rfind("momentum", 0) == 0) {
-            EXPECT_LT(row.error, 1e-6) << row.method << ", h " << row.h_s;
-            ++kept;
-        } else if (row.quantity.rfind("angular", 0) == 0 && row.method == "xpbd 48-bit") {
-            EXPECT_LT(row.error, before / 2) << "implicit steps drift with h; h " << row.h_s;
-            before = row.error;
-        }
+        const bool linear = row.quantity.rfind("momentum", 0) == 0;
+        if (!linear && row.quantity.rfind("angular", 0) != 0) continue;
+        // Velocities are floats: measured 1e-9 to 3e-7, and 2e-6 of angular momentum with vbd at
+        // 0.25 ms. Without the rigid modes one sweep of vbd loses 5 % of its momentum, and
+        // implicit steps 1 % of their angular momentum.
+        EXPECT_LT(row.error, linear ? 1e-6 : 1e-5) << row.method << ", " << row.quantity << ", h " << row.h_s;
+        ++kept;
     }
-    EXPECT_EQ(kept, 4);
+    EXPECT_EQ(kept, 12);
 }
 
 }  // namespace

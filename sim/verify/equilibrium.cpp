@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/number_text.h"
+#include "sim/verify/body_pieces.h"
 
 namespace placode::sim {
 namespace {
@@ -17,29 +18,6 @@ constexpr Eigen::Index kMostUnknowns = 60000;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
-/// Numbers of the connected pieces of a body (V), by its tets and triangles.
-std::vector<int32_t> pieces_of(const SolveSetup& setup, int& count) {
-    std::vector<int32_t> root(setup.scene.mesh.rest.size());
-    for (size_t v = 0; v < root.size(); ++v) root[v] = static_cast<int32_t>(v);
-    const auto find = [&](int32_t v) {
-        while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
-        return v;
-    };
-    const auto join = [&](const auto& corners) {
-        for (const int32_t v : corners) root[at(find(v))] = find(corners[0]);
-    };
-    for (const auto& tet : setup.scene.mesh.tets) join(tet);
-    for (const SheetTriangle& t : setup.scene.sheet) join(t.vertex);
-    std::vector<int32_t> piece(root.size(), -1);
-    count = 0;
-    for (size_t v = 0; v < root.size(); ++v) {
-        int32_t& number = piece[at(find(static_cast<int32_t>(v)))];
-        if (number < 0) number = count++;
-        piece[v] = number;
-    }
-    return piece;
-}
-
 /// What acts on one piece, and which axes hold it.
 struct Piece {
     Vec3 force = Vec3::Zero(), moment = Vec3::Zero(), place = Vec3::Zero();
@@ -49,9 +27,9 @@ struct Piece {
 };
 
 std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
-    int count = 0;
-    const std::vector<int32_t> number = pieces_of(setup, count);
-    std::vector<Piece> pieces(at(count));
+    const BodyPieces found = pieces_of(setup.scene);
+    const std::vector<int32_t>& number = found.of_vertex;
+    std::vector<Piece> pieces(at(found.count));
     const Coordinates& x = setup.body->rest();  // a random start turns what is in balance
     for (size_t v = 0; v < number.size(); ++v) {
         Piece& piece = pieces[at(number[v])];
@@ -134,10 +112,9 @@ void check_support(const SolveSetup& setup, const Coordinates& force_n) {
 }
 
 bool is_held(const SolveSetup& setup) {
-    int pieces = 0;
-    const std::vector<int32_t> piece = pieces_of(setup, pieces);
-    std::vector<uint8_t> held(at(pieces), 0);
-    for (size_t v = 0; v < piece.size(); ++v) held[at(piece[v])] |= setup.held[v];
+    const BodyPieces pieces = pieces_of(setup.scene);
+    std::vector<uint8_t> held(at(pieces.count), 0);
+    for (size_t v = 0; v < setup.held.size(); ++v) held[at(pieces.of_vertex[v])] |= setup.held[v];
     return std::all_of(held.begin(), held.end(), [](uint8_t axes) { return axes == 7; });
 }
 

@@ -17,6 +17,7 @@
 #include "sim/reseed.h"
 #include "sim/verify/method_checks.h"
 #include "sim/verify/rest_watch.h"
+#include "sim/verify/rigid_modes.h"
 #include "sim/verify/special_vertices.h"
 
 namespace placode::sim {
@@ -49,6 +50,7 @@ class FastRun {
           body_(units_.scaled(make_spec())),
           state_(body_),
           special_(setup, units_, body_, state_, h_body_),
+          modes_(setup, body_, state_, h_body_),
           workers_(setup.scene.solver.threads) {
         out.kernels = kernel_target();
         if (!setup.scene.solver.single_precision) keep_low_parts(state_);
@@ -162,12 +164,16 @@ class FastRun {
         special_.set_time(time_s);
         move_held();
         push();
+        // Rounded as the simulator rounds is solved as it solves.
+        const bool with_modes = modes_.any() && !setup_.scene.solver.single_precision;
+        if (with_modes && special_.spheres() > 0) modes_.begin();
         begin_substep(body_, state_, h_body_, workers_);
-        special_.find();
+        special_.find(with_modes ? &modes_ : nullptr);
         for (int i = 0; i < setup_.scene.solver.iterations; ++i) {
             sweep(body_, state_, h_body_, workers_);
             special_.solve();
         }
+        if (with_modes) modes_.solve([this]() -> const auto& { return special_.pushes(); });
         end_substep(body_, state_, h_body_, workers_);
         special_.finish();
         flags_ |= state_.flags;
@@ -266,6 +272,7 @@ class FastRun {
     SoftBody body_;
     SoftBodyState state_;
     SpecialVertices special_;
+    RigidModes modes_;
     Workers workers_;
     std::vector<int32_t> held_;
     uint32_t flags_ = 0, last_flags_ = 0;  // of all substeps, of the last one

@@ -71,7 +71,7 @@ void SpecialVertices::add(int32_t v) {
     state_.contact_vertex[at(v)] = 1;
 }
 
-void SpecialVertices::find() {
+void SpecialVertices::find(const RigidModes* modes) {
     for (const int32_t v : special_) {
         slot_[at(v)] = -1;
         state_.contact_vertex[at(v)] = 0;
@@ -86,15 +86,36 @@ void SpecialVertices::find() {
             incidence_[at(slot_[at(touches_[t].vertex[at(i)])])].push_back(
                 static_cast<int32_t>(4 * t) + i);
     }
+    start_where_they_were(modes);
+    drop_anchors();
+}
+
+/// Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp; and goes with
+/// the body as a whole, or a body that slides would be held back by it.
+void SpecialVertices::start_where_they_were(const RigidModes* modes) {
     for (size_t i = 0; i < special_.size(); ++i) {
         if (incidence_[i].empty()) continue;
-        // Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp.
-        Float4& x = state_.x[at(special_[i])];
+        const int32_t v = special_[i];
+        Float4& x = state_.x[at(v)];
         if (x.w == 0) continue;
-        const Float4& before = state_.x_start[at(special_[i])];
+        const Float4& before = state_.x_start[at(v)];
         x = {before.x, before.y, before.z, x.w};
-        if (!state_.x_low.empty())
-            state_.x_low[at(special_[i])] = state_.x_start_low[at(special_[i])];
+        if (!state_.x_low.empty()) state_.x_low[at(v)] = state_.x_start_low[at(v)];
+        if (modes != nullptr) move_vertex(state_, v, modes->way(v));
+    }
+}
+
+/// Who may be touched for the first time sticks to where it comes from: friction acts from the
+/// first substep on, and contacts that last for no more than one are not without.
+void SpecialVertices::drop_anchors() {
+    const double h = setup_.scene.solver.frame_s / setup_.scene.solver.substeps;
+    for (size_t i = 0; i < special_.size(); ++i) {
+        Anchor& anchor = anchor_[at(special_[i])];
+        if (incidence_[i].empty() || anchor.sphere >= 0) continue;
+        const int sphere = touches_[at(incidence_[i].front() / 4)].sphere;
+        const Vec3 before =
+            exact_position(state_, special_[i]) - way_in_substep(state_, special_[i]);
+        anchor = {sphere, before - spheres_[at(sphere)].centre_at(time_ - h)};
     }
 }
 
@@ -219,44 +240,58 @@ void SpecialVertices::solve() {
     }
 }
 
-void SpecialVertices::finish() {
-    if (!contacts_) return;
-    ++frame_substeps_;
-    std::vector<Vec3> load(special_.size(), Vec3::Zero());
-    std::vector<int> sphere(special_.size(), -1);
-    deepest_ = 0;
+const std::vector<ContactPush>& SpecialVertices::pushes() {
+    pushes_.clear();
+    load_.assign(special_.size(), Vec3::Zero());
+    load_sphere_.assign(special_.size(), -1);
     for (size_t n = 0; n < touches_.size(); ++n) {
         const SphereTouch& t = touches_[n];
         const double g = gap(t), k = touch_n_m_[n];
         if (g >= 0) continue;
-        deepest_ = std::max(deepest_, -g);
-        force_[at(t.sphere)] += k * g * t.n;
+        Vec3 place = Vec3::Zero();
         for (int i = 0; i < 3; ++i) {
-            const auto slot = at(slot_[at(t.vertex[at(i)])]);
-            load[slot] -= k * g * t.b[i] * t.n;
-            sphere[slot] = t.sphere;
+            const int32_t v = t.vertex[at(i)];
+            place += t.b[i] * exact_position(state_, v);
+            load_[at(slot_[at(v)])] -= k * g * t.b[i] * t.n;
+            load_sphere_[at(slot_[at(v)])] = t.sphere;
         }
+        pushes_.push_back({t.sphere, t.vertex[0], place, -k * g * t.n, k * t.n * t.n.transpose()});
     }
-    stick(load, sphere);
+    for (size_t i = 0; i < special_.size(); ++i) {
+        const int32_t v = special_[i];
+        if (load_sphere_[i] < 0 || anchor_[at(v)].sphere != load_sphere_[i]) continue;
+        const Grip grip = grip_of(v, load_[i]);
+        pushes_.push_back(
+            {load_sphere_[i], v, exact_position(state_, v), -grip.stiffness_n_m * grip.slide,
+             grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose())});
+    }
+    return pushes_;
 }
 
-/// Friction on the spheres; anchors are dragged along where they slip.
-void SpecialVertices::stick(const std::vector<Vec3>& load, const std::vector<int>& sphere) {
+void SpecialVertices::finish() {
+    if (!contacts_) return;
+    ++frame_substeps_;
+    for (const ContactPush& p : pushes()) force_[at(p.sphere)] -= p.force_n;
+    deepest_ = 0;
+    for (const SphereTouch& t : touches_) deepest_ = std::max(deepest_, -gap(t));
+    stick();
+}
+
+/// Anchors of friction are dragged along where they slip.
+void SpecialVertices::stick() {
     for (size_t i = 0; i < special_.size(); ++i) {
         const int32_t v = special_[i];
         Anchor& anchor = anchor_[at(v)];
-        if (!(load[i].norm() > 0)) {
+        if (!(load_[i].norm() > 0)) {
             anchor.sphere = -1;
             continue;
         }
-        const SphereObstacle& s = spheres_[at(sphere[i])];
         Vec3 place = exact_position(state_, v);
-        if (anchor.sphere == sphere[i]) {
-            const Grip grip = grip_of(v, load[i]);
-            force_[at(sphere[i])] += grip.stiffness_n_m * grip.slide;
+        if (anchor.sphere == load_sphere_[i]) {
+            const Grip grip = grip_of(v, load_[i]);
             place -= grip.stiffness_n_m / grip_n_m(v) * grip.slide;
         }
-        anchor = {sphere[i], place - s.centre_at(time_)};
+        anchor = {load_sphere_[i], place - spheres_[at(load_sphere_[i])].centre_at(time_)};
     }
 }
 

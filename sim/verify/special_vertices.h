@@ -10,6 +10,7 @@
 
 #include "sim/soft_body.h"
 #include "sim/verify/kernel_units.h"
+#include "sim/verify/rigid_modes.h"
 #include "sim/verify/solve_setup.h"
 #include "sim/verify/sphere_contact.h"
 
@@ -25,10 +26,13 @@ class SpecialVertices {
     void start_frame();
     /// Start of a substep that ends at `time_s`.
     void set_time(double time_s) { time_ = time_s; }
-    /// After the start guess: who is touched.
-    void find();
+    /// After the start guess: who is touched. @param modes nullptr = what nothing holds has no
+    /// motion of its own.
+    void find(const RigidModes* modes);
     /// Passes over all of them after a sweep.
     void solve();
+    /// What the spheres do to the tissue where it is now, valid until the next call.
+    const std::vector<ContactPush>& pushes();
     /// End of a substep: forces on the spheres, and where vertices stick from now on.
     void finish();
 
@@ -59,7 +63,9 @@ class SpecialVertices {
     void put_on_axes(int32_t v);
     [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const;
     [[nodiscard]] double grip_n_m(int32_t v) const;
-    void stick(const std::vector<Vec3>& load, const std::vector<int>& sphere);
+    void start_where_they_were(const RigidModes* modes);
+    void drop_anchors();
+    void stick();
 
     const SolveSetup& setup_;
     const KernelUnits& units_;
@@ -75,6 +81,9 @@ class SpecialVertices {
     std::vector<double> touch_n_m_;  // stiffness of each
     std::vector<Mat3> answer_;       // Hessian of each special vertex, its neighbours held
     std::vector<Anchor> anchor_;
+    std::vector<ContactPush> pushes_;
+    std::vector<Vec3> load_;        // of each special vertex, without friction
+    std::vector<int> load_sphere_;  // -1 = none
     std::vector<Vec3> force_;
     int frame_substeps_ = 0;
 };

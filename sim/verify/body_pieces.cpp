@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/verify/body_pieces.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+}  // namespace
+
+BodyPieces pieces_of(const VerificationScene& scene) {
+    std::vector<int32_t> root(scene.mesh.rest.size());
+    for (size_t v = 0; v < root.size(); ++v) root[v] = static_cast<int32_t>(v);
+    const auto find = [&](int32_t v) {
+        while (root[at(v)] != v) v = root[at(v)] = root[at(root[at(v)])];
+        return v;
+    };
+    const auto join = [&](const auto& corners) {
+        for (const int32_t v : corners) root[at(find(v))] = find(corners[0]);
+    };
+    for (const auto& tet : scene.mesh.tets) join(tet);
+    for (const SheetTriangle& t : scene.sheet) join(t.vertex);
+    BodyPieces out;
+    out.of_vertex.assign(root.size(), -1);
+    for (size_t v = 0; v < root.size(); ++v) {
+        int32_t& number = out.of_vertex[at(find(static_cast<int32_t>(v)))];
+        if (number < 0) number = out.count++;
+        out.of_vertex[v] = number;
+    }
+    return out;
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The connected pieces of a scene's body. Private to sim/verify.
+
+#include <vector>
+
+#include "sim/verify/verification_scene.h"
+
+namespace placode::sim {
+
+struct BodyPieces {
+    std::vector<int32_t> of_vertex;  ///< (V) piece of every vertex, 0 <= piece < count.
+    int count = 0;
+};
+
+/// Connected by tets and by the triangles of sheets.
+[[nodiscard]] BodyPieces pieces_of(const VerificationScene& scene);
+
+}  // namespace placode::sim
