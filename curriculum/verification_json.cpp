@@ -44,20 +44,16 @@ void read_fixed(const Place& list, sim::VerificationScene& scene) {
     });
 }
 
-/// Three numbers, or one for each letter of `axes`.
-Vec3 displacement_of(const Place& place, uint8_t axes, sim::VerificationScene& scene) {
-    std::vector<int> listed;
-    for (int a = 0; a < 3; ++a) {
-        if (axes >> a & 1) listed.push_back(a);
-    }
+/// Three numbers for x, y and z, or one for each of the one or two letters of `axes`, in its order.
+Vec3 displacement_of(const Place& place, const std::string& axes, sim::VerificationScene& scene) {
     Vec3 out = Vec3::Zero();
-    if (place.is_array() && place.size() == listed.size() && listed.size() < 3) {
-        for (size_t i = 0; i < listed.size(); ++i) out[listed[i]] = place.at(i).number(kAny);
+    if (place.is_array() && place.size() == axes.size() && axes.size() < 3) {
+        for (size_t i = 0; i < axes.size(); ++i) out[axes[i] - 'x'] = place.at(i).number(kAny);
         return out;
     }
     out = place.vector();
     for (int a = 0; a < 3; ++a) {
-        if ((axes >> a & 1) != 0 || out[a] == 0) continue;
+        if (axes.find("xyz"[a]) != std::string::npos || out[a] == 0) continue;
         scene.warnings.push_back(place.pointer() + ": the displacement along " + "xyz"[a] +
                                  " is left out, \"axes\" does not name it");
         out[a] = 0;
@@ -71,8 +67,12 @@ void read_prescribed(const Place& list, sim::VerificationScene& scene) {
         sim::HeldRegion& region = scene.held.emplace_back();
         region.pointer = place.pointer();
         region.box = box_of(place.at("box_m"));
-        if (place.has("axes")) region.axes = axes_of(place.at("axes"));
-        region.displacement_m = displacement_of(place.at("displacement_m"), region.axes, scene);
+        std::string axes = "xyz";
+        if (place.has("axes")) {
+            region.axes = axes_of(place.at("axes"));
+            axes = place.at("axes").text();
+        }
+        region.displacement_m = displacement_of(place.at("displacement_m"), axes, scene);
         place.take("ramp_s", region.ramp_s, kNotNegative);
     });
 }
@@ -120,6 +120,28 @@ void read_start(const Place& place, sim::VerificationScene& scene) {
     if (place.has("seed")) {
         scene.start.seed = static_cast<uint64_t>(place.at("seed").whole(0, int64_t{1} << 53));
     }
+    const std::pair<const char*, bool> idle[]{
+        {"amount", scene.start.kind == sim::StartKind::kRest},
+        {"seed", scene.start.kind != sim::StartKind::kRandom}};
+    for (const auto& [key, is_idle] : idle) {
+        if (is_idle && place.has(key))
+            scene.warnings.push_back(place.pointer() + "/" + key + ": has no effect with " + name);
+    }
+}
+
+/// Keys that the method has no use for.
+void warn_of_idle_keys(const Place& place, sim::VerificationScene& scene) {
+    using sim::SolveMethod;
+    const SolveMethod method = scene.solver.method;
+    const bool is_double = method == SolveMethod::kExplicit || method == SolveMethod::kNewton;
+    const std::pair<const char*, bool> idle[]{{"over_relaxation", method != SolveMethod::kVbd},
+                                              {"iterations", is_double},
+                                              {"single_precision", is_double}};
+    for (const auto& [key, is_idle] : idle) {
+        if (is_idle && place.has(key))
+            scene.warnings.push_back(place.pointer() + "/" + key + ": has no effect with " +
+                                     sim::method_name(method));
+    }
 }
 
 void read_solver(const Place& place, sim::VerificationScene& scene) {
@@ -146,6 +168,7 @@ void read_solver(const Place& place, sim::VerificationScene& scene) {
     place.take("over_relaxation", s.over_relaxation, {0, 1.3, true, false});
     place.take("allow_invalid", s.allow_invalid);
     place.take("single_precision", s.single_precision);
+    warn_of_idle_keys(place, scene);
 }
 
 void read_until(const Place& place, sim::VerificationScene& scene) {
@@ -199,6 +222,15 @@ void check_work(const Place& root, const sim::VerificationScene& scene) {
             .expected("at most 1e7 samples in " + sim::shortest_text(scene.end_s) + " s");
 }
 
+/// A time that is no whole number of substeps is cut into equal ones, a little shorter.
+void end_on_a_substep(sim::VerificationScene& scene) {
+    sim::VerificationSolver& s = scene.solver;
+    if (scene.rest_speed_m_s || s.method == sim::SolveMethod::kNewton) return;
+    const double count = scene.end_s / s.frame_s * s.substeps;
+    const double whole = std::max(1.0, std::ceil(count - 1e-6));
+    if (std::abs(count - whole) > 1e-6 * whole) s.frame_s = scene.end_s / whole * s.substeps;
+}
+
 }  // namespace
 
 sim::BoxSelection box_of(const Place& place) {
@@ -239,6 +271,7 @@ sim::VerificationScene verification_scene_from_json(const std::string& text,
     if (root.has("probes")) read_probes(root.at("probes"), scene);
     root.take("sample_s", scene.sample_s, kPositive);
     check_work(root, scene);
+    end_on_a_substep(scene);
     read_mesh_and_sheets(root, folder, scene);  // last: everything else is checked without it
     return scene;
 }

@@ -9,8 +9,9 @@
 
 namespace placode::sim {
 
-/// The shortest text that reads back as the same number.
+/// The shortest text that reads back as the same number; "nan" without a sign.
 [[nodiscard]] inline std::string shortest_text(double value) {
+    if (value != value) return "nan";
     std::array<char, 40> text{};
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
 }

@@ -206,28 +206,44 @@ std::vector<uint8_t> sheet_vertices(const SoftBodySpec& spec) {
     return out;
 }
 
+/// Triangles are counted in their sheet: those of one tissue follow each other.
+size_t number_in_sheet(std::span<const SheetTriangle> sheet, size_t t) {
+    size_t first = t;
+    while (first > 0 && sheet[first - 1].tissue == sheet[t].tissue) --first;
+    return t - first;
+}
+
+/// Triangle `other` in a message about triangle `t`.
+std::string name_beside(std::span<const SheetTriangle> sheet, size_t other, size_t t) {
+    return std::to_string(number_in_sheet(sheet, other)) +
+           (sheet[other].tissue == sheet[t].tissue ? "" : " of another sheet");
+}
+
 void check_sheet(const std::vector<Vec3>& rest, std::span<const SheetTriangle> sheet) {
     std::vector<std::array<int32_t, 4>> keys;
     for (size_t t = 0; t < sheet.size(); ++t) {
-        check_triangle(rest, sheet[t], t);
+        check_triangle(rest, sheet[t], number_in_sheet(sheet, t));
         auto v = sheet[t].vertex;
         std::sort(v.begin(), v.end());
         keys.push_back({v[0], v[1], v[2], static_cast<int32_t>(t)});
     }
     std::sort(keys.begin(), keys.end());
     for (size_t i = 1; i < keys.size(); ++i) {
-        if (std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin()))
-            fail(at(keys[i][3]), "duplicate of triangle " + std::to_string(keys[i - 1][3]) +
-                                     ": same three vertices");
+        if (!std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin())) continue;
+        const size_t t = at(keys[i][3]);
+        fail(number_in_sheet(sheet, t), "duplicate of triangle " +
+                                            name_beside(sheet, at(keys[i - 1][3]), t) +
+                                            ": same three vertices");
     }
     const std::vector<EdgeSide> edges = sorted_edges(sheet);
     for (size_t i = 2; i < edges.size(); ++i) {
-        if (same_edge(edges[i], edges[i - 2]))
-            fail(at(edges[i][2] / 3), "the edge between vertices " + std::to_string(edges[i][0]) +
-                                          " and " + std::to_string(edges[i][1]) +
-                                          " has more than two triangles (also " +
-                                          std::to_string(edges[i - 2][2] / 3) + " and " +
-                                          std::to_string(edges[i - 1][2] / 3) + ")");
+        if (!same_edge(edges[i], edges[i - 2])) continue;
+        const size_t t = at(edges[i][2] / 3);
+        fail(number_in_sheet(sheet, t),
+             "the edge between vertices " + std::to_string(edges[i][0]) + " and " +
+                 std::to_string(edges[i][1]) + " has more than two triangles (also " +
+                 name_beside(sheet, at(edges[i - 2][2] / 3), t) + " and " +
+                 name_beside(sheet, at(edges[i - 1][2] / 3), t) + ")");
     }
 }
 

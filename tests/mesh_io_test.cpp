@@ -300,6 +300,14 @@ TEST(MeshIo, SaysWhatItCannotRead) {
                 HasSubstr("no tetrahedra; found 1 triangle"));
 }
 
+TEST(MeshIo, TakesTheMarkThatSomeEditorsPutBeforeUtf8) {
+    Scratch scratch;
+    for (const char* name : {"box_gmsh22_ascii.msh", "box_vtk42_ascii.vtk", "box_ascii.vtu"}) {
+        const std::string path = scratch.write(name, "\xEF\xBB\xBF" + text_of(name));
+        EXPECT_EQ(read_mesh_file(path).tets.size(), 6U) << name;
+    }
+}
+
 TEST(MeshIo, SaysThatAFileIsCutOff) {
     const Scratch scratch;
     const auto cut = [&](const char* name, const char* from, size_t more) {

@@ -177,7 +177,7 @@ TEST(SheetScene, RefusesWhatCannotBe) {
                 HasSubstr("/sheets/0/grid/v_m: found [0.002,0,0]; expected a direction beside"));
     EXPECT_THAT(with(R"({"box_m": [[0,0,0.001],[1,1,1]], "thickness_m": 1e-4},
                        {"box_m": [[0,0,0.001],[1,1,1]], "thickness_m": 1e-4})"),
-                HasSubstr("/sheets/1: sheet triangle 2: duplicate of triangle 0"));
+                HasSubstr("/sheets/1: sheet triangle 0: duplicate of triangle 0 of another sheet"));
     EXPECT_THAT(refusal(R"({"sheets": []})"),
                 HasSubstr("/sheets: found []; expected at least one"));
     EXPECT_THAT(refusal(R"({"solver": {}})"), HasSubstr("the key \"mesh\" is missing"));

@@ -42,6 +42,7 @@ FileCursor::FileCursor(const std::string& path) : file_(path) {
     text_.resize(static_cast<size_t>(size));
     in.read(text_.data(), size);
     if (in.gcount() != size) throw MeshError(path + ": could not be read to its end");
+    if (text_.starts_with("\xEF\xBB\xBF")) at_ = 3;  // the mark that some editors put before UTF-8
 }
 
 void FileCursor::fail(const std::string& message) const {

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "sim/mesh_io/file_cursor.h"
+#include "sim/mesh_io/mesh_overlap.h"
 #include "sim/number_text.h"
 
 namespace placode::sim {
@@ -252,6 +253,7 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
     if (turn)
         out.warnings.emplace_back(
             "all tetrahedra have the opposite orientation: they were turned round");
+    for (std::string& warning : overlap_warnings(file)) out.warnings.push_back(std::move(warning));
 
     out.vertex_of_point.assign(file.points.size(), -1);
     for (const FileTet& tet : file.tets) {

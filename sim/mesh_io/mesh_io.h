@@ -58,7 +58,7 @@ struct LoadedMesh {
 
 /// Scales to metres and checks. Repaired with a warning: all tets with the opposite orientation
 /// (turned round), points that no tet uses (left out; they keep their number in
-/// `vertex_of_point`).
+/// `vertex_of_point`). Said in a warning: tets inside each other, vertices on each other.
 /// @param allow_disconnected accepts more than one connected component.
 /// @throws MeshError listing by number: some inverted tets, degenerate tets, duplicates, faces with
 /// more than two tets, points that are not finite, disconnected components.

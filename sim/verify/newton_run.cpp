@@ -39,8 +39,8 @@ double time_of_equilibrium(const SolveSetup& setup, SolveResult& out) {
     }
     if (friction) out.warnings.emplace_back("newton: friction depends on the path and is left out");
     // Rest: after the last ramp. With a moving sphere there is no rest, the end counts.
-    return scene.rest_speed_m_s && !moving ? std::min(scene.end_s, setup.longest_ramp_s())
-                                           : scene.end_s;
+    if (!scene.rest_speed_m_s || moving) return scene.end_s;
+    return std::min(scene.end_s, setup.longest_ramp_s());
 }
 
 NewtonSettings newton_settings(const SolveSetup& setup, double time_s) {
@@ -111,6 +111,12 @@ void run_newton(const SolveSetup& setup, SolveResult& out) {
     setup.sample(0, x, out);
     const NewtonSettings settings = newton_settings(setup, time_s);
     tell_convergence(find_equilibrium(setup, problem, settings, x, out), out);
+    if (setup.scene.rest_speed_m_s && time_s < setup.longest_ramp_s()) {
+        out.at_rest = false;
+        out.warnings.push_back("not at rest after " + rounded_text(time_s, 4) +
+                               " s: a ramp takes " + rounded_text(setup.longest_ramp_s(), 4) +
+                               " s; expected a longer max_s");
+    }
     setup.sample(time_s, x, out);
     if (setup.contacts) tell_contacts(setup, problem, time_s, x, out);
     FnvHash hash;

@@ -82,8 +82,24 @@ void SolveSetup::finish(const Coordinates& x, const Coordinates& v, double time_
     if (out.inverted_tets > 0)
         out.warnings.push_back(std::to_string(out.inverted_tets) +
                                " tets are inverted at the end: no tissue can be in that state");
+    check_collapse(out);
     add_reactions(x, time_s, out);
     for (const RegionForce& f : out.contact_forces) out.contact_force_n += f.force_n;
+}
+
+/// Below a Poisson's ratio of 0 a point has less energy than the rest shape: the minimum at rest is
+/// one among its neighbours only, and large loads carry tissue over its edge.
+void SolveSetup::check_collapse(SolveResult& out) const {
+    double volume = 0;
+    for (size_t t = 0; t < scene.mesh.tets.size(); ++t)
+        volume += rest_volume(scene.mesh, static_cast<int>(t));
+    const double usual = scene.material.youngs_modulus_pa * volume;
+    if (scene.material.poissons_ratio >= 0 || out.elastic_energy_j >= -1e-6 * usual) return;
+    out.diverged = true;
+    out.at_rest = false;
+    out.warnings.emplace_back(
+        "diverged: tissue has collapsed, as this energy allows below a Poisson's ratio of 0; "
+        "expected smaller loads, or 0 and above");
 }
 
 /// A support gives what elastic forces, gravity and loads leave over in its coordinates.
@@ -95,10 +111,15 @@ void SolveSetup::add_reactions(const Coordinates& x, double time_s, SolveResult&
     for (int i = 0; i < body->vertex_count(); ++i)
         outer.segment<3>(3 * i) += body->mass_kg()[at(i)] * scene.gravity_m_s2;
     support -= outer;
-    bool any_fixed = false;
+    std::vector<uint8_t> is_fixed;
     for (const HeldRegion& region : scene.held) {
         out.reactions.push_back({region.pointer, Vec3::Zero()});
-        any_fixed = any_fixed || region.pointer.rfind("/fixed", 0) == 0;
+        is_fixed.push_back(region.pointer.rfind("/fixed", 0) == 0 ? 1 : 0);
+    }
+    // A region whose coordinates have all been taken over holds nothing.
+    bool any_fixed = false;
+    for (const auto& by : held_by_) {
+        for (const int32_t r : by) any_fixed = any_fixed || (r >= 0 && is_fixed[at(r)] != 0);
     }
     for (size_t i = 0; i < held.size(); ++i) {
         for (size_t a = 0; a < 3; ++a) {
@@ -106,8 +127,8 @@ void SolveSetup::add_reactions(const Coordinates& x, double time_s, SolveResult&
             if (by < 0) continue;
             const double f = support[static_cast<Eigen::Index>(3 * i + a)];
             out.reactions[at(by)].force_n[static_cast<Eigen::Index>(a)] += f;
-            const bool fixed = scene.held[at(by)].pointer.rfind("/fixed", 0) == 0;
-            if (fixed || !any_fixed) out.reaction_n[static_cast<Eigen::Index>(a)] += f;
+            if (is_fixed[at(by)] != 0 || !any_fixed)
+                out.reaction_n[static_cast<Eigen::Index>(a)] += f;
         }
     }
 }

@@ -181,8 +181,23 @@ void SolveSetup::make_loads() {
                 area > 0 ? weight[at(v)] / area : 1.0 / static_cast<double>(chosen.size());
             if (share > 0) load.share.emplace_back(v, share);
         }
+        check_effect(region, load);
         loads_.push_back(std::move(load));
     }
+}
+
+/// A load that meets nothing but held coordinates moves nothing.
+void SolveSetup::check_effect(const LoadRegion& region, const Load& load) {
+    bool acts = false, moves = false;
+    for (int a = 0; a < 3; ++a) {
+        if (load.total[a] == 0) continue;
+        acts = true;
+        for (const auto& [v, share] : load.share) moves = moves || (held[at(v)] >> a & 1) == 0;
+    }
+    if (acts && !moves)
+        warnings.push_back(
+            region.pointer +
+            ": acts on held coordinates only: it moves nothing, the supports take it");
 }
 
 std::vector<std::array<int32_t, 3>> SolveSetup::free_sheet() const {

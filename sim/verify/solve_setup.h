@@ -78,7 +78,9 @@ class SolveSetup {
     void check_spheres();
     void hold();
     void make_loads();
+    void check_effect(const LoadRegion& region, const Load& load);
     void make_start();
+    void check_collapse(SolveResult& out) const;
     void add_reactions(const Coordinates& x, double time_s, SolveResult& out) const;
 
     SolveWatch watch_;

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "sim/number_text.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {
@@ -58,11 +59,7 @@ std::string fixed(double value, int decimals) {
     return error == std::errc{} ? std::string(text.data(), end) : "-";
 }
 
-std::string shortest(double value) {
-    std::array<char, 40> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc{} ? std::string(text.data(), end) : "-";
-}
+std::string shortest(double value) { return sim::shortest_text(value); }
 
 std::string table(const std::vector<std::vector<std::string>>& rows) {
     std::vector<size_t> widths;
