@@ -27,8 +27,10 @@ constexpr const char* kWhyMissed =
     "\nWhy they are missed, as far as it is known: above Courant number 0.45 `xpbd` sweeps in one "
     "direction only, and between 0.2 and 0.45 turning leaves a little; `xpbd_pair` loads both of "
     "its constraints at rest; below 0.1 ms positions are rounded away (the 48-bit rows beside them "
-    "meet the same targets); an implicit step loses angular momentum in proportion to h, and one "
-    "sweep of `vbd` momentum as well; a sphere that is pressed into a stiff block in steps of 0.5 "
+    "meet the same targets); without the rigid modes, which those rows have, an implicit step "
+    "loses "
+    "angular momentum in proportion to h, and one sweep of `vbd` momentum as well; a sphere that "
+    "is pressed into a stiff block in steps of 0.5 "
     "ms creeps.\n";
 
 /// CPU seconds of one core for a simulated second that two cores have: 1.9 times as fast as one.
@@ -243,18 +245,20 @@ std::string report_of(const std::vector<AccuracyRow>& rows, const std::vector<Fi
     std::string text =
         "<!-- Written by `placodectl bench accuracy`; run it again instead of editing. -->\n"
         "# Accuracy of the tissue solvers\n\n";
-    text += "Measured with `placodectl bench accuracy" + std::string(quick ? " --quick" : "") +
-            (field ? " --field" : "") + "` on " + machine["processor"].get<std::string>() + " (" +
-            std::to_string(machine["logical_cores"].get<int>()) + " logical cores), " +
-            machine["system"].get<std::string>() + ", " + machine["compiler"].get<std::string>() +
-            ", " + machine["build"].get<std::string>() + ", kernels " +
-            machine["kernel_target"].get<std::string>() + ", load before " +
-            fixed(machine["load_average_1min_before"].get<double>(), 1) + ", " + fixed(wall_s, 0) +
-            " s. One thread. Cost is CPU time of one core for one simulated second; with a load "
-            "above 1 caches and the clock were shared with other programs, so that costs are upper "
-            "bounds. Errors do not depend on the load. Positions are rounded to floats as in the "
-            "simulator, except where the method is called 48-bit: there, as in `placodectl solve`, "
-            "they carry what rounding takes off, and what is left is the method's own error.\n\n";
+    text +=
+        "Measured with `placodectl bench accuracy" + std::string(quick ? " --quick" : "") +
+        (field ? " --field" : "") + "` on " + machine["processor"].get<std::string>() + " (" +
+        std::to_string(machine["logical_cores"].get<int>()) + " logical cores), " +
+        machine["system"].get<std::string>() + ", " + machine["compiler"].get<std::string>() +
+        ", " + machine["build"].get<std::string>() + ", kernels " +
+        machine["kernel_target"].get<std::string>() + ", load before " +
+        fixed(machine["load_average_1min_before"].get<double>(), 1) + ", " + fixed(wall_s, 0) +
+        " s. One thread. Cost is CPU time of one core for one simulated second; with a load "
+        "above 1 caches and the clock were shared with other programs, so that costs are upper "
+        "bounds. Errors do not depend on the load. Positions are rounded to floats as in the "
+        "simulator, except where the method is called 48-bit: there, as in `placodectl solve`, "
+        "they carry what rounding takes off, the rigid modes of what nothing holds are solved, and "
+        "what is left is the method's own error.\n\n";
     text += "## What is accurate, and what is not\n\n" + conclusions(rows);
     int missed = 0;
     std::string list;
