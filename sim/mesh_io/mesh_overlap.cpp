@@ -21,7 +21,7 @@ size_t at(int64_t i) { return static_cast<size_t>(i); }
 /// Points in the cells of a regular grid over their box, some two in each.
 class PointGrid {
  public:
-    explicit PointGrid(const std::vector<Vec3>& points) : points_(points) {
+    explicit PointGrid(const std::vector<Vec3>& points) {
         Vec3 high = points.front();
         low_ = high;
         for (const Vec3& p : points) {
@@ -29,9 +29,9 @@ class PointGrid {
             high = high.cwiseMax(p);
         }
         const Vec3 size = (high - low_).cwiseMax(1e-9 * (high - low_).maxCoeff());
-        cell_ = std::cbrt(2 * size.prod() / static_cast<double>(points.size()));
+        const double cell = std::cbrt(2 * size.prod() / static_cast<double>(points.size()));
         for (int a = 0; a < 3; ++a)
-            cells_[at(a)] = std::clamp<int64_t>(std::llround(size[a] / cell_), 1, 1024);
+            cells_[at(a)] = std::clamp<int64_t>(std::llround(size[a] / cell), 1, 1024);
         step_ = Vec3(size.x() / static_cast<double>(cells_[0]),
                      size.y() / static_cast<double>(cells_[1]),
                      size.z() / static_cast<double>(cells_[2]));
@@ -72,9 +72,7 @@ class PointGrid {
         return (c[2] * cells_[1] + c[1]) * cells_[0] + c[0];
     }
 
-    const std::vector<Vec3>& points_;
     Vec3 low_ = Vec3::Zero(), step_ = Vec3::Ones();
-    double cell_ = 1;
     std::array<int64_t, 3> cells_{1, 1, 1};
     std::vector<int32_t> start_, inside_;
 };
@@ -128,13 +126,19 @@ std::string tets_in_tets(const FileMesh& file, const std::vector<TetShape>& shap
            "): where they overlap weight and stiffness count twice";
 }
 
-/// Used points, and tets that hold one which is not their corner.
-std::string points_in_tets(const FileMesh& file, const std::vector<TetShape>& shapes) {
+/// Points that a tet has, ascending.
+std::vector<int32_t> used_points(const FileMesh& file) {
     std::vector<int32_t> used;
     for (const FileTet& tet : file.tets)
         used.insert(used.end(), tet.point.begin(), tet.point.end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
+    return used;
+}
+
+/// Tets around a point that is not their corner.
+std::string points_in_tets(const FileMesh& file, const std::vector<TetShape>& shapes) {
+    const std::vector<int32_t> used = used_points(file);
     std::vector<Vec3> place;
     for (const int32_t p : used) place.push_back(file.points[at(p)]);
     const PointGrid grid(place);
@@ -155,11 +159,7 @@ std::string points_in_tets(const FileMesh& file, const std::vector<TetShape>& sh
 
 /// Points of tets that have the place of another.
 std::string points_on_points(const FileMesh& file) {
-    std::vector<int32_t> used;
-    for (const FileTet& tet : file.tets)
-        used.insert(used.end(), tet.point.begin(), tet.point.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
+    std::vector<int32_t> used = used_points(file);
     const auto before = [&](int32_t a, int32_t b) {
         const Vec3 &p = file.points[at(a)], &q = file.points[at(b)];
         return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);

@@ -11,7 +11,7 @@
 
 namespace placode::sim {
 
-/// A sentence for each of the two, with the numbers of the file; empty for a sound mesh. Found are
+/// A sentence for each kind, with the numbers of the file; none for a sound mesh. Found are
 /// tets around the middle of another tet or around a vertex that is not theirs: an overlap of less
 /// than that stays unseen. @pre no tet is flat, all points of tets are finite.
 [[nodiscard]] std::vector<std::string> overlap_warnings(const FileMesh& file);
