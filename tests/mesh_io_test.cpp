@@ -265,7 +265,7 @@ TEST(MeshIo, SaysWhatItCannotRead) {
     const Scratch scratch;
     EXPECT_THAT(error_of(kFolder + "broken_binary.vtu"), HasSubstr("only ascii is read"));
     EXPECT_THAT(error_of(scratch.write("a.msh", "$MeshFormat\n4 0 8\n$EndMeshFormat\n")),
-                HasSubstr("Gmsh format 4; expected 1, 2.x or 4.1"));
+                HasSubstr("Gmsh format \"4\"; expected 1, 2.x or 4.1"));
     EXPECT_THAT(error_of(scratch.write("a.stl", "solid")), HasSubstr("expected .msh"));
     EXPECT_THAT(error_of(scratch.write("b.msh", "hello")), HasSubstr("is this a Gmsh file?"));
     EXPECT_THAT(error_of(scratch.write("b2.msh", std::string("\x1f\x00gz", 4))),
@@ -298,6 +298,35 @@ TEST(MeshIo, SaysWhatItCannotRead) {
         "$NOD\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$ENDNOD\n$ELM\n1\n1 2 1 1 3 1 2 3\n$ENDELM\n";
     EXPECT_THAT(error_of(scratch.write("d.msh", surface)),
                 HasSubstr("no tetrahedra; found 1 triangle"));
+}
+
+TEST(MeshIo, ReadsParametricNodesOfGmsh2) {
+    // Behind the coordinates: dimension and number of an entity, and the place on it.
+    Scratch scratch;
+    std::string text = text_of("box_gmsh22_ascii.msh");
+    const size_t from = text.find("$Nodes\n"), to = text.find("$EndNodes");
+    std::istringstream nodes(text.substr(from + 7, to - from - 7));
+    std::ostringstream parametric;
+    std::string line;
+    std::getline(nodes, line);
+    parametric << "$ParametricNodes\n" << line << "\n";
+    for (int i = 0; std::getline(nodes, line); ++i) {
+        const char* const place[]{" 0 1", " 1 4 0.5", " 2 3 0.25 0.75", " 3 1"};
+        parametric << line << place[i % 4] << "\n";
+    }
+    text = text.substr(0, from) + parametric.str() + "$EndParametricNodes" + text.substr(to + 9);
+    const FileMesh plain = read_mesh_file(kFolder + "box_gmsh22_ascii.msh");
+    const FileMesh read = read_mesh_file(scratch.write("parametric.msh", text));
+    EXPECT_EQ(read.points, plain.points);
+    EXPECT_EQ(read.point_id, plain.point_id);
+    EXPECT_EQ(read.tets.size(), plain.tets.size());
+}
+
+TEST(MeshIo, WhatItQuotesOfAFileIsText) {
+    Scratch scratch;
+    const std::string error = error_of(
+        scratch.write("bytes.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\xAE\xFF\x01 x\n"));
+    EXPECT_THAT(error, HasSubstr("\"???\" where a section"));
 }
 
 TEST(MeshIo, TakesTheMarkThatSomeEditorsPutBeforeUtf8) {

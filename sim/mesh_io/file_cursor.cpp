@@ -22,7 +22,8 @@ std::string in_quotes(std::string_view text) {
     std::string out(1, '"');
     out.append(text.substr(0, 40));
     for (char& c : out) {
-        if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';  // a byte 0 would end it
+        // A byte 0 would end the message, half of a letter would be no text.
+        if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) >= 127) c = '?';
     }
     out += '"';
     return out;

@@ -31,6 +31,9 @@ class GmshReader {
                 need_format();
                 version_ < 3 ? nodes_1_and_2() : nodes_4();
                 in_.expect("$EndNodes");
+            } else if (section == "$ParametricNodes" && version_ == 2) {
+                nodes_1_and_2(true);
+                in_.expect("$EndParametricNodes");
             } else if (section == "$Elements") {
                 need_format();
                 if (version_ < 3)
@@ -61,7 +64,7 @@ class GmshReader {
         const std::string version(in_.word());
         version_ = version.rfind("2", 0) == 0 ? 2 : version == "4.1" ? 4 : 0;
         if (version_ == 0)
-            in_.fail("Gmsh format " + version.substr(0, 20) +
+            in_.fail("Gmsh format " + in_quotes(version) +
                      "; expected 1, 2.x or 4.1 (gmsh FILE -save -format msh41)");
         const int64_t type = in_.whole("the file type"), size = in_.whole("the size of a number");
         if (type != 0 && type != 1)
@@ -98,19 +101,20 @@ class GmshReader {
         out_.point_id.push_back(id);
     }
 
-    void nodes_1_and_2() {
+    /// @param parametric with the entity and the place on it behind the coordinates.
+    void nodes_1_and_2(bool parametric = false) {
         nodes_read_ = true;
         const int64_t n = counted(in_, "nodes", binary_);
         if (binary_) (void)in_.rest_of_line();
         for (int64_t i = 0; i < n; ++i) {
-            int64_t id = 0;
+            const int64_t id = int_32("a node number");
             Vec3 x;
-            if (binary_) {
-                id = in_.binary<int32_t>(swap_, "$Nodes");
-                for (int c = 0; c < 3; ++c) x[c] = in_.binary<double>(swap_, "$Nodes");
-            } else {
-                id = in_.whole("a node number");
-                for (int c = 0; c < 3; ++c) x[c] = in_.real("a coordinate");
+            for (int c = 0; c < 3; ++c) x[c] = real_64("a coordinate");
+            if (parametric) {
+                const int64_t dimension = int_32("the dimension of an entity");
+                (void)int_32("the number of an entity");
+                for (int64_t c = 0; c < dimension && dimension < 3; ++c)
+                    (void)real_64("a parametric coordinate");
             }
             add_point(id, x);
         }
@@ -129,17 +133,17 @@ class GmshReader {
         if (binary_) in_.end_line();
         GmshBlocks blocks = head_4("node");
         while (blocks.next()) {
-            const int64_t dimension = int_4("the dimension of a node block");
-            (void)int_4("the entity of a node block");
-            const int64_t parametric = int_4("0 or 1 (parametric)");
+            const int64_t dimension = int_32("the dimension of a node block");
+            (void)int_32("the entity of a node block");
+            const int64_t parametric = int_32("0 or 1 (parametric)");
             const int64_t n = count_4("the number of nodes");
             blocks.count(n);
             std::vector<int64_t> ids;
             for (int64_t i = 0; i < n; ++i) ids.push_back(size_4("a node number"));
             for (const int64_t id : ids) {
                 Vec3 x;
-                for (int c = 0; c < 3; ++c) x[c] = real_4("a coordinate");
-                for (int64_t c = 0; parametric != 0 && c < dimension; ++c) (void)real_4("$Nodes");
+                for (int c = 0; c < 3; ++c) x[c] = real_64("a coordinate");
+                for (int64_t c = 0; parametric != 0 && c < dimension; ++c) (void)real_64("$Nodes");
                 add_point(id, x);
             }
         }
@@ -204,6 +208,8 @@ class GmshReader {
                 in_.checked_count(in_.binary<int32_t>(swap_, "$Elements"), "number of tags");
             const int points = known_points(type);
             if (block == 0) in_.fail("an element block of 0 elements");
+            if (block > n - i)
+                in_.fail("more than the " + std::to_string(n) + " elements of the section's head");
             for (int64_t k = 0; k < block; ++k, ++i) {
                 const auto id = in_.binary<int32_t>(swap_, "$Elements");
                 group_ = tags > 0 ? in_.binary<int32_t>(swap_, "$Elements") : 0;
@@ -221,9 +227,9 @@ class GmshReader {
         if (binary_) in_.end_line();
         GmshBlocks blocks = head_4("element");
         while (blocks.next()) {
-            (void)int_4("the dimension of an element block");
-            group_ = int_4("the entity of an element block");
-            const int64_t type = int_4("an element type"), n = count_4("the number of elements");
+            (void)int_32("the dimension of an element block");
+            group_ = int_32("the entity of an element block");
+            const int64_t type = int_32("an element type"), n = count_4("the number of elements");
             blocks.count(n);
             const int points = binary_ ? known_points(type) : 0;
             for (int64_t i = 0; i < n; ++i) {
@@ -265,14 +271,14 @@ class GmshReader {
         out_.triangles.push_back(triangle);
     }
 
-    int64_t int_4(std::string_view what) {
+    int64_t int_32(std::string_view what) {
         return binary_ ? in_.binary<int32_t>(swap_, what) : in_.whole(what);
     }
     int64_t size_4(std::string_view what) {
         return binary_ ? in_.binary<int64_t>(swap_, what) : in_.whole(what);
     }
     int64_t count_4(std::string_view what) { return in_.checked_count(size_4(what), what); }
-    double real_4(std::string_view what) {
+    double real_64(std::string_view what) {
         return binary_ ? in_.binary<double>(swap_, what) : in_.real(what);
     }
 

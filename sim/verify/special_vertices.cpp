@@ -91,7 +91,8 @@ void SpecialVertices::find(const RigidModes* modes) {
 }
 
 /// Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp; and goes with
-/// the body as a whole, or a body that slides would be held back by it.
+/// the body as a whole, or a body that slides would be held back by it. Not into the sphere: what
+/// overlaps much at the start of an impact is pressed and rubbed too hard.
 void SpecialVertices::start_where_they_were(const RigidModes* modes) {
     for (size_t i = 0; i < special_.size(); ++i) {
         if (incidence_[i].empty()) continue;
@@ -101,7 +102,13 @@ void SpecialVertices::start_where_they_were(const RigidModes* modes) {
         const Float4& before = state_.x_start[at(v)];
         x = {before.x, before.y, before.z, x.w};
         if (!state_.x_low.empty()) state_.x_low[at(v)] = state_.x_start_low[at(v)];
-        if (modes != nullptr) move_vertex(state_, v, modes->way(v));
+        if (modes == nullptr) continue;
+        Vec3 way = modes->way(v);
+        for (const int32_t entry : incidence_[i]) {
+            const Vec3& n = touches_[at(entry / 4)].n;
+            way -= std::min(0.0, n.dot(way)) * n;
+        }
+        move_vertex(state_, v, way);
     }
 }
 
