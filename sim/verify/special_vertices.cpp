@@ -12,7 +12,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr int kPasses = 2;  // over the contact colour for each sweep, as in sim/step
+constexpr int kPasses = 2;  // over what is touched, for each sweep, as in sim/step
 // Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
 // and x what the touched vertices answer at once, as in sim/contact.cpp: more bursts on fine
 // patches.
@@ -212,6 +212,12 @@ void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
     }
 }
 
+/// What only axes hold is a vertex among others: as they, over-relaxed and once a sweep.
+double SpecialVertices::relaxation_of(size_t i) const {
+    const SolverSettings& solver = body_.spec().solver;
+    return solver.method == Method::kVbd && incidence_[i].empty() ? solver.over_relaxation : 1;
+}
+
 void SpecialVertices::solve_vertex(size_t i) {
     const int32_t v = special_[i];
     if (state_.x[at(v)].w == 0) return;
@@ -233,7 +239,7 @@ void SpecialVertices::solve_vertex(size_t i) {
             grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose());
     }
     hold_axes(v, system);
-    Vec3 step = -system.hessian.llt().solve(system.gradient);
+    Vec3 step = -relaxation_of(i) * system.hessian.llt().solve(system.gradient);
     const double longest = static_cast<double>(body_.shortest_edge_m()[at(v)]) / 4;
     const double length = step.norm();
     if (!std::isfinite(length)) return;
@@ -243,7 +249,9 @@ void SpecialVertices::solve_vertex(size_t i) {
 
 void SpecialVertices::solve() {
     for (int pass = 0; pass < kPasses; ++pass) {
-        for (size_t i = 0; i < special_.size(); ++i) solve_vertex(i);
+        for (size_t i = 0; i < special_.size(); ++i) {
+            if (pass == 0 || !incidence_[i].empty()) solve_vertex(i);
+        }
     }
 }
 

@@ -29,7 +29,7 @@ class SpecialVertices {
     /// After the start guess: who is touched. @param modes nullptr = what nothing holds has no
     /// motion of its own.
     void find(const RigidModes* modes);
-    /// Passes over all of them after a sweep.
+    /// After a sweep: one pass over all of them, a second one over those that are touched.
     void solve();
     /// What the spheres do to the tissue where it is now, valid until the next call.
     const std::vector<ContactPush>& pushes();
@@ -56,6 +56,7 @@ class SpecialVertices {
     void drop_doubles();
     void set_stiffness();
     void add(int32_t v);
+    [[nodiscard]] double relaxation_of(size_t i) const;
     void solve_vertex(size_t i);
     void hold_axes(int32_t v, VertexSystem& system) const;
     [[nodiscard]] double gap(const SphereTouch& t) const;
