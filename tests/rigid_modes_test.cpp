@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numeric>
 
 #include "solve_scene.h"
 
@@ -107,5 +108,36 @@ TEST(RigidModes, AnImpactWithFrictionGivesNoKickAcross) {
         EXPECT_NEAR(way_of(r).y(), 0, 0.001) << method;
         EXPECT_GT(r.kinetic_energy_j, 0) << method;
         EXPECT_LT(r.kinetic_energy_j + r.elastic_energy_j, 0.008 * 9.81 * 0.02) << method;
+    }
+}
+
+TEST(RigidModes, ASphereOnAHeldPieceLeavesTheFreeOneAlone) {
+    // Two cubes of 10 mm, 20 mm apart, without gravity: the second is held and pressed.
+    const sim::TetMesh cube = sim::box_mesh({0.01, 0.01, 0.01}, {2, 2, 2});
+    sim::TetMesh both = cube;
+    const auto first = static_cast<int32_t>(cube.rest.size());
+    for (const sim::Vec3& p : cube.rest) both.rest.push_back(p + sim::Vec3(0.03, 0, 0));
+    for (auto tet : cube.tets) {
+        for (int32_t& v : tet) v += first;
+        both.tets.push_back(tet);
+    }
+    both.tissue.assign(both.tets.size(), sim::Tissue::kSubcutis);
+    std::vector<int32_t> same(both.rest.size());
+    std::iota(same.begin(), same.end(), 0);
+    for (const auto method : {sim::SolveMethod::kVbd, sim::SolveMethod::kXpbd}) {
+        sim::VerificationScene scene;
+        sim::use_mesh(scene, both, both.rest, same);
+        scene.gravity_m_s2.setZero();
+        sim::HeldRegion base;
+        base.pointer = "/fixed/0";
+        base.box = {sim::Vec3(0.03, 0, 0), sim::Vec3(1, 1, 0)};
+        scene.held.push_back(base);
+        scene.spheres.push_back({sim::Vec3(0.035, 0.005, 0.0195), 0.01, sim::Vec3::Zero(), 0.3});
+        scene.probes.push_back({"free", {sim::Vec3(0, 0, 0), sim::Vec3(0.01, 1, 1)}, "/probes/0"});
+        scene.solver.method = method;
+        scene.end_s = 0.05;
+        const SolveResult r = sim::solve(scene);
+        EXPECT_GT(r.contact_force_n.z(), 0.01);
+        EXPECT_LT(way_of(r).norm(), 1e-7) << sim::method_name(method);
     }
 }

@@ -17,7 +17,7 @@ using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 
 constexpr uint8_t kAllAxes = 7;
-constexpr double kThin = 1e-9;      // of the trace: a body shrunk to a line has no spin
+constexpr double kThin = 1e-9;     // of the trace: a body shrunk to a line has no spin
 constexpr double kSettled = 1e-7;  // of an edge: what such a step leaves is its square
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
@@ -130,16 +130,18 @@ RigidModes::Sums RigidModes::sum(const Piece& piece) const {
 
 bool RigidModes::solve_once(const std::vector<ContactPush>& pushes) {
     bool moved = false;
-    for (Piece& piece : pieces_) {
-        const double size =
-            static_cast<double>(body_.shortest_edge_m()[at(piece.vertices.front())]);
-        moved = move(piece, pushes) > kSettled * size || moved;
+    for (size_t number = 0; number < pieces_.size(); ++number) {
+        const int32_t first = pieces_[number].vertices.front();
+        const auto edge = static_cast<double>(body_.shortest_edge_m()[at(first)]);
+        const double way = move(static_cast<int32_t>(number), pushes);
+        moved = moved || way > kSettled * edge;
     }
     return moved;
 }
 
-/// One Newton step of the six unknowns; returns the longest way of it [m].
-double RigidModes::move(Piece& piece, const std::vector<ContactPush>& pushes) {
+/// One Newton step of the six unknowns; returns the longest way of a vertex [m].
+double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) {
+    const Piece& piece = pieces_[at(number)];
     const Sums sums = sum(piece);
     const bool turns = piece.held == 0 && can_turn(sums.inertia);
     // Times h^2: masses and ways instead of forces.
@@ -149,7 +151,7 @@ double RigidModes::move(Piece& piece, const std::vector<ContactPush>& pushes) {
     system.bottomRightCorner<3, 3>() = sums.inertia;
     rest << sums.missing, sums.missing_turn;
     for (const ContactPush& push : pushes) {
-        if (&pieces_[at(std::max(0, piece_of_[at(push.vertex)]))] != &piece) continue;
+        if (piece_of_[at(push.vertex)] != number) continue;
         const Vec3 r = push.at - sums.centre;
         Eigen::Matrix<double, 3, 6> ways;  // of that place, for each unknown
         ways << Mat3::Identity(), -cross_matrix(r);

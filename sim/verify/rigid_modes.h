@@ -61,7 +61,7 @@ class RigidModes {
     [[nodiscard]] Sums sum(const Piece& piece) const;
     [[nodiscard]] Vec3 plan(int32_t vertex) const;
     bool solve_once(const std::vector<ContactPush>& pushes);
-    double move(Piece& piece, const std::vector<ContactPush>& pushes);
+    double move(int32_t number, const std::vector<ContactPush>& pushes);
 
     const SoftBody& body_;
     SoftBodyState& state_;
