@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "curriculum/attempt_sample.h"
+#include "sim/diathermy.h"
 
 namespace placode::curriculum {
 
@@ -14,10 +15,6 @@ using sim::EventKind;
 
 constexpr double kNearPlacodeM = 0.001;
 constexpr double kAirS = 1, kDwellS = 1;
-
-bool is_electric(sim::ToolKind kind) {
-    return kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
-}
 
 /// Null for an event that nobody is warned of.
 const char* phrase_of(EventKind kind) {
@@ -60,7 +57,7 @@ void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::
     const sim::ToolState& tool = state.tools[i];
     if (tool.air_s > kAirS) say("Energy in air", state.time_s);
     if (tool.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
-    if (!sampled || !is_electric(scene_.tools[i].kind) || inputs[i].pedals == 0) return;
+    if (!sampled || !sim::conducts(scene_.tools[i].kind) || inputs[i].pedals == 0) return;
     const sim::Vec2 tip = tool.proxy.p.head<2>();
     if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)
         say("Too close to the placode", state.time_s);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/diathermy.h"
 #include "sim/packing_parts.h"
 #include "sim/topology.h"
 
@@ -67,10 +68,6 @@ void spread_damping(Scene& scene, State& state) noexcept {
     }
 }
 
-bool is_electric(const ToolSpec& tool) {
-    return tool.kind == ToolKind::kNeedle || tool.kind == ToolKind::kHook;
-}
-
 }  // namespace
 
 const TuneRange& tune_range(TuneParameter parameter) noexcept {
@@ -100,7 +97,7 @@ double tuned_value(const Scene& scene, TuneParameter parameter, Tissue tissue) n
         case TuneParameter::kCutPower:
         case TuneParameter::kCoagPower:
             for (const ToolSpec& tool : scene.tools) {
-                if (is_electric(tool))
+                if (conducts(tool.kind))
                     return parameter == TuneParameter::kCutPower ? tool.cut_power_w
                                                                  : tool.coag_power_w;
             }
@@ -143,7 +140,7 @@ bool retune(Scene& scene, State& state, const Event& event) noexcept {
         case TuneParameter::kCutPower:
         case TuneParameter::kCoagPower:
             for (ToolSpec& tool : scene.tools) {
-                if (!is_electric(tool)) continue;
+                if (!conducts(tool.kind)) continue;
                 (parameter == TuneParameter::kCutPower ? tool.cut_power_w : tool.coag_power_w) =
                     value;
             }

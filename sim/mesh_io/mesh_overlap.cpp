@@ -8,6 +8,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/bounds.h"
+
 namespace placode::sim {
 namespace {
 
@@ -22,13 +24,9 @@ size_t at(int64_t i) { return static_cast<size_t>(i); }
 class PointGrid {
  public:
     explicit PointGrid(const std::vector<Vec3>& points) {
-        Vec3 high = points.front();
-        low_ = high;
-        for (const Vec3& p : points) {
-            low_ = low_.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-        const Vec3 size = (high - low_).cwiseMax(1e-9 * (high - low_).maxCoeff());
+        const Eigen::AlignedBox3d box = bounds_of(points);
+        low_ = box.min();
+        const Vec3 size = box.sizes().cwiseMax(1e-9 * box.sizes().maxCoeff());
         const double cell = std::cbrt(2 * size.prod() / static_cast<double>(points.size()));
         for (int a = 0; a < 3; ++a)
             cells_[at(a)] = std::clamp<int64_t>(std::llround(size[a] / cell), 1, 1024);

@@ -9,7 +9,7 @@ size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 }  // namespace
 
-BodyPieces pieces_of(const VerificationScene& scene) {
+BodyPieces pieces_of(const VerificationScene& scene, const std::vector<uint8_t>& held) {
     std::vector<int32_t> root(scene.mesh.rest.size());
     for (size_t v = 0; v < root.size(); ++v) root[v] = static_cast<int32_t>(v);
     const auto find = [&](int32_t v) {
@@ -25,8 +25,12 @@ BodyPieces pieces_of(const VerificationScene& scene) {
     out.of_vertex.assign(root.size(), -1);
     for (size_t v = 0; v < root.size(); ++v) {
         int32_t& number = out.of_vertex[at(find(static_cast<int32_t>(v)))];
-        if (number < 0) number = out.count++;
+        if (number < 0) {
+            number = static_cast<int32_t>(out.held.size());
+            out.held.push_back(0);
+        }
         out.of_vertex[v] = number;
+        out.held[at(number)] |= held[v];
     }
     return out;
 }

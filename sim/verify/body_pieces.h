@@ -10,11 +10,12 @@
 namespace placode::sim {
 
 struct BodyPieces {
-    std::vector<int32_t> of_vertex;  ///< (V) piece of every vertex, 0 <= piece < count.
-    int count = 0;
+    std::vector<int32_t> of_vertex;  ///< (V) piece of every vertex.
+    std::vector<uint8_t> held;       ///< (pieces) axes bits: something of the piece is held there.
 };
 
-/// Connected by tets and by the triangles of sheets.
-[[nodiscard]] BodyPieces pieces_of(const VerificationScene& scene);
+/// Connected by tets and by the triangles of sheets. @param held (V) axes bits.
+[[nodiscard]] BodyPieces pieces_of(const VerificationScene& scene,
+                                   const std::vector<uint8_t>& held);
 
 }  // namespace placode::sim

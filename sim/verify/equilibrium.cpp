@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "sim/number_text.h"
-#include "sim/verify/body_pieces.h"
 
 namespace placode::sim {
 namespace {
@@ -27,17 +26,18 @@ struct Piece {
 };
 
 std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
-    const BodyPieces found = pieces_of(setup.scene);
-    const std::vector<int32_t>& number = found.of_vertex;
-    std::vector<Piece> pieces(at(found.count));
+    const std::vector<int32_t>& number = setup.pieces.of_vertex;
+    std::vector<Piece> pieces(setup.pieces.held.size());
     const Coordinates& x = setup.body->rest();  // a random start turns what is in balance
     for (size_t v = 0; v < number.size(); ++v) {
         Piece& piece = pieces[at(number[v])];
         piece.place += x.segment<3>(static_cast<Eigen::Index>(3 * v));
         ++piece.vertices;
-        piece.held |= setup.held[v];
     }
-    for (Piece& piece : pieces) piece.place /= piece.vertices;
+    for (size_t i = 0; i < pieces.size(); ++i) {
+        pieces[i].place /= pieces[i].vertices;
+        pieces[i].held = setup.pieces.held[i];
+    }
     for (size_t v = 0; v < number.size(); ++v) {
         Piece& piece = pieces[at(number[v])];
         const Vec3 f = force_n.segment<3>(static_cast<Eigen::Index>(3 * v));
@@ -112,9 +112,7 @@ void check_support(const SolveSetup& setup, const Coordinates& force_n) {
 }
 
 bool is_held(const SolveSetup& setup) {
-    const BodyPieces pieces = pieces_of(setup.scene);
-    std::vector<uint8_t> held(at(pieces.count), 0);
-    for (size_t v = 0; v < setup.held.size(); ++v) held[at(pieces.of_vertex[v])] |= setup.held[v];
+    const std::vector<uint8_t>& held = setup.pieces.held;
     return std::all_of(held.begin(), held.end(), [](uint8_t axes) { return axes == 7; });
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/bounds.h"
 #include "sim/soft_body.h"
 #include "sim/verify/verification_scene.h"
 
@@ -18,14 +19,10 @@ namespace placode::sim {
 /// 0.3 s.
 struct KernelUnits {
     explicit KernelUnits(const VerificationScene& scene) {
-        Vec3 low = scene.mesh.rest.front(), high = low;
-        for (const Vec3& p : scene.mesh.rest) {
-            low = low.cwiseMin(p);
-            high = high.cwiseMax(p);
-        }
-        origin = 0.5 * (low + high);
+        const Eigen::AlignedBox3d box = bounds_of(scene.mesh.rest);
+        origin = 0.5 * (box.min() + box.max());
         // A body of 20 mm and the density of water at 0.25 ms: the sizes of an operative field.
-        length = 0.02 / (high - low).norm();
+        length = 0.02 / box.diagonal().norm();
         time = 2.5e-4 / (scene.solver.frame_s / scene.solver.substeps);
         mass = 1000 * std::pow(length, 3) / scene.material.density_kg_m3;
     }

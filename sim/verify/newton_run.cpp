@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/bounds.h"
 #include "sim/fnv_hash.h"
 #include "sim/number_text.h"
 #include "sim/verify/equilibrium.h"
@@ -14,15 +15,10 @@ namespace {
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 int load_steps(const SolveSetup& setup, double time_s) {
-    double farthest = 0, size = 0;
+    double farthest = 0;
     for (const HeldRegion& r : setup.scene.held)
         farthest = std::max(farthest, r.displacement_m.norm());
-    Vec3 low = setup.scene.mesh.rest.front(), high = low;
-    for (const Vec3& p : setup.scene.mesh.rest) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    size = (high - low).norm();
+    const double size = bounds_of(setup.scene.mesh.rest).diagonal().norm();
     double steps = std::ceil(farthest / (0.1 * size));
     for (const SphereObstacle& s : setup.scene.spheres)
         steps = std::max(steps, std::ceil(s.velocity_m_s.norm() * time_s / (0.2 * s.radius_m)));

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "sim/low_parts.h"
-#include "sim/verify/body_pieces.h"
 
 namespace placode::sim {
 namespace {
@@ -43,20 +42,20 @@ bool can_turn(const Mat3& inertia) {
 RigidModes::RigidModes(const SolveSetup& setup, const SoftBody& body, SoftBodyState& state,
                        double h_body)
     : body_(body), state_(state), h_(h_body), gravity_(body.spec().solver.gravity_m_s2) {
-    const BodyPieces found = pieces_of(setup.scene);
-    std::vector<Piece> all(at(found.count));
-    for (size_t v = 0; v < found.of_vertex.size(); ++v) {
-        Piece& piece = all[at(found.of_vertex[v])];
-        piece.vertices.push_back(static_cast<int32_t>(v));
-        piece.held |= setup.held[v];
-        piece.mass += body.mass_kg()[v];
+    const BodyPieces& found = setup.pieces;
+    std::vector<int32_t> number(found.held.size(), -1);
+    for (size_t i = 0; i < found.held.size(); ++i) {
+        if (found.held[i] == kAllAxes) continue;
+        number[i] = static_cast<int32_t>(pieces_.size());
+        pieces_.emplace_back().held = found.held[i];
     }
-    piece_of_.assign(found.of_vertex.size(), -1);
-    for (Piece& piece : all) {
-        if (piece.held == kAllAxes || !(piece.mass > 0)) continue;
-        for (const int32_t v : piece.vertices)
-            piece_of_[at(v)] = static_cast<int32_t>(pieces_.size());
-        pieces_.push_back(std::move(piece));
+    piece_of_.reserve(found.of_vertex.size());
+    for (size_t v = 0; v < found.of_vertex.size(); ++v) {
+        piece_of_.push_back(number[at(found.of_vertex[v])]);
+        if (piece_of_[v] < 0) continue;
+        Piece& piece = pieces_[at(piece_of_[v])];
+        piece.vertices.push_back(static_cast<int32_t>(v));
+        piece.mass += body.mass_kg()[v];
     }
 }
 

@@ -3,9 +3,9 @@
 // Meshes and sheets of a verification scene, and which of their vertices an output point is.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
+#include "sim/bounds.h"
 #include "sim/number_text.h"
 #include "sim/surface.h"
 #include "sim/verify/solve_setup.h"
@@ -74,13 +74,8 @@ std::vector<int32_t> inverse(const std::vector<int32_t>& order) {
 
 /// Vertices along the longest axis of the mesh.
 std::vector<int32_t> axis_order(const TetMesh& mesh) {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Vec3& p : mesh.rest) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
     int axis = 0;
-    (high - low).maxCoeff(&axis);
+    bounds_of(mesh.rest).sizes().maxCoeff(&axis);
     std::vector<int32_t> order(mesh.rest.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int32_t a, int32_t b) {

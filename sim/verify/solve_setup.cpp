@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
+#include "sim/bounds.h"
 #include "sim/number_text.h"
 #include "sim/surface.h"
 
@@ -75,6 +75,7 @@ SolveSetup::SolveSetup(const VerificationScene& source, SolveWatch watch)
     spec.solver.gravity_m_s2 = scene.gravity_m_s2;
     body = std::make_unique<ReferenceBody>(spec);
     hold();
+    pieces = pieces_of(scene, held);
     make_loads();
     for (const Probe& probe : scene.probes)
         probe_vertices_.push_back(select(probe.box, probe.pointer));
@@ -107,19 +108,17 @@ void SolveSetup::check_spheres() {
 
 std::vector<int32_t> SolveSetup::select(const BoxSelection& box, const std::string& pointer) const {
     std::vector<int32_t> out;
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (size_t v = 0; v < scene.mesh.rest.size(); ++v) {
-        const Vec3& p = scene.mesh.rest[v];
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-        if (inside(box, p)) out.push_back(static_cast<int32_t>(v));
+        if (inside(box, scene.mesh.rest[v])) out.push_back(static_cast<int32_t>(v));
     }
-    if (out.empty())
+    if (out.empty()) {
+        const Eigen::AlignedBox3d mesh = bounds_of(scene.mesh.rest);
         throw VerificationError(pointer + "/box_m",
                                 "[" + text_of(box.low) + ", " + text_of(box.high) +
-                                    "] selects no vertex; the mesh reaches from " + text_of(low) +
-                                    " to " + text_of(high) +
+                                    "] selects no vertex; the mesh reaches from " +
+                                    text_of(mesh.min()) + " to " + text_of(mesh.max()) +
                                     " m; expected a box with at least one vertex in it");
+    }
     return out;
 }
 
@@ -220,12 +219,8 @@ void SolveSetup::make_start() {
     start = body->rest();
     const StartShape& s = scene.start;
     if (s.kind == StartKind::kRest) return;
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-    for (const Vec3& p : scene.mesh.rest) {
-        low = low.cwiseMin(p);
-        high = high.cwiseMax(p);
-    }
-    const Vec3 middle = (low + high) / 2;
+    const Eigen::AlignedBox3d box = bounds_of(scene.mesh.rest);
+    const Vec3 low = box.min(), high = box.max(), middle = (low + high) / 2;
     Random random(s.seed);
     for (size_t v = 0; v < scene.mesh.rest.size(); ++v) {
         const Vec3& p = scene.mesh.rest[v];

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <memory>
 
+#include "sim/verify/body_pieces.h"
 #include "sim/verify/reference_body.h"
 #include "sim/verify/verification_scene.h"
 
@@ -19,9 +20,10 @@ class SolveSetup {
     SolveSetup(const VerificationScene& scene, SolveWatch watch);
 
     const VerificationScene& scene;
-    SoftBodySpec spec;                         ///< Without held vertices.
-    std::unique_ptr<ReferenceBody> body;       ///< The same, in double precision.
-    std::vector<uint8_t> held;                 ///< (V) axes bits.
+    SoftBodySpec spec;                    ///< Without held vertices.
+    std::unique_ptr<ReferenceBody> body;  ///< The same, in double precision.
+    std::vector<uint8_t> held;            ///< (V) axes bits.
+    BodyPieces pieces;
     Coordinates start;                         ///< (3 V) start shape; held coordinates at rest.
     std::unique_ptr<SphereContacts> contacts;  ///< nullptr = no spheres.
     double max_courant = 0;

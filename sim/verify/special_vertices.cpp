@@ -87,7 +87,7 @@ void SpecialVertices::find(const RigidModes* modes) {
                 static_cast<int32_t>(4 * t) + i);
     }
     start_where_they_were(modes);
-    drop_anchors();
+    anchor_newcomers();
 }
 
 /// Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp; and goes with
@@ -114,7 +114,7 @@ void SpecialVertices::start_where_they_were(const RigidModes* modes) {
 
 /// Who may be touched for the first time sticks to where it comes from: friction acts from the
 /// first substep on, and contacts that last for no more than one are not without.
-void SpecialVertices::drop_anchors() {
+void SpecialVertices::anchor_newcomers() {
     const double h = setup_.scene.solver.frame_s / setup_.scene.solver.substeps;
     for (size_t i = 0; i < special_.size(); ++i) {
         Anchor& anchor = anchor_[at(special_[i])];

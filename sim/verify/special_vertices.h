@@ -65,7 +65,7 @@ class SpecialVertices {
     [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const;
     [[nodiscard]] double grip_n_m(int32_t v) const;
     void start_where_they_were(const RigidModes* modes);
-    void drop_anchors();
+    void anchor_newcomers();
     void stick();
 
     const SolveSetup& setup_;

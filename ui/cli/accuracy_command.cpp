@@ -28,10 +28,8 @@ constexpr const char* kWhyMissed =
     "direction only, and between 0.2 and 0.45 turning leaves a little; `xpbd_pair` loads both of "
     "its constraints at rest; below 0.1 ms positions are rounded away (the 48-bit rows beside them "
     "meet the same targets); without the rigid modes, which those rows have, an implicit step "
-    "loses "
-    "angular momentum in proportion to h, and one sweep of `vbd` momentum as well; a sphere that "
-    "is pressed into a stiff block in steps of 0.5 "
-    "ms creeps.\n";
+    "loses angular momentum in proportion to h, and one sweep of `vbd` momentum as well; a sphere "
+    "that is pressed into a stiff block in steps of 0.5 ms creeps.\n";
 
 /// CPU seconds of one core for a simulated second that two cores have: 1.9 times as fast as one.
 constexpr double kAffordable = 1.9;
