@@ -23,6 +23,19 @@ constexpr QCPScatterStyle::ScatterShape kSigns[]{
 
 constexpr int kMostSigns = 60;  // more would run into each other
 
+/// Less than a decade has ticks between its powers, as 1.5e4, which whole mantissas would call 2e4.
+class LogTicker : public QCPAxisTickerLog {
+ protected:
+    QString getTickLabel(double tick, const QLocale& locale, QChar format, int) override {
+        constexpr int most = 3;
+        const double mantissa = tick / std::pow(10, std::floor(std::log10(tick)));
+        int digits = 0;
+        for (double m = mantissa; digits < most && std::abs(m - std::round(m)) > 1e-6; m *= 10)
+            ++digits;
+        return QCPAxisTickerLog::getTickLabel(tick, locale, format, digits);
+    }
+};
+
 void set_axis(QCPAxis* axis, const std::string& label, bool logarithmic) {
     QFont font(QStringLiteral("DejaVu Sans"));
     font.setPixelSize(13);
@@ -31,9 +44,8 @@ void set_axis(QCPAxis* axis, const std::string& label, bool logarithmic) {
     axis->setTickLabelFont(font);
     if (!logarithmic) return;
     axis->setScaleType(QCPAxis::stLogarithmic);
-    axis->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
+    axis->setTicker(QSharedPointer<QCPAxisTicker>(new LogTicker));
     axis->setNumberFormat(QStringLiteral("eb"));
-    axis->setNumberPrecision(0);
 }
 
 /// Points that both axes can show, from left to right.
