@@ -7,6 +7,7 @@
 #include <QJsonObject>
 #include <charconv>
 
+#include "curriculum/conduct.h"
 #include "db/recording_chunks.h"
 #include "db/store.h"
 
@@ -54,6 +55,10 @@ class Reader {
         const QJsonValue value = object_[QLatin1String(key)];
         if (!value.isString()) damaged(key, "text");
         return value.toString().toStdString();
+    }
+    /// Text that older files do not have.
+    [[nodiscard]] std::string text(const char* key, const char* otherwise) const {
+        return object_.contains(QLatin1String(key)) ? text(key) : otherwise;
     }
     [[nodiscard]] uint64_t big(const char* key) const {
         const std::string digits = text(key);
@@ -165,6 +170,7 @@ std::string header_to_json(const sim::RecordingHeader& header) {
          {"device", text_of(header.device)},
          {"started_utc", text_of(header.started_utc)},
          {"demonstration", header.demonstration},
+         {"mode", text_of(header.mode)},
          {"frame_s", header.frame_s},
          {"sample_s", header.sample_s},
          {"tools", tools},
@@ -187,6 +193,8 @@ sim::RecordingHeader header_from_json(const std::string& text) {
     header.device = json.text("device");
     header.started_utc = json.text("started_utc");
     header.demonstration = json.truth("demonstration");
+    header.mode = json.text("mode", "practice");  // since exams and studies are told apart
+    if (!curriculum::mode_named(header.mode)) damaged("mode", "practice, exam or study");
     header.frame_s = json.number("frame_s");
     header.sample_s = json.number("sample_s");
     const QJsonArray tools = json.array("tools");

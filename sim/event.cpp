@@ -80,6 +80,14 @@ std::string_view event_name(EventKind kind) noexcept {
             return "sector_free";
         case EventKind::kSacOpened:
             return "sac_opened";
+        case EventKind::kBuried:
+            return "buried";
+        case EventKind::kPaused:
+            return "paused";
+        case EventKind::kMachineSpeed:
+            return "machine_speed";
+        case EventKind::kSlowSpell:
+            return "slow_spell";
     }
     return "unknown";
 }

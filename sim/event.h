@@ -48,7 +48,17 @@ enum class EventKind : uint16_t {
     kCrumb = 28,       ///< a loose crumb was washed away: value = volume [m^3]
     kSectorFree = 29,  ///< a sector of 5 degrees came free: value = sector, value2 = free sectors
     kSacOpened = 30,   ///< first hole in the wall of a sac: value = pressure [Pa]
+    kBuried = 31,      ///< a tip was below the surface: value = seconds (raised when it ends, over
+                       ///< 0.3 s), value2 = largest depth [m]
+    // About the attempt and not about tissue.
+    kPaused = 32,        ///< simulated time stood still: value = seconds of wall clock, value2 =
+                         ///< PauseCause
+    kMachineSpeed = 33,  ///< once, at the end: value = simulated over wall-clock time, value2 =
+                         ///< pictures a second (0 = nothing was drawn)
+    kSlowSpell = 34,     ///< the computer fell behind: value = seconds, value2 = as kMachineSpeed
 };
+/// Why simulated time stood still.
+enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus };
 [[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
 
 /// True for events that stand in hundreds in a recording and say nothing by themselves: lost

@@ -60,6 +60,7 @@ struct RecordingHeader {
     std::string device;          ///< As on the command line, e.g. "script:expert".
     std::string started_utc;     ///< ISO 8601.
     bool demonstration = false;  ///< Simulated operator or demonstration data.
+    std::string mode = "practice";  ///< practice, exam or study (curriculum/conduct.h).
     double frame_s = 1e-3;
     double sample_s = 0.01;
     std::vector<ToolSpec> tools;
