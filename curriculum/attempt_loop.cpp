@@ -19,7 +19,6 @@ namespace {
 using sim::EventKind;
 
 constexpr double kCutFraction = 0.995, kLiftedM = 0.001, kLiftedS = 1.0;
-constexpr auto kPublishEvery = std::chrono::milliseconds(16);
 constexpr int64_t kPublishFrames = 16;  // when running faster than real time
 // Later than this the schedule starts afresh: simulated time then runs slower than the clock.
 constexpr auto kLatest = std::chrono::milliseconds(5);
@@ -48,7 +47,11 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       sight_(*scene_),
       warnings_(*scene_),
       used_substeps_(state_.substeps) {
+    const auto before = Clock::now();
     sim::settle(*scene_, state_, task.settle_s);
+    const double took_s = std::chrono::duration<double>(Clock::now() - before).count();
+    settling_share_ = took_s > 0 ? task.settle_s / took_s : 0;
+    waiting_ = options.wait_for_motion && !fast_ && !lock_step_;
     practice_ = PracticeGuide(options.steps, *scene_, state_);
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {
@@ -64,7 +67,8 @@ void AttemptLoop::request_finish(sim::EndReason reason) noexcept {
     if (!lock_step_) servo_->release();
 }
 
-void AttemptLoop::set_paused(bool paused) noexcept {
+void AttemptLoop::set_paused(bool paused, sim::PauseCause cause) noexcept {
+    if (paused) pause_cause_ = cause;
     paused_ = paused;
     servo_->set_paused(paused);
 }
@@ -80,6 +84,8 @@ void AttemptLoop::record(const T& value) noexcept {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
 }
+
+template void AttemptLoop::record<sim::Event>(const sim::Event&) noexcept;  // attempt_rest.cpp
 
 /// Tissue that sleeps is simulated in no time: a fast run, too, keeps all but its last half second.
 void AttemptLoop::wait_for_recorder() noexcept {
@@ -208,6 +214,14 @@ void AttemptLoop::publish() noexcept {
     numbers_now_.frame_p99_ms = costs_.p99_ms();
     numbers_now_.substeps = state_.substeps;
     numbers_now_.dropped = dropped_;
+    numbers_now_.waiting = waiting_;
+    numbers_now_.real_time = speed_.real_time();
+    numbers_now_.pictures_hz = speed_.pictures_hz();
+    numbers_now_.real_time_now = speed_.real_time_now();
+    numbers_now_.pictures_now_hz = speed_.pictures_now_hz();
+    numbers_now_.slow = speed_.slow();
+    numbers_now_.counts_not = speed_.counts_for_nothing();
+    numbers_now_.settling_share = settling_share_;
     numbers_.publish(numbers_now_);
     sim::Snapshot& out = snapshots_.back();
     sim::fill_snapshot(*scene_, state_, out);
@@ -260,15 +274,9 @@ void AttemptLoop::run() noexcept {
         event.element = static_cast<int32_t>(sim::TuneParameter::kPreset);
         record(event);
     }
+    speed_.start(next_, pictures_.load(std::memory_order_relaxed));
     while (reason_ == sim::EndReason::kRunning) {
-        if (paused_.load(std::memory_order_relaxed)) {
-            publish();
-            std::this_thread::sleep_for(kPublishEvery);
-            next_ = Clock::now();
-            if (requested_.load() == 0) continue;
-            reason_ = static_cast<sim::EndReason>(requested_.load());
-            break;
-        }
+        if (rest()) continue;
         const auto start = Clock::now();
         one_frame();
         const auto now = Clock::now();
@@ -276,9 +284,15 @@ void AttemptLoop::run() noexcept {
         leave_room();
         if (!fast_ && !lock_step_) {
             const int wanted = scene_->body.spec().solver.substeps;
-            state_.substeps = costs_.adapted(state_.substeps, wanted, frame_s_);
+            const int substeps = costs_.adapted(state_.substeps, wanted, frame_s_);
+            if (substeps > state_.substeps || may_save_.load(std::memory_order_relaxed))
+                state_.substeps = substeps;
         }
         keep_pace();
+        if (fast_ || lock_step_) continue;
+        const auto spell = speed_.frame(Clock::now(), frame_s_,
+                                        pictures_.load(std::memory_order_relaxed), state_.time_s);
+        if (spell) record(*spell);
     }
     servo_->stop();
     close();
@@ -292,6 +306,8 @@ void AttemptLoop::close() noexcept {
     } catch (const std::exception&) {
         // Without memory for it thermal spread is not known; the attempt is.
     }
+    watch_pause(false);
+    if (const auto speed = speed_.closing(state_.time_s)) record(*speed);
     if (reason_ == sim::EndReason::kFinished) record_event(EventKind::kFinished, 0, 0);
     // `adapt` may have chosen substeps for a frame that never came; the hash covers their number.
     state_.substeps = used_substeps_;

@@ -12,6 +12,7 @@
 #include "curriculum/attempt_runner.h"
 #include "curriculum/frame_costs.h"
 #include "curriculum/live_warnings.h"
+#include "curriculum/machine_speed.h"
 #include "curriculum/operator_sight.h"
 #include "curriculum/practice_guide.h"
 #include "sim/retune.h"
@@ -26,6 +27,13 @@ struct LoopNumbers {
     int substeps = 0;
     double cut_fraction = 0;
     int64_t dropped = 0;
+    bool waiting = false;                           ///< For the first motion of a hand.
+    double real_time = 1;                           ///< Simulated over wall-clock time.
+    double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.
+    double pictures_hz = 0;                         ///< In nine of ten seconds.
+    bool slow = false;                              ///< Has not kept up for some seconds.
+    bool counts_not = false;                        ///< As it is now, too slow to count.
+    double settling_share = 0;  ///< Simulated over wall-clock time before the first frame.
 };
 
 class AttemptLoop {
@@ -37,7 +45,10 @@ class AttemptLoop {
 
     // Main thread.
     void request_finish(sim::EndReason reason) noexcept;
-    void set_paused(bool paused) noexcept;
+    void set_paused(bool paused, sim::PauseCause cause) noexcept;
+    void picture_drawn() noexcept { pictures_.fetch_add(1, std::memory_order_relaxed); }
+    /// Whether fewer substeps may be taken when time is short: first the picture is made simpler.
+    void may_save_substeps(bool may) noexcept { may_save_ = may; }
     /// Changes tissue or generator before the next frame (sim/retune.h); false when too many wait.
     bool tune(const sim::Event& wish) noexcept { return tunings_.push(wish); }
     [[nodiscard]] bool finished() const noexcept { return finished_; }
@@ -51,6 +62,11 @@ class AttemptLoop {
  private:
     using Clock = FrameCosts::Clock;
 
+    static constexpr auto kPublishEvery = std::chrono::milliseconds(16);  // as often as a screen
+
+    [[nodiscard]] bool rest() noexcept;
+    void watch_pause(bool paused) noexcept;
+    [[nodiscard]] bool hands_moved() noexcept;
     void gather_inputs() noexcept;
     void perceive() noexcept;
     void one_frame() noexcept;
@@ -75,10 +91,14 @@ class AttemptLoop {
     AttemptRecorder& recorder_;
     double time_limit_s_, frame_s_;
     bool finish_when_cut_, fast_, lock_step_, preset_;
+    double settling_share_ = 0;
     int64_t frames_per_sample_, frames_per_look_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};
     std::atomic<bool> paused_{false}, finished_{false};
+    std::atomic<sim::PauseCause> pause_cause_{sim::PauseCause::kMenu};
+    std::atomic<bool> may_save_{true};
+    std::atomic<uint64_t> pictures_{0};
     std::atomic<float> servo_p999_us_{0};
     sim::Latest<sim::Snapshot> snapshots_;
     sim::Latest<LoopNumbers> numbers_;
@@ -92,6 +112,11 @@ class AttemptLoop {
     LiveWarnings warnings_;
     PracticeGuide practice_;
     FrameCosts costs_;
+    MachineSpeed speed_;
+    bool waiting_ = false, has_first_ = false, resting_ = false;
+    std::array<sim::ToolInput, sim::kMaxTools> first_inputs_{};
+    Clock::time_point rest_since_{};
+    sim::PauseCause rest_cause_ = sim::PauseCause::kMenu;
     uint32_t sample_flags_ = 0;
     int used_substeps_ = 0;  // of the last frame
     int64_t dropped_ = 0;

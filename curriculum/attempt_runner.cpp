@@ -26,6 +26,7 @@ sim::RecordingHeader make_header(const Task& task, uint64_t seed, const AttemptO
     header.started_utc = options.started_utc;
     // A scripted operator is never taken for a person, whoever started it.
     header.demonstration = options.demonstration || options.device.rfind("script:", 0) == 0;
+    header.mode = mode_name(options.mode);
     header.frame_s = task.scene.solver.frame_s;
     header.tools = scene.tools;
     header.geometry = scene.geometry;
@@ -99,7 +100,11 @@ void AttemptRunner::start() {
 void AttemptRunner::request_finish(sim::EndReason reason) noexcept {
     impl_->loop->request_finish(reason);
 }
-void AttemptRunner::set_paused(bool paused) noexcept { impl_->loop->set_paused(paused); }
+void AttemptRunner::set_paused(bool paused, sim::PauseCause cause) noexcept {
+    impl_->loop->set_paused(paused, cause);
+}
+void AttemptRunner::picture_drawn() noexcept { impl_->loop->picture_drawn(); }
+void AttemptRunner::may_save_substeps(bool may) noexcept { impl_->loop->may_save_substeps(may); }
 void AttemptRunner::tune(sim::TuneParameter parameter, sim::Tissue tissue, double value) noexcept {
     sim::Event wish;
     wish.kind = sim::kTuned;
@@ -152,6 +157,14 @@ AttemptStatus AttemptRunner::status() const {
     loop.set_servo_p999(status.servo_p999_us);
     status.dropped = numbers.dropped;
     status.running = impl_->started && !loop.finished();
+    status.waiting = numbers.waiting;
+    status.real_time = numbers.real_time;
+    status.pictures_hz = numbers.pictures_hz;
+    status.real_time_now = numbers.real_time_now;
+    status.pictures_now_hz = numbers.pictures_now_hz;
+    status.slow = numbers.slow;
+    status.counts_not = numbers.counts_not;
+    status.settling_share = numbers.settling_share;
     status.warning = impl_->recorder->problem();
     return status;
 }

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "curriculum/conduct.h"
 #include "curriculum/task.h"
 #include "haptics/servo.h"
 #include "sim/recording.h"
@@ -23,6 +24,9 @@ struct AttemptOptions {
     bool demonstration = false;
     std::string started_utc;
     sim::Latest<sim::WindowInput>* window = nullptr;
+    AttemptMode mode = AttemptMode::kPractice;
+    /// Simulated time starts with the first motion of a hand. Scripts and fast runs do not wait.
+    bool wait_for_motion = false;
     std::vector<TaskStep> steps;  ///< Filled by the runner: what the device can do of the task's.
 };
 
@@ -37,7 +41,14 @@ struct AttemptStatus {
     uint64_t servo_missed = 0, servo_gaps = 0, servo_faults = 0;  ///< As in the certificate.
     int64_t dropped = 0;
     bool running = true;
-    std::string warning;  ///< e.g. why the recording stopped.
+    bool waiting = false;  ///< For the first motion of a hand.
+    double real_time = 1;  ///< Simulated over wall-clock time (curriculum/machine_speed.h).
+    double real_time_now = 1, pictures_now_hz = 0;  ///< Of the last second.
+    double pictures_hz = 0;                         ///< In nine of ten seconds.
+    bool slow = false;                              ///< Has not kept up for some seconds.
+    bool counts_not = false;                        ///< As it is now, too slow to count.
+    double settling_share = 0;  ///< Simulated over wall-clock time before the first frame.
+    std::string warning;        ///< e.g. why the recording stopped.
 };
 
 /// Runs one attempt on its own physics and recorder threads (or on the caller's in `run_fast`).
@@ -50,7 +61,10 @@ class AttemptRunner {
 
     void start();                                         ///< Starts the threads.
     void request_finish(sim::EndReason reason) noexcept;  ///< Main thread: menu, window closed.
-    void set_paused(bool paused) noexcept;
+    void set_paused(bool paused, sim::PauseCause cause = sim::PauseCause::kMenu) noexcept;
+    void picture_drawn() noexcept;  ///< The view tells each of them.
+    /// Fewer substeps when time is short only once the picture cannot be made simpler.
+    void may_save_substeps(bool may) noexcept;
     /// Changes tissue or generator before the next frame. Main thread. The attempt then counts as
     /// tuned: it is recorded, replayed exactly, and never passes.
     void tune(sim::TuneParameter parameter, sim::Tissue tissue, double value) noexcept;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <cstring>
 #include <set>
 #include <stdexcept>
@@ -170,6 +171,73 @@ TEST(AttemptRunner, FinishesOnRequestAlsoWhilePaused) {
     EXPECT_EQ(runner.end().reason, sim::EndReason::kFinished);
     EXPECT_FALSE(runner.status().running);
     EXPECT_TRUE(runner.snapshot().finished);
+}
+
+/// Calls `look` until it is true; a slow machine may take its time.
+template <class Look>
+void until(Look look) {
+    for (int i = 0; i < 10'000 && !look(); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ASSERT_TRUE(look());
+}
+
+TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
+    sim::Latest<sim::WindowInput> window;
+    sim::WindowInput input;
+    window.publish(input);
+    AttemptOptions options;
+    options.device = "mouse";
+    options.threads = 1;
+    options.window = &window;
+    options.wait_for_motion = true;
+    options.mode = AttemptMode::kStudy;
+    auto recording = std::make_shared<sim::Recording>();
+    AttemptRunner runner(quick_task(), 3, options, std::make_unique<test::MemorySink>(recording));
+    runner.start();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_TRUE(runner.status().waiting);
+    EXPECT_EQ(runner.snapshot().frame, 0);
+    // What was looked at before the beginning is no pause.
+    runner.set_paused(true, sim::PauseCause::kHelp);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    runner.set_paused(false);
+    input.mouse_x += 200;
+    window.publish(input);
+    until([&] { return runner.status().time_s > 0.1; });
+    EXPECT_FALSE(runner.status().waiting);
+    runner.set_paused(true, sim::PauseCause::kHelp);
+    until([&] { return runner.snapshot().paused != 0; });
+    const double here = runner.status().time_s;
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(runner.status().time_s, here);
+    runner.set_paused(false);
+    until([&] { return runner.status().time_s > here; });
+    runner.request_finish(sim::EndReason::kFinished);
+    runner.wait();
+    EXPECT_EQ(recording->header.mode, "study");
+    std::vector<sim::Event> pauses;
+    for (const sim::Event& event : recording->events)
+        if (event.kind == sim::EventKind::kPaused) pauses.push_back(event);
+    ASSERT_EQ(pauses.size(), 1U);
+    EXPECT_GE(pauses[0].value, 0.3F);
+    EXPECT_EQ(static_cast<sim::PauseCause>(pauses[0].value2), sim::PauseCause::kHelp);
+    EXPECT_TRUE(replay(*recording, 1).identical);
+}
+
+TEST(AttemptRunner, LeavesBeforeAnyMotion) {
+    sim::Latest<sim::WindowInput> window;
+    window.publish({});
+    AttemptOptions options;
+    options.device = "mouse";
+    options.window = &window;
+    options.wait_for_motion = true;
+    AttemptRunner runner(quick_task(), 3, options, nullptr);
+    runner.start();
+    until([&] { return runner.status().waiting; });
+    runner.request_finish(sim::EndReason::kInterrupted);
+    runner.wait();
+    EXPECT_EQ(runner.end().reason, sim::EndReason::kInterrupted);
+    EXPECT_EQ(runner.end().duration_s, 0);
 }
 
 TEST(AttemptRunner, AnUnknownDeviceIsRefusedBeforeTheSceneIsBuilt) {

@@ -264,7 +264,8 @@ TEST_F(FetoscopeViewTest, WritesTheReadOutsOutsideTheCircle) {
     EXPECT_GT(exam.mean(5, 5, 50, 40), 0.10);
     EXPECT_GT(full.mean(kSize - 70, kSize - 70, kSize, kSize),
               exam.mean(kSize - 70, kSize - 70, kSize, kSize) + 0.005);
-    overlay.menu = true;
+    overlay.menu.shown = true;
+    overlay.menu.items = {"Continue", "Finish"};
     EXPECT_GT(difference(full, draw(f.snapshot, overlay)), 5.0);
 }
 

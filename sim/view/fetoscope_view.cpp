@@ -18,7 +18,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kSlowMs = 75, kFastMs = 22;  // change of quality: 13 fps, 45 fps
-constexpr double kScales[] = {0.45, 0.6, 0.8, 1.0, 1.25};
+constexpr double kScales[] = {0.3, 0.45, 0.6, 0.8, 1.0, 1.25};
 
 // The inside of the uterus: an ellipsoid of gas around the fetal back.
 void build_wall(GlMesh& mesh) {
@@ -102,6 +102,7 @@ struct FetoscopeView::Impl {
     void draw_smoke();
     void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
+    bool simplify();
     void observe(const Snapshot& snapshot);
 
     ViewSettings settings;
@@ -130,7 +131,7 @@ struct FetoscopeView::Impl {
     double last_time_s = -1;
     Clock::time_point last_picture{};
     unsigned error = 0;
-    bool software = false, has_floor = false;
+    bool software = false, has_floor = false, stays_simple = false;
 };
 
 FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
@@ -326,12 +327,8 @@ void FetoscopeView::Impl::adapt(double ms) {
         std::lower_bound(std::begin(kScales), std::end(kScales), quality.render_scale - 1e-6);
     if (slow >= 8) {
         slow = 0;
-        if (quality.samples > 0) {
-            quality.samples = 0;
-        } else if (at != std::begin(kScales)) {
-            quality.render_scale = *(at - 1);
-        }
-    } else if (fast >= 90) {
+        (void)simplify();
+    } else if (fast >= 90 && !stays_simple) {
         fast = 0;
         if (at != std::end(kScales) && at + 1 != std::end(kScales)) {
             quality.render_scale = *(at + 1);
@@ -339,6 +336,18 @@ void FetoscopeView::Impl::adapt(double ms) {
             quality.samples = 4;
         }
     }
+}
+
+bool FetoscopeView::Impl::simplify() {
+    const auto* at =
+        std::lower_bound(std::begin(kScales), std::end(kScales), quality.render_scale - 1e-6);
+    if (quality.samples > 0) {
+        quality.samples = 0;
+        return true;
+    }
+    if (at == std::begin(kScales)) return false;
+    quality.render_scale = *(at - 1);
+    return true;
 }
 
 FetoscopeView::FetoscopeView(const ViewField& field, const ViewSettings& settings)
@@ -369,7 +378,7 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.last_time_s = snapshot.time_s;
     post.haze = s.smoke.haze();
     post.lens = &s.lens;
-    post.dim = overlay.menu ? 0.45 : 1.0;
+    post.dim = overlay.menu.shown ? 0.45 : 1.0;
     post.noise_seed = ++s.frames;
     // Always through a target of our own: what a window shows cannot be read back reliably.
     s.output.allocate(width, height, GL_RGBA8, false);
@@ -398,9 +407,20 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
 void FetoscopeView::observe(const Snapshot& snapshot) { impl_->observe(snapshot); }
 void FetoscopeView::wipe_lens() { impl_->lens.wipe(); }
 const Lens& FetoscopeView::lens() const { return impl_->lens; }
+bool FetoscopeView::simplify() {
+    // Whatever else the processor does is short of time: no way back in this attempt.
+    impl_->stays_simple = true;
+    return impl_->simplify();
+}
 bool FetoscopeView::software() const { return impl_->software; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
 bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
+WindowEvents FetoscopeView::events() { return impl_->context->events(); }
+std::pair<double, double> FetoscopeView::pointer() const {
+    double x = -1, y = -1;
+    impl_->context->pointer(x, y);
+    return {x, y};
+}
 void FetoscopeView::capture_pointer(bool capture) { impl_->context->capture_pointer(capture); }
 int FetoscopeView::menu_item_under_pointer() const {
     double x = 0, y = 0;

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/view/gl_context.h"
@@ -46,9 +47,17 @@ class FetoscopeView {
     [[nodiscard]] const Lens& lens() const;
     /// True when the processor draws: leave some of it to the physics.
     [[nodiscard]] bool software() const;
+    /// One step simpler, and it stays so: fewer samples, then fewer pixels. False when it is as
+    /// simple as it gets.
+    bool simplify();
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     void poll(WindowInput& input);
     [[nodiscard]] bool close_requested() const;
+    /// What happened at the window since the last call, in order; it then stays open when somebody
+    /// wanted to close it. Off-screen: nothing.
+    [[nodiscard]] WindowEvents events();
+    /// Pointer in the picture [px], y down; (-1, -1) off-screen.
+    [[nodiscard]] std::pair<double, double> pointer() const;
     void capture_pointer(bool capture);
     /// What was typed since the last call, UTF-8; backspace is "\b".
     [[nodiscard]] std::string typed();

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/view/window_input.h"
+#include "sim/view/window_event.h"
 
 namespace placode::sim {
 
@@ -31,6 +31,8 @@ class GlContext {
     /// What was typed since the last call, UTF-8; backspace is "\b".
     [[nodiscard]] virtual std::string typed() { return {}; }
     [[nodiscard]] virtual bool close_requested() const { return false; }
+    /// What happened since the last call, in order; a window that is to close stays open.
+    [[nodiscard]] virtual WindowEvents events() { return {}; }
 };
 
 /// GLFW window with an OpenGL 3.3 core context, current on this thread. Throws ViewError.

@@ -8,18 +8,11 @@
 #include <cstring>
 
 #include "sim/diathermy.h"
+#include "sim/view/overlay_colours.h"
 #include "sim/view/strings.h"
 
 namespace placode::sim {
 namespace {
-
-// The dark theme's tokens.
-constexpr Colour kText{0.925F, 0.929F, 0.933F, 1}, kMuted{0.604F, 0.639F, 0.678F, 1};
-constexpr Colour kLine{0.200F, 0.216F, 0.239F, 1}, kRaised{0.122F, 0.133F, 0.149F, 0.94F};
-constexpr Colour kAccent{0.310F, 0.722F, 0.761F, 1}, kGood{0.424F, 0.773F, 0.561F, 1};
-constexpr Colour kWarn{0.878F, 0.643F, 0.290F, 1}, kCritical{0.949F, 0.522F, 0.486F, 1};
-constexpr Colour kYellow{0.965F, 0.796F, 0.227F, 1}, kBlue{0.357F, 0.588F, 0.976F, 1};
-constexpr Colour kInk{0.086F, 0.094F, 0.106F, 1};
 
 std::string number(double value, int digits) {
     char text[32];
@@ -75,8 +68,8 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
     // Width beside the circle at its middle; in the corners there is more.
     column_ = std::max(7.5 * unit_, 0.5 * width - circle.radius - 2 * margin_);
     painter.begin(width, height, unit_);
-    menu_shown_ = state.menu;
-    if (!state.exam || state.menu) {
+    menu_shown_ = state.menu.shown;
+    if (!state.exam) {
         energy();
         force();
         ring();
@@ -85,17 +78,19 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
     read_outs();
     warning();
     if (state.show_performance) performance();
-    if (state.show_help && !state.menu) help();
+    if (state.show_help && !state.menu.shown) help();
     tuning_.hide();
-    if (!state.menu) tuning_.draw(painter, state.tuning, width_, height_, unit_);
-    if (state.menu) menu();
+    if (!state.menu.shown) tuning_.draw(painter, state.tuning, width_, height_, unit_);
+    if (state.waiting && !state.menu.shown && !state.show_help) waiting();
+    if (state.holding > 0) hold_ring();
+    if (state.menu.shown) menu();
     painter.draw();
 }
 
 void Overlay::read_outs() {
     double y = margin_ + 1.6 * unit_;
     paint_->text(margin_, y, clock_text(snapshot_->time_s), TextSize::kLarge, kText);
-    if (state_->exam && !state_->menu) return;
+    if (state_->exam) return;
     if (state_->time_limit_s > 0) {
         const double x =
             margin_ + paint_->text_width(clock_text(snapshot_->time_s), TextSize::kLarge);
@@ -124,8 +119,9 @@ void Overlay::read_outs() {
                 y += paint_->line_height(TextSize::kSmall);
             }
         }
-        paint_->text(width_ - margin_, height_ - margin_, say("F1 help   Esc pause   Enter finish"),
-                     TextSize::kSmall, kMuted.faded(0.7F), Align::kRight);
+        paint_->text(width_ - margin_, height_ - margin_,
+                     say("F1 help   Esc pause   hold Enter: finish"), TextSize::kSmall,
+                     kMuted.faded(0.7F), Align::kRight);
     }
     if (practising() && room <= 9 * unit_) practice_line();
     if (!state_->banner.empty()) {
@@ -368,7 +364,7 @@ void Overlay::warning() {
                                    strnlen(snapshot_->message.data(), snapshot_->message.size()));
     constexpr double kHoldS = 2.0, kFadeS = 1.0;
     const double age = snapshot_->message_age_s;
-    if (message.empty() || state_->exam || age > kHoldS + kFadeS) return;
+    if (message.empty() || !state_->warnings || age > kHoldS + kFadeS) return;
     const auto alpha = static_cast<float>(std::clamp((kHoldS + kFadeS - age) / kFadeS, 0.0, 1.0));
     Vec2 direction(0, 1);
     for (int i = 0; i < snapshot_->tool_count; ++i) {
@@ -430,36 +426,6 @@ void Overlay::performance() {
         paint_->text(margin_, y, line, TextSize::kSmall, kText);
         y += 1.4 * unit_;
     }
-}
-
-void Overlay::menu() {
-    const std::string items[kMenuItems] = {say("Continue"), say("Finish and score"),
-                                           say("Leave without finishing")};
-    menu_row_ = 2.8 * unit_;
-    menu_width_ = 20 * unit_;
-    const double h = 4.2 * unit_ + kMenuItems * menu_row_ + 2.2 * unit_;
-    const double x = 0.5 * (width_ - menu_width_), y = 0.5 * (height_ - h);
-    paint_->box(x, y, menu_width_, h, kRaised);
-    paint_->text(x + 1.4 * unit_, y + 2.6 * unit_, say("Paused"), TextSize::kLarge, kText);
-    menu_x_ = x;
-    menu_y_ = y + 4.2 * unit_;
-    for (int i = 0; i < kMenuItems; ++i) {
-        const double top = menu_y_ + i * menu_row_;
-        const bool selected = i == state_->menu_selected;
-        if (selected)
-            paint_->box(x + 0.6 * unit_, top, menu_width_ - 1.2 * unit_, menu_row_ - 0.3 * unit_,
-                        kAccent);
-        paint_->text(x + 1.4 * unit_, top + 1.65 * unit_, items[i], TextSize::kNormal,
-                     selected ? kInk : kText);
-    }
-    paint_->text(x + 1.4 * unit_, y + h - 0.9 * unit_, say("Arrows and Enter, or the mouse"),
-                 TextSize::kSmall, kMuted);
-}
-
-int Overlay::menu_item_at(double x, double y) const {
-    if (!menu_shown_ || x < menu_x_ || x > menu_x_ + menu_width_ || y < menu_y_) return -1;
-    const int item = static_cast<int>((y - menu_y_) / menu_row_);
-    return item < kMenuItems ? item : -1;
 }
 
 }  // namespace placode::sim

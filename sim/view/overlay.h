@@ -27,6 +27,15 @@ struct PracticeOverlay {
     PracticeGoal goal;        ///< Where it stands.
 };
 
+/// The pause menu, or a question. Texts are already in the user's language.
+struct MenuOverlay {
+    bool shown = false;
+    std::string title;
+    std::vector<std::string> lines;  ///< What should be known before an item is chosen.
+    std::vector<std::string> items;
+    int selected = 0;
+};
+
 /// What the program wants said. Texts are already in the user's language unless noted.
 struct OverlayState {
     std::string language = "en";
@@ -39,13 +48,14 @@ struct OverlayState {
     double cut_power_w = 0, coag_power_w = 0;
     double full_force_n = 0.4;  ///< Right end of the force bar.
     bool exam = false;          ///< Time only.
+    bool warnings = true;       ///< Short phrases at the rim.
     bool show_help = false, show_performance = false, show_guide = false;
-    bool menu = false;
-    int menu_selected = 0;
+    bool waiting = false;  ///< The clock starts with the first motion.
+    MenuOverlay menu;
+    double holding = 0;  ///< How far Enter has been held, 0..1.
     PracticeOverlay practice;
     TuningOverlay tuning;
 };
-inline constexpr int kMenuItems = 3;  ///< Continue, finish and score, leave.
 
 /// Times of the drawing itself, for the performance read-out.
 struct FrameTimes {
@@ -80,6 +90,8 @@ class Overlay {
     void help();
     void performance();
     void menu();
+    void hold_ring();  ///< Fills while Enter is held.
+    void waiting();
     /// Where a point of W [mm] stands in the window [px]; false behind the lens or off the picture.
     [[nodiscard]] bool place_of(const Vec3& mm, Vec2& px) const;
     [[nodiscard]] bool practising() const;
@@ -96,6 +108,7 @@ class Overlay {
     double width_ = 0, height_ = 0, unit_ = 16, margin_ = 16, column_ = 150;
     double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
     bool menu_shown_ = false;
+    int menu_count_ = 0;
     TuningView tuning_;
 };
 

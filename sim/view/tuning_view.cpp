@@ -5,15 +5,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "sim/view/overlay_colours.h"
+
 namespace placode::sim {
-namespace {
-
-// The dark theme's tokens, as in the overlay.
-constexpr Colour kText{0.925F, 0.929F, 0.933F, 1}, kMuted{0.604F, 0.639F, 0.678F, 1};
-constexpr Colour kLine{0.200F, 0.216F, 0.239F, 1}, kRaised{0.122F, 0.133F, 0.149F, 0.94F};
-constexpr Colour kAccent{0.310F, 0.722F, 0.761F, 1}, kWarn{0.878F, 0.643F, 0.290F, 1};
-
-}  // namespace
 
 void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double width, double height,
                       double unit) {

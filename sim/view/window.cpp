@@ -114,6 +114,11 @@ class GlfwWindow final : public GlContext {
         glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { self(w).on_char(code); });
         glfwSetScrollCallback(window_,
                               [](GLFWwindow* w, double, double y) { self(w).state_.wheel += y; });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+            self(w).on_button(button, action == GLFW_PRESS);
+        });
+        glfwSetWindowCloseCallback(
+            window_, [](GLFWwindow* w) { self(w).happened({.kind = WindowEvent::Kind::kClose}); });
         glfwSetCursorPosCallback(
             window_, [](GLFWwindow* w, double x, double y) { self(w).on_motion(x, y); });
         glfwSetWindowFocusCallback(
@@ -148,6 +153,11 @@ class GlfwWindow final : public GlContext {
 
     [[nodiscard]] std::string typed() override { return std::exchange(typed_, {}); }
 
+    [[nodiscard]] WindowEvents events() override {
+        glfwSetWindowShouldClose(window_, GLFW_FALSE);
+        return std::exchange(events_, {});
+    }
+
     void capture_pointer(bool capture) override {
         if (capture == captured_) return;
         captured_ = capture;
@@ -175,8 +185,20 @@ class GlfwWindow final : public GlContext {
         glfwGetFramebufferSize(window_, &w, &h);
         return {w, h};
     }
+    // A reader that never asks (a replay) must not make the list grow.
+    void happened(const WindowEvent& event) {
+        if (events_.size() < 1024) events_.push_back(event);
+    }
+    void on_button(int button, bool down) {
+        if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+        happened({.kind = WindowEvent::Kind::kButton,
+                  .button = static_cast<uint8_t>(button),
+                  .down = down});
+    }
     void on_char(unsigned code) {
-        if (typed_.size() > 256 || code < 0x20 || code > 0xFFFF) return;
+        if (code < 0x20 || code > 0xFFFF) return;
+        happened({.kind = WindowEvent::Kind::kLetter, .letter = static_cast<char32_t>(code)});
+        if (typed_.size() > 256) return;
         if (code < 0x80) {
             typed_ += static_cast<char>(code);
         } else if (code < 0x800) {
@@ -194,14 +216,17 @@ class GlfwWindow final : public GlContext {
             on_char(static_cast<unsigned char>(name[0]));
     }
     void on_key(int key, int action) {
-        if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE && typed_.size() < 256)
-            typed_ += '\b';
+        if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE) {
+            happened({.kind = WindowEvent::Kind::kLetter, .letter = U'\b'});
+            if (typed_.size() < 256) typed_ += '\b';
+        }
         if (action == GLFW_REPEAT) return;
         for (const auto& [code, name] : kKeys) {
             if (code != key) continue;
             const auto i = static_cast<size_t>(name);
             state_.down[i] = action == GLFW_PRESS;
             if (action == GLFW_PRESS) ++state_.presses[i];
+            happened({.kind = WindowEvent::Kind::kKey, .key = name, .down = action == GLFW_PRESS});
         }
     }
     void on_motion(double x, double y) {
@@ -217,6 +242,7 @@ class GlfwWindow final : public GlContext {
     void on_focus(bool focused) {
         state_.focused = focused;
         if (!focused) state_.down.reset();
+        happened({.kind = WindowEvent::Kind::kFocus, .down = focused});
         has_last_ = false;
     }
     void poll_gamepad() {
@@ -229,16 +255,21 @@ class GlfwWindow final : public GlContext {
             state_.gamepad = true;
             for (size_t a = 0; a < state_.gamepad_axis.size(); ++a)
                 state_.gamepad_axis[a] = pad.axes[a];
+            const bool start_before = (state_.gamepad_buttons & kStartButton) != 0;
             state_.gamepad_buttons = 0;
             for (unsigned b = 0; b < 15; ++b) {
                 if (pad.buttons[b] == GLFW_PRESS)
                     state_.gamepad_buttons |= static_cast<uint16_t>(1U << b);
             }
+            if (!start_before && (state_.gamepad_buttons & kStartButton) != 0)
+                happened({.kind = WindowEvent::Kind::kStart, .down = true});
         }
     }
 
     GLFWwindow* window_ = nullptr;
+    static constexpr uint16_t kStartButton = 1U << GLFW_GAMEPAD_BUTTON_START;
     WindowInput state_;
+    WindowEvents events_;
     std::string typed_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;

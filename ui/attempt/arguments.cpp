@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <vector>
 
 namespace placode::ui {
@@ -44,11 +45,21 @@ void read_screenshots(const std::string& text, Arguments& arguments) {
     arguments.screenshot_every_s = every;
 }
 
+void read_aids(const std::string& text, Arguments& arguments) {
+    const auto aids = curriculum::aids_named(text);
+    if (!aids)
+        throw UsageError("--aids: found \"" + text +
+                         "\", expected names of planned_line, read_outs, warnings, depth with "
+                         "commas between them, or \"\" for none");
+    arguments.aids = *aids;
+}
+
 void check(Arguments& arguments) {
     if (arguments.json && !arguments.list_devices)
         throw UsageError("--json goes with --list-devices; an attempt reports with --status");
-    if (arguments.exam && !arguments.preset.empty())
-        throw UsageError("--preset: an exam is done on the task as it was published");
+    if (arguments.mode != curriculum::AttemptMode::kPractice && !arguments.preset.empty())
+        throw UsageError(
+            "--preset: an exam or a study is done on the task as it was published; leave it out");
     if (arguments.list_devices || arguments.list_presets || arguments.limits_file ||
         arguments.station_file)
         return;
@@ -88,6 +99,7 @@ void check(Arguments& arguments) {
 Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     Arguments arguments;
     std::string size, screenshots, camera;
+    std::optional<std::string> aids;
     exit_now = false;
     CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
     app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
@@ -129,7 +141,19 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
                    "Load a preset that was saved with F2; such an attempt is not scored as a pass")
         ->type_name("ID|FILE.json");
     app.add_option("--author", arguments.author, "Who saves presets (default: the login name)");
-    app.add_flag("--exam", arguments.exam, "Only the time is shown; no tuning");
+    bool is_exam = false, is_study = false;
+    auto* exam =
+        app.add_flag("--exam", is_exam, "An exam: only the time is shown, no help, no tuning");
+    auto* study =
+        app.add_flag("--study", is_study, "A study's procedure: aids as --aids says, no tuning");
+    study->excludes(exam);
+    app.add_option("--aids", aids, "Study: what helps, of planned_line, read_outs, warnings, depth")
+        ->type_name("NAME[,NAME]")
+        ->needs(study);
+    app.add_option("--min-duration", arguments.least_s,
+                   "Study: ended earlier than this [s] the procedure does not count, and is asked")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->needs(study);
     app.add_option("--volume", arguments.volume_percent, "Loudness of tones and alarms [%]")
         ->check(CLI::Range(0, 100));
     app.add_flag("--mute", arguments.mute, "No sound");
@@ -155,6 +179,10 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     } catch (const CLI::ParseError& error) {
         throw UsageError(std::string(error.what()) + "; see placode-sim --help");
     }
+    if (is_exam) arguments.mode = curriculum::AttemptMode::kExam;
+    if (is_study) arguments.mode = curriculum::AttemptMode::kStudy;
+    arguments.aids = curriculum::conduct_of(arguments.mode).aids;
+    if (aids) read_aids(*aids, arguments);
     if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
     if (!size.empty()) read_size(size, arguments);
     if (!screenshots.empty()) read_screenshots(screenshots, arguments);

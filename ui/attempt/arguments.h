@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "curriculum/conduct.h"
 #include "ui/attempt/replay_control.h"
 
 namespace placode::ui {
@@ -30,7 +31,10 @@ struct Arguments {
     bool headless = false, fast = false, status = false, demonstration = false;
     bool fullscreen = false, list_devices = false, json = false;
     std::string preset, author;  ///< Tuned numbers to load; who tunes, for what is saved.
-    bool exam = false;           ///< Time only, no tuning.
+    /// From --exam or --study.
+    curriculum::AttemptMode mode = curriculum::AttemptMode::kPractice;
+    curriculum::Aids aids = curriculum::conduct_of(curriculum::AttemptMode::kPractice).aids;
+    double least_s = 0;  ///< A study's least duration; 0 = none.
     bool mute = false, list_presets = false;
     int volume_percent = -1;  ///< -1 = as set before.
     bool limits_file = false, station_file = false;

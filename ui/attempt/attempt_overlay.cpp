@@ -9,7 +9,8 @@ namespace {
 
 using Help = std::vector<std::pair<std::string, std::string>>;
 
-Help controls(const std::string& device) {
+Help controls(const Arguments& arguments) {
+    const std::string& device = arguments.device;
     Help help;
     if (device == "mouse") {
         help = {{"mouse", "Move the instrument"},
@@ -48,12 +49,19 @@ Help controls(const std::string& device) {
                 {"pedals, 1", "Cut (yellow pedal)"},
                 {"pedals, 2", "Coagulate (blue pedal)"}};
     }
-    const Help common{{"L", "Wipe the lens"},       {"M  + -", "Sound off, louder, softer"},
-                      {"F2", "Clinician's tuning"}, {"F5", "Planned line on, off"},
-                      {"F3", "Performance"},        {"F12", "Screenshot"},
-                      {"Esc", "Pause and menu"},    {"Enter", "Finish and be scored"},
-                      {"F1", "Help on, off"}};
-    help.insert(help.end(), common.begin(), common.end());
+    const curriculum::Conduct& conduct = curriculum::conduct_of(arguments.mode);
+    const auto add = [&help](bool there, const char* key, const char* text) {
+        if (there) help.emplace_back(key, text);
+    };
+    add(true, "L", "Wipe the lens");
+    add(true, "M  + -", "Sound off, louder, softer");
+    add(conduct.tuning, "F2", "Clinician's tuning");
+    add(arguments.aids.planned_line, "F5", "Planned line on, off");
+    add(conduct.performance, "F3", "Performance");
+    add(conduct.screenshots, "F12", "Screenshot");
+    add(true, "Esc", "Pause and menu");
+    add(true, "hold Enter", conduct.own_score ? "Finish and be scored" : "Finish");
+    add(conduct.help, "F1", "Help; the clock stands still");
     return help;
 }
 
@@ -64,7 +72,7 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
     overlay.language = arguments.language;
     overlay.title = task.title.in(arguments.language);
     overlay.goal = task.goal.in(arguments.language);
-    overlay.help = controls(arguments.device);
+    overlay.help = controls(arguments);
     overlay.time_limit_s = arguments.duration_s > 0 ? arguments.duration_s : task.time_limit_s;
     overlay.full_force_n = task.scene.contact.over_force_n;
     for (const sim::ToolSpec& tool : task.scene.tools) {
@@ -82,7 +90,8 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
         // A line that is to be followed must be seen.
         overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
     }
-    overlay.exam = arguments.exam;
+    overlay.exam = !arguments.aids.read_outs;
+    overlay.warnings = arguments.aids.warnings;
     if (!curriculum::preset_of(task).empty()) overlay.banner = "TUNED, not scored";
     if (arguments.demonstration) overlay.banner = "DEMONSTRATION";
     if (!arguments.play.empty()) overlay.banner = "REPLAY";

@@ -101,6 +101,8 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     options.demonstration = arguments.demonstration;
     options.started_utc = utc_now();
     options.window = &input;
+    options.mode = arguments.mode;
+    options.wait_for_motion = !arguments.headless;
     std::unique_ptr<sim::RecordingSink> sink;
     if (!arguments.record.empty()) sink = db::create_recording_file(arguments.record);
     curriculum::AttemptRunner runner(std::move(task), arguments.seed, options, std::move(sink));

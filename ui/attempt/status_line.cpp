@@ -26,6 +26,10 @@ nlohmann::ordered_json fields(const curriculum::AttemptStatus& status) {
             {"substeps", status.substeps},
             {"frame_p99_ms", status.frame_p99_ms},
             {"dropped", status.dropped},
+            {"waiting", status.waiting},
+            {"real_time", status.real_time},
+            {"pictures_hz", status.pictures_hz},
+            {"too_slow", status.slow && status.counts_not},
             {"warning", status.warning}};
 }
 

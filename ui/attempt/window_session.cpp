@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An attempt in its window. Keys that belong to the menu never reach the device.
+// An attempt in its window: what happened goes to the controls, what they decide to runner, view
+// and sound.
 
 #include <algorithm>
 #include <chrono>
 #include <thread>
 
+#include "curriculum/usual_time.h"
 #include "sim/view/fetoscope_view.h"
+#include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
+#include "ui/attempt/picture_pace.h"
 #include "ui/attempt/sessions.h"
 #include "ui/attempt/sound.h"
 #include "ui/attempt/tuning_panel.h"
@@ -16,9 +20,39 @@ namespace placode::ui {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using sim::Key;
 
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
+
+bool is_script(const Arguments& arguments) { return arguments.device.rfind("script:", 0) == 0; }
+
+bool has_window_hands(const Arguments& arguments) {
+    return arguments.device == "mouse" || arguments.device == "keyboard" ||
+           arguments.device == "gamepad";
+}
+
+ControlsSetup controls_setup(const curriculum::Task& task, const Arguments& arguments) {
+    ControlsSetup setup;
+    setup.mode = arguments.mode;
+    setup.planned_line = arguments.aids.planned_line;
+    setup.usual_s = curriculum::usual_time_s(task);
+    setup.least_s = arguments.least_s;
+    setup.window_hands = has_window_hands(arguments);
+    // Nobody starts in the dark; the steps of a practice task say it themselves.
+    setup.help_first =
+        setup.window_hands && task.steps.empty() && curriculum::conduct_of(arguments.mode).help;
+    setup.language = arguments.language;
+    return setup;
+}
+
+class ViewQuality final : public PictureQuality {
+ public:
+    explicit ViewQuality(sim::FetoscopeView& view) : view_(view) {}
+    bool simplify() override { return view_.simplify(); }
+    [[nodiscard]] bool software() const override { return view_.software(); }
+
+ private:
+    sim::FetoscopeView& view_;
+};
 
 class WindowSession {
  public:
@@ -27,6 +61,7 @@ class WindowSession {
         : runner_(runner),
           published_(published),
           status_(status),
+          conduct_(curriculum::conduct_of(arguments.mode)),
           shots_(arguments),
           overlay_(attempt_overlay(runner.task(), arguments)),
           view_(sim::view_field(*runner.scene(), arguments.seed),
@@ -34,60 +69,47 @@ class WindowSession {
           panel_(runner.task(),
                  {.language = arguments.language,
                   .author = arguments.author,
-                  .allowed = !arguments.exam,
+                  .allowed = conduct_.tuning,
                   .saved_utc = {},
                   .tune = [&runner](auto p, auto tissue,
                                     double value) { runner.tune(p, tissue, value); }}),
-          sound_(sound_settings(arguments)) {
-        // Until the first key, so that nobody starts in the dark; steps say it themselves.
-        overlay_.show_help = overlay_.practice.steps.empty() && !arguments.exam;
-        scripted_ = arguments.device.rfind("script:", 0) == 0;
-    }
+          controls_(controls_setup(runner.task(), arguments), panel_),
+          quality_(view_),
+          pace_(quality_),
+          sound_(sound_settings(arguments)),
+          scripted_(is_script(arguments)),
+          read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help) {}
 
     void run() {
-        view_.capture_pointer(true);
-        view_.poll(input_);
-        before_ = input_;
-        publish();
+        view_.poll(totals_);
+        (void)view_.events();  // of the time while the window came up
+        steer();
         runner_.start();
-        Clock::time_point next_picture = Clock::now();
         while (!runner_.finished()) {
-            view_.poll(input_);
-            if (view_.close_requested() || finish_requested())
-                runner_.request_finish(sim::EndReason::kClosed);
+            view_.poll(totals_);
+            steer();
+            if (finish_requested()) runner_.request_finish(sim::EndReason::kClosed);
             if (stop_requested()) runner_.request_finish(sim::EndReason::kInterrupted);
-            handle_keys();
-            publish();
             listen();
-            status_.print(runner_.status());
-            if (Clock::now() >= next_picture) {
+            const curriculum::AttemptStatus status = runner_.status();
+            status_.print(status);
+            keep_pace(status);
+            if (pace_.due(Clock::now())) {
                 const Clock::time_point start = Clock::now();
-                picture();
-                // The physics shares the processor with a software renderer: at most half of the
-                // time goes into pictures, however slow they are.
-                const Clock::duration spent = Clock::now() - start;
-                const Clock::duration pause =
-                    view_.software()
-                        ? std::max<Clock::duration>(spent, std::chrono::milliseconds(30))
-                        : Clock::duration::zero();
-                next_picture =
-                    std::max(start + std::chrono::milliseconds(16), Clock::now() + pause);
+                picture(status);
+                pace_.drawn(start, Clock::now());
             } else {
                 std::this_thread::sleep_for(std::chrono::milliseconds(2));
             }
         }
         sound_.silence();
-        overlay_.menu = false;
+        overlay_.menu = {};
+        overlay_.holding = 0;
         overlay_.notice = "Finished";
-        picture();
+        picture(runner_.status());
     }
 
  private:
-    [[nodiscard]] bool pressed(Key key) const {
-        const auto i = static_cast<size_t>(key);
-        return input_.presses[i] != before_.presses[i];
-    }
-
     static SoundSettings sound_settings(const Arguments& arguments) {
         SoundSettings settings = load_sound_settings();
         if (arguments.volume_percent >= 0) settings.volume = arguments.volume_percent / 100.0;
@@ -95,162 +117,97 @@ class WindowSession {
         return settings;
     }
 
+    static double seconds() {
+        return std::chrono::duration<double>(Clock::now().time_since_epoch()).count();
+    }
+
     void listen() {
         const sim::Snapshot& snapshot = runner_.snapshot();
         if (snapshot.x.empty()) return;
-        sound_.play(score_.listen(snapshot, overlay_.time_limit_s, overlay_.exam));
+        if (controls_.paused()) return sound_.silence();
+        sound_.play(score_.listen(snapshot, overlay_.time_limit_s, !overlay_.warnings));
     }
 
-    /// Letters that mean something wherever the keyboard puts them: sound and lens.
-    void handle_letters() {
-        const std::string typed = view_.typed();
-        if (panel_.typing()) {
-            panel_.type(typed);
-            return;
+    /// Window, controls, runner: once a round.
+    void steer() {
+        const auto [x, y] = view_.pointer();
+        const Pointer pointer{x, y, view_.menu_item_under_pointer(),
+                              view_.tuning_item_under_pointer()};
+        controls_.update(view_.events(), totals_, pointer, runner_.status().time_s, seconds());
+        published_.publish(controls_.for_devices());
+        if (controls_.paused() != paused_) {
+            paused_ = controls_.paused();
+            runner_.set_paused(paused_, controls_.pause_cause());
         }
-        SoundSettings settings = sound_.settings();
-        for (const char c : typed) {
-            if (c == 'm' || c == 'M') settings.muted = !settings.muted;
-            if (c == '+') settings.volume = std::min(1.0, settings.volume + 0.1);
-            if (c == '-') settings.volume = std::max(0.0, settings.volume - 0.1);
-            if (c == 'l' || c == 'L') view_.wipe_lens();
-            if (c != 'm' && c != 'M' && c != '+' && c != '-') continue;
-            if (c == '+' || c == '-') settings.muted = false;
-            sound_.set(settings);
-            save_sound_settings(settings);
-            note(!sound_.problem().empty() ? "No sound on this computer"
-                 : settings.muted          ? "Sound off"
-                                           : "Sound on");
-        }
-    }
-
-    /// F2 and what belongs to the panel. True when nothing else shall see the keys.
-    bool handle_panel() {
-        const bool pointed = panel_.takes_pointer();
-        const bool was_typing = panel_.typing();
-        if (pressed(Key::kF2)) {
-            if (overlay_.exam) note("No tuning in an exam");
-            panel_.toggle();
-        }
-        bool taken = false;
-        for (const Key key :
-             {Key::kUp, Key::kDown, Key::kLeft, Key::kRight, Key::kEnter, Key::kEscape}) {
-            if (pressed(key)) taken = panel_.key(key) || taken;
-        }
-        if (panel_.takes_pointer() && input_.left && !before_.left)
-            panel_.click(view_.tuning_item_under_pointer());
-        if (panel_.takes_pointer() != pointed) {
-            view_.capture_pointer(!panel_.takes_pointer());
-            hold_left_ = true;
-        }
+        view_.capture_pointer(controls_.captures_pointer());
+        if (const auto end = controls_.end()) runner_.request_finish(*end);
+        for (const Command command : controls_.take_commands()) obey(command);
+        if (const std::string text = controls_.take_note(); !text.empty()) note(text);
         if (panel_.tuned()) {
             overlay_.banner = "TUNED, not scored";
             overlay_.cut_power_w = panel_.power_w(sim::TuneParameter::kCutPower);
             overlay_.coag_power_w = panel_.power_w(sim::TuneParameter::kCoagPower);
         }
         overlay_.tuning = panel_.picture();
-        return taken || was_typing || panel_.typing();
+        overlay_.menu = controls_.menu();
+        overlay_.holding = controls_.holding();
     }
 
-    void handle_keys() {
-        handle_letters();
-        if (!overlay_.menu && handle_panel()) {
-            hide_enter_ = true;
-            before_ = input_;
-            return;
-        }
-        const bool aids = !overlay_.exam;  // An exam has none.
-        if (aids && pressed(Key::kF3)) overlay_.show_performance = !overlay_.show_performance;
-        if (aids && pressed(Key::kF5)) overlay_.show_guide = !overlay_.show_guide;
-        if (pressed(Key::kF12)) screenshot_asked_ = true;
-        if (overlay_.menu) {
-            handle_menu();
-        } else if (pressed(Key::kEscape)) {
-            open_menu(true);
-        } else if (pressed(Key::kEnter)) {
-            runner_.request_finish(sim::EndReason::kFinished);
-        } else if (aids && pressed(Key::kF1)) {
-            overlay_.show_help = !overlay_.show_help;
-            help_seen_ = true;
-        } else if (!help_seen_ && (input_.left || input_.right || moved() || help_read())) {
-            overlay_.show_help = false;
-            help_seen_ = true;
-        }
-        if (!input_.left) hold_left_ = false;
-        before_ = input_;
-    }
-
-    /// Nobody presses a key where a script is at work.
-    [[nodiscard]] bool help_read() const {
-        return scripted_ && runner_.status().time_s > kReadHelpS;
-    }
-
-    // Enough motion to mean it, or any key of the device.
-    [[nodiscard]] bool moved() const {
-        return std::abs(input_.mouse_x) + std::abs(input_.mouse_y) > 400 || input_.down.any();
-    }
-
-    void handle_menu() {
-        const int under = view_.menu_item_under_pointer();
-        if (under >= 0) overlay_.menu_selected = under;
-        if (pressed(Key::kUp))
-            overlay_.menu_selected =
-                (overlay_.menu_selected + sim::kMenuItems - 1) % sim::kMenuItems;
-        if (pressed(Key::kDown))
-            overlay_.menu_selected = (overlay_.menu_selected + 1) % sim::kMenuItems;
-        const bool click = input_.left && !before_.left && under >= 0;
-        if (pressed(Key::kEscape)) {
-            open_menu(false);
-        } else if (pressed(Key::kEnter) || click) {
-            const int item = overlay_.menu_selected;
-            open_menu(false);
-            if (item == 1) runner_.request_finish(sim::EndReason::kFinished);
-            if (item == 2) runner_.request_finish(sim::EndReason::kClosed);
+    void obey(Command command) {
+        switch (command) {
+            case Command::kScreenshot:
+                screenshot_asked_ = true;
+                break;
+            case Command::kWipeLens:
+                view_.wipe_lens();
+                break;
+            case Command::kGuide:
+                overlay_.show_guide = !overlay_.show_guide;
+                break;
+            case Command::kPerformance:
+                overlay_.show_performance = !overlay_.show_performance;
+                break;
+            case Command::kMute:
+            case Command::kLouder:
+            case Command::kSofter:
+                change_sound(command);
+                break;
         }
     }
 
-    void open_menu(bool open) {
-        overlay_.menu = open;
-        overlay_.menu_selected = 0;
-        runner_.set_paused(open);
-        view_.capture_pointer(!open);
-        hold_left_ = true;  // the click that leaves the menu must not fire the needle
+    void change_sound(Command command) {
+        SoundSettings settings = sound_.settings();
+        settings.muted = command == Command::kMute && !settings.muted;
+        if (command == Command::kLouder) settings.volume = std::min(1.0, settings.volume + 0.1);
+        if (command == Command::kSofter) settings.volume = std::max(0.0, settings.volume - 0.1);
+        sound_.set(settings);
+        save_sound_settings(settings);
+        note(!sound_.problem().empty() ? "No sound on this computer"
+             : settings.muted          ? "Sound off"
+                                       : "Sound on");
     }
 
-    // What the devices see: nothing of what was meant for the menu.
-    void publish() {
-        sim::WindowInput seen = input_;
-        const auto enter = static_cast<size_t>(Key::kEnter);
-        if (overlay_.menu || panel_.takes_pointer() || panel_.typing()) {
-            hidden_enter_ += seen.presses[enter] - last_enter_;
-            hidden_wheel_ += seen.wheel - last_wheel_;
-            seen.down.reset();
-            seen.left = seen.right = seen.middle = false;
-        } else if (panel_.shown()) {  // the arrows are the panel's
-            for (const Key key : {Key::kUp, Key::kDown, Key::kLeft, Key::kRight})
-                seen.down.reset(static_cast<size_t>(key));
-            if (hide_enter_) hidden_enter_ += seen.presses[enter] - last_enter_;
-        }
-        hide_enter_ = false;
-        last_enter_ = seen.presses[enter];
-        last_wheel_ = seen.wheel;
-        seen.presses[enter] -= hidden_enter_;
-        seen.wheel -= hidden_wheel_;
-        if (hold_left_) seen.left = false;
-        published_.publish(seen);
+    void keep_pace(const curriculum::AttemptStatus& status) {
+        if (scripted_ || paused_) return;
+        pace_.watch(status, Clock::now());
+        runner_.may_save_substeps(pace_.may_save_substeps());
+        if (const std::string text = pace_.take_note(); !text.empty()) note(text, 6);
     }
 
-    void picture() {
+    void picture(const curriculum::AttemptStatus& status) {
         const sim::Snapshot& snapshot = runner_.snapshot();
-        const curriculum::AttemptStatus status = runner_.status();
         overlay_.practice.goal = runner_.practice();
-        if (!status.warning.empty()) overlay_.notice = status.warning;
-        if (notice_until_ > Clock::now()) overlay_.notice = notice_;
-        if (notice_until_ <= Clock::now() && status.warning.empty() && overlay_.notice == notice_) {
-            overlay_.notice.clear();
-        }
+        overlay_.waiting = status.waiting;
+        // Beside arms and scripts nobody presses a key: the help goes by itself.
+        const bool read = scripted_ ? status.time_s < kReadHelpS && overlay_.practice.steps.empty()
+                                    : read_on_ && status.waiting;
+        overlay_.show_help =
+            controls_.screen() == Screen::kHelp || (read && controls_.screen() == Screen::kOperate);
+        const bool noted = notice_until_ > Clock::now();
+        overlay_.notice = noted ? notice_ : status.warning;
         tend_lens();
         view_.draw(snapshot, overlay_);
+        runner_.picture_drawn();
         if (snapshot.x.empty()) return;
         if (shots_.due(snapshot.time_s)) shots_.save(view_, snapshot.time_s);
         if (screenshot_asked_) extra_screenshot(snapshot.time_s);
@@ -260,13 +217,13 @@ class WindowSession {
     void tend_lens() {
         const bool dirty = view_.lens().dirty();
         if (dirty && scripted_) view_.wipe_lens();
-        if (dirty && !lens_told_ && !scripted_ && !overlay_.exam) note("L wipes the lens");
+        if (dirty && !lens_told_ && !scripted_ && overlay_.warnings) note("L wipes the lens");
         lens_told_ = dirty;
     }
 
-    void note(const char* text) {
+    void note(const std::string& text, int seconds = 2) {
         notice_ = text;
-        notice_until_ = Clock::now() + std::chrono::seconds(2);
+        notice_until_ = Clock::now() + std::chrono::seconds(seconds);
     }
 
     void extra_screenshot(double time_s) {
@@ -282,17 +239,19 @@ class WindowSession {
     curriculum::AttemptRunner& runner_;
     sim::Latest<sim::WindowInput>& published_;
     StatusLine& status_;
+    const curriculum::Conduct& conduct_;
     Screenshots shots_;
     sim::OverlayState overlay_;
     sim::FetoscopeView view_;
     TuningPanel panel_;
+    AttemptControls controls_;
+    ViewQuality quality_;
+    PicturePace pace_;
     Sound sound_;
     SoundScore score_;
-    sim::WindowInput input_, before_;
-    bool scripted_ = false, lens_told_ = false;
-    bool help_seen_ = false, hold_left_ = false, screenshot_asked_ = false, hide_enter_ = false;
-    uint32_t hidden_enter_ = 0, last_enter_ = 0;
-    double hidden_wheel_ = 0, last_wheel_ = 0;
+    sim::WindowInput totals_;
+    bool scripted_ = false, read_on_ = false, lens_told_ = false;
+    bool screenshot_asked_ = false, paused_ = false;
     std::string notice_;
     Clock::time_point notice_until_{};
 };

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/attempt_controls.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "haptics/device.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::AttemptMode;
+using sim::EndReason;
+using sim::Key;
+using sim::WindowEvent;
+using testing::HasSubstr;
+using Kind = WindowEvent::Kind;
+
+WindowEvent key(Key k, bool down = true) { return {.kind = Kind::kKey, .key = k, .down = down}; }
+WindowEvent button(int b, bool down = true) {
+    return {.kind = Kind::kButton, .button = static_cast<uint8_t>(b), .down = down};
+}
+
+/// A window, the controls, and the mouse behind them.
+class Bench {
+ public:
+    explicit Bench(ControlsSetup setup = {}) : panel_(task(), {}), controls(setup, panel_) {
+        haptics::DeviceConfig config;
+        config.name = "mouse";
+        config.tools.resize(1);
+        config.window = &window_;
+        step({});
+        device_ = haptics::open_device(config);
+        read();
+    }
+    static const curriculum::Task& task() {
+        static const curriculum::Task loaded = curriculum::load_task("diathermy_ring_small");
+        return loaded;
+    }
+    /// `passed_s` later, with these events in one round.
+    void step(const sim::WindowEvents& events, double passed_s = 0.02) {
+        now_s += passed_s;
+        for (const WindowEvent& event : events) {
+            if (event.kind != Kind::kKey) continue;
+            totals.down[static_cast<size_t>(event.key)] = event.down;
+            if (event.down) ++totals.presses[static_cast<size_t>(event.key)];
+        }
+        controls.update(events, totals, pointer, attempt_s, now_s);
+        window_.publish(controls.for_devices());
+        if (device_) read();
+    }
+    void tap(Key k) {
+        step({key(k)});
+        step({key(k, false)});
+    }
+    [[nodiscard]] const haptics::DeviceState& hand() const { return states_[0]; }
+
+    double now_s = 100, attempt_s = 200;
+    sim::WindowInput totals;
+    Pointer pointer;
+
+ private:
+    void read() {
+        for (int i = 0; i < 20; ++i) device_->read(t_ns_ += 1'000'000, states_);
+    }
+    TuningPanel panel_;
+    sim::Latest<sim::WindowInput> window_;
+    std::unique_ptr<haptics::DeviceGroup> device_;
+    std::array<haptics::DeviceState, 1> states_{};
+    int64_t t_ns_ = 0;
+
+ public:
+    AttemptControls controls;
+    [[nodiscard]] const TuningPanel& panel() const { return panel_; }
+};
+
+TEST(AttemptControls, EnterThatLeavesTheMenuEndsNothing) {
+    for (const bool at_once : {false, true}) {
+        Bench bench;
+        if (at_once) {  // a slow picture: all of it between two rounds
+            bench.step({key(Key::kEscape), key(Key::kEscape, false), key(Key::kEnter),
+                        key(Key::kEnter, false)});
+        } else {
+            bench.tap(Key::kEscape);
+            EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+            bench.tap(Key::kEnter);
+        }
+        EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+        bench.step({}, 3);
+        EXPECT_FALSE(bench.controls.end());
+        EXPECT_FALSE(bench.hand().finish);
+    }
+}
+
+TEST(AttemptControls, EnterThatLeavesTheMenuAndStaysDownEndsNothing) {
+    Bench bench;
+    bench.tap(Key::kEscape);
+    bench.step({key(Key::kEnter)});
+    for (int i = 0; i < 100; ++i) bench.step({}, 0.05);
+    EXPECT_FALSE(bench.controls.end());
+    EXPECT_EQ(bench.controls.holding(), 0);
+}
+
+TEST(AttemptControls, EnterAsksAndHeldForASecondEnds) {
+    Bench bench;
+    bench.tap(Key::kEnter);
+    EXPECT_EQ(bench.controls.screen(), Screen::kQuestion);
+    EXPECT_EQ(bench.controls.menu().selected, 0);
+    bench.tap(Key::kEnter);  // the harmless one is chosen
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    bench.step({key(Key::kEnter)});
+    bench.step({}, 0.5);
+    EXPECT_NEAR(bench.controls.holding(), 0.5, 1e-9);
+    EXPECT_FALSE(bench.controls.end());
+    bench.step({}, 0.5);
+    EXPECT_EQ(bench.controls.end(), EndReason::kFinished);
+}
+
+TEST(AttemptControls, AStudysProcedureBelowItsLeastTimeIsAskedHoweverLongEnterIsHeld) {
+    ControlsSetup setup;
+    setup.mode = AttemptMode::kStudy;
+    setup.least_s = 60;
+    Bench bench(setup);
+    bench.attempt_s = 12;
+    bench.step({key(Key::kEnter)});
+    bench.step({}, 5);
+    EXPECT_FALSE(bench.controls.end());
+    ASSERT_EQ(bench.controls.screen(), Screen::kQuestion);
+    EXPECT_TRUE(bench.controls.paused());
+    ASSERT_FALSE(bench.controls.menu().lines.empty());
+    EXPECT_THAT(bench.controls.menu().lines[0], HasSubstr("at least 1:00"));
+    bench.step({key(Key::kEnter, false)});
+    bench.tap(Key::kDown);
+    bench.tap(Key::kEnter);
+    EXPECT_EQ(bench.controls.end(), EndReason::kFinished);
+}
+
+TEST(AttemptControls, TheMenusFinishAsksAgainInExamsStudiesAndEarly) {
+    struct Case {
+        AttemptMode mode;
+        double attempt_s;
+        bool asks;
+    };
+    for (const Case& each : {Case{AttemptMode::kPractice, 200, false},
+                             {AttemptMode::kPractice, 20, true},
+                             {AttemptMode::kExam, 200, true},
+                             {AttemptMode::kStudy, 200, true}}) {
+        ControlsSetup setup;
+        setup.mode = each.mode;
+        setup.usual_s = 300;
+        Bench bench(setup);
+        bench.attempt_s = each.attempt_s;
+        bench.tap(Key::kEscape);
+        bench.tap(Key::kDown);
+        bench.tap(Key::kEnter);
+        EXPECT_EQ(bench.controls.end().has_value(), !each.asks);
+        EXPECT_EQ(bench.controls.screen() == Screen::kQuestion, each.asks);
+    }
+}
+
+TEST(AttemptControls, LeavingIsAskedAndKeptAsInterrupted) {
+    Bench bench;
+    bench.tap(Key::kEscape);
+    bench.tap(Key::kUp);
+    bench.tap(Key::kEnter);
+    EXPECT_FALSE(bench.controls.end());
+    EXPECT_EQ(bench.controls.screen(), Screen::kQuestion);
+    bench.tap(Key::kDown);
+    bench.tap(Key::kEnter);
+    EXPECT_EQ(bench.controls.end(), EndReason::kInterrupted);
+}
+
+TEST(AttemptControls, ClosingTheWindowPausesAndAsks) {
+    Bench bench;
+    for (int i = 0; i < 3; ++i) bench.step({{.kind = Kind::kClose}});
+    EXPECT_FALSE(bench.controls.end());
+    EXPECT_EQ(bench.controls.screen(), Screen::kQuestion);
+    EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kClosing);
+    bench.tap(Key::kEscape);
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+}
+
+TEST(AttemptControls, AClickWhereThePointerHappensToLieChoosesNothing) {
+    Bench bench;
+    bench.pointer = {400, 300, 1, -1};
+    bench.tap(Key::kEscape);
+    bench.step({button(0)});
+    bench.step({button(0, false)});
+    EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+    EXPECT_EQ(bench.controls.menu().selected, 0);
+    bench.pointer = {430, 300, 0, -1};  // moved on purpose
+    bench.step({button(0)});
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    EXPECT_EQ(bench.hand().pedals, 0) << "the click that leaves the menu fires nothing";
+    bench.step({button(0, false)});
+    bench.step({button(0)});
+    EXPECT_EQ(bench.hand().pedals, sim::kPedalCut);
+}
+
+TEST(AttemptControls, KeysMoveTheSelectionUnderAPointerThatRests) {
+    Bench bench;
+    bench.tap(Key::kEscape);
+    bench.pointer = {10, 10, -1, -1};
+    bench.step({});
+    bench.pointer = {400, 300, 2, -1};
+    bench.step({});
+    EXPECT_EQ(bench.controls.menu().selected, 2);
+    bench.tap(Key::kUp);
+    bench.step({});
+    EXPECT_EQ(bench.controls.menu().selected, 1);
+}
+
+TEST(AttemptControls, HelpStopsTheClockAndItsKeyIsUsedUp) {
+    Bench bench;
+    bench.tap(Key::kF1);
+    EXPECT_EQ(bench.controls.screen(), Screen::kHelp);
+    EXPECT_TRUE(bench.controls.paused());
+    EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kHelp);
+    bench.totals.mouse_x += 5000;
+    bench.step({});
+    EXPECT_EQ(bench.controls.screen(), Screen::kHelp) << "who reads may rest a hand on the mouse";
+    bench.step({key(Key::kX)});
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    EXPECT_FALSE(bench.controls.for_devices().is_down(Key::kX));
+    EXPECT_EQ(bench.controls.for_devices().mouse_x, 0);
+}
+
+TEST(AttemptControls, BeginsWithTheHelpUntilSomebodyMeansToMove) {
+    ControlsSetup setup;
+    setup.help_first = true;
+    Bench bench(setup);
+    bench.attempt_s = 0;
+    EXPECT_EQ(bench.controls.screen(), Screen::kHelp);
+    bench.totals.mouse_x += 100;
+    bench.step({});
+    EXPECT_EQ(bench.controls.screen(), Screen::kHelp);
+    bench.totals.mouse_y += 400;
+    bench.step({});
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    EXPECT_EQ(bench.controls.for_devices().mouse_y, 0);
+}
+
+TEST(AttemptControls, WhatAModeDoesNotHaveIsNotThere) {
+    for (const AttemptMode mode : {AttemptMode::kExam, AttemptMode::kStudy}) {
+        ControlsSetup setup;
+        setup.mode = mode;
+        setup.planned_line = false;
+        Bench bench(setup);
+        bench.tap(Key::kF2);
+        EXPECT_FALSE(bench.panel().shown());
+        EXPECT_THAT(bench.controls.take_note(), HasSubstr("No tuning"));
+        for (const Key k : {Key::kF3, Key::kF5, Key::kF12}) bench.tap(k);
+        EXPECT_TRUE(bench.controls.take_commands().empty());
+        bench.tap(Key::kF1);
+        EXPECT_EQ(bench.controls.screen() == Screen::kHelp, mode == AttemptMode::kStudy);
+    }
+}
+
+TEST(AttemptControls, ALostFocusPausesHandsOfTheWindowOnceTheyHaveBegun) {
+    for (const bool window_hands : {true, false}) {
+        ControlsSetup setup;
+        setup.window_hands = window_hands;
+        Bench bench(setup);
+        bench.attempt_s = 0;
+        bench.step({{.kind = Kind::kFocus, .down = false}});
+        EXPECT_FALSE(bench.controls.paused());
+        bench.attempt_s = 5;
+        bench.step({button(0)});
+        bench.step({{.kind = Kind::kFocus, .down = false}});
+        EXPECT_EQ(bench.controls.paused(), window_hands);
+        EXPECT_FALSE(bench.controls.for_devices().left);
+    }
+}
+
+TEST(AttemptControls, AClickBetweenTwoPicturesIsSeenByTheHand) {
+    Bench bench;
+    bench.step({button(0), button(0, false)});
+    EXPECT_TRUE(bench.controls.for_devices().left);
+    bench.step({});
+    EXPECT_FALSE(bench.controls.for_devices().left);
+}
+
+TEST(AttemptControls, AGamepadsStartOpensTheMenuAndNeverEnds) {
+    Bench bench;
+    bench.totals.gamepad = true;
+    bench.totals.gamepad_buttons = 1U << 7;
+    bench.step({{.kind = Kind::kStart, .down = true}});
+    EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
+    bench.step({{.kind = Kind::kStart, .down = true}});
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate);
+    bench.step({});
+    EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
+}
+
+}  // namespace
+}  // namespace placode::ui

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/picture_pace.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace placode::ui {
+namespace {
+
+using std::chrono::milliseconds;
+using testing::HasSubstr;
+
+class Quality final : public PictureQuality {
+ public:
+    explicit Quality(bool software) : software_(software) {}
+    bool simplify() override { return steps > 0 && steps-- > 0; }
+    [[nodiscard]] bool software() const override { return software_; }
+    int steps = 3;
+
+ private:
+    bool software_;
+};
+
+curriculum::AttemptStatus status(double real_time, double pictures_hz) {
+    curriculum::AttemptStatus s;
+    s.time_s = 5;
+    s.physics_hz = 1000 * real_time;
+    s.real_time_now = real_time;
+    s.pictures_now_hz = pictures_hz;
+    return s;
+}
+
+TEST(PicturePace, ThePictureGivesWayBeforeTheSubsteps) {
+    Quality quality(true);
+    PicturePace pace(quality);
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    EXPECT_FALSE(pace.may_save_substeps());
+    for (int left = 2; left >= 0; --left) {
+        pace.watch(status(0.8, 30), now += milliseconds(600));
+        EXPECT_EQ(quality.steps, left);
+        EXPECT_FALSE(pace.may_save_substeps());
+    }
+    pace.watch(status(0.8, 30), now += milliseconds(600));
+    EXPECT_TRUE(pace.may_save_substeps());
+    EXPECT_THAT(pace.take_note(), HasSubstr("made simpler"));
+    EXPECT_EQ(pace.take_note(), "");
+}
+
+TEST(PicturePace, AGraphicsCardDoesNotCompeteWithThePhysics) {
+    Quality quality(false);
+    PicturePace pace(quality);
+    EXPECT_TRUE(pace.may_save_substeps());
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    pace.watch(status(0.8, 60), now);
+    EXPECT_EQ(quality.steps, 3);
+    pace.watch(status(1.0, 12), now += milliseconds(600));  // but it may be slow itself
+    EXPECT_EQ(quality.steps, 2);
+}
+
+TEST(PicturePace, WhatWillNotCountIsSaidOnceASpell) {
+    Quality quality(true);
+    quality.steps = 0;
+    PicturePace pace(quality);
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    curriculum::AttemptStatus slow = status(0.7, 6);
+    slow.slow = slow.counts_not = true;
+    pace.watch(slow, now);
+    EXPECT_THAT(pace.take_note(), HasSubstr("will not count"));
+    pace.watch(slow, now += milliseconds(600));
+    EXPECT_EQ(pace.take_note(), "");
+    pace.watch(status(1, 30), now += milliseconds(600));
+    pace.watch(slow, now += milliseconds(600));
+    EXPECT_THAT(pace.take_note(), HasSubstr("will not count"));
+}
+
+TEST(PicturePace, NothingHappensWhileNobodyHasBegun) {
+    Quality quality(true);
+    PicturePace pace(quality);
+    curriculum::AttemptStatus waiting = status(0.1, 1);
+    waiting.waiting = true;
+    pace.watch(waiting, PicturePace::Clock::time_point{} + std::chrono::hours(1));
+    EXPECT_EQ(quality.steps, 3);
+}
+
+}  // namespace
+}  // namespace placode::ui
