@@ -136,8 +136,10 @@ void Overlay::read_outs() {
         // Above the banner where that one stands in the middle.
         const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
         const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
-        paint_->text(0.5 * width_, foot, say(state_->notice), TextSize::kSmall, kText,
-                     Align::kCentre);
+        const std::string text = say(state_->notice);
+        const double w = paint_->text_width(text, TextSize::kNormal) + 1.6 * unit_;
+        paint_->box(0.5 * (width_ - w), foot - 1.35 * unit_, w, 2.0 * unit_, kRaised.faded(0.85F));
+        paint_->text(0.5 * width_, foot, text, TextSize::kNormal, kText, Align::kCentre);
     }
 }
 
@@ -394,7 +396,8 @@ void Overlay::help() {
     }
     const double row = paint_->line_height(TextSize::kSmall) + 0.25 * unit_;
     const double w = keys + texts + 4.0 * unit_;
-    const double h = row * static_cast<double>(state_->help.size()) + 3.6 * unit_;
+    const double foot = state_->help_waits ? 1.6 * unit_ : 0;
+    const double h = row * static_cast<double>(state_->help.size()) + 3.6 * unit_ + foot;
     const double x = 0.5 * (width_ - w), y = 0.5 * (height_ - h);
     paint_->box(x, y, w, h, kRaised.faded(0.92F));
     paint_->text(x + 1.2 * unit_, y + 1.9 * unit_, say("Controls"), TextSize::kNormal, kText);
@@ -404,6 +407,10 @@ void Overlay::help() {
         paint_->text(x + 2.4 * unit_ + keys, line, say(text), TextSize::kSmall, kText);
         line += row;
     }
+    if (state_->help_waits)
+        paint_->text(0.5 * width_, line + 0.9 * unit_,
+                     say("The clock stands still. Any key or button goes on."), TextSize::kSmall,
+                     kText, Align::kCentre);
 }
 
 void Overlay::performance() {

@@ -41,9 +41,10 @@ struct OverlayState {
     std::string language = "en";
     std::string title, goal;
     std::vector<std::pair<std::string, std::string>>
-        help;            ///< Control, what it does (English keys).
-    std::string banner;  ///< "DEMONSTRATION", "REPLAY" (English).
-    std::string notice;  ///< Short-lived note (English).
+        help;                 ///< Control, what it does (English keys).
+    std::string banner;       ///< "DEMONSTRATION", "REPLAY" (English).
+    std::string notice;       ///< Short-lived note (English).
+    bool help_waits = false;  ///< The help stands until somebody presses something.
     double time_limit_s = 0;
     double cut_power_w = 0, coag_power_w = 0;
     double full_force_n = 0.4;  ///< Right end of the force bar.
