@@ -11,6 +11,7 @@
 #include "curriculum/preset.h"
 #include "haptics/real_time.h"
 #include "sim/damage.h"
+#include "sim/reached.h"
 
 namespace placode::curriculum {
 
@@ -160,10 +161,7 @@ void AttemptLoop::one_frame() noexcept {
 void AttemptLoop::hand_out(const sim::StepReport& report) noexcept {
     sample_flags_ |= report.flags;
     for (int i = 0; i < state_.event_count; ++i) record(state_.events[static_cast<size_t>(i)]);
-    const size_t points = state_.progress.cut.size();
-    numbers_now_.cut_fraction =
-        points > 0 ? static_cast<double>(state_.progress.cut_count) / static_cast<double>(points)
-                   : 0;
+    numbers_now_.cut_fraction = sim::ring_share(state_);
     const bool sampled = state_.frame % frames_per_sample_ == 0;
     warnings_.look(state_, {inputs_.data(), scene_->tools.size()}, sampled);
     if (sampled) take_sample();
@@ -302,9 +300,10 @@ void AttemptLoop::run() noexcept {
 void AttemptLoop::close() noexcept {
     for (const sim::Event& event : practice_.end(state_.time_s)) record(event);
     try {
+        for (const sim::Event& event : sim::reached_events(*scene_, state_)) record(event);
         for (const sim::Event& event : sim::closing_events(*scene_, state_)) record(event);
     } catch (const std::exception&) {
-        // Without memory for it thermal spread is not known; the attempt is.
+        // Without memory for it gaps or thermal spread are not known; the attempt is.
     }
     watch_pause(false);
     if (const auto speed = speed_.closing(state_.time_s)) record(*speed);

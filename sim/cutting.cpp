@@ -163,7 +163,11 @@ void take_out(const Scene& scene, State& state, int tet) noexcept {
         state.body.v[v] = {};
     }
     if (!scene.marked.empty() && scene.marked[tet]) {
-        state.pieces.marked_gone_m3 += static_cast<double>(scene.body.volume_m3()[tet]);
+        const auto volume = static_cast<double>(scene.body.volume_m3()[tet]);
+        const int8_t piece = state.pieces.of[tet];
+        state.pieces.marked_gone_m3 += volume;
+        if (piece < 0 || state.pieces.list[piece].leaving != kDrawnOut)
+            state.pieces.marked_lost_m3 += volume;
     }
     const CutTables& tables = state.scratch->cut;
     for (int i = tables.start[tet]; i < tables.start[tet + 1]; ++i) {

@@ -5,6 +5,7 @@
 
 #include "sim/damage.h"
 #include "sim/practice.h"
+#include "sim/reached.h"
 #include "sim/retune.h"
 
 namespace placode::sim {
@@ -18,6 +19,10 @@ std::string_view event_name(EventKind kind) noexcept {
     if (kind == kTractionHeld) return "traction_held";
     if (kind == kStretchSum) return "stretch_sum";
     if (kind == kThermalSpread) return "thermal_spread";
+    if (kind == kTakenOut) return "taken_out";
+    if (kind == kMarkedLost) return "marked_lost";
+    if (kind == kRingGap) return "ring_gap";
+    if (kind == kLedgerWritten) return "ledger_written";
     if (kind == kTuned) return "tuned";
     switch (kind) {
         case EventKind::kPhase:
@@ -110,7 +115,8 @@ std::string_view phase_name(Phase phase) noexcept {
 
 bool only_in_recording(EventKind kind) noexcept {
     return kind == EventKind::kVaporised || kind == EventKind::kStateHash || kind == kStretchSum ||
-           kind == kThermalSpread;
+           kind == kThermalSpread || kind == kTakenOut || kind == kMarkedLost || kind == kRingGap ||
+           kind == kLedgerWritten;
 }
 
 }  // namespace placode::sim

@@ -9,6 +9,7 @@
 #include "sim/cutting.h"
 #include "sim/damage.h"
 #include "sim/diathermy.h"
+#include "sim/reached.h"
 #include "sim/step_scratch.h"
 
 namespace placode::sim {
@@ -267,12 +268,16 @@ void ledger_body(const Scene& scene, State& state) noexcept {
     }
 }
 
-/// Says that this recording has sums of over-stretch, also when there is none.
-void begin_stretch(State& state) noexcept {
+/// Says what this ledger has, also where that is nothing: sums of over-stretch, tissue taken out.
+void begin_ledger(const Scene& scene, State& state) noexcept {
     Event e;
     e.time_s = state.time_s;
     e.kind = kStretchSum;
     add_event(state, e);
+    e.kind = kLedgerWritten;
+    e.value = kLedgerVersion;
+    add_event(state, e);
+    if (scene.marked_volume_m3 > 0) add_event(state, taken_out_event(scene, state));
 }
 
 }  // namespace
@@ -321,7 +326,7 @@ void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> ac
     ledger_phase(scene, state, dt);
     ledger_body(scene, state);
     const auto per_second = static_cast<int64_t>(std::lround(1 / dt));
-    if (state.frame == 1) begin_stretch(state);
+    if (state.frame == 1) begin_ledger(scene, state);
     if (per_second > 0 && state.frame % per_second == 0) {
         ledger_stretch(scene, state);
         Event e;

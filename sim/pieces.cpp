@@ -9,6 +9,7 @@
 #include "sim/cutting.h"
 #include "sim/ledger.h"
 #include "sim/linked_tets.h"
+#include "sim/reached.h"
 #include "sim/release.h"
 #include "sim/step_scratch.h"
 #include "sim/topology.h"
@@ -103,7 +104,7 @@ void found(const Scene& scene, State& state, int32_t seed) noexcept {
     }
     p.held_by = static_cast<int8_t>(holder(scene, state, slot));
     if (p.volume_m3 < kCrumb && p.held_by < 0) {
-        p.leaving = 1;
+        p.leaving = kWashedAway;
         ++pieces.crumbs;
         add_event(state, piece_event(scene, state, EventKind::kCrumb, p));
         return;
@@ -240,16 +241,19 @@ void follow(const Scene& scene, State& state, int piece) noexcept {
         const Vec3 pivot = scene.tools[p.held_by].pivot_m;
         const Vec3 tip = state.tools[p.held_by].proxy.p;
         if ((tip - pivot).norm() < kOutShare * pivot.norm()) {
-            p.leaving = 1;
+            p.leaving = kDrawnOut;
             ++state.pieces.out;
             state.pieces.out_m3 += p.volume_m3;
             Event e = piece_event(scene, state, EventKind::kPieceOut, p);
             if (scene.marked_volume_m3 > 0) {
-                double gone = state.pieces.marked_gone_m3;
+                double marked = 0;
                 for_tets(scene, state, piece, [&](int32_t t) {
-                    if (scene.marked[t]) gone += static_cast<double>(scene.body.volume_m3()[t]);
+                    if (scene.marked[t]) marked += static_cast<double>(scene.body.volume_m3()[t]);
                 });
-                e.value2 = static_cast<float>(gone / scene.marked_volume_m3);
+                state.pieces.marked_out_m3 += marked;
+                e.value2 = static_cast<float>((state.pieces.marked_gone_m3 + marked) /
+                                              scene.marked_volume_m3);
+                add_event(state, taken_out_event(scene, state));
             }
             add_event(state, e);
         }

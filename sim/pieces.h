@@ -25,6 +25,7 @@ struct State;
 
 inline constexpr int kSectors = 72;
 inline constexpr int kMostPieces = 64;
+inline constexpr uint8_t kWashedAway = 1, kDrawnOut = 2;  ///< Piece::leaving.
 
 /// Sector of a place at rest: 0 begins at +x (cranial), counting towards +y (left).
 [[nodiscard]] int sector_of(const Vec3& rest) noexcept;
@@ -50,7 +51,7 @@ struct Piece {
     int32_t seed = -1;    ///< One of its tets.
     int8_t held_by = -1;  ///< Tool that holds it.
     uint8_t resting = 0;  ///< Sticks where it lies.
-    uint8_t leaving = 0;  ///< Being taken away: crumb, or out of the port.
+    uint8_t leaving = 0;  ///< Being taken away: kWashedAway (a crumb) or kDrawnOut; 0 = stays.
     uint16_t calm = 0;    ///< Frames that it has lain on other tissue without moving.
 };
 
@@ -62,7 +63,9 @@ struct Pieces {
     uint32_t searched = 0;         ///< Surface version at the start of the last flood.
     int32_t out = 0, crumbs = 0;
     double out_m3 = 0;
-    double marked_gone_m3 = 0;  ///< Of Scene::marked.
+    double marked_gone_m3 = 0;  ///< Of Scene::marked, however it went.
+    double marked_out_m3 = 0;   ///< Of that, in pieces that were drawn out, counted as they go.
+    double marked_lost_m3 = 0;  ///< And what heat, force or water took.
 };
 
 /// Constant lists and the flood's memory. Sized once.

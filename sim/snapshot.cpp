@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "sim/reached.h"
+
 namespace placode::sim {
 namespace {
 
@@ -67,10 +69,7 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
             }
         }
     }
-    out.resected_fraction =
-        scene.marked_volume_m3 > 0
-            ? static_cast<float>(state.pieces.marked_gone_m3 / scene.marked_volume_m3)
-            : -1;
+    out.resected_fraction = static_cast<float>(taken_out_share(scene, state));
     out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
     out.resect_line.resize(scene.resection.anchors.size());
     for (size_t i = 0; i < out.resect_line.size(); ++i) {
@@ -85,10 +84,7 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     out.free_sectors = state.release.free_count;
     out.pieces_out = state.pieces.out;
     out.phase = state.phase;
-    out.cut_fraction = state.progress.cut.empty()
-                           ? 0.0f
-                           : static_cast<float>(state.progress.cut_count) /
-                                 static_cast<float>(state.progress.cut.size());
+    out.cut_fraction = static_cast<float>(ring_share(state));
     out.vapour_rate_m3_s = state.vapour_rate_m3_s;
     out.placode_peak_cem43_min = state.placode_peak_cem43_min;
     out.placode_peak_c = state.placode_peak_c;

@@ -37,9 +37,9 @@ struct Snapshot {
     std::vector<std::array<float, 3>> resect_line;  ///< Deformed outline of the marked tissue [m].
     std::vector<uint8_t> resect_cut;                ///< Per point: parted there.
     int free_sectors = 0, pieces_out = 0;
-    float resected_fraction = -1;  ///< 0..1 of the marked tissue is out; -1 = nothing is marked.
+    float resected_fraction = -1;  ///< taken_out_share().
     Phase phase = Phase::kInspect;
-    float cut_fraction = 0;  ///< 0..1 of the planned contour.
+    float cut_fraction = 0;  ///< ring_share().
     float vapour_rate_m3_s = 0;
     float placode_peak_cem43_min = 0, placode_peak_c = 37;
     uint32_t step_flags = 0;
