@@ -10,6 +10,7 @@
 
 #include "assessment/statistics.h"
 #include "assessment/tissue_metrics.h"
+#include "sim/reached.h"
 
 namespace placode::assessment {
 namespace {
@@ -33,6 +34,13 @@ bool cuts_by_heat(const sim::RecordingHeader& header) {
     if (header.geometry.planned_contour.empty()) return false;
     return std::any_of(header.tools.begin(), header.tools.end(), [](const sim::ToolSpec& tool) {
         return tool.kind == sim::ToolKind::kNeedle || tool.kind == sim::ToolKind::kHook;
+    });
+}
+
+/// Scissors: only they take pieces.
+bool resects(const sim::RecordingHeader& header) {
+    return std::any_of(header.tools.begin(), header.tools.end(), [](const sim::ToolSpec& tool) {
+        return tool.kind == sim::ToolKind::kScissors;
     });
 }
 
@@ -77,8 +85,22 @@ void add_damage(const sim::Recording& recording, std::vector<Metric>& out) {
     add_spread(std::move(dose_m), kDoseIds, out);
 }
 
+bool has_ledger(const sim::Recording& recording) noexcept {
+    return std::any_of(recording.events.begin(), recording.events.end(), [](const Event& event) {
+        return event.kind == sim::kLedgerWritten && event.value >= sim::kLedgerVersion;
+    });
+}
+
 std::vector<std::string_view> not_recorded(const sim::Recording& recording) {
     std::vector<std::string_view> missing;
+    if (!has_ledger(recording)) {
+        missing.insert(missing.end(), {"buried_s", "buried_count"});
+        if (resects(recording.header)) missing.push_back("resected_percent");
+    }
+    if (resects(recording.header) && !has(recording, sim::kMarkedLost))
+        missing.push_back("marked_lost_percent");
+    if (!recording.header.geometry.planned_contour.empty() && !has(recording, sim::kRingGap))
+        missing.insert(missing.end(), {"largest_gap_mm", "gap_count"});
     if (!has(recording, sim::kStretchSum)) missing.push_back(kVolumeTime);
     if (cuts_by_heat(recording.header) && !has(recording, sim::kThermalSpread)) {
         missing.insert(missing.end(), kDamageIds.begin(), kDamageIds.end());

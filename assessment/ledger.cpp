@@ -36,6 +36,7 @@ constexpr KindRule kRules[]{
     {EventKind::kOverTraction, HarmLane::kForce, true, false, false},
     {EventKind::kCrushed, HarmLane::kForce, false, false, false},
     {EventKind::kSlipped, HarmLane::kForce, false, false, false},
+    {EventKind::kBuried, HarmLane::kTissue, true, false, false},
     {EventKind::kTorn, HarmLane::kTissue, false, true, false},
     {EventKind::kVaporised, HarmLane::kTissue, false, true, false},
     {EventKind::kSnipped, HarmLane::kTissue, false, true, false},

@@ -13,7 +13,8 @@
 
 namespace placode::assessment {
 
-inline constexpr int kMetricSetVersion = 6;  ///< 6: thermal spread, over-stretch.
+/// 7: ring completeness and resected tissue as the picture shows them, buried tips, tissue lost.
+inline constexpr int kMetricSetVersion = 7;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -251,6 +251,10 @@ Track tool_track(const sim::Recording& recording, size_t tool) {
     return make_track(time, position, orientation);
 }
 
+double task_start_s(const sim::Recording& recording) {
+    return first_in_view_s(recording, instruments(recording));
+}
+
 void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     if (recording.samples.empty()) return;
     const std::vector<size_t> tools = instruments(recording);

@@ -44,6 +44,9 @@ namespace placode::assessment {
 /// Filtered 100 Hz track of one tool of a recording.
 [[nodiscard]] Track tool_track(const sim::Recording& recording, size_t tool);
 
+/// When the first instrument came into view: time is counted from here [s].
+[[nodiscard]] double task_start_s(const sim::Recording& recording);
+
 /// Appends what the recording allows. Never throws on odd data.
 void add_motion_metrics(const sim::Recording& recording, std::vector<Metric>& out);
 

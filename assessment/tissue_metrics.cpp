@@ -9,6 +9,7 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
 #include "haptics/json_scan.h"
+#include "sim/reached.h"
 
 namespace placode::assessment {
 
@@ -64,12 +65,29 @@ double hausdorff(const Incision& incision) {
     return cut.empty() ? -1 : compare_contours(plan, cut, 0.001).hausdorff;
 }
 
+/// How much of the ring is cut, from the number that the picture showed, and its gaps.
+void add_ring(const sim::Recording& recording, std::vector<Metric>& out) {
+    if (recording.header.geometry.planned_contour.empty()) return;
+    out.push_back({"ring_completeness_percent", ring_cut_share(recording) * 100});
+    bool told = false;
+    double longest = 0;
+    int gaps = 0;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::kRingGap) continue;
+        told = true;
+        if (event.element < 0) continue;
+        ++gaps;
+        longest = std::max(longest, static_cast<double>(event.value));
+    }
+    if (!told) return;
+    out.push_back({"largest_gap_mm", longest * 1e3});
+    out.push_back({"gap_count", static_cast<double>(gaps)});
+}
+
+/// Where the incision runs, from what was removed.
 void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
     const std::optional<Incision> incision = analyse_incision(recording);
     if (!incision) return;
-    out.push_back({"ring_completeness_percent", incision->cover.covered * 100});
-    out.push_back({"largest_gap_mm", incision->cover.largest_gap * 1e3});
-    out.push_back({"gap_count", static_cast<double>(incision->cover.gaps)});
     std::vector<double> distance;
     double mean_signed = 0, width = 0;
     double outside_m = 0, toward_m = 0, off_m = 0;
@@ -80,7 +98,9 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
         width += bin.width_m;
         if (bin.outside_band) outside_m += incision->bin_m;
         if (bin.toward_placode) toward_m += incision->bin_m;
-        if (distance.back() > kOffLineM) off_m += incision->bin_m;
+        // Two faults on both sides have a mean between them: that is no line either.
+        if (distance.back() > kOffLineM || bin.outside_band || bin.toward_placode)
+            off_m += incision->bin_m;
     }
     if (!distance.empty()) {
         const double n = static_cast<double>(distance.size());
@@ -256,8 +276,8 @@ void add_contact_force(const sim::Recording& recording, std::vector<Metric>& out
 
 /// Planned contour that is cut, over the tip's way with the pedal down and in contact.
 void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& out) {
-    const std::optional<Incision> incision = analyse_incision(recording);
-    if (!incision) return;
+    const auto& line = recording.header.geometry.planned_contour;
+    if (line.size() < 3) return;
     double way = 0;
     for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
         const sim::ToolKind kind = recording.header.tools[i].kind;
@@ -275,7 +295,8 @@ void add_cutting_economy(const sim::Recording& recording, std::vector<Metric>& o
     }
     // A way shorter than a millimetre says nothing.
     if (way > 1e-3)
-        out.push_back({"cutting_economy", incision->cover.covered * incision->perimeter_m / way});
+        out.push_back(
+            {"cutting_economy", ring_cut_share(recording) * ClosedContour(line).length() / way});
 }
 
 /// Seconds during which held tissue was lifted, from the height of the tip since its grasp.
@@ -307,6 +328,23 @@ double lifted_s(const sim::Recording& recording) {
     return sum;
 }
 
+/// The share of the marked tissue that the ledger's last such entry tells.
+void add_share(const sim::Recording& recording, sim::EventKind kind, const char* metric,
+               std::vector<Metric>& out) {
+    std::optional<double> share;
+    for (const sim::Event& e : recording.events)
+        if (e.kind == kind) share = std::max(share.value_or(0), static_cast<double>(e.value2));
+    if (share) out.push_back({metric, *share * 100});
+}
+
+/// Tips below the surface, from whatever instrument.
+void add_buried(const sim::Recording& recording, std::vector<Metric>& out) {
+    if (!has_ledger(recording)) return;
+    const Sum buried = total(recording, sim::EventKind::kBuried);
+    out.push_back({"buried_s", buried.value});
+    out.push_back({"buried_count", static_cast<double>(buried.count)});
+}
+
 /// Grasper and scissors. Nothing where the scene has neither.
 void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
     using sim::EventKind;
@@ -319,13 +357,9 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
         out.push_back({"released_deg", 5.0 * total(recording, EventKind::kSectorFree).count});
     }
     if (blades) {
-        double skin_m2 = 0, share = 0;
-        for (const sim::Event& e : recording.events) {
+        double skin_m2 = 0;
+        for (const sim::Event& e : recording.events)
             if (e.kind == EventKind::kSnipped && is_skin(e.tissue)) skin_m2 += e.value;
-            if (e.kind == EventKind::kPieceOut) {
-                share = std::max(share, static_cast<double>(e.value2));
-            }
-        }
         const Sum snips = total(recording, EventKind::kSnipped);
         const Sum pieces = total(recording, EventKind::kPieceOut);
         out.push_back({"placode_snip_mm2", total(recording, EventKind::kPlacodeCut).value * 1e6});
@@ -333,7 +367,8 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
         out.push_back({"snips", static_cast<double>(snips.count)});
         out.push_back({"pieces_out", static_cast<double>(pieces.count)});
         out.push_back({"resected_mm3", pieces.value * 1e9});
-        out.push_back({"resected_percent", share * 100});
+        add_share(recording, sim::kTakenOut, "resected_percent", out);
+        add_share(recording, sim::kMarkedLost, "marked_lost_percent", out);
     }
     if (jaws) {
         const Sum released = total(recording, EventKind::kReleased);
@@ -351,9 +386,23 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
 
 }  // namespace
 
+double ring_cut_share(const sim::Recording& recording) noexcept {
+    double share = 0;
+    // Frames after the last sample count as well.
+    for (const sim::Event& event : recording.events)
+        if (event.kind == sim::kRingGap && event.element < 0 && std::isfinite(event.value2))
+            share = std::max(share, static_cast<double>(event.value2));
+    for (const sim::Sample& sample : recording.samples)
+        if (std::isfinite(sample.cut_fraction))
+            share = std::max(share, static_cast<double>(sample.cut_fraction));
+    return std::min(1.0, share);
+}
+
 void add_tissue_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
     add_incision(recording, out);
     if (recording.samples.empty()) return;
+    add_ring(recording, out);
+    add_buried(recording, out);
     add_placode(recording, out);
     add_energy(recording, out);
     add_force(recording, out);

@@ -110,6 +110,12 @@ struct Incision {
 
 inline constexpr double kOffLineM = 0.0005;  ///< Kerf centre further than this is off the line.
 
+/// Share of the planned contour that is cut through, 0..1: what the picture showed in the end.
+[[nodiscard]] double ring_cut_share(const sim::Recording& recording) noexcept;
+
+/// True when the ledger has all that sim::kLedgerVersion promises, also where that is nothing.
+[[nodiscard]] bool has_ledger(const sim::Recording& recording) noexcept;
+
 /// Over-stretch (T10) and thermal spread (T5), from the sums that the simulation enters.
 void add_damage(const sim::Recording& recording, std::vector<Metric>& out);
 

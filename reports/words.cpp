@@ -54,6 +54,24 @@ constexpr const char* kPatterns[]{
     "{value} mm3 of tissue tore{where}.",
     "Tissue was grasped {value} times; four are enough.",
     "Tissue or generator was tuned: this attempt is not scored as a pass.",
+    "{value} % of the ring is cut, and points are given for that share; the largest gap is{where}.",
+    "{value} % of the steps were done, and points are given for that share.",
+    "{value} % of the places were touched, and points are given for that share.",
+    "{value} % of the line was followed within 1 mm, and points are given for that share.",
+    "The placode is free over {value} degrees, and points are given for that share; it still hangs "
+    "on{where}.",
+    "The placode is not released: it is free over {value} of 360 degrees only.",
+    "{value} % of the marked tissue is taken out, and points are given for that share; most of the "
+    "rest hangs{where}.",
+    "Marked tissue was left behind: {value} % is out, 80 % is the least.",
+    "Tissue was held lifted for {value} s of 9 s, and points are given for that share.",
+    "Tissue was grasped {value} times of three, and points are given for that share.",
+    "More than 5 mm3 of skin tore.",
+    "Tissue was held beyond its limit of stretch: {value} mm3 s, most{where}.",
+    "The tip was below the surface for {value} s{where}.",
+    "Not recorded, so this is no pass: {metric}.",
+    "It could not be measured and counts in full: {metric}.",
+    "Nothing was done: this attempt does not count.",
 };
 
 QString translated(const char* context, const char* english) {
@@ -63,9 +81,11 @@ QString translated(const char* context, const char* english) {
 /// The pattern as a regular expression with named groups.
 QRegularExpression expression_of(const char* pattern) {
     QString text = QRegularExpression::escape(QString::fromUtf8(pattern));
-    text.replace(QStringLiteral("\\{value\\}"), QStringLiteral("(?<value>-?[0-9.]+)"));
+    text.replace(QStringLiteral("\\{value\\}"),
+                 QStringLiteral("(?<value>-?[0-9.]+(e[+-]?[0-9]+)?|inf|nan)"));
     text.replace(QStringLiteral("\\{times\\}"), QStringLiteral("(?<times>once|twice|\\d+ times)"));
     text.replace(QStringLiteral("\\{where\\}"), QStringLiteral("( at (?<hour>\\d+) o'clock)?"));
+    text.replace(QStringLiteral("\\{metric\\}"), QStringLiteral("(?<metric>.+)"));
     return QRegularExpression(QStringLiteral("^") + text + QStringLiteral("$"));
 }
 
@@ -76,6 +96,13 @@ QString times_words(const QString& english) {
 }
 
 QString local(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+
+/// A number as a reason has it, with the decimal sign of the language; beyond a million as it is.
+QString local_number(const QString& said) {
+    if (said.contains(QLatin1Char('e')) || said.contains(QLatin1Char('n'))) return said;
+    const qsizetype dot = said.indexOf(QLatin1Char('.'));
+    return local(said.toDouble(), dot < 0 ? 0 : static_cast<int>(said.size() - dot - 1));
+}
 
 QString seconds(double s) { return translated("Ledger", "%1 s").arg(local(s, 1)); }
 QString millinewton(double n) {
@@ -108,6 +135,8 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
             return "Crushed between the jaws";
         case EventKind::kSlipped:
             return "Slid out of the jaws";
+        case EventKind::kBuried:
+            return "Tip below the surface";
         case EventKind::kTorn:
             return placode ? "Placode torn" : "Skin torn";
         case EventKind::kVaporised:
@@ -131,6 +160,9 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
         case EventKind::kEnergyInAir:
         case EventKind::kDwell:
             return seconds(entry.value);
+        case EventKind::kBuried:
+            return seconds(entry.value) +
+                   QStringLiteral(", %1 mm").arg(local(1000 * entry.value2, 1));
         case EventKind::kPlacodeOverheated:
         case EventKind::kPlacodeBurned:
             return celsius(entry.value2);
@@ -161,12 +193,13 @@ QString reason_words(const std::string& english) {
         if (!match.hasMatch()) continue;
         QString text = other;
         const QString value = match.captured(QStringLiteral("value"));
-        const qsizetype dot = value.indexOf(QLatin1Char('.'));
-        const int decimals = dot < 0 ? 0 : static_cast<int>(value.size() - dot - 1);
-        if (!value.isEmpty())
-            text.replace(QLatin1String("{value}"), local(value.toDouble(), decimals));
+        if (!value.isEmpty()) text.replace(QLatin1String("{value}"), local_number(value));
         const QString times = match.captured(QStringLiteral("times"));
         if (!times.isEmpty()) text.replace(QLatin1String("{times}"), times_words(times));
+        const QString metric = match.captured(QStringLiteral("metric"));
+        if (!metric.isEmpty())
+            text.replace(QLatin1String("{metric}"),
+                         translated("Metric", metric.toUtf8().constData()));
         const QString hour = match.captured(QStringLiteral("hour"));
         text.replace(QLatin1String("{where}"),
                      hour.isEmpty() ? QString() : translated("Reason", " at %1 o'clock").arg(hour));

@@ -94,6 +94,17 @@ TEST(Ledger, EnergyInTheAirHasNoPlace) {
     EXPECT_EQ(entries[0].hour, 0);
 }
 
+TEST(Ledger, ABuriedTipIsHarmToTheTissueWhereItWas) {
+    Event buried = event(EventKind::kBuried, 9, 2, 0, -0.006F);
+    buried.value2 = 0.0015F;
+    const auto entries = damage_ledger(std::vector{buried}, field());
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].lane, HarmLane::kTissue);
+    EXPECT_DOUBLE_EQ(entries[0].from_s, 7);
+    EXPECT_EQ(entries[0].hour, 3);
+    EXPECT_FLOAT_EQ(static_cast<float>(entries[0].value2), 0.0015F);
+}
+
 TEST(Ledger, EntriesAreInOrderOfTimeWhenTheyBegan) {
     const std::vector<Event> events{event(EventKind::kDwell, 8, 1, 0.005F, 0),
                                     event(EventKind::kOverForce, 9, 7, 0.005F, 0)};

@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "sim/damage.h"
+#include "sim/reached.h"
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
@@ -175,10 +177,85 @@ sim::Recording ring(double from, double to, double offset_m, float depth_m = 0.0
     return recording;
 }
 
+ArcCover::Result covered(const sim::Recording& recording) {
+    return analyse_incision(recording)->cover;
+}
+
+TEST(TissueMetrics, TheRingIsAsCompleteAsThePictureShowedIt) {
+    sim::Recording recording = ring(0, 359, 0);
+    EXPECT_EQ(compute_metrics(recording).find("ring_completeness_percent"), 0)
+        << "what was removed does not decide it";
+    recording.samples[1].cut_fraction = 0.875F;
+    EXPECT_EQ(compute_metrics(recording).find("ring_completeness_percent"), 87.5);
+    EXPECT_FALSE(compute_metrics(recording).find("largest_gap_mm")) << "no ledger of gaps";
+    // Frames after the last sample, from the same number.
+    sim::Event end;
+    end.kind = sim::kRingGap;
+    end.value2 = 0.9375F;
+    recording.events.push_back(end);
+    EXPECT_EQ(compute_metrics(recording).find("ring_completeness_percent"), 93.75);
+    EXPECT_EQ(compute_metrics(recording).find("largest_gap_mm"), 0);
+}
+
+TEST(TissueMetrics, ResectedIsWhatWasDrawnOutHoweverManyPiecesLeave) {
+    sim::Recording recording = ring(0, 359, 0);
+    recording.header.tools[0].kind = sim::ToolKind::kScissors;
+    const auto add = [&](sim::EventKind kind, float value, float value2) {
+        sim::Event event;
+        event.kind = kind;
+        event.value = value;
+        event.value2 = value2;
+        recording.events.push_back(event);
+    };
+    // As an older program wrote it: each piece knows of itself and of what had gone before.
+    add(sim::EventKind::kPieceOut, 2e-9F, 0.5F);
+    add(sim::EventKind::kPieceOut, 2e-9F, 0.6F);
+    EXPECT_FALSE(compute_metrics(recording).find("resected_percent"));
+    const auto unknown = not_recorded(recording);
+    EXPECT_NE(std::find(unknown.begin(), unknown.end(), "resected_percent"), unknown.end());
+    add(sim::kLedgerWritten, 1, 0);
+    add(sim::kTakenOut, 0, 0);
+    add(sim::kTakenOut, 1e-9F, 0.25F);
+    add(sim::kTakenOut, 3.5e-9F, 0.875F);
+    add(sim::kMarkedLost, 0.5e-9F, 0.125F);
+    const MetricSet m = compute_metrics(recording);
+    EXPECT_EQ(m.find("resected_percent"), 87.5);
+    EXPECT_EQ(m.find("marked_lost_percent"), 12.5);
+    const auto known = not_recorded(recording);
+    EXPECT_EQ(std::find(known.begin(), known.end(), "resected_percent"), known.end());
+}
+
+TEST(TissueMetrics, ABuriedTipIsCountedWhereTheLedgerWouldTell) {
+    sim::Recording recording = ring(0, 359, 0);
+    EXPECT_FALSE(compute_metrics(recording).find("buried_s"));
+    sim::Event event;
+    event.kind = sim::kLedgerWritten;
+    event.value = sim::kLedgerVersion;
+    recording.events.push_back(event);
+    EXPECT_EQ(compute_metrics(recording).find("buried_s"), 0);
+    event.kind = sim::EventKind::kBuried;
+    event.value = 1.5F;
+    event.value2 = 0.002F;
+    recording.events.push_back(event);
+    event.value = 0.5F;
+    recording.events.push_back(event);
+    EXPECT_EQ(compute_metrics(recording).find("buried_s"), 2);
+    EXPECT_EQ(compute_metrics(recording).find("buried_count"), 2);
+}
+
+TEST(TissueMetrics, CuttingAstrayIsNeverMadeGoodOnTheOtherSide) {
+    sim::Recording inward = ring(0, 359, -0.0012);
+    const double before = *compute_metrics(inward).find("off_line_mm");
+    const sim::Recording outward = ring(0, 359, 0.0036);
+    inward.events.insert(inward.events.end(), outward.events.begin(), outward.events.end());
+    EXPECT_GE(*compute_metrics(inward).find("off_line_mm"), before)
+        << "a mean between two faults is no line";
+}
+
 TEST(TissueMetrics, AWholeRingIsCompleteAndItsOffsetIsMeasured) {
     const MetricSet metrics = compute_metrics(ring(0, 359, 0.0002));
-    EXPECT_NEAR(*metrics.find("ring_completeness_percent"), 100, 1e-9);
-    EXPECT_NEAR(*metrics.find("largest_gap_mm"), 0, 1e-9);
+    EXPECT_NEAR(covered(ring(0, 359, 0.0002)).covered * 100, 100, 1e-9);
+    EXPECT_NEAR(covered(ring(0, 359, 0.0002)).largest_gap * 1e3, 0, 1e-9);
     // A 360-gon lies within R (1 - cos 0.5 deg) = 0.0002 mm of its circle.
     EXPECT_NEAR(*metrics.find("contour_deviation_mm"), 0.2, 0.001);
     EXPECT_NEAR(*metrics.find("contour_signed_mm"), 0.2, 0.001);
@@ -189,19 +266,18 @@ TEST(TissueMetrics, AWholeRingIsCompleteAndItsOffsetIsMeasured) {
 }
 
 TEST(TissueMetrics, AGapAShallowCutAndAnInwardCutAreSeen) {
-    const MetricSet gap = compute_metrics(ring(0, 328, 0));
+    const ArcCover::Result gap = covered(ring(0, 328, 0));
     // From 328 to 360 degrees, less half an element at each end (cbrt(6 sqrt 2 V) = 0.424 mm).
     const double open_mm = 32 * std::numbers::pi / 180 * 6 - 0.424;
-    EXPECT_NEAR(*gap.find("largest_gap_mm"), open_mm, 0.01);
-    EXPECT_NEAR(*gap.find("ring_completeness_percent"),
-                100 * (1 - open_mm / (2 * std::numbers::pi * 6)), 0.05);
+    EXPECT_NEAR(gap.largest_gap * 1e3, open_mm, 0.01);
+    EXPECT_NEAR(100 * gap.covered, 100 * (1 - open_mm / (2 * std::numbers::pi * 6)), 0.05);
 
-    EXPECT_EQ(*compute_metrics(ring(0, 359, 0, 0.0001f)).find("ring_completeness_percent"), 0);
+    EXPECT_EQ(covered(ring(0, 359, 0, 0.0001f)).covered, 0);
 
     const MetricSet inward = compute_metrics(ring(0, 359, -0.0012));
     EXPECT_NEAR(*inward.find("toward_placode_mm"), 2 * std::numbers::pi * 6, 0.01);
     EXPECT_NEAR(*inward.find("contour_signed_mm"), -1.2, 0.001);
-    EXPECT_EQ(*inward.find("ring_completeness_percent"), 0);  // beyond the tolerance of 1 mm
+    EXPECT_EQ(covered(ring(0, 359, -0.0012)).covered, 0);  // beyond the tolerance of 1 mm
     EXPECT_NEAR(*inward.find("off_line_mm"), 2 * std::numbers::pi * 6, 0.01);
 
     const MetricSet outward = compute_metrics(ring(0, 359, 0.0036));
@@ -288,7 +364,8 @@ TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
     add(1.3, EventKind::kSnipped, 0, 2e-6F, 0.001F, sim::Tissue::kThinSkin);
     add(1.4, EventKind::kPlacodeCut, 0, 0.5e-6F, 0.001F, sim::Tissue::kPlacode);
     add(1.5, EventKind::kCrushed, 1, 2e5F, 0.4F);
-    add(2.0, EventKind::kPieceOut, 1, 3e-9F, 0.75F);
+    add(2.0, EventKind::kPieceOut, 1, 3e-9F, 0.8F);
+    add(2.0, sim::kTakenOut, -1, 2.5e-9F, 0.75F);
     add(3.0, EventKind::kReleased, 1, 2, 0.025F);
     for (int i = 0; i < 400; ++i) {
         sim::Sample sample;
@@ -322,7 +399,7 @@ TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
 TEST(TissueMetrics, SpreadAndOverStretchAreSummedFromTheirEvents) {
     sim::Recording recording = ring(0, 359, 0);
     recording.header.tools.resize(1);  // a needle
-    EXPECT_EQ(not_recorded(recording).size(), 7u);
+    EXPECT_EQ(not_recorded(recording).size(), 11u);
     EXPECT_FALSE(compute_metrics(recording).find("over_stretch_mm3_s"));
     EXPECT_FALSE(compute_metrics(recording).find("thermal_spread_mm"));
     const auto add = [&](sim::EventKind kind, float value, float value2, int element) {
@@ -334,6 +411,8 @@ TEST(TissueMetrics, SpreadAndOverStretchAreSummedFromTheirEvents) {
         recording.events.push_back(event);
     };
     add(sim::kStretchSum, 0, 0, -1);
+    add(sim::kLedgerWritten, sim::kLedgerVersion, 0, -1);
+    add(sim::kRingGap, 0, 1, -1);
     add(sim::kThermalSpread, 4, 0, -1);  // says how many rays follow, and is none
     EXPECT_TRUE(not_recorded(recording).empty());
     EXPECT_EQ(compute_metrics(recording).find("over_stretch_mm3_s"), 0);

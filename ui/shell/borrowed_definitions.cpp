@@ -8,10 +8,19 @@
 namespace {
 
 [[maybe_unused]] const char* const kMetricDefinitions[] = {
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the marked volume that burned, tore or was washed away as crumbs."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Time with the tip of an instrument below the surface, spells over 0.3 s."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times that the tip of an instrument was below the surface for over 0.3 s."),
     QT_TRANSLATE_NOOP("MetricDefinition", "From the first instrument in view to the end."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Share of the planned contour that is cut to the target depth within 1 mm."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Longest uncut stretch of the planned contour."),
+                      "Share of the planned contour's points that are cut through to the target "
+                      "depth within 1 mm, "
+                      "as the picture shows it."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Longest stretch of the planned contour without a point that is cut."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Mean distance of the kerf's centre from the planned contour."),
     QT_TRANSLATE_NOOP(
@@ -26,7 +35,9 @@ namespace {
                       "Mean signed distance: negative towards the placode, positive outwards."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Mean width of what was removed along the contour."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Length of the incision whose centre is more than 0.5 mm off the plan."),
+                      "Length of the incision whose centre is more than 0.5 mm off the plan, or "
+                      "that reaches into "
+                      "healthy skin or to the placode."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Length of the contour beside which tissue over 1 mm outside the skin edge was removed."),
@@ -71,7 +82,10 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that scissors closed on tissue."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Loose pieces drawn back to the port."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Rest volume of these pieces."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Share of the marked volume that has left the field."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the marked volume that was drawn out of the field in pieces, as "
+                      "the picture shows it; "
+                      "what burned, tore or was washed away does not count."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws closed on tissue."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
@@ -151,7 +165,8 @@ namespace {
     QT_TRANSLATE_NOOP(
         "MetricDefinition",
         "Root mean square of the distance of the kerf's centre from the planned contour."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Uncut stretches of the planned contour."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Stretches of the planned contour without a point that is cut."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Times that tissue was stretched beyond its injury limit."),
     QT_TRANSLATE_NOOP("MetricDefinition",

@@ -1084,10 +1084,6 @@
         <translation>Zamykanie szczęk</translation>
     </message>
     <message>
-        <source>hold the first button, or the arm's gripper</source>
-        <translation>przytrzymaj pierwszy przycisk lub chwytak ramienia</translation>
-    </message>
-    <message>
         <source>turn the stylus</source>
         <translation>obracaj rysik</translation>
     </message>
@@ -1130,6 +1126,10 @@
     <message>
         <source>turn the handle</source>
         <translation>obracaj uchwyt</translation>
+    </message>
+    <message>
+        <source>hold the first button, or the arm&apos;s gripper</source>
+        <translation>przytrzymaj pierwszy przycisk lub chwytak ramienia</translation>
     </message>
 </context>
 <context>
@@ -1705,6 +1705,10 @@
         <source>Resting on one spot with energy on</source>
         <translation>Postój w miejscu z włączoną energią</translation>
     </message>
+    <message>
+        <source>Tip below the surface</source>
+        <translation>Końcówka pod powierzchnią</translation>
+    </message>
 </context>
 <context>
     <name>LedgerView</name>
@@ -2206,6 +2210,18 @@
         <source>Impulse of too much force</source>
         <translation>Impuls nadmiernej siły</translation>
     </message>
+    <message>
+        <source>Marked tissue destroyed</source>
+        <translation>Zniszczona zaznaczona tkanka</translation>
+    </message>
+    <message>
+        <source>Tip below the surface</source>
+        <translation>Końcówka pod powierzchnią</translation>
+    </message>
+    <message>
+        <source>Times below the surface</source>
+        <translation>Ile razy pod powierzchnią</translation>
+    </message>
 </context>
 <context>
     <name>MetricWords</name>
@@ -2241,14 +2257,6 @@
         <translation>Od chwili, gdy pierwszy instrument jest w obrazie, do końca.</translation>
     </message>
     <message>
-        <source>Share of the planned contour that is cut to the target depth within 1 mm.</source>
-        <translation>Część planowanej linii, która jest przecięta na docelową głębokość w odległości do 1 mm.</translation>
-    </message>
-    <message>
-        <source>Longest uncut stretch of the planned contour.</source>
-        <translation>Najdłuższy nieprzecięty odcinek planowanej linii.</translation>
-    </message>
-    <message>
         <source>Mean distance of the kerf&apos;s centre from the planned contour.</source>
         <translation>Średnia odległość środka szczeliny cięcia od planowanej linii.</translation>
     </message>
@@ -2271,10 +2279,6 @@
     <message>
         <source>Mean width of what was removed along the contour.</source>
         <translation>Średnia szerokość tego, co usunięto wzdłuż linii.</translation>
-    </message>
-    <message>
-        <source>Length of the incision whose centre is more than 0.5 mm off the plan.</source>
-        <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu.</translation>
     </message>
     <message>
         <source>Length of the contour beside which tissue over 1 mm outside the skin edge was removed.</source>
@@ -2395,10 +2399,6 @@
     <message>
         <source>Rest volume of these pieces.</source>
         <translation>Objętość spoczynkowa tych kawałków.</translation>
-    </message>
-    <message>
-        <source>Share of the marked volume that has left the field.</source>
-        <translation>Część zaznaczonej objętości, która opuściła pole.</translation>
     </message>
     <message>
         <source>Times that jaws closed on tissue.</source>
@@ -2589,10 +2589,6 @@
         <translation>Średnia kwadratowa odległości środka szczeliny cięcia od planowanej linii.</translation>
     </message>
     <message>
-        <source>Uncut stretches of the planned contour.</source>
-        <translation>Nieprzecięte odcinki planowanej linii.</translation>
-    </message>
-    <message>
         <source>Times that tissue was stretched beyond its injury limit.</source>
         <translation>Ile razy tkanka została rozciągnięta ponad granicę urazu.</translation>
     </message>
@@ -2647,6 +2643,38 @@
     <message>
         <source>Time during which both hands pulled within the task&apos;s limits.</source>
         <translation>Czas, w którym obie ręce ciągnęły w granicach zadania.</translation>
+    </message>
+    <message>
+        <source>Share of the marked volume that burned, tore or was washed away as crumbs.</source>
+        <translation>Część zaznaczonej objętości, która się spaliła, rozerwała lub została wypłukana jako okruchy.</translation>
+    </message>
+    <message>
+        <source>Time with the tip of an instrument below the surface, spells over 0.3 s.</source>
+        <translation>Czas z końcówką narzędzia pod powierzchnią, okresy ponad 0,3 s.</translation>
+    </message>
+    <message>
+        <source>Times that the tip of an instrument was below the surface for over 0.3 s.</source>
+        <translation>Ile razy końcówka narzędzia była pod powierzchnią dłużej niż 0,3 s.</translation>
+    </message>
+    <message>
+        <source>Share of the planned contour&apos;s points that are cut through to the target depth within 1 mm, as the picture shows it.</source>
+        <translation>Część punktów planowanej linii przeciętych na docelową głębokość w granicach 1 mm, tak jak pokazuje obraz.</translation>
+    </message>
+    <message>
+        <source>Longest stretch of the planned contour without a point that is cut.</source>
+        <translation>Najdłuższy odcinek planowanej linii bez przeciętego punktu.</translation>
+    </message>
+    <message>
+        <source>Length of the incision whose centre is more than 0.5 mm off the plan, or that reaches into healthy skin or to the placode.</source>
+        <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu albo które sięga w zdrową skórę lub do płytki.</translation>
+    </message>
+    <message>
+        <source>Share of the marked volume that was drawn out of the field in pieces, as the picture shows it; what burned, tore or was washed away does not count.</source>
+        <translation>Część zaznaczonej objętości wyciągnięta z pola w kawałkach, tak jak pokazuje obraz; to, co spalone, rozerwane lub wypłukane, się nie liczy.</translation>
+    </message>
+    <message>
+        <source>Stretches of the planned contour without a point that is cut.</source>
+        <translation>Odcinki planowanej linii bez przeciętego punktu.</translation>
     </message>
 </context>
 <context>
@@ -2877,6 +2905,10 @@
     <message>
         <source>Scripted novice</source>
         <translation>Program: początkujący</translation>
+    </message>
+    <message>
+        <source>Not attempted</source>
+        <translation>Nie podjęto</translation>
     </message>
 </context>
 <context>
@@ -3336,7 +3368,7 @@
     </message>
     <message>
         <source>Only {value} % of the marked tissue is out.</source>
-        <translation>Wyjęto tylko {value} % oznaczonej tkanki.</translation>
+        <translation>Wyjęto tylko {value} % zaznaczonej tkanki.</translation>
     </message>
     <message>
         <source>The force on the tissue was too high {times}, worst{where}.</source>
@@ -3449,6 +3481,70 @@
     <message>
         <source> at %1 o&apos;clock</source>
         <translation> na godzinie %1</translation>
+    </message>
+    <message>
+        <source>{value} % of the ring is cut, and points are given for that share; the largest gap is{where}.</source>
+        <translation>Nacięto {value} % obwodu i za tę część przyznano punkty; największa przerwa jest{where}.</translation>
+    </message>
+    <message>
+        <source>{value} % of the steps were done, and points are given for that share.</source>
+        <translation>Wykonano {value} % kroków i za tę część przyznano punkty.</translation>
+    </message>
+    <message>
+        <source>{value} % of the places were touched, and points are given for that share.</source>
+        <translation>Dotknięto {value} % miejsc i za tę część przyznano punkty.</translation>
+    </message>
+    <message>
+        <source>{value} % of the line was followed within 1 mm, and points are given for that share.</source>
+        <translation>Poprowadzono po {value} % linii w granicach 1 mm i za tę część przyznano punkty.</translation>
+    </message>
+    <message>
+        <source>The placode is free over {value} degrees, and points are given for that share; it still hangs on{where}.</source>
+        <translation>Płytka jest wolna na {value} stopniach i za tę część przyznano punkty; trzyma się jeszcze{where}.</translation>
+    </message>
+    <message>
+        <source>The placode is not released: it is free over {value} of 360 degrees only.</source>
+        <translation>Płytka nie jest uwolniona: jest wolna tylko na {value} z 360 stopni.</translation>
+    </message>
+    <message>
+        <source>{value} % of the marked tissue is taken out, and points are given for that share; most of the rest hangs{where}.</source>
+        <translation>Usunięto {value} % zaznaczonej tkanki i za tę część przyznano punkty; większość reszty trzyma się{where}.</translation>
+    </message>
+    <message>
+        <source>Marked tissue was left behind: {value} % is out, 80 % is the least.</source>
+        <translation>Pozostawiono zaznaczoną tkankę: usunięto {value} %, najmniej potrzeba 80 %.</translation>
+    </message>
+    <message>
+        <source>Tissue was held lifted for {value} s of 9 s, and points are given for that share.</source>
+        <translation>Tkankę trzymano uniesioną przez {value} s z 9 s i za tę część przyznano punkty.</translation>
+    </message>
+    <message>
+        <source>Tissue was grasped {value} times of three, and points are given for that share.</source>
+        <translation>Tkankę chwycono {value} z trzech razy i za tę część przyznano punkty.</translation>
+    </message>
+    <message>
+        <source>More than 5 mm3 of skin tore.</source>
+        <translation>Rozerwało się ponad 5 mm3 skóry.</translation>
+    </message>
+    <message>
+        <source>Tissue was held beyond its limit of stretch: {value} mm3 s, most{where}.</source>
+        <translation>Tkankę trzymano poza granicą rozciągnięcia: {value} mm3 s, najbardziej{where}.</translation>
+    </message>
+    <message>
+        <source>The tip was below the surface for {value} s{where}.</source>
+        <translation>Końcówka była pod powierzchnią przez {value} s{where}.</translation>
+    </message>
+    <message>
+        <source>Not recorded, so this is no pass: {metric}.</source>
+        <translation>Nie zapisano, więc próba nie jest zaliczona: {metric}.</translation>
+    </message>
+    <message>
+        <source>It could not be measured and counts in full: {metric}.</source>
+        <translation>Nie dało się zmierzyć i liczy się w całości: {metric}.</translation>
+    </message>
+    <message>
+        <source>Nothing was done: this attempt does not count.</source>
+        <translation>Nic nie zrobiono: ta próba się nie liczy.</translation>
     </message>
 </context>
 <context>
@@ -4473,6 +4569,18 @@
     <message>
         <source>proctor %1</source>
         <translation>nadzór %1</translation>
+    </message>
+    <message>
+        <source>What you do earns up to %1 points, harm takes points off. You pass with %2.</source>
+        <translation>Za wykonanie można zdobyć do %1 punktów, szkody odejmują punkty. Zaliczenie od %2.</translation>
+    </message>
+    <message>
+        <source>up to +%1</source>
+        <translation>do +%1</translation>
+    </message>
+    <message>
+        <source>%1: %2 earn all these points, less in proportion</source>
+        <translation>%1: %2 daje wszystkie te punkty, mniej – proporcjonalnie</translation>
     </message>
 </context>
 <context>
@@ -6883,10 +6991,6 @@
         <translation>Wyjdź</translation>
     </message>
     <message>
-        <source>New course</source>
-        <translation>Nowy kurs</translation>
-    </message>
-    <message>
         <source>Undo</source>
         <translation>Cofnij</translation>
     </message>
@@ -7510,10 +7614,6 @@
     <message>
         <source>Fewer than %1 judges: a first orientation.</source>
         <translation>Mniej niż %1 sędziów: tylko wstępna orientacja.</translation>
-    </message>
-    <message>
-        <source>%1 (critical error)</source>
-        <translation>%1 (błąd krytyczny)</translation>
     </message>
 </context>
 <context>
