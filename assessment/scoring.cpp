@@ -6,157 +6,27 @@
 #include <charconv>
 #include <cmath>
 #include <numbers>
+#include <system_error>
 
+#include "assessment/loci.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/practice.h"
 #include "sim/retune.h"
 
 namespace placode::assessment {
 
 namespace {
 
-using sim::Event;
-using sim::EventKind;
-
-/// Where a metric's story can be seen.
-struct Locus {
-    std::optional<Vec2> at_m;
-    double time_s = -1;
-    int count = 0;
-};
-
-/// Which of several events to show.
-enum class Show : uint8_t { kFirst, kLongest, kStrongest };
-
-struct EventSource {
-    std::string_view metric;
-    EventKind kind;
-    Show show;
-    bool lasts;  ///< value is a duration, and the event was raised at its end.
-};
-constexpr EventSource kSources[]{
-    {"placode_contacts", EventKind::kPlacodeContact, Show::kFirst, true},
-    {"placode_contact_s", EventKind::kPlacodeContact, Show::kLongest, true},
-    {"placode_peak_force_mn", EventKind::kPlacodeContact, Show::kStrongest, true},
-    {"placode_energised_s", EventKind::kPlacodeEnergised, Show::kLongest, true},
-    {"placode_overheated", EventKind::kPlacodeOverheated, Show::kFirst, false},
-    {"placode_peak_cem43_min", EventKind::kPlacodeOverheated, Show::kFirst, false},
-    {"placode_burned_percent", EventKind::kPlacodeBurned, Show::kFirst, false},
-    {"over_force_count", EventKind::kOverForce, Show::kStrongest, true},
-    {"over_force_s", EventKind::kOverForce, Show::kLongest, true},
-    {"peak_force_mn", EventKind::kOverForce, Show::kStrongest, true},
-    {"energy_in_air_count", EventKind::kEnergyInAir, Show::kLongest, true},
-    {"energy_in_air_s", EventKind::kEnergyInAir, Show::kLongest, true},
-    {"dwell_s", EventKind::kDwell, Show::kLongest, true},
-    {"torn_volume_mm3", EventKind::kTorn, Show::kFirst, false},
-    {"crush_count", EventKind::kCrushed, Show::kStrongest, false},
-    {"slip_count", EventKind::kSlipped, Show::kStrongest, false},
-    {"target_misses", sim::kTargetMissed, Show::kFirst, false},
-    {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
-    {"peak_traction_mn", EventKind::kReleased, Show::kStrongest, true},
-    {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
-};
-
-void use_event(Locus& locus, const Event& event, bool lasts) {
-    locus.at_m = Vec2(event.rest_position_m[0], event.rest_position_m[1]);
-    locus.time_s = lasts ? std::max(0.0, event.time_s - event.value) : event.time_s;
-}
-
-Locus locate_events(const EventSource& source, const sim::Recording& recording) {
-    Locus locus;
-    const Event* best = nullptr;
-    for (const Event& event : recording.events) {
-        if (event.kind != source.kind) continue;
-        ++locus.count;
-        const bool better = best == nullptr ||
-                            (source.show == Show::kLongest && event.value > best->value) ||
-                            (source.show == Show::kStrongest && event.value2 > best->value2);
-        if (better) best = &event;
-    }
-    if (best != nullptr) use_event(locus, *best, source.lasts);
-    return locus;
-}
-
-/// First element lost to heat or tearing in one class of tissue.
-template <class Wanted>
-Locus locate_removed(const sim::Recording& recording, Wanted wanted) {
-    Locus locus;
-    for (const Event& event : recording.events) {
-        if (!wanted(event)) continue;
-        if (locus.count++ == 0) use_event(locus, event, false);
-    }
-    return locus;
-}
-
-/// Worst place of the incision for a metric of the contour.
-Locus locate_incision(std::string_view metric, const sim::Recording& recording) {
-    Locus locus;
-    const std::optional<Incision> incision = analyse_incision(recording);
-    if (!incision) return locus;
-    if (metric == "ring_completeness_percent" || metric == "largest_gap_mm") {
-        locus.count = incision->cover.gaps;
-        if (locus.count > 0) locus.at_m = incision->gap_at_m;
-        return locus;
-    }
-    const KerfBin* worst = nullptr;
-    for (const KerfBin& bin : incision->bins) {
-        if (!(bin.volume_m3 > 0)) continue;
-        if (metric == "outside_band_mm" && !bin.outside_band) continue;
-        if (metric == "toward_placode_mm" && !bin.toward_placode) continue;
-        ++locus.count;
-        const bool inwards = metric == "toward_placode_mm";
-        const bool worse =
-            worst == nullptr || (inwards ? bin.offset_m < worst->offset_m
-                                         : std::abs(bin.offset_m) > std::abs(worst->offset_m));
-        if (worse) worst = &bin;
-    }
-    if (worst != nullptr) {
-        locus.at_m = worst->at_m;
-        locus.time_s = worst->time_s;
-    }
-    return locus;
-}
-
-Locus locate(std::string_view metric, const sim::Recording& recording) {
-    for (const EventSource& source : kSources) {
-        if (source.metric == metric) return locate_events(source, recording);
-    }
-    const auto torn = [](const Event& e) { return e.kind == EventKind::kTorn; };
-    if (metric == "placode_cut_mm3") {
-        return locate_removed(recording, [&](const Event& e) {
-            return (torn(e) || e.kind == EventKind::kVaporised) &&
-                   e.tissue == sim::Tissue::kPlacode;
-        });
-    }
-    if (metric == "torn_skin_mm3") {
-        return locate_removed(recording, [&](const Event& e) {
-            return torn(e) &&
-                   (e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin);
-        });
-    }
-    if (metric == "skin_snip_mm2") {
-        return locate_removed(recording, [](const Event& e) {
-            return e.kind == EventKind::kSnipped &&
-                   (e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin);
-        });
-    }
-    for (const char* contour : {"ring_completeness_percent", "largest_gap_mm", "off_line_mm",
-                                "outside_band_mm", "toward_placode_mm", "contour_deviation_mm",
-                                "contour_deviation_p95_mm", "contour_deviation_max_mm"}) {
-        if (metric == contour) return locate_incision(metric, recording);
-    }
-    return {};
-}
-
-/// At most one decimal, none where it says nothing; '.' in every locale.
+/// At most one decimal, none where it says nothing; '.' in every locale. Beyond a million in the
+/// short form: "1e+300".
 std::string number(double value) {
-    const int decimals = std::abs(value) >= 100 || value == std::floor(value) ? 0
-                         : std::abs(value) >= 1                               ? 1
-                                                                              : 2;
+    const double size = std::abs(value);
+    const int decimals = size >= 100 || value == std::floor(value) ? 0 : size >= 1 ? 1 : 2;
     char text[64];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals);
-    return {text, end.ptr};
+    const auto done =
+        size < 1e6
+            ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals)
+            : std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4);
+    return done.ec == std::errc() ? std::string(text, done.ptr) : "?";
 }
 
 std::string times(int count) {
@@ -171,14 +41,18 @@ void replace_all(std::string& text, std::string_view what, const std::string& wi
         text.replace(at, what.size(), with);
 }
 
+const MetricDefinition* definition_of(std::string_view id) {
+    static const std::vector<MetricDefinition> all = metric_definitions();
+    for (const MetricDefinition& definition : all)
+        if (definition.id == id) return &definition;
+    return nullptr;
+}
+
 std::string reason_text(const RubricItem& item, double value, double points, const Locus& locus) {
-    std::string unit;
-    for (const MetricDefinition& definition : metric_definitions()) {
-        if (definition.id == item.metric) unit = definition.unit;
-    }
+    const MetricDefinition* definition = definition_of(item.metric);
     std::string text = item.reason;
     replace_all(text, "{value}", number(value));
-    replace_all(text, "{unit}", unit);
+    replace_all(text, "{unit}", definition != nullptr ? std::string(definition->unit) : "");
     replace_all(text, "{points}", number(points));
     replace_all(text, "{count}", std::to_string(locus.count));
     replace_all(text, "{times}", times(locus.count));
@@ -191,7 +65,102 @@ std::string reason_text(const RubricItem& item, double value, double points, con
     return text;
 }
 
+/// Everything that a line is judged by.
+struct Sight {
+    const Rubric& rubric;
+    const MetricSet& metrics;
+    const sim::Recording& recording;
+    double weights;  ///< Of all lines that earn the points.
+};
+
+/// Points that a line takes at this value of its metric, before its cap.
+double cost(const Sight& sight, const RubricItem& item, double value) {
+    const double beyond = item.below ? item.threshold - value : value - item.threshold;
+    if (!(beyond > 0)) return 0;
+    double points = item.points_fixed + item.points_per_unit * beyond;
+    if (item.earns > 0 && item.below && item.threshold > 0)
+        points += sight.rubric.start_points * item.earns / sight.weights *
+                  std::min(1.0, beyond / item.threshold);
+    return std::min(item.max_points, points);
+}
+
+/// A line whose metric is missing. Made by an older program the recording cannot tell: no points
+/// are taken, and no pass is given. Else nothing was done that could be measured: the line counts
+/// in full.
+Reason missing(const Sight& sight, const RubricItem& item, bool recorded) {
+    const MetricDefinition* definition = definition_of(item.metric);
+    const std::string name = definition != nullptr ? std::string(definition->name) : item.metric;
+    Reason reason;
+    reason.item = item.id;
+    if (!recorded) {
+        reason.text = "Not recorded, so this is no pass: " + name + ".";
+        return reason;
+    }
+    constexpr double kFar = 1e9;
+    reason.text = "It could not be measured and counts in full: " + name + ".";
+    reason.points = cost(sight, item, item.below ? -kFar : kFar);
+    return reason;
+}
+
+/// True when the recording shows that something was done: rubrics that do not say what counts as
+/// that do not ask.
+bool attempted(const Rubric& rubric, const MetricSet& metrics) {
+    if (rubric.attempted_by.empty()) return true;
+    const bool earned =
+        std::any_of(rubric.items.begin(), rubric.items.end(), [&](const RubricItem& item) {
+            return item.earns > 0 && metrics.find(item.metric).value_or(0) > 0;
+        });
+    return earned ||
+           std::any_of(rubric.attempted_by.begin(), rubric.attempted_by.end(),
+                       [&](const std::string& id) { return metrics.find(id).value_or(0) > 0; });
+}
+
+/// The lines in the order of the rubric. `proven` = nothing that decides is unknown.
+std::vector<Reason> judge_lines(const Sight& sight, bool& proven) {
+    const std::vector<std::string_view> unknown = not_recorded(sight.recording);
+    std::vector<Reason> reasons;
+    for (const RubricItem& item : sight.rubric.items) {
+        const std::optional<double> value = sight.metrics.find(item.metric);
+        if (!value) {
+            const bool recorded =
+                std::find(unknown.begin(), unknown.end(), item.metric) == unknown.end();
+            Reason reason = missing(sight, item, recorded);
+            proven = proven && recorded && !item.critical;
+            if (!recorded || item.critical || reason.points > 0)
+                reasons.push_back(std::move(reason));
+            continue;
+        }
+        const double lost = cost(sight, item, *value);
+        const double beyond = item.below ? item.threshold - *value : *value - item.threshold;
+        // Less than a twentieth of a point is no reason worth reading.
+        if (!(beyond > 0) || (lost < 0.05 && !item.critical)) continue;
+        const Locus locus = locate(item.metric, item.threshold, sight.recording);
+        reasons.push_back(
+            {item.id, reason_text(item, *value, lost, locus), lost, locus.time_s, item.critical});
+    }
+    return reasons;
+}
+
+/// Tissue that was changed by hand is not the task's: such an attempt shows something, it proves
+/// nothing.
+void add_tuned(const sim::Recording& recording, std::vector<Reason>& reasons) {
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::kTuned) continue;
+        reasons.insert(
+            reasons.begin(),
+            {"tuned", "Tissue or generator was tuned: this attempt is not scored as a pass.", 0,
+             event.time_s, true});
+        return;
+    }
+}
+
 }  // namespace
+
+const char* verdict_name(Verdict verdict) noexcept {
+    constexpr const char* kNames[]{"passed", "not yet", "failed", "not attempted"};
+    const auto i = static_cast<size_t>(verdict);
+    return i < std::size(kNames) ? kNames[i] : "unknown";
+}
 
 int clock_hour(double x_m, double y_m) noexcept {
     // +x is up and +y is left in the picture, so the clock runs from +x towards -y.
@@ -206,33 +175,22 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     score.rubric_id = rubric.id;
     score.rubric_version = rubric.version;
     score.metric_set_version = metrics.version;
-    double points = rubric.start_points;
-    bool critical = false;
-    for (const RubricItem& item : rubric.items) {
-        const std::optional<double> value = metrics.find(item.metric);
-        if (!value) continue;
-        const double beyond = item.below ? item.threshold - *value : *value - item.threshold;
-        if (!(beyond > 0)) continue;
-        const double lost =
-            std::min(item.max_points, item.points_fixed + item.points_per_unit * beyond);
-        // Less than a twentieth of a point is no reason worth reading.
-        if (lost < 0.05 && !item.critical) continue;
-        const Locus locus = locate(item.metric, recording);
-        score.reasons.push_back(
-            {item.id, reason_text(item, *value, lost, locus), lost, locus.time_s, item.critical});
-        points -= lost;
-        critical = critical || item.critical;
+    if (!attempted(rubric, metrics)) {
+        score.verdict = Verdict::kNotAttempted;
+        score.reasons.push_back({std::string(kNotAttemptedItem),
+                                 "Nothing was done: this attempt does not count.",
+                                 rubric.start_points, -1, false});
+        return score;
     }
-    // Tissue that was changed by hand is not the task's: such an attempt shows something, it proves
-    // nothing.
-    for (const sim::Event& event : recording.events) {
-        if (event.kind != sim::kTuned) continue;
-        score.reasons.insert(
-            score.reasons.begin(),
-            {"tuned", "Tissue or generator was tuned: this attempt is not scored as a pass.", 0,
-             event.time_s, true});
-        critical = true;
-        break;
+    Sight sight{rubric, metrics, recording, 0};
+    for (const RubricItem& item : rubric.items) sight.weights += item.earns;
+    bool proven = true, critical = false;
+    score.reasons = judge_lines(sight, proven);
+    add_tuned(recording, score.reasons);
+    double points = rubric.start_points;
+    for (const Reason& reason : score.reasons) {
+        points -= reason.points;
+        critical = critical || reason.critical;
     }
     score.points = std::clamp(points, 0.0, 100.0);
     std::stable_sort(score.reasons.begin(), score.reasons.end(),
@@ -240,9 +198,9 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
                          // What failed the attempt comes first, also where it took no points.
                          return a.critical != b.critical ? a.critical : a.points > b.points;
                      });
-    score.verdict = critical                             ? Verdict::kFailed
-                    : score.points >= rubric.pass_points ? Verdict::kPassed
-                                                         : Verdict::kNotYet;
+    score.verdict = critical                                       ? Verdict::kFailed
+                    : proven && score.points >= rubric.pass_points ? Verdict::kPassed
+                                                                   : Verdict::kNotYet;
     return score;
 }
 

@@ -10,7 +10,9 @@
 
 namespace placode::assessment {
 
-/// One line of a rubric: takes points off.
+/// One line of a rubric: takes points off. A line that earns says what the task asks for: the
+/// points of all start at nothing and grow with the share of it that was done, so that harm that
+/// was avoided counts only where something was done.
 struct RubricItem {
     std::string id;              ///< "placode_burned"
     std::string metric;          ///< Metric id it looks at.
@@ -21,6 +23,9 @@ struct RubricItem {
     double max_points = 100;     ///< Cap of this line.
     bool critical = false;  ///< Beyond the threshold: the attempt is failed whatever the score.
     bool below = false;     ///< true: being below the threshold costs (completeness).
+    /// Weight of this line (with `below`) among those that earn the start points: at `threshold`
+    /// its share is earned, at 0 nothing of it, in proportion between. 0 = an ordinary line.
+    double earns = 0;
 };
 
 struct Rubric {
@@ -29,6 +34,9 @@ struct Rubric {
     double start_points = 100;
     double pass_points = 70;
     std::vector<RubricItem> items;
+    /// Metrics that show that something was done, beside those that earn points: where all are 0
+    /// the attempt is "not attempted". Empty: not asked.
+    std::vector<std::string> attempted_by;
 };
 
 /// Why points were lost, with the place in the recording that shows it.
@@ -40,17 +48,30 @@ struct Reason {
     bool critical = false;
 };
 
-enum class Verdict : uint8_t { kPassed, kNotYet, kFailed };
+/// Stored as a number: append only. An attempt in which nothing was done is neither passed nor a
+/// try that failed; it has 0 points.
+enum class Verdict : uint8_t { kPassed, kNotYet, kFailed, kNotAttempted };
+
+/// "passed", "not yet", "failed", "not attempted".
+[[nodiscard]] const char* verdict_name(Verdict verdict) noexcept;
+
+/// RubricItem::id of the one reason of an attempt in which nothing was done.
+inline constexpr std::string_view kNotAttemptedItem = "not_attempted";
 
 struct Score {
     double points = 0;
     Verdict verdict = Verdict::kNotYet;
-    std::vector<Reason> reasons;  ///< Critical ones first, then the most costly.
+    /// Critical ones first, then the most costly. Their points and the score make the start points,
+    /// but for what would go below 0.
+    std::vector<Reason> reasons;
     std::string rubric_id;
     int rubric_version = 1;
     int metric_set_version = kMetricSetVersion;
 };
 
+/// Pure function of the three. A metric that the rubric asks for and the recording lacks never
+/// helps: where an older program did not record it (see not_recorded()) the line takes nothing and
+/// the attempt cannot pass; where there was nothing to measure, the line costs its most.
 [[nodiscard]] Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
                                   const sim::Recording& recording);
 

@@ -27,6 +27,7 @@ constexpr Prefix kPrefixes[]{
     {"resected", Theme::kRelease},
     {"pieces", Theme::kRelease},
     {"grasps", Theme::kRelease},
+    {"marked_lost", Theme::kRelease},
     {"lift_hold", Theme::kRelease},
     {"energy", Theme::kEnergy},
     {"activation", Theme::kEnergy},
@@ -77,6 +78,10 @@ Theme theme_of(std::string_view metric) {
 std::vector<ThemeResult> judge_themes(const Rubric& rubric, const std::vector<Reason>& reasons,
                                       const std::vector<std::vector<Reason>>& earlier) {
     std::vector<ThemeResult> results;
+    // Where nothing was done, nothing was done well.
+    if (std::any_of(reasons.begin(), reasons.end(),
+                    [](const Reason& each) { return each.item == kNotAttemptedItem; }))
+        return results;
     for (int i = 0; i < kThemes; ++i) {
         ThemeResult result;
         result.theme = static_cast<Theme>(i);

@@ -12,36 +12,52 @@ namespace placode::curriculum {
 
 namespace {
 
+/// A metric by its id. Throws where there is none of that name.
+std::string read_metric(const Json& json, const std::string& origin, const std::string& pointer) {
+    const std::string id = json;
+    std::set<std::string> metrics;
+    for (const assessment::MetricDefinition& metric : assessment::metric_definitions())
+        metrics.insert(std::string(metric.id));
+    if (metrics.contains(id)) return id;
+    std::string known;
+    for (const std::string& name : metrics) known += (known.empty() ? "" : ", ") + name;
+    throw DefinitionError(origin, pointer,
+                          "unknown metric \"" + id + "\"; expected one of: " + known);
+}
+
+assessment::RubricItem read_item(const Json& json, const std::string& origin,
+                                 const std::string& pointer) {
+    assessment::RubricItem item;
+    item.id = json["id"];
+    item.metric = read_metric(json["metric"], origin, pointer + "/metric");
+    item.reason = json["reason"];
+    item.threshold = json.value("threshold", item.threshold);
+    item.points_per_unit = json.value("points_per_unit", item.points_per_unit);
+    item.points_fixed = json.value("points_fixed", item.points_fixed);
+    item.max_points = json.value("max_points", item.max_points);
+    item.critical = json.value("critical", item.critical);
+    item.below = json.value("below", item.below);
+    item.earns = json.value("earns", item.earns);
+    if (item.earns > 0 && (!item.below || !(item.threshold > 0)))
+        throw DefinitionError(origin, pointer + "/earns",
+                              "needs \"below\": true and a threshold above 0, at which all of it "
+                              "is earned");
+    return item;
+}
+
 assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
     assessment::Rubric rubric;
     rubric.id = json["id"];
     rubric.version = json["version"];
     rubric.start_points = json.value("start_points", rubric.start_points);
     rubric.pass_points = json.value("pass_points", rubric.pass_points);
-    std::set<std::string> metrics;
-    for (const assessment::MetricDefinition& metric : assessment::metric_definitions())
-        metrics.insert(std::string(metric.id));
-    for (size_t i = 0; i < json["items"].size(); ++i) {
-        const Json& entry = json["items"][i];
-        assessment::RubricItem item;
-        item.id = entry["id"];
-        item.metric = entry["metric"];
-        item.reason = entry["reason"];
-        item.threshold = entry.value("threshold", item.threshold);
-        item.points_per_unit = entry.value("points_per_unit", item.points_per_unit);
-        item.points_fixed = entry.value("points_fixed", item.points_fixed);
-        item.max_points = entry.value("max_points", item.max_points);
-        item.critical = entry.value("critical", item.critical);
-        item.below = entry.value("below", item.below);
-        if (!metrics.contains(item.metric)) {
-            std::string known;
-            for (const std::string& name : metrics) known += (known.empty() ? "" : ", ") + name;
-            throw DefinitionError(
-                origin, "/rubric/items/" + std::to_string(i) + "/metric",
-                "unknown metric \"" + item.metric + "\"; expected one of: " + known);
-        }
-        rubric.items.push_back(std::move(item));
-    }
+    for (size_t i = 0; i < json["items"].size(); ++i)
+        rubric.items.push_back(
+            read_item(json["items"][i], origin, "/rubric/items/" + std::to_string(i)));
+    if (json.contains("attempted_by"))
+        for (size_t i = 0; i < json["attempted_by"].size(); ++i)
+            rubric.attempted_by.push_back(read_metric(json["attempted_by"][i], origin,
+                                                      "/rubric/attempted_by/" + std::to_string(i)));
     return rubric;
 }
 

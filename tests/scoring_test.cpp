@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "sim/reached.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -125,12 +127,85 @@ TEST(Scoring, ReasonsComeMostCostlyFirstAndPointsStopAtZero) {
     EXPECT_EQ(score.verdict, Verdict::kNotYet);
 }
 
-TEST(Scoring, AMetricThatIsNotKnownCostsNothing) {
+TEST(Scoring, AMetricThatIsMissingCostsTheMostOfItsLine) {
     Rubric rubric;
-    rubric.items = {item("a", "sparc", "a")};
+    rubric.items = {item("a", "sparc", "a"), item("b", "target_error_mm", "b")};
     rubric.items[0].below = true;
     rubric.items[0].points_fixed = 50;
-    EXPECT_DOUBLE_EQ(score_attempt(rubric, {}, {}).points, 100);
+    rubric.items[1].points_per_unit = 20;
+    rubric.items[1].max_points = 12;
+    const Score score = score_attempt(rubric, {}, {});
+    EXPECT_DOUBLE_EQ(score.points, 38);
+    ASSERT_EQ(score.reasons.size(), 2u);
+    EXPECT_EQ(score.reasons[1].text,
+              "It could not be measured and counts in full: Distance from targets.");
+}
+
+TEST(Scoring, WhatWasNotRecordedIsSaidAndIsNoPass) {
+    Rubric rubric;
+    rubric.items = {item("buried", "buried_s", "b")};
+    rubric.items[0].points_per_unit = 2;
+    const Score score = score_attempt(rubric, {}, {});  // without the ledger's mark
+    EXPECT_DOUBLE_EQ(score.points, 100);
+    EXPECT_EQ(score.verdict, Verdict::kNotYet);
+    ASSERT_EQ(score.reasons.size(), 1u);
+    EXPECT_EQ(score.reasons[0].text, "Not recorded, so this is no pass: Tip below the surface.");
+}
+
+TEST(Scoring, PointsAreEarnedByTheShareThatWasDone) {
+    Rubric rubric;
+    rubric.items = {item("free", "released_deg", "{value}"),
+                    item("out", "resected_percent", "{value}"),
+                    item("touched", "placode_contacts", "{value}")};
+    rubric.items[0].threshold = 360;
+    rubric.items[1].threshold = 90;
+    rubric.items[0].earns = 3;
+    rubric.items[1].earns = 1;
+    rubric.items[0].below = rubric.items[1].below = true;
+    rubric.items[2].points_per_unit = 2;
+    const auto score = [&](double free, double out, double touched) {
+        return score_attempt(
+            rubric,
+            {1, {{"released_deg", free}, {"resected_percent", out}, {"placode_contacts", touched}}},
+            {});
+    };
+    EXPECT_NEAR(score(360, 90, 0).points, 100, 1e-9);
+    EXPECT_NEAR(score(180, 45, 0).points, 50, 1e-9);
+    EXPECT_NEAR(score(360, 0, 0).points, 75, 1e-9);
+    EXPECT_NEAR(score(0, 0, 0).points, 0, 1e-9);
+    EXPECT_NEAR(score(180, 45, 5).points, 40, 1e-9);
+    double lost = 0;
+    for (const Reason& reason : score(180, 45, 5).reasons) lost += reason.points;
+    EXPECT_NEAR(lost, 60, 1e-9) << "every lost point has its reason";
+}
+
+TEST(Scoring, AnAttemptInWhichNothingWasDoneIsNotAttempted) {
+    Rubric rubric;
+    rubric.items = {item("touched", "placode_contacts", "{value}")};
+    rubric.items[0].points_per_unit = 2;
+    rubric.attempted_by = {"energy_j", "placode_contacts"};
+    const Score idle = score_attempt(rubric, {1, {{"energy_j", 0}, {"placode_contacts", 0}}}, {});
+    EXPECT_EQ(idle.verdict, Verdict::kNotAttempted);
+    EXPECT_EQ(idle.points, 0);
+    ASSERT_EQ(idle.reasons.size(), 1u);
+    EXPECT_EQ(idle.reasons[0].text, "Nothing was done: this attempt does not count.");
+    EXPECT_EQ(score_attempt(rubric, {}, {}).verdict, Verdict::kNotAttempted);
+    EXPECT_EQ(score_attempt(rubric, {1, {{"energy_j", 0.1}, {"placode_contacts", 0}}}, {}).verdict,
+              Verdict::kPassed);
+    EXPECT_STREQ(verdict_name(Verdict::kNotAttempted), "not attempted");
+}
+
+TEST(Scoring, NumbersOfAnySizeArePrintedWhole) {
+    Rubric rubric;
+    rubric.items = {item("pressed", "placode_peak_force_mn", "{value} mN")};
+    rubric.items[0].points_per_unit = 1;
+    const auto text = [&](double mn) {
+        return score_attempt(rubric, {1, {{"placode_peak_force_mn", mn}}}, {}).reasons[0].text;
+    };
+    EXPECT_EQ(text(1e300), "1e+300 mN");
+    EXPECT_EQ(text(2.5e6), "2.5e+06 mN");
+    EXPECT_EQ(text(123456), "123456 mN");
+    EXPECT_EQ(text(0.25), "0.25 mN");
 }
 
 TEST(Scoring, TheLargestGapIsShownAtItsPlace) {
@@ -140,6 +215,8 @@ TEST(Scoring, TheLargestGapIsShownAtItsPlace) {
     rubric.items[0].threshold = 100;
     rubric.items[0].points_fixed = 1;
     sim::Recording recording;
+    recording.samples.resize(1);
+    recording.samples[0].cut_fraction = 0.83F;
     for (int i = 0; i < 360; ++i) {
         const double a = i * M_PI / 180;
         recording.header.geometry.planned_contour.emplace_back(0.006 * std::cos(a),
@@ -155,6 +232,54 @@ TEST(Scoring, TheLargestGapIsShownAtItsPlace) {
     const Score score = score_attempt(rubric, metrics, recording);
     ASSERT_EQ(score.reasons.size(), 1u);
     EXPECT_EQ(score.reasons[0].text, "open at 3 o'clock");
+}
+
+TEST(Scoring, TheLedgersOwnGapComesFirst) {
+    Rubric rubric;
+    rubric.items = {item("gap", "ring_completeness_percent", "{value} %, open{where}")};
+    rubric.items[0].below = true;
+    rubric.items[0].threshold = 100;
+    rubric.items[0].points_per_unit = 1;
+    sim::Recording recording;
+    recording.samples.resize(1);
+    recording.header.geometry.planned_contour = {{0.006, 0, 0}, {0, 0.006, 0}, {-0.006, 0, 0}};
+    recording.events = {event(sim::kRingGap, 9, 2, 0.75F, 0, 0),
+                        event(sim::kRingGap, 9, 0.001F, 0, 0.006F, 0),
+                        event(sim::kRingGap, 9, 0.003F, 0, 0, 0.006F)};
+    recording.events[1].element = 1;
+    recording.events[2].element = 2;
+    const MetricSet metrics = compute_metrics(recording);
+    EXPECT_NEAR(*metrics.find("largest_gap_mm"), 3, 1e-6);
+    EXPECT_EQ(metrics.find("gap_count"), 2);
+    EXPECT_EQ(score_attempt(rubric, metrics, recording).reasons[0].text, "75 %, open at 9 o'clock");
+}
+
+TEST(Scoring, WhatStillHoldsAndWhatIsLeftAreShownWhereTheyAre) {
+    Rubric rubric;
+    rubric.items = {item("held", "released_deg", "{value}{where}"),
+                    item("left", "resected_percent", "{value}{where}")};
+    for (RubricItem& each : rubric.items) {
+        each.below = true;
+        each.threshold = 360;
+        each.points_per_unit = 0.1;
+    }
+    sim::Recording recording;
+    recording.samples.resize(1);
+    recording.header.tools.resize(1);
+    recording.header.tools[0].kind = sim::ToolKind::kScissors;
+    recording.header.geometry.planned_contour = {{0.006, 0, 0}, {0, 0.006, 0}, {-0.006, 0, 0}};
+    // Sectors count from 12 o'clock towards 9; all but those around 6 o'clock are free.
+    for (int s = 0; s < 72; ++s)
+        if (s < 33 || s > 38)
+            recording.events.push_back(
+                event(sim::EventKind::kSectorFree, s, static_cast<float>(s), 0, 0, 0));
+    recording.events.push_back(event(sim::kTakenOut, 80, 1e-9F, 0.625F, 0, -0.005F));
+    const MetricSet metrics = compute_metrics(recording);
+    EXPECT_NEAR(*metrics.find("resected_percent"), 62.5, 1e-4);
+    const Score score = score_attempt(rubric, metrics, recording);
+    ASSERT_EQ(score.reasons.size(), 2u);
+    EXPECT_EQ(score.reasons[0].text, "62.5 at 3 o'clock");
+    EXPECT_EQ(score.reasons[1].text, "330 at 6 o'clock");
 }
 
 }  // namespace

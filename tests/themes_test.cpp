@@ -82,5 +82,14 @@ TEST(Themes, WhatTheRubricDoesNotAskForIsNotJudged) {
     EXPECT_EQ(results.size(), 5U);
 }
 
+TEST(Themes, WhereNothingWasDoneNothingWasDoneWell) {
+    EXPECT_TRUE(judge_themes(rubric(), {lost(std::string(kNotAttemptedItem), 100)}, {}).empty());
+}
+
+TEST(Themes, ABuriedTipAndTornTissueAreAboutGentleness) {
+    for (const char* metric : {"buried_s", "buried_count", "torn_volume_mm3", "over_stretch_mm3_s"})
+        EXPECT_EQ(theme_of(metric), Theme::kTissue) << metric;
+}
+
 }  // namespace
 }  // namespace placode::assessment

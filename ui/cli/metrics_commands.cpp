@@ -188,8 +188,7 @@ int score(const Context& context, const Options& options) {
             : curriculum::load_task(options.task);
     const auto metrics = assessment::compute_metrics(recording);
     const auto result = assessment::score_attempt(task.rubric, metrics, recording);
-    constexpr std::array<const char*, 3> kVerdicts{"passed", "not yet", "failed"};
-    const std::string verdict = kVerdicts[static_cast<size_t>(result.verdict) % kVerdicts.size()];
+    const std::string verdict = assessment::verdict_name(result.verdict);
     Json json = recording_head(recording, damage);
     json["points"] = result.points;
     json["verdict"] = verdict;

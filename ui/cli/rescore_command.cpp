@@ -27,11 +27,6 @@ struct Options {
 
 std::atomic<bool> stop{false};
 
-const char* verdict_name(assessment::Verdict verdict) {
-    constexpr std::array<const char*, 3> kNames{"passed", "not yet", "failed"};
-    return kNames[static_cast<size_t>(verdict) % kNames.size()];
-}
-
 bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
     return one.state == db::RescoreState::kRescored ||
            (dry_run && one.state == db::RescoreState::kAlreadyThere);
@@ -89,20 +84,20 @@ int rescore(const Context& context, const Options& options) {
         Json entry{{"attempt", one.attempt_id},
                    {"state", db::rescore_state_name(one.state)},
                    {"first_points", one.old_points},
-                   {"first_verdict", verdict_name(one.old_verdict)}};
+                   {"first_verdict", assessment::verdict_name(one.old_verdict)}};
         std::vector<std::string> row{
             std::to_string(one.attempt_id), fixed(one.old_points, 2),         "-", "-",
-            verdict_name(one.old_verdict),  db::rescore_state_name(one.state)};
+            assessment::verdict_name(one.old_verdict),  db::rescore_state_name(one.state)};
         if (has_new_score(one, options.dry_run)) {
             ++scored;
             largest = std::max(largest, std::abs(one.new_points - one.old_points));
             verdicts += one.new_verdict != one.old_verdict ? 1 : 0;
             entry["points"] = one.new_points;
-            entry["verdict"] = verdict_name(one.new_verdict);
+            entry["verdict"] = assessment::verdict_name(one.new_verdict);
             row[2] = fixed(one.new_points, 2);
             row[3] = fixed(one.new_points - one.old_points, 2);
             if (one.new_verdict != one.old_verdict)
-                row[4] += std::string(" -> ") + verdict_name(one.new_verdict);
+                row[4] += std::string(" -> ") + assessment::verdict_name(one.new_verdict);
         }
         if (!one.lacks.empty()) {
             entry["lacks"] = one.lacks;
@@ -136,14 +131,14 @@ int scores(const Context& context, const Options& options) {
     const auto add = [&](const assessment::Score& score, int preprocessing, const std::string& at,
                          const std::string& by) {
         json.push_back({{"points", score.points},
-                        {"verdict", verdict_name(score.verdict)},
+                        {"verdict", assessment::verdict_name(score.verdict)},
                         {"rubric", score.rubric_id},
                         {"rubric_version", score.rubric_version},
                         {"metric_set_version", score.metric_set_version},
                         {"preprocessing_version", preprocessing},
                         {"scored_utc", at},
                         {"scored_by", by}});
-        rows.push_back({fixed(score.points, 2), verdict_name(score.verdict),
+        rows.push_back({fixed(score.points, 2), assessment::verdict_name(score.verdict),
                         score.rubric_id + " " + std::to_string(score.rubric_version),
                         std::to_string(score.metric_set_version), std::to_string(preprocessing), at,
                         by});

@@ -56,11 +56,6 @@ int restore(const Context& context, const std::string& path) {
     return 0;
 }
 
-const char* verdict_name(assessment::Verdict verdict) {
-    constexpr std::array<const char*, 3> kNames{"passed", "not yet", "failed"};
-    return kNames[static_cast<size_t>(verdict) % kNames.size()];
-}
-
 const char* end_name(sim::EndReason reason) {
     constexpr std::array<const char*, 5> kNames{"running", "finished", "time limit", "closed",
                                                 "interrupted"};
@@ -94,7 +89,7 @@ int attempts(const Context& context, const std::string& login, const std::string
                         {"end", end_name(attempt.end)},
                         {"demonstration", attempt.demonstration},
                         {"points", attempt.points},
-                        {"verdict", verdict_name(attempt.verdict)},
+                        {"verdict", assessment::verdict_name(attempt.verdict)},
                         {"rubric", attempt.rubric_id},
                         {"rubric_version", attempt.rubric_version},
                         {"metric_set_version", attempt.metric_set_version}});
@@ -102,7 +97,7 @@ int attempts(const Context& context, const std::string& login, const std::string
                         attempt.task_id,
                         attempt.device + (attempt.demonstration ? " (demonstration)" : ""),
                         fixed(attempt.duration_s, 1), fixed(attempt.points, 1),
-                        verdict_name(attempt.verdict), end_name(attempt.end)});
+                        assessment::verdict_name(attempt.verdict), end_name(attempt.end)});
     }
     print(context, json, rows.size() == 1 ? "no attempts" : table(rows));
     return 0;

@@ -219,23 +219,35 @@ class TaskPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("What is scored"), "heading"));
-        layout->addWidget(
-            make_label(tr("You start with %1 points and pass with %2.")
-                           .arg(format_points(task_.rubric.start_points))
-                           .arg(format_points(db::rubric_at(context_.store(), task_).pass_points)),
-                       "muted"));
+        double weights = 0;
+        for (const assessment::RubricItem& item : task_.rubric.items) weights += item.earns;
+        const QString start = format_points(task_.rubric.start_points);
+        const QString pass = format_points(db::rubric_at(context_.store(), task_).pass_points);
+        layout->addWidget(make_label(
+            weights > 0 ? tr("What you do earns up to %1 points, harm takes points off. You pass "
+                             "with %2.")
+                              .arg(start, pass)
+                        : tr("You start with %1 points and pass with %2.").arg(start, pass),
+            "muted"));
         for (const assessment::RubricItem& item : task_.rubric.items) {
             layout->addWidget(make_rule());
             auto* line = new QHBoxLayout;
             line->setSpacing(kSpace12);
             line->addWidget(make_label(itemRule(item)), 1);
-            line->addWidget(item.critical
-                                ? make_badge(tr("critical error"), "critical")
-                                : make_badge(tr("up to −%1").arg(format_points(item.max_points))),
-                            0, Qt::AlignTop);
+            line->addWidget(itemBadge(item, weights), 0, Qt::AlignTop);
             layout->addLayout(line);
         }
         return make_card(layout);
+    }
+
+    [[nodiscard]] QLabel* itemBadge(const assessment::RubricItem& item, double weights) const {
+        if (item.critical) return make_badge(tr("critical error"), "critical");
+        if (item.earns > 0)
+            return make_badge(
+                tr("up to +%1")
+                    .arg(format_points(task_.rubric.start_points * item.earns / weights)),
+                "good");
+        return make_badge(tr("up to −%1").arg(format_points(item.max_points)));
     }
 
     [[nodiscard]] static QString itemRule(const assessment::RubricItem& item) {
@@ -246,6 +258,9 @@ class TaskPage : public Page {
             unit = unit_sign(metric.unit);
         }
         const QString limit = QLocale().toString(item.threshold, 'g', 4) + " " + unit;
+        if (item.earns > 0)
+            return tr("%1: %2 earn all these points, less in proportion")
+                .arg(name, limit.trimmed());
         return item.below ? tr("%1: at least %2").arg(name, limit.trimmed())
                           : tr("%1: at most %2").arg(name, limit.trimmed());
     }

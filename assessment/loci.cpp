@@ -1,0 +1,317 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/loci.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "assessment/motion_metrics.h"
+#include "assessment/tissue_metrics.h"
+#include "sim/damage.h"
+#include "sim/pieces.h"
+#include "sim/practice.h"
+#include "sim/reached.h"
+
+namespace placode::assessment {
+
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+
+/// Which of several events to show.
+enum class Show : uint8_t { kFirst, kLast, kLongest, kStrongest };
+
+struct EventSource {
+    std::string_view metric;
+    EventKind kind;
+    Show show;
+    bool lasts;  ///< value is a duration, and the event was raised at its end.
+};
+constexpr EventSource kSources[]{
+    {"placode_contacts", EventKind::kPlacodeContact, Show::kFirst, true},
+    {"placode_contact_s", EventKind::kPlacodeContact, Show::kLongest, true},
+    {"placode_peak_force_mn", EventKind::kPlacodeContact, Show::kStrongest, true},
+    {"placode_energised_s", EventKind::kPlacodeEnergised, Show::kLongest, true},
+    {"placode_overheated", EventKind::kPlacodeOverheated, Show::kFirst, false},
+    {"placode_peak_cem43_min", EventKind::kPlacodeOverheated, Show::kFirst, false},
+    {"placode_burned_percent", EventKind::kPlacodeBurned, Show::kFirst, false},
+    {"over_force_count", EventKind::kOverForce, Show::kStrongest, true},
+    {"over_force_s", EventKind::kOverForce, Show::kLongest, true},
+    {"energy_in_air_count", EventKind::kEnergyInAir, Show::kLongest, true},
+    {"energy_in_air_s", EventKind::kEnergyInAir, Show::kLongest, true},
+    {"dwell_s", EventKind::kDwell, Show::kLongest, true},
+    {"buried_s", EventKind::kBuried, Show::kLongest, true},
+    {"buried_count", EventKind::kBuried, Show::kLongest, true},
+    {"torn_volume_mm3", EventKind::kTorn, Show::kFirst, false},
+    {"over_stretch_count", EventKind::kOverStretch, Show::kFirst, false},
+    {"over_stretch_mm3_s", sim::kStretchSum, Show::kLongest, false},
+    {"max_stretch", sim::kStretchSum, Show::kStrongest, false},
+    {"crush_count", EventKind::kCrushed, Show::kStrongest, false},
+    {"slip_count", EventKind::kSlipped, Show::kStrongest, false},
+    {"grasps", EventKind::kGrasped, Show::kLast, false},
+    {"lift_hold_s", EventKind::kReleased, Show::kLast, false},
+    {"target_misses", sim::kTargetMissed, Show::kFirst, false},
+    {"target_error_mm", sim::kTargetTouched, Show::kStrongest, false},
+    {"steps_done_percent", sim::kStepDone, Show::kLast, false},
+    {"traction_held_s", sim::kTractionHeld, Show::kLast, false},
+    {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
+    {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
+};
+
+/// Events that happen nowhere on the tissue, or do not say where.
+bool has_place(const Event& event) {
+    if (event.kind == EventKind::kEnergyInAir || event.kind == sim::kStepDone) return false;
+    return event.rest_position_m[0] != 0 || event.rest_position_m[1] != 0;
+}
+
+void use_event(Locus& locus, const Event& event, bool lasts) {
+    if (has_place(event)) locus.at_m = Vec2(event.rest_position_m[0], event.rest_position_m[1]);
+    locus.time_s = lasts ? std::max(0.0, event.time_s - event.value) : event.time_s;
+}
+
+Locus locate_events(const EventSource& source, const sim::Recording& recording) {
+    Locus locus;
+    const Event* best = nullptr;
+    for (const Event& event : recording.events) {
+        if (event.kind != source.kind) continue;
+        if (event.kind == sim::kStretchSum && event.element < 0) continue;  // says "recorded" only
+        ++locus.count;
+        const bool better = best == nullptr || source.show == Show::kLast ||
+                            (source.show == Show::kLongest && event.value > best->value) ||
+                            (source.show == Show::kStrongest && event.value2 > best->value2);
+        if (better) best = &event;
+    }
+    if (best != nullptr) use_event(locus, *best, source.lasts);
+    return locus;
+}
+
+/// First element lost to heat, blades or tearing in one class of tissue.
+template <class Wanted>
+Locus locate_first(const sim::Recording& recording, Wanted wanted) {
+    Locus locus;
+    for (const Event& event : recording.events) {
+        if (!wanted(event)) continue;
+        if (locus.count++ == 0) use_event(locus, event, false);
+    }
+    return locus;
+}
+
+/// The largest gap as the ledger has it; without one, from what was removed.
+Locus locate_gap(const sim::Recording& recording) {
+    Locus locus;
+    const Event* longest = nullptr;
+    bool told = false;
+    for (const Event& event : recording.events) {
+        if (event.kind != sim::kRingGap) continue;
+        told = true;
+        if (event.element < 0) continue;
+        ++locus.count;
+        if (longest == nullptr || event.value > longest->value) longest = &event;
+    }
+    if (longest != nullptr)
+        locus.at_m = Vec2(longest->rest_position_m[0], longest->rest_position_m[1]);
+    if (told) return locus;
+    const std::optional<Incision> incision = analyse_incision(recording);
+    if (!incision) return locus;
+    locus.count = incision->cover.gaps;
+    if (locus.count > 0) locus.at_m = incision->gap_at_m;
+    return locus;
+}
+
+/// Worst place of the incision for a metric of the contour.
+Locus locate_incision(std::string_view metric, const sim::Recording& recording) {
+    Locus locus;
+    const std::optional<Incision> incision = analyse_incision(recording);
+    if (!incision) return locus;
+    const KerfBin* worst = nullptr;
+    for (const KerfBin& bin : incision->bins) {
+        if (!(bin.volume_m3 > 0)) continue;
+        if (metric == "outside_band_mm" && !bin.outside_band) continue;
+        if (metric == "toward_placode_mm" && !bin.toward_placode) continue;
+        ++locus.count;
+        const bool inwards = metric == "toward_placode_mm";
+        const bool worse =
+            worst == nullptr || (inwards ? bin.offset_m < worst->offset_m
+                                         : std::abs(bin.offset_m) > std::abs(worst->offset_m));
+        if (worse) worst = &bin;
+    }
+    if (worst != nullptr) {
+        locus.at_m = worst->at_m;
+        locus.time_s = worst->time_s;
+    }
+    return locus;
+}
+
+/// Middle of the longest run of sectors that still hold, and when the last one came free.
+Locus locate_held(const sim::Recording& recording) {
+    std::array<bool, sim::kSectors> free{};
+    Locus locus;
+    for (const Event& event : recording.events) {
+        if (event.kind != EventKind::kSectorFree) continue;
+        if (event.value >= 0 && event.value < sim::kSectors)
+            free[static_cast<size_t>(event.value)] = true;
+        locus.time_s = event.time_s;
+        ++locus.count;
+    }
+    int longest = 0, end = 0, run = 0;
+    // Twice round, so that a run that passes the first sector is one.
+    for (int i = 0; i < 2 * sim::kSectors; ++i) {
+        run = free[static_cast<size_t>(i % sim::kSectors)] ? 0 : std::min(run + 1, sim::kSectors);
+        if (run <= longest) continue;
+        longest = run;
+        end = i;
+    }
+    if (longest == 0 || longest == sim::kSectors) return locus;  // nowhere, or everywhere
+    const double angle = 2 * std::numbers::pi * (end + 1 - longest / 2.0) / sim::kSectors;
+    locus.at_m = Vec2(std::cos(angle), std::sin(angle));
+    return locus;
+}
+
+/// Where most of the marked tissue still hangs.
+Locus locate_left(const sim::Recording& recording) {
+    Locus locus;
+    for (const Event& event : recording.events) {
+        if (event.kind == EventKind::kPieceOut) {
+            ++locus.count;
+            locus.time_s = event.time_s;
+        }
+        if (event.kind == sim::kTakenOut && has_place(event))
+            locus.at_m = Vec2(event.rest_position_m[0], event.rest_position_m[1]);
+    }
+    return locus;
+}
+
+/// A stretch of the line that was not followed, or the one that was followed worst.
+Locus locate_trace(std::string_view metric, const sim::Recording& recording) {
+    Locus locus;
+    std::array<bool, sim::kTraceBins> done{};
+    double worst = -1;
+    int bin = -1;
+    for (const Event& event : recording.events) {
+        if (event.kind != sim::kTraced || !(event.value >= 0 && event.value < sim::kTraceBins))
+            continue;
+        ++locus.count;
+        if (event.value2 <= 0.001F) done[static_cast<size_t>(event.value)] = true;
+        if (metric == "trace_coverage_percent" || event.value2 <= worst) continue;
+        worst = event.value2;
+        bin = static_cast<int>(event.value);
+        locus.time_s = event.time_s;
+    }
+    if (metric == "trace_coverage_percent" && locus.count > 0)
+        bin = static_cast<int>(std::find(done.begin(), done.end(), false) - done.begin());
+    const auto& line = recording.header.geometry.planned_contour;
+    if (bin < 0 || bin == sim::kTraceBins || line.size() < 3) return locus;
+    const ClosedContour contour(line);
+    locus.at_m = contour.at((bin + 0.5) / sim::kTraceBins * contour.length());
+    return locus;
+}
+
+/// Strongest of the two events that tell a pull.
+Locus locate_pull(const sim::Recording& recording) {
+    Locus locus;
+    const Event* best = nullptr;
+    for (const Event& event : recording.events) {
+        if (event.kind != EventKind::kReleased && event.kind != EventKind::kOverTraction) continue;
+        ++locus.count;
+        if (best == nullptr || event.value2 > best->value2) best = &event;
+    }
+    if (best != nullptr) use_event(locus, *best, true);
+    return locus;
+}
+
+/// Strongest force: of the ledger, which sees every frame, or of the samples.
+Locus locate_force(const sim::Recording& recording) {
+    Locus locus;
+    double worst = 0;
+    for (const Event& event : recording.events) {
+        if (event.kind != EventKind::kOverForce && event.kind != EventKind::kPlacodeContact)
+            continue;
+        ++locus.count;
+        if (!(event.value2 > worst)) continue;
+        worst = event.value2;
+        use_event(locus, event, true);
+    }
+    for (const sim::Sample& sample : recording.samples) {
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i) {
+            const sim::ToolSample& tool = sample.tools[i];
+            const double force = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
+            if (!(force > worst)) continue;
+            worst = force;
+            locus.time_s = sample.time_s;
+            locus.at_m = Vec2(tool.tip_m[0], tool.tip_m[1]);
+        }
+    }
+    return locus;
+}
+
+/// Beginning of the longest spell with a tip outside the picture.
+Locus locate_out_of_view(const sim::Recording& recording) {
+    Locus locus;
+    double begun = -1, longest = 0;
+    for (const sim::Sample& sample : recording.samples) {
+        bool out = false;
+        for (size_t i = 0; i < recording.header.tools.size() && i < sim::kMaxTools; ++i)
+            out = out || (recording.header.tools[i].kind != sim::ToolKind::kScope &&
+                          sample.tools[i].in_view == 0);
+        if (out && begun < 0) begun = sample.time_s;
+        if (out && sample.time_s - begun >= longest) {
+            longest = sample.time_s - begun;
+            locus.time_s = begun;
+        }
+        if (!out) begun = -1;
+    }
+    return locus;
+}
+
+bool is_skin(const Event& e) {
+    return e.tissue == sim::Tissue::kSkin || e.tissue == sim::Tissue::kThinSkin;
+}
+
+/// Metrics that come from one class of tissue.
+std::optional<Locus> locate_tissue(std::string_view metric, const sim::Recording& recording) {
+    const auto torn = [](const Event& e) { return e.kind == EventKind::kTorn; };
+    if (metric == "placode_cut_mm3") {
+        return locate_first(recording, [&](const Event& e) {
+            return (torn(e) || e.kind == EventKind::kVaporised) &&
+                   e.tissue == sim::Tissue::kPlacode;
+        });
+    }
+    if (metric == "torn_skin_mm3")
+        return locate_first(recording, [&](const Event& e) { return torn(e) && is_skin(e); });
+    if (metric == "skin_snip_mm2") {
+        return locate_first(
+            recording, [](const Event& e) { return e.kind == EventKind::kSnipped && is_skin(e); });
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+Locus locate(std::string_view metric, double threshold, const sim::Recording& recording) {
+    for (const EventSource& source : kSources)
+        if (source.metric == metric) return locate_events(source, recording);
+    if (const auto found = locate_tissue(metric, recording)) return *found;
+    if (metric == "ring_completeness_percent" || metric == "largest_gap_mm" ||
+        metric == "gap_count")
+        return locate_gap(recording);
+    if (metric == "off_line_mm" || metric == "outside_band_mm" || metric == "toward_placode_mm" ||
+        metric.substr(0, 17) == "contour_deviation")
+        return locate_incision(metric, recording);
+    if (metric.substr(0, 6) == "trace_") return locate_trace(metric, recording);
+    if (metric == "released_deg") return locate_held(recording);
+    if (metric == "resected_percent" || metric == "pieces_out" || metric == "resected_mm3")
+        return locate_left(recording);
+    if (metric == "peak_traction_mn") return locate_pull(recording);
+    if (metric == "peak_force_mn") return locate_force(recording);
+    if (metric == "out_of_view_s") return locate_out_of_view(recording);
+    if (metric == "task_time_s") {
+        Locus locus;
+        locus.time_s = task_start_s(recording) + threshold;
+        return locus;
+    }
+    return {};
+}
+
+}  // namespace placode::assessment

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Where the story of a metric can be seen: the moment in the recording and the place on the clock.
+
+#include <optional>
+#include <string_view>
+
+#include "assessment/metrics.h"
+#include "sim/geometry.h"
+
+namespace placode::assessment {
+
+struct Locus {
+    std::optional<sim::Vec2> at_m;  ///< At rest.
+    double time_s = -1;             ///< -1 = the whole attempt.
+    int count = 0;                  ///< Events behind it.
+};
+
+/// @param threshold of the line that asks: time is used up from there on.
+[[nodiscard]] Locus locate(std::string_view metric, double threshold,
+                           const sim::Recording& recording);
+
+}  // namespace placode::assessment

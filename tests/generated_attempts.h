@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Recordings made up from a seed, for rules that hold for every attempt: what a task asks for can
+// be done to any degree, and any harm can be added.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "curriculum/task.h"
+#include "sim/damage.h"
+#include "sim/pieces.h"
+#include "sim/practice.h"
+#include "sim/reached.h"
+#include "sim/recording.h"
+
+namespace placode::test {
+
+using sim::Event;
+using sim::EventKind;
+
+class AttemptMaker {
+ public:
+    explicit AttemptMaker(uint32_t seed) : random_(seed) {}
+
+    double number(double least, double most) {
+        return std::uniform_real_distribution<double>(least, most)(random_);
+    }
+    int whole(int least, int most) {
+        return std::uniform_int_distribution<int>(least, most)(random_);
+    }
+
+    /// An attempt of 30 s in which nothing was done, as this program records it.
+    static sim::Recording idle(const curriculum::Task& task) {
+        sim::Recording recording;
+        recording.header.task_id = task.id;
+        recording.header.task_json = task.json;
+        recording.header.tools = task.scene.tools;
+        recording.header.geometry.planned_contour = circle(kPlan);
+        recording.header.geometry.placode_edge = circle(kPlan - 0.0015);
+        recording.header.geometry.skin_edge = circle(kPlan + 0.0025);
+        recording.header.geometry.placode_volume_m3 = 60e-9;
+        for (int i = 0; i < 300; ++i) {
+            sim::Sample sample;
+            sample.time_s = 0.1 * i;
+            recording.samples.push_back(sample);
+        }
+        recording.header.sample_s = 0.1;
+        recording.end.reason = sim::EndReason::kFinished;
+        recording.end.duration_s = 30;
+        put(recording, sim::kLedgerWritten, 0, sim::kLedgerVersion);
+        put(recording, sim::kStretchSum, 0, 0);
+        put(recording, sim::kTakenOut, 0, 0);
+        if (!task.steps.empty())
+            put(recording, sim::kPracticeSteps, 0, static_cast<double>(task.steps.size()));
+        return recording;
+    }
+
+    /// Everything that any task asks for, to this share.
+    static void ask(sim::Recording& recording, double share) {
+        recording.samples.back().cut_fraction = static_cast<float>(share);
+        for (int s = 0; s < static_cast<int>(std::lround(share * sim::kSectors)); ++s)
+            put(recording, EventKind::kSectorFree, 10, s, s + 1);
+        if (share > 0) put(recording, EventKind::kPieceOut, 20, 3e-9, share);
+        put(recording, sim::kTakenOut, 20, 3e-9 * share, share, 0, 0.006);
+        practise(recording, share);
+        const int grasps = static_cast<int>(std::lround(share * 3));
+        for (int i = 0; i < grasps; ++i) {
+            put(recording, EventKind::kGrasped, 1 + 9 * i, 6, 0.1, 0.004, 0.002, 0);
+            put(recording, EventKind::kReleased, 9 + 9 * i, 8, 0.01, 0.004, 0.002, 0);
+            for (sim::Sample& sample : recording.samples)
+                if (sample.time_s > 1 + 9 * i && sample.time_s < 1 + 9 * i + 9.2 * share / grasps)
+                    sample.tools[0].tip_m[2] = 0.001F;
+        }
+        if (share > 0) {
+            put(recording, EventKind::kSnipped, 11, 2e-6, 0.001);
+            put(recording, EventKind::kEnergyOff, 9, 3, 12);
+        }
+        sort(recording);
+    }
+
+    /// One harm of a random size, by its number in harms().
+    void harm(sim::Recording& recording, size_t which) {
+        static const std::vector<void (AttemptMaker::*)(sim::Recording&)> kinds{
+            &AttemptMaker::touch_placode, &AttemptMaker::heat_placode, &AttemptMaker::cut_placode,
+            &AttemptMaker::tear,          &AttemptMaker::press,        &AttemptMaker::waste_energy,
+            &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
+            &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
+            &AttemptMaker::dawdle,        &AttemptMaker::look_away};
+        (this->*kinds[which])(recording);
+        sort(recording);
+    }
+    static constexpr size_t kHarms = 14;
+
+    /// Some of what is asked, some harm.
+    sim::Recording some(const curriculum::Task& task) {
+        sim::Recording recording = idle(task);
+        ask(recording, number(0, 1) < 0.2 ? 1 : number(0, 1));
+        const int harms = whole(0, 8);
+        for (int i = 0; i < harms; ++i) harm(recording, static_cast<size_t>(whole(0, kHarms - 1)));
+        return recording;
+    }
+
+    static Event& put(sim::Recording& recording, EventKind kind, double time_s, double value,
+                      double value2 = 0, double x = 0, double y = 0, int tool = 0,
+                      sim::Tissue tissue = sim::Tissue::kZone) {
+        Event e;
+        e.time_s = time_s;
+        e.kind = kind;
+        e.value = static_cast<float>(value);
+        e.value2 = static_cast<float>(value2);
+        e.rest_position_m = {static_cast<float>(x), static_cast<float>(y), 0};
+        e.tool = static_cast<int8_t>(tool);
+        e.tissue = tissue;
+        recording.events.push_back(e);
+        return recording.events.back();
+    }
+
+ private:
+    static constexpr double kPlan = 0.006;
+
+    static std::vector<sim::Vec3> circle(double radius_m) {
+        std::vector<sim::Vec3> points;
+        for (int i = 0; i < 360; ++i) {
+            const double a = i * std::numbers::pi / 180;
+            points.emplace_back(radius_m * std::cos(a), radius_m * std::sin(a), 0);
+        }
+        return points;
+    }
+    static void sort(sim::Recording& recording) {
+        std::stable_sort(recording.events.begin(), recording.events.end(),
+                         [](const Event& a, const Event& b) { return a.time_s < b.time_s; });
+    }
+
+    static void practise(sim::Recording& recording, double share) {
+        int steps = 0;
+        for (const Event& e : recording.events)
+            if (e.kind == sim::kPracticeSteps) steps = static_cast<int>(e.value);
+        for (int s = 0; s < static_cast<int>(share * steps + 1e-9); ++s) {
+            put(recording, sim::kStepDone, 2 + s, s, 1);
+            put(recording, sim::kTargetTouched, 2 + s, s, 0.0002, 0.006, 0.001);
+        }
+        for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
+            put(recording, sim::kTraced, 3 + 0.3 * bin, bin, 0.0001);
+    }
+
+    /// An event anywhere on the lesion and at any time.
+    Event& anywhere(sim::Recording& recording, EventKind kind, double value, double value2,
+                    sim::Tissue tissue = sim::Tissue::kZone) {
+        const double a = number(0, 2 * std::numbers::pi), r = number(0.002, 0.009);
+        return put(recording, kind, number(1, 29), value, value2, r * std::cos(a), r * std::sin(a),
+                   0, tissue);
+    }
+    void touch_placode(sim::Recording& r) {
+        anywhere(r, EventKind::kPlacodeContact, number(0.05, 3), number(0.001, 0.2));
+        if (whole(0, 2) == 0) anywhere(r, EventKind::kPlacodeEnergised, number(0.01, 1), 90);
+    }
+    void heat_placode(sim::Recording& r) {
+        const double when = anywhere(r, EventKind::kPlacodeOverheated, 60, 50).time_s;
+        if (whole(0, 1) == 0) return;
+        anywhere(r, EventKind::kPlacodeBurned, 300, 65).time_s = when;
+        const auto more = static_cast<float>(number(0, 2e-9));
+        for (sim::Sample& sample : r.samples)
+            if (sample.time_s >= when) sample.placode_burned_m3 += more;
+    }
+    void cut_placode(sim::Recording& r) {
+        if (whole(0, 1) == 0)
+            anywhere(r, EventKind::kPlacodeCut, number(0, 2e-6), 0, sim::Tissue::kPlacode);
+        else
+            anywhere(r, EventKind::kVaporised, number(1e-12, 5e-10), 0.0004, sim::Tissue::kPlacode);
+    }
+    void tear(sim::Recording& r) {
+        const std::vector<sim::Tissue> all{sim::Tissue::kSkin, sim::Tissue::kThinSkin,
+                                           sim::Tissue::kZone, sim::Tissue::kPlacode};
+        anywhere(r, EventKind::kTorn, number(1e-11, 4e-9), 2,
+                 all[static_cast<size_t>(whole(0, 3))]);
+    }
+    void press(sim::Recording& r) {
+        const Event e = anywhere(r, EventKind::kOverForce, number(0.05, 2), number(0.2, 1));
+        r.samples[static_cast<size_t>(whole(0, 299))].tools[0].force_n = {0, 0, e.value2};
+    }
+    void waste_energy(sim::Recording& r) {
+        anywhere(r, whole(0, 1) == 0 ? EventKind::kEnergyInAir : EventKind::kDwell, number(1, 6),
+                 0);
+    }
+    void bury(sim::Recording& r) {
+        anywhere(r, EventKind::kBuried, number(0.3, 6), number(0.0005, 0.004));
+    }
+    void stretch(sim::Recording& r) {
+        anywhere(r, sim::kStretchSum, number(1e-11, 2e-8), number(1.3, 2.5)).element = 5;
+    }
+    void jaws(sim::Recording& r) {
+        const std::vector<EventKind> all{EventKind::kCrushed, EventKind::kSlipped,
+                                         EventKind::kOverTraction};
+        anywhere(r, all[static_cast<size_t>(whole(0, 2))], number(0.3, 2), number(0.03, 0.4));
+    }
+    void snip_skin(sim::Recording& r) {
+        anywhere(r, EventKind::kSnipped, number(1e-7, 6e-6), 0.001, sim::Tissue::kSkin);
+    }
+    void miss(sim::Recording& r) {
+        anywhere(r, sim::kTargetMissed, whole(0, 3), number(0.001, 0.01));
+    }
+    /// Cut into healthy skin, or too near the placode.
+    void cut_astray(sim::Recording& r) {
+        const double a = number(0, 2 * std::numbers::pi);
+        const double offset = whole(0, 1) == 0 ? number(0.0036, 0.0039) : number(-0.0014, -0.0011);
+        put(r, EventKind::kVaporised, number(1, 29), number(1e-12, 2e-11), 0.0004,
+            (kPlan + offset) * std::cos(a), (kPlan + offset) * std::sin(a));
+    }
+    void dawdle(sim::Recording& r) {
+        const int more = whole(1, 6000);
+        for (int i = 0; i < more; i += 60) {
+            sim::Sample sample = r.samples.back();
+            sample.time_s += 6;
+            r.samples.push_back(sample);
+        }
+        r.end.duration_s = r.samples.back().time_s;
+    }
+    void look_away(sim::Recording& r) {
+        const int from = whole(0, 250), n = whole(1, 49);
+        for (int i = from; i < from + n; ++i)
+            r.samples[static_cast<size_t>(i)].tools[0].in_view = 0;
+    }
+
+    std::mt19937 random_;
+};
+
+}  // namespace placode::test
