@@ -19,11 +19,15 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
     StageProgress progress;
     progress.status = StageStatus::kOpen;
     std::string last_met_utc;
+    int outcomes_seen = 0;
     for (const AttemptOutcome& outcome : outcomes) {
         if (!counts_for(course, stage, outcome)) continue;
-        progress.best_points = progress.attempts == 0
-                                   ? outcome.points
-                                   : std::max(progress.best_points, outcome.points);
+        if (outcome.not_attempted) {
+            ++progress.attempts;  // of an exam: counts_for() lets no other one in
+            continue;
+        }
+        progress.best_points =
+            outcomes_seen++ == 0 ? outcome.points : std::max(progress.best_points, outcome.points);
         ++progress.attempts;
         progress.last_critical = outcome.critical;
         const bool met = stage.mode == StageMode::kFamiliarisation ||
@@ -76,7 +80,7 @@ const CourseStage* Course::stage(const std::string& stage_id) const {
 
 bool counts_for(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
     if (outcome.task_id != stage.task_id || outcome.interrupted || outcome.voided) return false;
-    if (stage.mode != StageMode::kExam) return true;
+    if (stage.mode != StageMode::kExam) return !outcome.not_attempted;
     return outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
            (!stage.exam.proctor || !outcome.proctor.empty()) &&
            (!stage.exam.haptic_certificate || outcome.certified) &&

@@ -59,6 +59,9 @@ struct AttemptOutcome {
     std::string proctor = {};
     bool certified = false;  ///< On a device with a haptic certificate.
     bool voided = false;     ///< Void for cause: the machine failed. Does not count.
+    /// Nothing was done: neither met nor missed. An exam has shown its lesion, so there it uses up
+    /// an attempt.
+    bool not_attempted = false;
 };
 
 enum class StageStatus : uint8_t {

@@ -89,6 +89,7 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.task_id = attempt.task_id;
         outcome.points = attempt.points;
         outcome.critical = attempt.verdict == assessment::Verdict::kFailed;
+        outcome.not_attempted = attempt.verdict == assessment::Verdict::kNotAttempted;
         outcome.interrupted = attempt.end == sim::EndReason::kInterrupted;
         outcome.at_utc = attempt.started_utc;
         outcome.seed = attempt.seed;

@@ -81,8 +81,7 @@ std::vector<LevelAttempts> level_attempts(
         level.level = name;
         for (const int64_t id : ids)
             for (MeasuredAttempt& attempt : store.measured_attempts(id, task_id)) {
-                if (attempt.record.generated || attempt.record.end == sim::EndReason::kInterrupted)
-                    continue;
+                if (attempt.record.generated || !was_tried(attempt.record)) continue;
                 newest = std::max(newest, versions_of(attempt));
                 level.by_person[id].push_back(std::move(attempt));
             }

@@ -85,6 +85,12 @@ struct AttemptRecord {
     std::string void_reason;
 };
 
+/// An attempt that says something about the person: it came to its end and something was done.
+[[nodiscard]] inline bool was_tried(const AttemptRecord& attempt) noexcept {
+    return attempt.end != sim::EndReason::kInterrupted &&
+           attempt.verdict != assessment::Verdict::kNotAttempted;
+}
+
 /// Which attempts a list shows.
 struct AttemptFilter {
     int64_t user_id = 0, group_id = 0;  ///< 0 = everybody's.

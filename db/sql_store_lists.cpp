@@ -20,7 +20,8 @@ AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::st
 
 std::string is_finished(const std::string& table) {
     return table + ".void_reason = '' AND " + table + ".end_reason <> " +
-           std::to_string(static_cast<int>(sim::EndReason::kInterrupted));
+           std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) + " AND " + table +
+           ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
 }
 
 AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {

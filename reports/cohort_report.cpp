@@ -211,7 +211,7 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
     report.attempts = store.attempts(user.id);
     std::map<std::string, PersonInTask> tasks;
     for (const db::AttemptRecord& attempt : report.attempts) {
-        if (attempt.end == sim::EndReason::kInterrupted || !attempt.void_reason.empty()) continue;
+        if (!db::was_tried(attempt) || !attempt.void_reason.empty()) continue;
         PersonInTask& one = tasks[attempt.task_id];
         auto& s = one.standing;
         s.user_id = user.id;

@@ -90,6 +90,7 @@ void draw_history(QPainter& painter, const QRectF& where,
     add_points(plot, attempts, assessment::Verdict::kPassed, QCPScatterStyle::ssDisc, style);
     add_points(plot, attempts, assessment::Verdict::kNotYet, QCPScatterStyle::ssCircle, style);
     add_points(plot, attempts, assessment::Verdict::kFailed, QCPScatterStyle::ssCross, style);
+    add_points(plot, attempts, assessment::Verdict::kNotAttempted, QCPScatterStyle::ssDot, style);
 
     // By way of a picture: QCustomPlot draws with its own painter class, and vectors stay vectors.
     QPicture picture;

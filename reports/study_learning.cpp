@@ -75,6 +75,7 @@ std::map<std::string, Learner> learners_of(const Form& attempts) {
         const auto points = value_of(row, "points");
         const auto verdict = row.values.find("verdict");
         if (!points || verdict == row.values.end()) continue;
+        if (verdict->second == "Not attempted") continue;
         Learner& learner = learners[row.participant];
         learner.points.push_back(*points);
         learner.failed.push_back(verdict->second != "Passed");

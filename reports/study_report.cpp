@@ -145,6 +145,7 @@ std::optional<Figure> performance_figure(const Dataset& data, const ChartStyle& 
     for (const Row& row : form->rows) {
         const auto points = row.values.find("points"), verdict = row.values.find("verdict");
         if (points == row.values.end() || verdict == row.values.end()) continue;
+        if (verdict->second == "Not attempted") continue;
         LearningLine& line = lines[row.participant];
         line.label = row.participant;
         line.points.push_back(curriculum::answer_number(points->second).value_or(0));

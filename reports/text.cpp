@@ -48,6 +48,8 @@ QString verdict_word(assessment::Verdict verdict) {
             return QStringLiteral("Not yet");
         case assessment::Verdict::kFailed:
             return QStringLiteral("Failed");
+        case assessment::Verdict::kNotAttempted:
+            return QStringLiteral("Not attempted");
     }
     return {};
 }
@@ -76,6 +78,8 @@ QColor verdict_colour(assessment::Verdict verdict, const ChartStyle& style) {
             return colour(style.warn);
         case assessment::Verdict::kFailed:
             return colour(style.critical);
+        case assessment::Verdict::kNotAttempted:
+            return colour(style.muted);
     }
     return colour(style.text);
 }

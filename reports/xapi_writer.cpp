@@ -124,8 +124,13 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
         return found == row.values.end() ? std::string() : found->second;
     };
     const bool passed = value("verdict") == "Passed";
+    // Nothing was done: it was opened, and says nothing about success.
+    const bool tried = value("verdict") != "Not attempted";
     QJsonObject object =
-        statement(data, form, row, passed ? "passed" : "failed",
+        statement(data, form, row,
+                  !tried   ? "launched"
+                  : passed ? "passed"
+                           : "failed",
                   form.name + "|" + row.participant + "|" + std::to_string(row.instance));
     object["object"] = QJsonObject{
         {"objectType", "Activity"},
@@ -135,12 +140,13 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
     QJsonObject extensions;
     for (const auto& [id, each] : row.values) extensions[address("metric/" + id)] = text(each);
     const double points = value("points").empty() ? 0 : std::stod(value("points"));
-    object["result"] = QJsonObject{
-        {"success", passed},
+    QJsonObject result{
         {"completion", value("end") == "finished"},
         {"duration", duration(value("duration_s").empty() ? "0" : value("duration_s"))},
         {"score", QJsonObject{{"scaled", points / 100}, {"raw", points}, {"min", 0}, {"max", 100}}},
         {"extensions", extensions}};
+    if (tried) result["success"] = passed;
+    object["result"] = result;
     return object;
 }
 

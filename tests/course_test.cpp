@@ -55,6 +55,35 @@ TEST(Course, AMissACriticalErrorOrAnInterruptionDoesNotCountAsInARow) {
     EXPECT_EQ(interrupted.stages[0].attempts, 2);
 }
 
+TEST(Course, WhereNothingWasDoneNothingIsMetOrMissed) {
+    Course course = two_stages();
+    AttemptOutcome idle{"warm_up", 0};
+    idle.not_attempted = true;
+    const CourseProgress p =
+        course_progress(course, {{"warm_up", 80}, idle, {"warm_up", 75}, idle});
+    EXPECT_EQ(p.stages[0].status, StageStatus::kMastered) << "the streak goes on";
+    EXPECT_EQ(p.stages[0].attempts, 2);
+    course.stages[0].mode = StageMode::kFamiliarisation;
+    course.stages[0].consecutive = 1;
+    EXPECT_EQ(course_progress(course, {idle}).stages[0].status, StageStatus::kOpen)
+        << "to look on is not to get to know";
+    // An exam has shown its lesion: the next one is another, and one attempt less is left.
+    course = two_stages();
+    CourseStage& exam = course.stages[0];
+    exam.mode = StageMode::kExam;
+    exam.exam.seeds = {7, 8};
+    exam.exam.proctor = false;
+    exam.max_attempts = 3;
+    idle.exam_course = "c";
+    idle.exam_stage = "warm_up";
+    idle.seed = 7;
+    const StageProgress own = course_progress(course, {idle}).stages[0];
+    EXPECT_EQ(own.next_seed, 8u);
+    EXPECT_EQ(own.attempts_left, 2);
+    EXPECT_EQ(own.streak, 0);
+    EXPECT_FALSE(own.last_critical);
+}
+
 TEST(Course, WhatWasMasteredStaysMastered) {
     const CourseProgress p = course_progress(
         two_stages(), {{"warm_up", 80}, {"warm_up", 80}, {"warm_up", 20}, {"real", 90}});

@@ -218,6 +218,25 @@ TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
     EXPECT_THAT(store->tasks_with_attempts(), ElementsAre("diathermy_ring", "grasp_and_lift"));
 }
 
+TEST_P(People, AnAttemptInWhichNothingWasDoneIsNoTryThatFailed) {
+    attempt(anna, 70, "2026-01-01T00:00:00Z");
+    db::AttemptResult idle;
+    idle.header.task_id = "diathermy_ring";
+    idle.header.device = "mouse";
+    idle.header.started_utc = "2026-01-02T00:00:00Z";
+    idle.score.verdict = assessment::Verdict::kNotAttempted;
+    const int64_t id = store->save_attempt(anna, idle);
+    EXPECT_EQ(store->attempt(id).score.verdict, assessment::Verdict::kNotAttempted);
+    EXPECT_FALSE(db::was_tried(store->attempt(id).record));
+    EXPECT_EQ(store->attempts(anna, "diathermy_ring").size(), 2u) << "it is kept and listed";
+    const auto standings = store->task_standings(0);
+    ASSERT_EQ(standings.size(), 1u);
+    EXPECT_EQ(standings[0].attempts, 1);
+    EXPECT_DOUBLE_EQ(standings[0].last_points, 70);
+    EXPECT_EQ(standings[0].trials.streak, 1) << "the streak goes on";
+    EXPECT_EQ(store->attempt_points(0, "diathermy_ring").size(), 1u);
+}
+
 // The store sums up what the rule needs; the rule itself reads every outcome.
 TEST_P(People, StandingsFromSumsAreThoseFromEveryAttempt) {
     std::mt19937 random(7);

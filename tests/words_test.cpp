@@ -62,6 +62,31 @@ TEST_F(WordsTest, NumbersPlacesAndCountsAreKept) {
               QString("PL No piece of tissue was taken out."));
 }
 
+TEST_F(WordsTest, NumbersBeyondAMillionAndNamesOfMetricsAreKept) {
+    EXPECT_EQ(reason_words("The placode was pressed with 1e+300 mN; 20 mN is the limit."),
+              QString("PL The placode was pressed with 1e+300 mN; 20 mN is the limit."));
+    EXPECT_EQ(reason_words("Not recorded, so this is no pass: Tip below the surface."),
+              QString("PL Not recorded, so this is no pass: Tip below the surface."));
+    EXPECT_EQ(reason_words("Nothing was done: this attempt does not count."),
+              QString("PL Nothing was done: this attempt does not count."));
+}
+
+TEST(Words, WhatTheScoreSaysByItselfHasAPattern) {
+    const auto known = reason_patterns();
+    const std::set<std::string> patterns(known.begin(), known.end());
+    assessment::Rubric rubric;
+    rubric.items.resize(2);
+    rubric.items[0].metric = "buried_s";
+    rubric.items[1].metric = "target_error_mm";
+    rubric.items[1].points_per_unit = 1;
+    for (const auto& reason : assessment::score_attempt(rubric, {}, {}).reasons) {
+        const std::string text = reason.text.substr(0, reason.text.find(": ")) + ": {metric}.";
+        EXPECT_TRUE(patterns.contains(text)) << text;
+    }
+    rubric.attempted_by = {"energy_j"};
+    EXPECT_TRUE(patterns.contains(assessment::score_attempt(rubric, {}, {}).reasons[0].text));
+}
+
 TEST_F(WordsTest, AnUnknownSentenceStays) {
     EXPECT_EQ(reason_words("An educator's own reason, 3 s."),
               QString("An educator's own reason, 3 s."));

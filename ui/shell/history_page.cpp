@@ -83,7 +83,7 @@ class HistoryPage : public Page {
         for (const db::AttemptRecord& attempt : all_) {
             if (attempt.task_id != id) continue;
             shown.push_back(attempt);
-            if (attempt.end != sim::EndReason::kInterrupted) counted.push_back(attempt);
+            if (db::was_tried(attempt)) counted.push_back(attempt);
         }
         double pass = 70;
         (void)context_.problemOf(

@@ -254,6 +254,8 @@ QString verdict_word(const db::AttemptRecord& attempt) {
             return Parts::tr("Passed");
         case assessment::Verdict::kFailed:
             return Parts::tr("Failed: critical error");
+        case assessment::Verdict::kNotAttempted:
+            return Parts::tr("Not attempted");
         default:
             return Parts::tr("Not yet");
     }
@@ -266,6 +268,8 @@ const char* verdict_tone(const db::AttemptRecord& attempt) {
             return "good";
         case assessment::Verdict::kFailed:
             return "critical";
+        case assessment::Verdict::kNotAttempted:
+            return "";
         default:
             return "warn";
     }

@@ -62,8 +62,7 @@ class RatingsPage : public Page {
             if (each.rater_id == context_.user().id) rated.insert(each.attempt_id);
         std::vector<std::pair<std::string, const db::AttemptRecord*>> order;
         for (const auto& [id, each] : attempts_) {
-            if (each.user_id == context_.user().id || rated.contains(id) ||
-                each.end == sim::EndReason::kInterrupted)
+            if (each.user_id == context_.user().id || rated.contains(id) || !db::was_tried(each))
                 continue;
             order.emplace_back(db::checksum_hex(context_.user().login + "/" + std::to_string(id)),
                                &each);

@@ -103,7 +103,7 @@ ResultData read_result(db::Store& store, int64_t attempt_id) {
     std::vector<int64_t> before;
     for (const db::AttemptRecord& each : data.history) {
         if (each.id == attempt_id) break;
-        if (each.end != sim::EndReason::kInterrupted) before.push_back(each.id);
+        if (db::was_tried(each)) before.push_back(each.id);
     }
     const size_t from = before.size() > kBandAttempts ? before.size() - kBandAttempts : 0;
     for (size_t i = from; i < before.size(); ++i) data.earlier.push_back(store.attempt(before[i]));
