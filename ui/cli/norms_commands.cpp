@@ -9,6 +9,7 @@
 
 #include "db/norms.h"
 #include "db/signature.h"
+#include "ui/cli/norms_quality.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -20,8 +21,9 @@ using db::Scope;
 struct Options {
     std::string task, file, centre, metric = "points", novices, experts, level = "expert";
     std::vector<std::string> levels;
+    QualityOptions quality;
     int64_t id = 0;
-    int least = curriculum::kLeastNormGroup, repeats = 2;
+    int least = curriculum::kLeastNormGroup;
     bool trust = false, per_attempt = false;
 };
 
@@ -278,36 +280,7 @@ int standard(const Context& context, const Options& options) {
 }
 
 int quality(const Context& context, const Options& options) {
-    Session session = educator(context);
-    const auto [novices, experts] = two_levels(session, options);
-    Json json = Json::array();
-    std::vector<std::vector<std::string>> rows{
-        {"metric", "people", "Hedges g", "95 %", "delta", "ICC(2,1)", "ceiling %", "evidence"}};
-    for (const auto& one : db::metric_panel(novices, experts, options.repeats)) {
-        json.push_back({{"metric", one.metric},
-                        {"novices", one.novices},
-                        {"experts", one.experts},
-                        {"hedges_g", optional_number(one.g)},
-                        {"hedges_g_low", optional_number(one.g_low)},
-                        {"hedges_g_high", optional_number(one.g_high)},
-                        {"cliff_delta", optional_number(one.cliff_delta)},
-                        {"repeats", one.repeats},
-                        {"repeated", one.repeated},
-                        {"icc_2_1", optional_number(one.icc)},
-                        {"icc_2_1_low", optional_number(one.icc_low)},
-                        {"icc_2_1_high", optional_number(one.icc_high)},
-                        {"ceiling_percent", optional_number(one.ceiling_percent)},
-                        {"evidence", one.evidence},
-                        {"why", one.why}});
-        rows.push_back(
-            {one.metric, std::to_string(one.novices) + " / " + std::to_string(one.experts),
-             optional_text(one.g, 2),
-             one.g ? fixed(*one.g_low, 2) + " to " + fixed(*one.g_high, 2) : "-",
-             optional_text(one.cliff_delta, 2), optional_text(one.icc, 2),
-             optional_text(one.ceiling_percent, 0), one.evidence ? "yes" : "NO: " + one.why});
-    }
-    print(context, json, table(rows));
-    return 0;
+    return norms_quality(context, options.quality);
 }
 
 }  // namespace
@@ -345,23 +318,27 @@ void add_norms_commands(CLI::App& app, Context& context) {
     CLI::App* compared = command("compare", "An attempt against the bands in use", compare);
     compared->add_option("ATTEMPT", options->id, "Number")->required();
     compared->add_option("--level", options->level)->capture_default_str();
-    for (const bool panel : {false, true}) {
-        CLI::App* two = panel ? command("quality", "How much each metric is worth", quality)
-                              : command("standard", "Pass mark from contrasting groups", standard);
-        two->add_option("TASK", options->task, "Task id")->required();
-        two->add_option("--novices", options->novices, "Group")->required();
-        two->add_option("--experts", options->experts, "Group")->required();
-        if (panel) {
-            two->add_option("--repeats", options->repeats, "Attempts a person that enter the ICC")
-                ->check(CLI::Range(2, 100))
-                ->capture_default_str();
-        } else {
-            two->add_option("--metric", options->metric, "\"points\" or a metric's id")
-                ->capture_default_str();
-            two->add_flag("--per-attempt", options->per_attempt,
-                          "Every attempt counts, not each person's mean");
-        }
-    }
+    CLI::App* mark = command("standard", "Pass mark from contrasting groups", standard);
+    mark->add_option("TASK", options->task, "Task id")->required();
+    mark->add_option("--novices", options->novices, "Group")->required();
+    mark->add_option("--experts", options->experts, "Group")->required();
+    mark->add_option("--metric", options->metric, "\"points\" or a metric's id")
+        ->capture_default_str();
+    mark->add_flag("--per-attempt", options->per_attempt,
+                   "Every attempt counts, not each person's mean");
+    QualityOptions& of = options->quality;
+    CLI::App* panel =
+        command("quality",
+                "How much each metric is worth, and whether the score tells groups apart", quality);
+    panel->add_option("TASK", of.task, "Task id")->required();
+    panel->add_option("--novices", of.novices, "Group");
+    panel->add_option("--intermediates", of.intermediates, "Group that should lie between");
+    panel->add_option("--experts", of.experts, "Group");
+    panel->add_option("--recordings", of.recordings,
+                      "Instead of groups: a folder with recordings of scripted operators");
+    panel->add_option("--repeats", of.repeats, "Attempts a person that enter the ICC")
+        ->check(CLI::Range(2, 100))
+        ->capture_default_str();
 }
 
 }  // namespace placode::cli

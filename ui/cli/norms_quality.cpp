@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cli/norms_quality.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "assessment/known_groups.h"
+#include "assessment/signal.h"
+#include "db/norms.h"
+#include "db/recording_file.h"
+#include "ui/cli/people.h"
+
+namespace placode::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Levels {
+    db::LevelAttempts novices, intermediates, experts;
+    int not_attempted = 0;
+};
+
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+std::string optional_text(const std::optional<double>& value, int decimals) {
+    return value ? fixed(*value, decimals) : "-";
+}
+
+Levels levels_of_store(const Context& context, const QualityOptions& options) {
+    if (options.novices.empty() || options.experts.empty())
+        throw InputError("norms quality: give --novices and --experts, or --recordings FOLDER");
+    Session session(context, Missing::kRefuse);
+    session.need(db::Action::kSetStandards, db::Scope::kOther);
+    std::map<std::string, std::vector<int64_t>> people{
+        {"expert", find_group(session, options.experts).members},
+        {"novice", find_group(session, options.novices).members}};
+    if (!options.intermediates.empty())
+        people["intermediate"] = find_group(session, options.intermediates).members;
+    Levels found;
+    for (db::LevelAttempts& level : db::level_attempts(session.store(), options.task, people)) {
+        db::LevelAttempts& place = level.level == "expert"   ? found.experts
+                                   : level.level == "novice" ? found.novices
+                                                             : found.intermediates;
+        place = std::move(level);
+    }
+    return found;
+}
+
+/// One recording as a measured attempt; nothing when it is of another task or another device.
+std::optional<db::MeasuredAttempt> measured(const fs::path& file, const curriculum::Task& task,
+                                            Levels& levels, db::LevelAttempts*& level) {
+    sim::Recording recording;
+    try {
+        recording = db::read_recording_file(file.string());
+    } catch (const db::StoreError& error) {
+        throw InputError(error.what());
+    }
+    if (recording.header.task_id != task.id) return std::nullopt;
+    const std::string& device = recording.header.device;
+    level = device == "script:expert"         ? &levels.experts
+            : device == "script:intermediate" ? &levels.intermediates
+            : device == "script:novice"       ? &levels.novices
+                                              : nullptr;
+    if (level == nullptr) return std::nullopt;
+    db::MeasuredAttempt attempt;
+    attempt.metrics = assessment::compute_metrics(recording);
+    const auto score = assessment::score_attempt(task.rubric, attempt.metrics, recording);
+    attempt.record.task_id = task.id;
+    attempt.record.seed = recording.header.seed;
+    attempt.record.points = score.points;
+    attempt.record.verdict = score.verdict;
+    return attempt;
+}
+
+Levels levels_of_recordings(const QualityOptions& options) {
+    const curriculum::Task task = curriculum::load_task(options.task);
+    std::error_code problem;
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::directory_iterator(options.recordings, problem))
+        if (entry.path().extension() == ".placode") files.push_back(entry.path());
+    if (problem) throw InputError("--recordings " + options.recordings + ": " + problem.message());
+    std::sort(files.begin(), files.end());
+    Levels levels;
+    for (const fs::path& file : files) {
+        db::LevelAttempts* level = nullptr;
+        auto attempt = measured(file, task, levels, level);
+        if (!attempt) continue;
+        if (attempt->record.verdict == assessment::Verdict::kNotAttempted) {
+            ++levels.not_attempted;
+            continue;
+        }
+        level->by_person[static_cast<int64_t>(attempt->record.seed)].push_back(std::move(*attempt));
+    }
+    return levels;
+}
+
+/// The share of attempts that passed.
+int passes(const db::LevelAttempts& level) {
+    int n = 0;
+    for (const auto& [person, attempts] : level.by_person)
+        for (const auto& each : attempts)
+            n += each.record.verdict == assessment::Verdict::kPassed ? 1 : 0;
+    return n;
+}
+
+Json separation_json(const assessment::Separation& found) {
+    return {{"auc", found.auc},
+            {"low", found.ci95.low},
+            {"high", found.ci95.high},
+            {"perfect", found.perfect}};
+}
+std::string separation_text(const assessment::Separation& found) {
+    return fixed(found.auc, 3) + " (" + fixed(found.ci95.low, 3) + " to " +
+           fixed(found.ci95.high, 3) + (found.perfect ? ", all apart" : "") + ")";
+}
+
+/// The score of known groups, in words and as JSON; nothing where one of them is empty.
+std::string describe_score(const Levels& levels, Json& json) {
+    const auto low = db::level_values(levels.novices, "points", true);
+    const auto middle = db::level_values(levels.intermediates, "points", true);
+    const auto high = db::level_values(levels.experts, "points", true);
+    if (low.empty() || high.empty()) return "no novices or no experts: nothing to compare\n";
+    const auto groups = assessment::known_groups(low, middle, high);
+    json = {{"novices", groups.novices},
+            {"intermediates", groups.intermediates},
+            {"experts", groups.experts},
+            {"novice_median", groups.novice_median},
+            {"intermediate_median", optional_number(groups.intermediate_median)},
+            {"expert_median", groups.expert_median},
+            {"novices_passed", passes(levels.novices)},
+            {"intermediates_passed", passes(levels.intermediates)},
+            {"experts_passed", passes(levels.experts)},
+            {"not_attempted", levels.not_attempted},
+            {"expert_novice", separation_json(groups.expert_novice)}};
+    std::string text = "score: area under the curve, experts against novices " +
+                       separation_text(groups.expert_novice) + "\n";
+    if (groups.between) {
+        json["expert_intermediate"] = separation_json(*groups.expert_intermediate);
+        json["intermediate_novice"] = separation_json(*groups.intermediate_novice);
+        json["between"] = *groups.between;
+        text += "experts against intermediates " + separation_text(*groups.expert_intermediate) +
+                "; intermediates against novices " + separation_text(*groups.intermediate_novice) +
+                "\n";
+    }
+    std::vector<std::vector<std::string>> rows{
+        {"level", "people", "median", "least", "most", "passed"}};
+    const auto add = [&](const char* name, const std::vector<double>& values,
+                         const db::LevelAttempts& level) {
+        if (values.empty()) return;
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        std::vector<double> sorted = values;
+        std::sort(sorted.begin(), sorted.end());
+        rows.push_back({name, std::to_string(values.size()),
+                        fixed((sorted[(sorted.size() - 1) / 2] + sorted[sorted.size() / 2]) / 2, 1),
+                        fixed(*least, 1), fixed(*most, 1),
+                        std::to_string(passes(level)) + " of " + std::to_string(level.attempts())});
+    };
+    add("expert", high, levels.experts);
+    add("intermediate", middle, levels.intermediates);
+    add("novice", low, levels.novices);
+    text += table(rows);
+    if (groups.between)
+        text += *groups.between ? "the intermediates lie between\n"
+                                : "ATTENTION: the intermediates do not lie between\n";
+    return text + "\n";
+}
+
+}  // namespace
+
+int norms_quality(const Context& context, const QualityOptions& options) {
+    const Levels levels = options.recordings.empty() ? levels_of_store(context, options)
+                                                     : levels_of_recordings(options);
+    Json json{{"task", options.task}, {"score", nullptr}, {"metrics", Json::array()}};
+    const std::string score = describe_score(levels, json["score"]);
+    std::vector<std::vector<std::string>> rows{
+        {"metric", "people", "Hedges g", "95 %", "delta", "ICC(2,1)", "ceiling %", "evidence"}};
+    for (const auto& one : db::metric_panel(levels.novices, levels.experts, options.repeats)) {
+        json["metrics"].push_back({{"metric", one.metric},
+                                   {"novices", one.novices},
+                                   {"experts", one.experts},
+                                   {"hedges_g", optional_number(one.g)},
+                                   {"hedges_g_low", optional_number(one.g_low)},
+                                   {"hedges_g_high", optional_number(one.g_high)},
+                                   {"cliff_delta", optional_number(one.cliff_delta)},
+                                   {"repeats", one.repeats},
+                                   {"repeated", one.repeated},
+                                   {"icc_2_1", optional_number(one.icc)},
+                                   {"icc_2_1_low", optional_number(one.icc_low)},
+                                   {"icc_2_1_high", optional_number(one.icc_high)},
+                                   {"ceiling_percent", optional_number(one.ceiling_percent)},
+                                   {"evidence", one.evidence},
+                                   {"why", one.why}});
+        rows.push_back(
+            {one.metric, std::to_string(one.novices) + " / " + std::to_string(one.experts),
+             optional_text(one.g, 2),
+             one.g ? fixed(*one.g_low, 2) + " to " + fixed(*one.g_high, 2) : "-",
+             optional_text(one.cliff_delta, 2), optional_text(one.icc, 2),
+             optional_text(one.ceiling_percent, 0), one.evidence ? "yes" : "NO: " + one.why});
+    }
+    print(context, json, score + table(rows));
+    return 0;
+}
+
+}  // namespace placode::cli
