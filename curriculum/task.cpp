@@ -144,7 +144,7 @@ Task read_task(const Json& json, const std::string& origin) {
     Json resolved = json;
     resolved.erase("scene_overrides");
     resolved["settle_s"] = task.settle_s;
-    resolved["time_limit_s"] = task.time_limit_s;
+    if (task.time_limit_s > 0) resolved["time_limit_s"] = task.time_limit_s;
     resolved["finish_when_cut"] = task.finish_when_cut;
     Json full_scene = scene_to_json(task.scene);
     for (const char* key : {"version", "title"}) {
@@ -156,6 +156,11 @@ Task read_task(const Json& json, const std::string& origin) {
 }
 
 }  // namespace
+
+double limit_of(const Task& task, double asked_s) noexcept {
+    const double own_s = task.time_limit_s > 0 ? task.time_limit_s : kLongestS;
+    return asked_s > 0 ? std::min(asked_s, own_s) : own_s;
+}
 
 std::vector<TaskStep> steps_for(const Task& task, const std::string& device) {
     const std::string name = device.substr(0, device.find(':'));

@@ -40,13 +40,18 @@ struct Task {
     std::string scene_id;
     sim::OperativeFieldSpec scene;  ///< Resolved.
     double settle_s = 0.3;
-    double time_limit_s = 600;
+    double time_limit_s = 0;      ///< 0 = none: a person ends it, at the latest after kLongestS.
     bool finish_when_cut = true;  ///< Ends by itself when the ring is complete.
     std::vector<TaskStep> steps;  ///< Done in this order; the attempt ends with the last.
     assessment::Rubric rubric;
     std::string
         json;  ///< Resolved text, for the recording: load_task_text(json) gives the same task.
 };
+
+/// No attempt lasts longer, whatever its task says: somebody has left.
+inline constexpr double kLongestS = 3600;
+/// When an attempt ends by itself [s]: by the task, or earlier where `asked_s` > 0 asks for it.
+[[nodiscard]] double limit_of(const Task& task, double asked_s) noexcept;
 
 /// The steps that this device can do; scripts can do all. "script:expert" is the device "script".
 [[nodiscard]] std::vector<TaskStep> steps_for(const Task& task, const std::string& device);

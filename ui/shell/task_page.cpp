@@ -278,9 +278,11 @@ class TaskPage : public Page {
         start_->setObjectName("start_attempt");
         start_->setProperty("scale", "large");
         layout->addWidget(start_);
-        layout->addWidget(make_label(tr("A window with the fetoscope's view opens. Time limit %1.")
-                                         .arg(format_duration(task_.time_limit_s)),
-                                     "small"));
+        const QString limit = task_.time_limit_s > 0
+                                  ? tr("Time limit %1.").arg(format_duration(task_.time_limit_s))
+                                  : tr("No time limit.");
+        layout->addWidget(
+            make_label(tr("A window with the fetoscope's view opens.") + " " + limit, "small"));
         connect(devices_, &QComboBox::currentIndexChanged, this, [this] { showDevice(); });
         connect(start_, &QPushButton::clicked, this, [this] { start(); });
         QFrame* card = make_card(layout);
