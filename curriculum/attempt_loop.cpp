@@ -163,6 +163,7 @@ void AttemptLoop::hand_out(const sim::StepReport& report) noexcept {
     numbers_now_.cut_fraction = sim::ring_share(state_);
     const bool sampled = state_.frame % frames_per_sample_ == 0;
     warnings_.look(state_, {inputs_.data(), scene_->tools.size()}, sampled);
+    for (const sim::Event& event : warnings_.events()) record(event);
     if (sampled) take_sample();
     watch_end();
 }
@@ -298,6 +299,7 @@ void AttemptLoop::run() noexcept {
 /// The last events, and what the recording ends with.
 void AttemptLoop::close() noexcept {
     for (const sim::Event& event : practice_.end(state_.time_s)) record(event);
+    for (const sim::Event& event : warnings_.end(state_.time_s)) record(event);
     try {
         for (const sim::Event& event : sim::reached_events(*scene_, state_)) record(event);
         for (const sim::Event& event : sim::closing_events(*scene_, state_)) record(event);

@@ -78,6 +78,8 @@ void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput>
         const char* phrase = phrase_of(state.events[static_cast<size_t>(i)].kind);
         if (phrase != nullptr) say(phrase, state.time_s);
     }
+    events_ = sampled ? buried_.look(scene_, state) : std::span<const sim::Event>{};
+    if (sampled && buried_.warns(state.time_s)) say("Below the surface: draw back", state.time_s);
 }
 
 }  // namespace placode::curriculum

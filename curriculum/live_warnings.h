@@ -9,6 +9,7 @@
 #include <span>
 
 #include "assessment/tissue_metrics.h"
+#include "curriculum/buried_watch.h"
 #include "sim/step.h"
 
 namespace placode::curriculum {
@@ -20,6 +21,12 @@ class LiveWarnings {
     /// After a frame with these inputs; `sampled` = look at what is judged once a sample, too.
     void look(const sim::State& state, std::span<const sim::ToolInput> inputs,
               bool sampled) noexcept;
+    /// What the last look has to add to the ledger; valid until the next one.
+    [[nodiscard]] std::span<const sim::Event> events() const noexcept { return events_; }
+    /// The end of the attempt: the last entries for the ledger.
+    [[nodiscard]] std::span<const sim::Event> end(double time_s) noexcept {
+        return buried_.end(time_s);
+    }
     /// A warning of somebody else's. The newest wins.
     void say(const char* phrase, double time_s) noexcept;
 
@@ -34,6 +41,8 @@ class LiveWarnings {
     std::optional<assessment::ClosedContour> placode_;
     std::array<char, 64> phrase_{};
     double said_s_ = -1e9;
+    BuriedWatch buried_;
+    std::span<const sim::Event> events_;
 };
 
 }  // namespace placode::curriculum

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/burial.h"
 #include "sim/reached.h"
 
 namespace placode::sim {
@@ -57,6 +58,9 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
     out.tool_count = static_cast<int>(std::min(scene.tools.size(), out.tools.size()));
     for (int t = 0; t < out.tool_count; ++t) {
         out.tools[t] = tool_snapshot(scene.tools[t], state.tools[t]);
+        const Burial burial = burial_of(scene, state, t);
+        out.tools[t].buried_m = static_cast<float>(burial.depth_m);
+        out.tools[t].buried_length_m = static_cast<float>(burial.length_m);
     }
     out.contour_cut.assign(state.progress.cut.begin(), state.progress.cut.end());
     out.contour.resize(scene.contour_anchors.size());

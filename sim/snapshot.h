@@ -17,6 +17,7 @@ struct ToolSnapshot {
     std::array<float, 3> force_n{};
     float jaw_rad = 0;
     float tip_gap_m = 1;
+    float buried_m = 0, buried_length_m = 0;  ///< As sim/burial.h says; 0 = not buried.
     uint8_t pedals = 0, energised = 0, in_contact = 0, engaged = 0;
     Tissue touched = Tissue::kSkin;
 };
