@@ -269,6 +269,134 @@ TEST_F(FetoscopeViewTest, WritesTheReadOutsOutsideTheCircle) {
     EXPECT_GT(difference(full, draw(f.snapshot, overlay)), 5.0);
 }
 
+// The needle straight above the middle, `height_m` high, with the aids for depth or without.
+Picture with_needle(FetoscopeView& view, double height_m, bool depth_aid) {
+    Field f = field();
+    f.snapshot.tools[0].engaged = 1;
+    f.snapshot.tools[0].pose.p = Vec3(0, 0, height_m);
+    f.snapshot.tools[0].tip_gap_m = 1;  // no gauge: the shadow alone is looked at
+    f.snapshot.tool_count = 1;
+    OverlayState overlay = quiet();
+    overlay.depth_aid = depth_aid;
+    view.draw(f.snapshot, overlay);
+    EXPECT_EQ(view.gl_error(), 0U);
+    return {view.pixels()};
+}
+
+TEST_F(FetoscopeViewTest, DarkensTheTissueBelowATipTheMoreTheNearerItIs) {
+    // Beside the drawn needle, right below its tip: the cell with the largest loss of light.
+    const auto darkest = [&](double height_m) {
+        const Picture without = with_needle(*view_, height_m, false);
+        const Picture with = with_needle(*view_, height_m, true);
+        double most = 0;
+        for (int y = 110; y < 134; y += 2) {
+            for (int x = 110; x < 134; x += 2) {
+                const double before = without.mean(x, y, x + 3, y + 3);
+                if (before < 0.15) continue;
+                most = std::max(most, 1 - with.mean(x, y, x + 3, y + 3) / before);
+            }
+        }
+        return most;
+    };
+    const double near = darkest(0.001), middle = darkest(0.004), high = darkest(0.012);
+    EXPECT_GT(near, middle + 0.05);
+    EXPECT_GT(middle, 0.15) << "still seen four millimetres above";
+    EXPECT_LT(high, 0.6 * middle);
+}
+
+// Changes of more than the film's grain, in a box of the window.
+int changed_pixels(const Picture& a, const Picture& b) {
+    int count = 0;
+    for (size_t i = 0; i + 2 < a.rgb.size(); i += 3) {
+        int change = 0;
+        for (size_t k = 0; k < 3; ++k)
+            change = std::max(change, std::abs(int{a.rgb[i + k]} - int{b.rgb[i + k]}));
+        count += change > 40 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(FetoscopeViewTest, TheGaugeStandsBesideATipThatIsNearWhereAidsAreAllowed) {
+    Field f = field();
+    f.snapshot.tools[0].engaged = 1;
+    f.snapshot.tools[0].pose.p = Vec3(0, 0, 0.002);
+    f.snapshot.tools[0].tip_gap_m = 0.001F;
+    OverlayState overlay;
+    const Picture near = draw(f.snapshot, overlay);
+    f.snapshot.tools[0].tip_gap_m = 0.004F;
+    EXPECT_GT(changed_pixels(near, draw(f.snapshot, overlay)), 10) << "it says how far";
+    overlay.depth_aid = false;
+    const Picture off = draw(f.snapshot, overlay);
+    EXPECT_GT(changed_pixels(near, off), 60);
+    f.snapshot.tools[0].tip_gap_m = 0.001F;
+    EXPECT_EQ(changed_pixels(off, draw(f.snapshot, overlay)), 0) << "nothing depends on it";
+}
+
+TEST_F(FetoscopeViewTest, ShowsWhatOfANeedleLiesBelowTheSurface) {
+    Field f = field();
+    f.snapshot.tools[0].engaged = 1;
+    f.snapshot.tools[0].pose.p = Vec3(0, 0, -0.003);
+    f.snapshot.tools[0].pose.q = Quat::FromTwoVectors(Vec3::UnitZ(), Vec3(0.2, 0.3, -0.9));
+    OverlayState overlay;
+    const Picture stump = draw(f.snapshot, overlay);
+    f.snapshot.tools[0].buried_m = 0.003F;
+    f.snapshot.tools[0].buried_length_m = 0.0033F;
+    const Picture shown = draw(f.snapshot, overlay);
+    EXPECT_GT(difference(stump, shown), 0.3);
+    // In the colour of a warning: more red and green than blue is added.
+    double warm = 0;
+    for (size_t i = 0; i + 2 < shown.rgb.size(); i += 3)
+        warm += (shown.rgb[i] - stump.rgb[i]) - (shown.rgb[i + 2] - stump.rgb[i + 2]);
+    EXPECT_GT(warm, 1000);
+}
+
+OverlayState practising(PracticeKind kind, HintDevice device) {
+    OverlayState overlay;
+    overlay.practice.steps = {{"Step", "Press the key", false}};
+    overlay.practice.device = device;
+    overlay.practice.goal.count = 1;
+    overlay.practice.goal.step.kind = kind;
+    return overlay;
+}
+
+TEST_F(FetoscopeViewTest, WhoIsStuckIsShownTheVeryKey) {
+    Field f = field();
+    f.snapshot.tools[0].engaged = 1;
+    OverlayState overlay = practising(PracticeKind::kCut, HintDevice::kMouse);
+    const auto after = [&](double seconds) {  // offscreen the watcher's clock is the simulation's
+        f.snapshot.time_s = seconds;
+        return draw(f.snapshot, overlay);
+    };
+    static_cast<void>(after(100));
+    const Picture before = after(104), still = after(104.001);
+    EXPECT_LT(changed_pixels(before, still), 30);
+    static_cast<void>(after(107));
+    const Picture hint = after(109);
+    EXPECT_GT(changed_pixels(before, hint), 400);
+    EXPECT_GT(changed_pixels(hint, after(109.9)), 50) << "it moves";
+    overlay.motion = false;
+    const Picture a = after(110.1);
+    EXPECT_LT(changed_pixels(a, after(111.0)), 30) << "unless somebody wants stillness";
+    overlay.practice.goal.progress = 0.5;
+    EXPECT_GT(changed_pixels(a, after(111.1)), 400) << "gone with the first progress";
+}
+
+TEST_F(FetoscopeViewTest, EveryKindOfStepHasAGoalInThePicture) {
+    Field f = field();
+    for (int kind = 0; kind < kPracticeKinds; ++kind) {
+        const auto step = static_cast<PracticeKind>(kind);
+        if (step == PracticeKind::kTrace) continue;  // it has the line
+        f.snapshot.tools[0].engaged = 1;
+        f.snapshot.time_s = 1000 + 10 * kind;
+        OverlayState overlay = practising(step, HintDevice::kMouse);
+        overlay.practice.goal.targets = targets_of(step);
+        OverlayState done = overlay;
+        done.practice.goal.index = 1;
+        const Picture nothing = draw(f.snapshot, done);
+        EXPECT_GT(difference(nothing, draw(f.snapshot, overlay)), 0.3) << kind;
+    }
+}
+
 TEST_F(FetoscopeViewTest, WritesAPngThatReadsBackTheSame) {
     const Picture p = draw(field().snapshot, quiet());
     const auto path = std::filesystem::temp_directory_path() /

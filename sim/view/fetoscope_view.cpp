@@ -20,6 +20,10 @@ using Clock = std::chrono::steady_clock;
 constexpr double kSlowMs = 75, kFastMs = 22;  // change of quality: 13 fps, 45 fps
 constexpr double kScales[] = {0.3, 0.45, 0.6, 0.8, 1.0, 1.25};
 
+double seconds_of(Clock::time_point time) {
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
 // The inside of the uterus: an ellipsoid of gas around the fetal back.
 void build_wall(GlMesh& mesh) {
     const Vec3 centre(0, 0, 25), half(100, 72, 66);
@@ -116,6 +120,7 @@ struct FetoscopeView::Impl {
         mask{"screen_vertex", "mask"};
     GlMesh tissue_gl, skirt_gl, floor_gl, wall_gl, smoke_gl, guide_gl;
     ToolRenderer instruments;
+    DepthCue depth_cue;
     PostProcess post;
     TextPainter painter;
     Overlay overlay_painter;
@@ -239,6 +244,13 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     if (mesh.update(snapshot)) tissue_gl.indices(mesh.indices());
     tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
     tissue_gl.draw(GL_TRIANGLES);
+    if (overlay.depth_aid || !overlay.practice.steps.empty())
+        depth_cue.update(snapshot, tools, {mesh.vertices(), mesh.indices()});
+    if (overlay.depth_aid) {
+        light(depth_cue.program(), snapshot);
+        depth_cue.draw();
+        light(tissue, snapshot);
+    }
     skirt_gl.draw(GL_TRIANGLES);
     if (has_floor) floor_gl.draw(GL_TRIANGLES);
 
@@ -389,8 +401,9 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.post.run(s.picture.texture(), size, post);
     s.times.render_scale = s.quality.render_scale;
     s.times.samples = s.quality.samples;
-    s.overlay_painter.draw(s.painter, snapshot, overlay, post.circle, s.camera, s.times, width,
-                           height);
+    const double clock_s = s.settings.offscreen ? snapshot.time_s : seconds_of(start);
+    s.overlay_painter.draw(s.painter, snapshot, overlay, post.circle, s.camera,
+                           {&s.tools, s.depth_cue.feet(), clock_s}, s.times, width, height);
     if (!s.settings.offscreen) {
         glBindFramebuffer(GL_READ_FRAMEBUFFER, post.output);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);

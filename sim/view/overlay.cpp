@@ -8,20 +8,14 @@
 #include <cstring>
 
 #include "sim/diathermy.h"
-#include "sim/view/overlay_colours.h"
+#include "sim/view/overlay_style.h"
 #include "sim/view/strings.h"
 
 namespace placode::sim {
-namespace {
 
-std::string number(double value, int digits) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.*f", digits, value);
-    for (char* c = text; *c != 0; ++c) {
-        if (*c == ',') *c = '.';  // whatever the locale says
-    }
-    return text;
-}
+using namespace style;
+
+namespace {
 
 const char* phase_text(Phase phase) {
     switch (phase) {
@@ -52,13 +46,24 @@ std::string Overlay::say(std::string_view english) const {
     return translated(english, state_->language);
 }
 
+std::string Overlay::phrase(std::string_view english, const std::string& first,
+                            const std::string& second) const {
+    std::string text = say(english);
+    for (const auto& [mark, value] : {std::pair{"%1", first}, {"%2", second}}) {
+        const size_t at = text.find(mark);
+        if (at != std::string::npos) text.replace(at, 2, value);
+    }
+    return text;
+}
+
 void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const OverlayState& state,
-                   const Circle& circle, const Camera& camera, const FrameTimes& times, int width,
-                   int height) {
+                   const Circle& circle, const Camera& camera, const TipScene& tips,
+                   const FrameTimes& times, int width, int height) {
     paint_ = &painter;
     snapshot_ = &snapshot;
     state_ = &state;
     camera_ = &camera;
+    tips_ = &tips;
     times_ = &times;
     circle_ = circle;
     width_ = width;
@@ -73,8 +78,10 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
         energy();
         force();
         ring();
-        targets();
+        goals();
     }
+    if (!state.menu.shown) depth();
+    foot_top_ = height_;
     read_outs();
     warning();
     if (state.show_performance) performance();
@@ -82,6 +89,7 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
     tuning_.hide();
     if (!state.menu.shown) tuning_.draw(painter, state.tuning, width_, height_, unit_);
     if (state.waiting && !state.menu.shown && !state.show_help) waiting();
+    hint();
     if (state.holding > 0) hold_ring();
     if (state.menu.shown) menu();
     painter.draw();
@@ -90,13 +98,17 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
 void Overlay::read_outs() {
     double y = margin_ + 1.6 * unit_;
     paint_->text(margin_, y, clock_text(snapshot_->time_s), TextSize::kLarge, kText);
-    if (state_->exam) return;
-    if (state_->time_limit_s > 0) {
+    if (state_->time_limit_s > 0 && (state_->remaining || !state_->exam)) {
         const double x =
             margin_ + paint_->text_width(clock_text(snapshot_->time_s), TextSize::kLarge);
-        paint_->text(x + 0.5 * unit_, y, say("of") + " " + clock_text(state_->time_limit_s),
-                     TextSize::kSmall, kMuted);
+        // Rounded up: what is left is gone when it says 0:00.
+        const double left = std::ceil(std::max(0.0, state_->time_limit_s - snapshot_->time_s));
+        const std::string text = state_->remaining
+                                     ? phrase("%1 left", clock_text(left))
+                                     : say("of") + " " + clock_text(state_->time_limit_s);
+        paint_->text(x + 0.5 * unit_, y, text, TextSize::kSmall, kMuted);
     }
+    if (state_->exam) return;
     y += 1.9 * unit_;
     // The phases are those of the operation; exercises have steps.
     const bool operates = energised_tools() || snapshot_->resected_fraction >= 0;
@@ -187,8 +199,11 @@ void Overlay::force() {
                         kGood.faded(0.35F));
         }
         paint_->box(margin_, y, w * share, h, colour);
-        paint_->text(margin_, y - 0.5 * unit_, say("force") + "  " + number(1000 * f, 0) + " mN",
-                     TextSize::kSmall, kMuted);
+        // Pushed through the surface it has no force; a 0 would look like success.
+        const bool below = tool.buried_m > 0;
+        paint_->text(margin_, y - 0.5 * unit_,
+                     say("force") + "  " + (below ? say("buried") : number(1000 * f, 0) + " mN"),
+                     TextSize::kSmall, below ? kWarn : kMuted);
         y -= 2.4 * unit_;
     }
 }
@@ -240,84 +255,6 @@ bool Overlay::energised_tools() const {
                        [](const ToolSnapshot& tool) { return conducts(tool.kind); });
 }
 
-bool Overlay::practising() const {
-    const PracticeOverlay& practice = state_->practice;
-    return !practice.steps.empty() && practice.goal.count > 0;
-}
-
-// Drawn: not every font has one.
-void Overlay::tick(double x, double y) {
-    const double u = 0.62 * unit_, half = 0.085 * unit_;
-    const Vec2 a(x, y), b(x + 0.38 * u, y + 0.38 * u), c(x + 1.1 * u, y - 0.62 * u);
-    const auto stroke = [&](const Vec2& from, const Vec2& to, double width, const Colour& colour) {
-        const Vec2 along = (to - from).normalized() * width, across(-along.y(), along.x());
-        paint_->quad({Vec2(from - along - across), Vec2(to + along - across),
-                      Vec2(to + along + across), Vec2(from - along + across)},
-                     colour);
-    };
-    // A faint border, because quads have hard edges.
-    for (const auto& [wider, share] : {std::pair{0.9, 0.35F}, {0.45, 0.5F}, {0.0, 1.0F}}) {
-        stroke(a, b, half + wider, kGood.faded(share));
-        stroke(b, c, half + wider, kGood.faded(share));
-    }
-}
-
-// The whole list, each step ticked off when it is done; how to do it stands below the present one.
-double Overlay::practice_steps(double y, double room) {
-    const PracticeOverlay& practice = state_->practice;
-    const int now = practice.goal.index;
-    const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
-    for (int i = 0; i < static_cast<int>(practice.steps.size()); ++i) {
-        const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(i)];
-        if (i < now) tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
-        if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
-        const Colour& colour = i == now ? kText : kMuted;
-        for (const std::string& line :
-             paint_->wrapped(step.text, TextSize::kSmall, room - indent)) {
-            paint_->text(margin_ + indent, y, line, TextSize::kSmall, colour);
-            y += row;
-        }
-        if (i == now) {
-            for (const std::string& line :
-                 paint_->wrapped(step.hint, TextSize::kSmall, room - indent)) {
-                paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
-                y += row;
-            }
-            const double w = room - indent;
-            paint_->box(margin_ + indent, y - 0.6 * unit_, w, 0.25 * unit_, kLine);
-            paint_->box(margin_ + indent, y - 0.6 * unit_,
-                        w * std::clamp(practice.goal.progress, 0.0, 1.0), 0.25 * unit_, kAccent);
-            y += 0.5 * unit_;
-        }
-        y += 0.2 * unit_;
-    }
-    return y;
-}
-
-// No room beside the picture: the present step alone, at the foot.
-void Overlay::practice_line() {
-    const PracticeOverlay& practice = state_->practice;
-    const int now = practice.goal.index;
-    if (now >= static_cast<int>(practice.steps.size())) return;
-    const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(now)];
-    const std::string text =
-        std::to_string(now + 1) + "/" + std::to_string(practice.steps.size()) + "  " + step.text;
-    const double w =
-        std::min(width_ - 2 * margin_, std::max(paint_->text_width(text, TextSize::kSmall),
-                                                paint_->text_width(step.hint, TextSize::kSmall)) +
-                                           1.6 * unit_);
-    const double rows = step.hint.empty() ? 1 : 2;
-    const double h = rows * paint_->line_height(TextSize::kSmall) + 0.8 * unit_;
-    const double x = 0.5 * (width_ - w), y = height_ - h - 3.2 * unit_;
-    paint_->box(x, y, w, h, kRaised.faded(0.85F));
-    paint_->text(0.5 * width_, y + 1.2 * unit_, text, TextSize::kSmall, kText, Align::kCentre);
-    if (rows > 1)
-        paint_->text(0.5 * width_, y + 1.2 * unit_ + paint_->line_height(TextSize::kSmall),
-                     step.hint, TextSize::kSmall, kAccent, Align::kCentre);
-    paint_->box(x, y + h - 0.2 * unit_, w * std::clamp(practice.goal.progress, 0.0, 1.0),
-                0.2 * unit_, kAccent);
-}
-
 bool Overlay::place_of(const Vec3& mm, Vec2& px) const {
     const Eigen::Vector4f at(static_cast<float>(mm.x()), static_cast<float>(mm.y()),
                              static_cast<float>(mm.z()), 1.0F);
@@ -337,27 +274,6 @@ bool Overlay::place_of(const Vec3& mm, Vec2& px) const {
     const Vec2 p = seen.norm() > 1e-9 ? Vec2(seen.normalized() * r) : Vec2(Vec2::Zero());
     px = Vec2(circle_.x + circle_.radius * p.x(), circle_.y - circle_.radius * p.y());
     return true;
-}
-
-// Rings around the places of the present step, as wide as what still counts.
-void Overlay::targets() {
-    if (!practising()) return;
-    const PracticeGoal& goal = state_->practice.goal;
-    for (int t = 0; t < goal.targets; ++t) {
-        const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
-        Vec2 px, side;
-        if (!place_of(mm, px)) continue;
-        double radius = 0.7 * unit_;
-        if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
-            radius = std::max(radius, (side - px).norm());
-        paint_->ring(px.x(), px.y(), radius + 1.5, (radius - 2.5) / (radius + 1.5),
-                     kInk.faded(0.6F));
-        paint_->ring(px.x(), px.y(), radius, (radius - 2) / radius, kText);
-        paint_->ring(px.x(), px.y(), 2.5, 0, kText);
-        if (goal.progress > 0)
-            paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
-                         kAccent.faded(0.5F));
-    }
 }
 
 // One short phrase at the rim, on the side of the instrument; calm, gone after a few seconds.

@@ -76,7 +76,9 @@ void Overlay::hold_ring() {
 void Overlay::waiting() {
     const std::string text = say("The clock starts with your first motion");
     const double w = paint_->text_width(text, TextSize::kNormal) + 2.4 * unit_, h = 2.4 * unit_;
-    const double x = 0.5 * (width_ - w), y = height_ - margin_ - 6.5 * unit_;
+    const double x = 0.5 * (width_ - w),
+                 y = std::min(height_ - margin_ - 6.5 * unit_, foot_top_ - h - 0.4 * unit_);
+    foot_top_ = y;
     paint_->box(x, y, w, h, kRaised.faded(0.9F));
     paint_->text(0.5 * width_, y + 1.55 * unit_, text, TextSize::kNormal, kText, Align::kCentre);
 }

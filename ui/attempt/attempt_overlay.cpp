@@ -3,6 +3,8 @@
 #include "ui/attempt/attempt_overlay.h"
 
 #include "curriculum/preset.h"
+#include "curriculum/step_hints.h"
+#include "ui/attempt/motion.h"
 
 namespace placode::ui {
 namespace {
@@ -73,7 +75,13 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
     overlay.title = task.title.in(arguments.language);
     overlay.goal = task.goal.in(arguments.language);
     overlay.help = controls(arguments);
-    overlay.time_limit_s = arguments.duration_s > 0 ? arguments.duration_s : task.time_limit_s;
+    overlay.time_limit_s = task.time_limit_s > 0 || arguments.duration_s > 0
+                               ? curriculum::limit_of(task, arguments.duration_s)
+                               : 0;
+    // A limit that somebody else set (a study's familiarisation) is shown as what is left of it.
+    overlay.remaining = arguments.duration_s > 0;
+    overlay.depth_aid = arguments.aids.depth;
+    overlay.motion = motion_wanted();
     overlay.full_force_n = task.scene.contact.over_force_n;
     for (const sim::ToolSpec& tool : task.scene.tools) {
         if (tool.kind == sim::ToolKind::kScope) continue;
@@ -81,12 +89,16 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
         overlay.coag_power_w = tool.coag_power_w;
         break;
     }
-    const std::string device = arguments.device.substr(0, arguments.device.find(':'));
-    for (const curriculum::TaskStep& step : curriculum::steps_for(task, arguments.device)) {
-        const auto hint = step.hints.find(device);
+    overlay.practice.device = sim::hint_device(arguments.device);
+    const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(task, arguments.device);
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const curriculum::TaskStep& step = steps[i];
+        const sim::Hand before = i > 0 ? steps[i - 1].goal.hand : sim::Hand::kRight;
+        const bool changes = step.goal.hand != before && step.goal.hand != sim::Hand::kCamera;
         overlay.practice.steps.push_back(
             {step.text.in(arguments.language),
-             hint == step.hints.end() ? "" : hint->second.in(arguments.language)});
+             curriculum::step_hint(step, arguments.device, changes).in(arguments.language),
+             changes});
         // A line that is to be followed must be seen.
         overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
     }

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curriculum/step_hints.h"
+
+#include <array>
+
+namespace placode::curriculum {
+
+namespace {
+
+using sim::HintDevice;
+using sim::PracticeKind;
+
+struct Words {
+    const char *en = "", *pl = "";
+};
+/// Mouse, keyboard, gamepad, SpaceMouse, arm.
+using ByDevice = std::array<Words, 5>;
+
+// In the order of PracticeKind.
+constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
+    // kMove
+    {{{"Move the mouse. Ctrl makes it precise, Space freezes the hand.",
+       "Ruszaj myszą. Ctrl: precyzyjnie, Spacja: zatrzymuje rękę."},
+      {"W A S D. Ctrl makes it precise.", "W A S D. Ctrl: precyzyjnie."},
+      {"Left stick. The left bumper makes it precise.",
+       "Lewa gałka. Lewy przycisk górny: precyzyjnie."},
+      {"Push the cap sideways, up and down.", "Popychaj gałkę na boki, w górę i w dół."},
+      {"Move the handle sideways. The tip goes the other way, as through a port.",
+       "Poruszaj uchwytem na boki. Końcówka idzie w przeciwną stronę, jak przez port."}}},
+    // kDepth
+    {{{"Turn the wheel: away from you is deeper. Shift makes it quicker.",
+       "Kręć kółkiem: od siebie to głębiej. Shift: szybciej."},
+      {"F goes deeper, R back.", "F głębiej, R z powrotem."},
+      {"Right trigger goes deeper, left trigger back.", "Prawy spust głębiej, lewy z powrotem."},
+      {"Push the cap away from you to go deeper, pull it to come back.",
+       "Popchnij gałkę od siebie, by wejść głębiej, pociągnij, by wrócić."},
+      {"Push the handle in to go deeper, draw it out to come back.",
+       "Wsuń uchwyt, by wejść głębiej, wysuń, by wrócić."}}},
+    // kTurn
+    {{{"Hold Shift and move the mouse sideways.", "Przytrzymaj Shift i ruszaj myszą na boki."},
+      {"Q and E turn.", "Q i E obracają."},
+      {"Right stick, sideways.", "Prawa gałka, na boki."},
+      {"Twist the cap.", "Przekręcaj gałkę."},
+      {"Turn the handle about its axis.", "Obracaj uchwyt wokół osi."}}},
+    // kTouch
+    {{{"Go above the ring, then down with the wheel, notch by notch. Ctrl makes notches small.",
+       "Ustaw się nad pierścieniem, potem w dół kółkiem, ząbek po ząbku. Ctrl: małe ząbki."},
+      {"Go above the ring, then F with Ctrl.", "Ustaw się nad pierścieniem, potem F z Ctrl."},
+      {"Go above the ring, then the right trigger with the left bumper.",
+       "Ustaw się nad pierścieniem, potem prawy spust z lewym przyciskiem górnym."},
+      {"Go above the ring, then push the cap gently away from you.",
+       "Ustaw się nad pierścieniem, potem delikatnie popchnij gałkę od siebie."},
+      {"Go above the ring, then push the handle in until the tip touches.",
+       "Ustaw się nad pierścieniem, potem wsuwaj uchwyt, aż końcówka dotknie."}}},
+    // kCut
+    {{{"Touch the ring's middle, then hold the left button: yellow pedal, cut.",
+       "Dotknij środka pierścienia, potem przytrzymaj lewy przycisk: żółty pedał, cięcie."},
+      {"Touch the ring's middle, then hold X: yellow pedal, cut.",
+       "Dotknij środka pierścienia, potem przytrzymaj X: żółty pedał, cięcie."},
+      {"Touch the ring's middle, then hold A: yellow pedal, cut.",
+       "Dotknij środka pierścienia, potem przytrzymaj A: żółty pedał, cięcie."},
+      {"Touch the ring's middle, then hold the left button or the yellow pedal: cut.",
+       "Dotknij środka pierścienia, potem przytrzymaj lewy przycisk lub żółty pedał: cięcie."},
+      {"Touch the ring's middle, then press the yellow pedal: cut.",
+       "Dotknij środka pierścienia, potem naciśnij żółty pedał: cięcie."}}},
+    // kCoag
+    {{{"Touch the ring's middle, then hold the right button: blue pedal, coagulation.",
+       "Dotknij środka pierścienia, potem przytrzymaj prawy przycisk: niebieski pedał, "
+       "koagulacja."},
+      {"Touch the ring's middle, then hold C: blue pedal, coagulation.",
+       "Dotknij środka pierścienia, potem przytrzymaj C: niebieski pedał, koagulacja."},
+      {"Touch the ring's middle, then hold B: blue pedal, coagulation.",
+       "Dotknij środka pierścienia, potem przytrzymaj B: niebieski pedał, koagulacja."},
+      {"Touch the ring's middle, then hold the right button or the blue pedal: coagulation.",
+       "Dotknij środka pierścienia, potem przytrzymaj prawy przycisk lub niebieski pedał: "
+       "koagulacja."},
+      {"Touch the ring's middle, then press the blue pedal: coagulation.",
+       "Dotknij środka pierścienia, potem naciśnij niebieski pedał: koagulacja."}}},
+    // kGrasp
+    {{{"Down until it touches, then hold the left button: the jaws close.",
+       "W dół, aż dotknie, potem przytrzymaj lewy przycisk: szczęki się zamkną."},
+      {"Down until it touches, then hold X: the jaws close.",
+       "W dół, aż dotknie, potem przytrzymaj X: szczęki się zamkną."},
+      {"Down until it touches, then hold A: the jaws close.",
+       "W dół, aż dotknie, potem przytrzymaj A: szczęki się zamkną."},
+      {"Down until it touches, then hold the left button: the jaws close.",
+       "W dół, aż dotknie, potem przytrzymaj lewy przycisk: szczęki się zamkną."},
+      {"Push in until it touches, then close the handle or hold its first button.",
+       "Wsuń, aż dotknie, potem zamknij uchwyt lub przytrzymaj jego pierwszy przycisk."}}},
+    // kRelease
+    {{{"Let go of the left button.", "Puść lewy przycisk."},
+      {"Let go of X.", "Puść X."},
+      {"Let go of A.", "Puść A."},
+      {"Let go of the left button.", "Puść lewy przycisk."},
+      {"Open the handle, or let go of its button.", "Otwórz uchwyt lub puść jego przycisk."}}},
+    // kTrace
+    {{{"Down with the wheel until the tip nearly touches, then follow the line with the mouse.",
+       "Kółkiem w dół, aż końcówka prawie dotknie, potem prowadź ją myszą wzdłuż linii."},
+      {"F until the tip nearly touches, then W A S D with Ctrl along the line.",
+       "F, aż końcówka prawie dotknie, potem W A S D z Ctrl wzdłuż linii."},
+      {"Right trigger until the tip nearly touches, then the left stick along the line.",
+       "Prawy spust, aż końcówka prawie dotknie, potem lewa gałka wzdłuż linii."},
+      {"Push the cap away from you until the tip nearly touches, then sideways along the line.",
+       "Popchnij gałkę od siebie, aż końcówka prawie dotknie, potem na boki wzdłuż linii."},
+      {"Push the handle in until the tip nearly touches, then follow the line.",
+       "Wsuń uchwyt, aż końcówka prawie dotknie, potem prowadź ją wzdłuż linii."}}},
+    // kTraction
+    {{{"Hold the left button to grasp, Tab keeps it held; grasp with the other hand, then pull "
+       "gently.",
+       "Przytrzymaj lewy przycisk, by chwycić, Tab zostawia chwyt; chwyć drugą ręką i delikatnie "
+       "ciągnij."},
+      {"Hold X to grasp, Tab keeps it held; grasp with the other hand, then pull gently with "
+       "Ctrl.",
+       "Przytrzymaj X, by chwycić, Tab zostawia chwyt; chwyć drugą ręką i delikatnie ciągnij z "
+       "Ctrl."},
+      {"Hold A to grasp, Tab on the keyboard keeps it held; grasp with the other hand, then pull "
+       "gently.",
+       "Przytrzymaj A, by chwycić, Tab na klawiaturze zostawia chwyt; chwyć drugą ręką i "
+       "delikatnie ciągnij."},
+      {"Hold the left button to grasp, Tab on the keyboard keeps it held; grasp with the other "
+       "hand, then pull gently.",
+       "Przytrzymaj lewy przycisk, by chwycić, Tab na klawiaturze zostawia chwyt; chwyć drugą "
+       "ręką i delikatnie ciągnij."},
+      {"Grasp with both hands, then pull gently until both bars stand in the green band.",
+       "Chwyć obiema rękami, potem delikatnie ciągnij, aż oba paski staną w zielonym polu."}}},
+    // kWithdraw
+    {{{"Wheel towards you.", "Kółko do siebie."},
+      {"R draws back.", "R cofa."},
+      {"Left trigger draws back.", "Lewy spust cofa."},
+      {"Pull the cap towards you.", "Pociągnij gałkę do siebie."},
+      {"Draw the handle out.", "Wysuń uchwyt."}}},
+}};
+
+// The scope has devices of its own.
+constexpr ByDevice kScope{{{"Hold the middle button and move the mouse.",
+                            "Przytrzymaj środkowy przycisk i ruszaj myszą."},
+                           {"Arrow keys.", "Klawisze strzałek."},
+                           {},
+                           {},
+                           {}}};
+
+constexpr ByDevice kOtherHand{
+    {{"Tab changes hands. ", "Tab zmienia rękę. "},
+     {"Tab changes hands. ", "Tab zmienia rękę. "},
+     {"Tab on the keyboard changes hands. ", "Tab na klawiaturze zmienia rękę. "},
+     {"Tab on the keyboard changes hands. ", "Tab na klawiaturze zmienia rękę. "},
+     {"With one arm: tap its second button to change hands. ",
+      "Jedno ramię: jego drugi przycisk zmienia rękę. "}}};
+
+}  // namespace
+
+LocalText step_hint(const TaskStep& step, const std::string& device, bool changes_hand) {
+    const auto own = step.hints.find(device.substr(0, device.find(':')));
+    if (own != step.hints.end()) return own->second;
+    const HintDevice hand = sim::hint_device(device);
+    if (hand == HintDevice::kNone) return {};
+    const size_t column = static_cast<size_t>(hand) - 1;
+    const bool scope = step.goal.hand == sim::Hand::kCamera;
+    const Words& words =
+        scope ? kScope[column] : kHints[static_cast<size_t>(step.goal.kind)][column];
+    if (*words.en == '\0') return {};
+    LocalText text{words.en, words.pl};
+    if (changes_hand && !scope) {
+        text.en.insert(0, kOtherHand[column].en);
+        text.pl.insert(0, kOtherHand[column].pl);
+    }
+    return text;
+}
+
+}  // namespace placode::curriculum

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nobody is left without a hint: every step of every practice task says and shows how it is done
+// with every device that can do it, in both languages.
+
+#include "curriculum/step_hints.h"
+
+#include <gtest/gtest.h>
+
+#include "curriculum/definitions.h"
+#include "sim/view/practice_hint.h"
+
+namespace placode::curriculum {
+namespace {
+
+constexpr const char* kHands[] = {"mouse",       "keyboard", "gamepad", "spacemouse",
+                                  "openhaptics", "haply",    "avatar",  "forcedimension"};
+
+TEST(StepHints, EveryStepHasWordsAndSymbolsForEveryDeviceThatCanDoIt) {
+    int steps = 0;
+    for (const std::string& id : list_definitions("tasks")) {
+        const Task task = load_task(id);
+        for (const char* device : kHands) {
+            for (const TaskStep& step : steps_for(task, device)) {
+                for (const bool changes : {false, true}) {
+                    const LocalText hint = step_hint(step, device, changes);
+                    EXPECT_FALSE(hint.en.empty()) << id << " " << device << " " << step.text.en;
+                    EXPECT_FALSE(hint.pl.empty()) << id << " " << device << " " << step.text.en;
+                    EXPECT_FALSE(
+                        sim::hint_symbols(step.goal, sim::hint_device(device), changes).empty())
+                        << id << " " << device << " " << step.text.en;
+                }
+                ++steps;
+            }
+        }
+    }
+    EXPECT_GT(steps, 8 * 20);
+}
+
+TEST(StepHints, EveryKindOfStepHasThemWhateverTasksThereWillBe) {
+    for (const char* device : kHands) {
+        for (int kind = 0; kind < sim::kPracticeKinds; ++kind) {
+            TaskStep step;
+            step.goal.kind = static_cast<sim::PracticeKind>(kind);
+            const LocalText hint = step_hint(step, device, false);
+            EXPECT_FALSE(hint.en.empty()) << device << " " << kind;
+            EXPECT_NE(hint.pl, hint.en) << device << " " << kind;
+            EXPECT_FALSE(sim::hint_symbols(step.goal, sim::hint_device(device), false).empty())
+                << device << " " << kind;
+        }
+    }
+}
+
+TEST(StepHints, AStepForTheOtherHandBeginsWithChangingHands) {
+    TaskStep step;
+    step.goal.kind = sim::PracticeKind::kTurn;
+    step.goal.hand = sim::Hand::kLeft;
+    EXPECT_EQ(step_hint(step, "mouse", true).en.rfind("Tab changes hands. ", 0), 0U);
+    const auto symbols = sim::hint_symbols(step.goal, sim::HintDevice::kMouse, true);
+    ASSERT_EQ(symbols.size(), 3U);
+    EXPECT_STREQ(symbols[0].name, "Tab");
+    EXPECT_STREQ(symbols[1].name, "Shift");
+    EXPECT_TRUE(symbols[1].together);
+}
+
+TEST(StepHints, ATasksOwnWordsComeFirstAndScriptsNeedNone) {
+    TaskStep step;
+    step.hints["mouse"] = {"Own words.", "Własne słowa."};
+    EXPECT_EQ(step_hint(step, "mouse", true).en, "Own words.");
+    EXPECT_NE(step_hint(step, "keyboard", false).en, "Own words.");
+    EXPECT_TRUE(step_hint(step, "script:expert", false).en.empty());
+    EXPECT_TRUE(sim::hint_symbols(step.goal, sim::hint_device("script:mouse"), false).empty());
+    // Only a mouse and a keyboard steer the scope.
+    step.goal.hand = sim::Hand::kCamera;
+    EXPECT_TRUE(step_hint(step, "gamepad", false).en.empty());
+    EXPECT_FALSE(step_hint(step, "keyboard", false).en.empty());
+}
+
+}  // namespace
+}  // namespace placode::curriculum
