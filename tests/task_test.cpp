@@ -64,6 +64,18 @@ TEST(Task, TheResolvedTextGivesTheSameTaskAgain) {
     }
 }
 
+TEST(Task, WithoutALimitItLastsUntilSomebodyEndsIt) {
+    const Task tutorial = load_task("familiarisation");
+    EXPECT_EQ(tutorial.time_limit_s, 0);
+    EXPECT_EQ(tutorial.json.find("time_limit_s"), std::string::npos);
+    EXPECT_EQ(limit_of(tutorial, 0), kLongestS);
+    EXPECT_EQ(limit_of(tutorial, 120), 120) << "a study's familiarisation";
+    const Task ring = load_task("diathermy_ring");
+    EXPECT_EQ(limit_of(ring, 0), 600);
+    EXPECT_EQ(limit_of(ring, 120), 120);
+    EXPECT_EQ(limit_of(ring, 900), 600) << "never longer than the task says";
+}
+
 TEST(Task, OverridesChangeOnlyWhatTheyName) {
     const Task plain = load_task("diathermy_ring_small");
     std::ifstream in(data_folder() / "tasks" / "diathermy_ring_small.json");
