@@ -40,6 +40,32 @@ void check_step(const StudyStep& step, const std::string& origin, const std::str
     need(step.kind != StepKind::kProcedure || !step.task.empty(), "task");
 }
 
+/// Rules of an attempt stand in a step that is one, and leave time enough.
+void check_conduct(const StudyStep& step, const Json& json, const std::string& origin,
+                   const std::string& pointer) {
+    for (const char* key : {"device", "aids", "min_s"})
+        if (json.contains(key) && !step.is_attempt())
+            throw DefinitionError(origin, pointer + "/" + key,
+                                  std::string("a step of kind \"") + step_kind_name(step.kind) +
+                                      "\" has no attempt; expected kind \"procedure\" or "
+                                      "\"familiarisation\"");
+    const double most = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(step.min_s);
+    if (step.min_s > most)
+        throw DefinitionError(origin, pointer + "/min_s",
+                              "found a least duration above the longest one of the step");
+}
+
+Aids read_aids(const Json& json, const std::string& origin, const std::string& pointer) {
+    std::string names;
+    for (const Json& name : json) {
+        if (!names.empty()) names += ',';
+        names += name.get<std::string>();
+    }
+    const auto aids = aids_named(names);
+    if (!aids) throw DefinitionError(origin, pointer, "found an unknown aid in \"" + names + "\"");
+    return *aids;
+}
+
 StudyStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
     StudyStep step;
     step.id = json["id"];
@@ -51,9 +77,13 @@ StudyStep read_step(const Json& json, const std::string& origin, const std::stri
     step.task = json.value("task", std::string());
     step.max_s = json.value("max_s", 0.0);
     if (json.contains("time_limit_s")) step.time_limit_s = json["time_limit_s"].get<double>();
+    step.min_s = json.value("min_s", 0.0);
+    step.device = json.value("device", std::string());
+    if (json.contains("aids")) step.aids = read_aids(json["aids"], origin, pointer + "/aids");
     step.required = json.value("required", true);
     step.arms = json.value("arms", std::vector<int>());
     check_step(step, origin, pointer);
+    check_conduct(step, json, origin, pointer);
     return step;
 }
 
@@ -127,6 +157,8 @@ bool StudyStep::for_arm(int arm) const {
     return arms.empty() || std::find(arms.begin(), arms.end(), arm) != arms.end();
 }
 
+Aids StudyStep::allowed_aids() const { return aids.value_or(conduct_of(AttemptMode::kStudy).aids); }
+
 const StudyStep* StudyProtocol::step(const std::string& step_id) const {
     for (const StudyStep& candidate : steps)
         if (candidate.id == step_id) return &candidate;
@@ -148,6 +180,7 @@ StudyProtocol load_study_text(const std::string& text, const std::string& origin
     study.title = local_text(json["title"]);
     if (json.contains("description")) study.description = local_text(json["description"]);
     study.source = json.value("source", std::string());
+    study.reason = json.value("reason", std::string());
     study.visits = json.value("visits", 1);
     if (json.contains("consent")) study.consent = read_consent(json["consent"]);
     if (json.contains("arms")) study.arms = read_arms(json["arms"], origin);

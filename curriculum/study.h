@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "curriculum/conduct.h"
 #include "curriculum/task.h"
 
 namespace placode::curriculum {
@@ -30,8 +31,18 @@ struct StudyStep {
     std::string task;                    ///< Familiarisation and procedure.
     double max_s = 0;                    ///< Familiarisation.
     std::optional<double> time_limit_s;  ///< Procedure; absent = none beyond the task's own.
+    double min_s = 0;                    ///< A shorter attempt does not count as done.
+    std::string device;        ///< As on the command line; empty = the coordinator chooses once.
+    std::optional<Aids> aids;  ///< Absent = those of conduct_of(AttemptMode::kStudy).
     bool required = true;
     std::vector<int> arms;  ///< Only for these, from 0; empty = for everybody.
+
+    /// Of an attempt: a familiarisation or a procedure.
+    [[nodiscard]] bool is_attempt() const {
+        return kind == StepKind::kFamiliarisation || kind == StepKind::kProcedure;
+    }
+    /// What the picture may show beyond the fetoscope's view.
+    [[nodiscard]] Aids allowed_aids() const;
 
     [[nodiscard]] bool for_arm(int arm) const;  ///< arm -1 = not allocated.
 };
@@ -61,6 +72,7 @@ struct StudyProtocol {
     int version = 1;
     LocalText title, description;
     std::string source;
+    std::string reason;  ///< Why this version differs from the one before; may be empty.
     Consent consent;
     std::optional<Arms> arms;
     int visits = 1;

@@ -20,6 +20,9 @@ TEST(Study, ShipsTheSeedPapersProtocolInItsOrder) {
                                                "procedure_3", "face_validity"}));
     EXPECT_EQ(study.step("familiarisation")->max_s, 120) << "two minutes at most";
     EXPECT_FALSE(study.step("procedure_1")->time_limit_s) << "the paper set no time limit";
+    EXPECT_EQ(study.step("procedure_1")->min_s, 60) << "one press of a key is no procedure";
+    EXPECT_EQ(study.step("procedure_1")->device, "") << "the coordinator chooses, once";
+    EXPECT_FALSE(study.reason.empty()) << "version 2 says why";
     EXPECT_TRUE(study.needs_consent());
     EXPECT_NE(study.source.find("Korzeniowski"), std::string::npos);
     for (const StudyStep& step : study.steps) {
@@ -72,6 +75,37 @@ TEST(Study, RefusesAStepWithoutWhatItNeedsAndNamesThePlace) {
                                     R"("arms":{"names":[{"en":"x"},{"en":"y"}],"block_size":3},)"))
                   .pointer(),
               "/arms/block_size");
+}
+
+TEST(Study, TheProtocolSetsDeviceAidsAndLeastDuration) {
+    const StudyProtocol study = load_study_text(
+        with_steps(R"({"id":"a","kind":"procedure","task":"t","device":"mouse","min_s":30,)"
+                   R"("aids":["warnings","depth"]},{"id":"b","kind":"procedure","task":"t",)"
+                   R"("aids":[]},{"id":"c","kind":"familiarisation","task":"t","max_s":60})"),
+        "test.json");
+    EXPECT_EQ(study.step("a")->device, "mouse");
+    EXPECT_EQ(study.step("a")->min_s, 30);
+    EXPECT_EQ(aid_names(study.step("a")->allowed_aids()), "warnings,depth");
+    EXPECT_EQ(aid_names(study.step("b")->allowed_aids()), "") << "an empty list allows none";
+    EXPECT_EQ(study.step("c")->allowed_aids(), conduct_of(AttemptMode::kStudy).aids);
+    EXPECT_TRUE(study.step("c")->is_attempt());
+}
+
+TEST(Study, RefusesRulesOfAnAttemptThatCannotHoldAndNamesThePlace) {
+    const auto pointer = [](const std::string& step) {
+        return failure_of(with_steps(step)).pointer();
+    };
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"procedure","task":"t","aids":["x_ray"]})"),
+              "/steps/0/aids/0");
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"procedure","task":"t","min_s":-1})"), "/steps/0/min_s");
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"procedure","task":"t","device":"the mouse"})"),
+              "/steps/0/device");
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"procedure","task":"t","min_s":30,"time_limit_s":20})"),
+              "/steps/0/min_s");
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"familiarisation","task":"t","min_s":61,"max_s":60})"),
+              "/steps/0/min_s");
+    EXPECT_EQ(pointer(R"({"id":"a","kind":"briefing","text":[{"en":"x"}],"device":"mouse"})"),
+              "/steps/0/device");
 }
 
 TEST(Study, AllocationIsBalancedInEveryBlockAndTheSameForTheSameSeed) {
