@@ -17,6 +17,7 @@ void MachineSpeed::close_second(double wall_s, uint64_t pictures) noexcept {
     const double rate = static_cast<double>(pictures - second_pictures_) / wall_s;
     const auto bin = static_cast<size_t>(std::clamp(rate, 0.0, kRates - 1.0));
     ++seconds_at_[bin];
+    drawn_ = drawn_ || pictures > 0;
     ++seconds_;
     wall_s_ += wall_s;
     simulated_s_ += second_simulated_s_;
@@ -70,7 +71,8 @@ std::optional<sim::Event> MachineSpeed::closing(double attempt_s) const noexcept
     event.kind = sim::EventKind::kMachineSpeed;
     event.time_s = attempt_s;
     event.value = static_cast<float>(real_time());
-    event.value2 = static_cast<float>(pictures_hz());
+    // Zero says that nothing was drawn at all; a slide show of less than one a second is none.
+    event.value2 = static_cast<float>(drawn_ ? std::max(0.5, pictures_hz()) : 0.0);
     return event;
 }
 

@@ -53,6 +53,7 @@ class MachineSpeed {
     std::array<uint32_t, kRates> seconds_at_{};  // how many seconds had that many pictures
     uint32_t seconds_ = 0;
     int slow_seconds_ = 0;
+    bool drawn_ = false;
     double spell_s_ = 0, worst_hz_ = 0, now_share_ = 1, now_hz_ = 0;
 };
 

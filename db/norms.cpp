@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "assessment/statistics.h"
+#include "db/attempt_counting.h"
 #include "db/signature.h"
 
 namespace placode::db {
@@ -81,7 +82,7 @@ std::vector<LevelAttempts> level_attempts(
         level.level = name;
         for (const int64_t id : ids)
             for (MeasuredAttempt& attempt : store.measured_attempts(id, task_id)) {
-                if (attempt.record.generated || !was_tried(attempt.record)) continue;
+                if (attempt.record.generated || !counts(attempt.record)) continue;
                 newest = std::max(newest, versions_of(attempt));
                 level.by_person[id].push_back(std::move(attempt));
             }

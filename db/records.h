@@ -57,11 +57,18 @@ struct ErasureRecord {
     std::string reason, asked_utc, done_utc;  ///< done: empty while it waits.
 };
 
+/// Of which study an attempt is, and whose; `study` empty = a person's own.
+struct StudyContext {
+    std::string study, participant;
+
+    friend bool operator==(const StudyContext&, const StudyContext&) = default;
+};
+
 /// One row of a history.
 struct AttemptRecord {
     int64_t id = 0;
-    int64_t user_id = 0;
-    std::string user_name;
+    int64_t user_id = 0;    ///< 0 = of a study: it belongs to a participant's code.
+    std::string user_name;  ///< Of a study: the code.
     std::string task_id;
     int task_version = 0;
     std::string started_utc;
@@ -79,9 +86,11 @@ struct AttemptRecord {
     int preprocessing_version = 1;  ///< assessment::kPreprocessingVersion of that time.
     bool generated = false;         ///< Multiplied from a simulated attempt, to measure the store.
     ExamContext exam;
+    StudyContext study;
     std::string haptic_grade;  ///< not_applicable, sound, bad; empty: no certificate was kept.
-    /// Why an exam attempt is void for cause: its haptic loop failed, not the person. Empty: it is
-    /// not. A void attempt is kept, counts for nothing and uses up no attempt.
+    /// Why the attempt is void for cause: the computer was too slow or, in an exam, the haptic loop
+    /// failed; the person did not. Empty: it is not. A void attempt is kept, counts for nothing and
+    /// uses up no attempt.
     std::string void_reason;
 };
 
@@ -95,6 +104,8 @@ struct AttemptRecord {
 struct AttemptFilter {
     int64_t user_id = 0, group_id = 0;  ///< 0 = everybody's.
     std::string task_id;                ///< Empty = every task's.
+    /// Also those of studies, which belong to nobody; for who may run studies.
+    bool studies = false;
     bool newest_first = true;
     int limit = 100;
     int64_t offset = 0;
@@ -150,6 +161,7 @@ struct AttemptResult {
     std::vector<sim::Event> events;
     std::string recording_file;  ///< Compressed into the store; empty = none.
     ExamContext exam;
+    StudyContext study;
     std::string haptic_certificate;  ///< JSON; empty: as the recording file has it.
 };
 
@@ -269,6 +281,7 @@ struct ParticipantRecord {
     int protocol_version = 0;  ///< 0 = the study has no published protocol.
     int arm = -1;              ///< From 0; -1 = no allocation.
     bool demonstration = false;
+    std::string device;  ///< Chosen by the coordinator, as on the command line; empty = not yet.
     std::optional<WithdrawalMode> withdrawal;
     std::string withdrawn_utc, withdrawal_reason;
     /// False when the participant's data must not be used any more.
@@ -288,6 +301,9 @@ struct StepRecord {
     StepState state = StepState::kDone;
     int64_t attempt_id = 0, answer_id = 0;  ///< 0 = none.
     std::string detail, at_utc;
+    /// Why and by whom the step is done again; empty = this record counts.
+    std::string superseded_reason, superseded_by, superseded_utc;
+    [[nodiscard]] bool superseded() const { return !superseded_utc.empty(); }
 };
 
 /// A published version of a questionnaire or study.

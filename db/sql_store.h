@@ -24,15 +24,21 @@ struct AttemptConditions {
     std::string sql;  ///< " WHERE ...", or empty.
     std::vector<QVariant> values;
 
-    void add(const std::string& condition, const QVariant& value) {
+    void add(const std::string& condition) {
         sql += (sql.empty() ? " WHERE " : " AND ") + condition;
+    }
+    void add(const std::string& condition, const QVariant& value) {
+        add(condition);
         values.push_back(value);
     }
 };
+/// What participants did in studies is nobody's training.
+enum class Studies : uint8_t { kLeftOut, kTakenIn };
 /// 0 and empty = no condition.
 [[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
-                                              const std::string& task_id);
-/// Interrupted attempts count nowhere, nor do exams that are void for cause.
+                                              const std::string& task_id,
+                                              Studies studies = Studies::kLeftOut);
+/// Interrupted attempts count nowhere, nor do those that are void for cause or of a study.
 [[nodiscard]] std::string is_finished(const std::string& table);
 
 class SqlStore final : public Store, private StudyRecords {
@@ -124,6 +130,8 @@ class SqlStore final : public Store, private StudyRecords {
 
     // sql_store_studies.cpp
     std::string new_participant(const std::string& study_id, bool demonstration) override;
+    void set_participant_device(const std::string& study_id, const std::string& code,
+                                const std::string& device) override;
     std::vector<ParticipantRecord> participants(const std::string& study_id) override;
     std::vector<std::string> study_ids() override;
     int64_t save_answers(const AnswerRecord& answers) override;
@@ -149,6 +157,12 @@ class SqlStore final : public Store, private StudyRecords {
                        const std::string& reason) override;
     std::vector<RecordEvent> record_events(const std::string& study_id) override;
     std::map<std::string, RecordState> record_states(const std::string& study_id) override;
+    // sql_store_repeats.cpp
+    void repeat_step(const std::string& study_id, const std::string& code, int visit,
+                     const std::string& step, const std::string& reason) override;
+    void note_step(const std::string& study_id, const std::string& code, int visit,
+                   const std::string& step, const std::string& note) override;
+    std::vector<StepNote> step_notes(const std::string& study_id) override;
     // sql_store_corrections.cpp
     void correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
                          const std::string& reason) override;
@@ -160,6 +174,7 @@ class SqlStore final : public Store, private StudyRecords {
     std::optional<ConsentSignature> consent_signature(const std::string& study_id,
                                                       const std::string& code) override;
 
+    void need_participant(const std::string& study_id, const std::string& code);
     /// Throws kRefused while the record is locked.
     void need_unlocked(const std::string& study_id, const std::string& code);
     [[nodiscard]] bool is_locked(const std::string& study_id, const std::string& code);

@@ -7,6 +7,7 @@
 #include <charconv>
 
 #include "assessment/signal.h"
+#include "db/attempt_counting.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
@@ -19,12 +20,14 @@ namespace {
 using Kind = StoreError::Kind;
 
 const std::string kAttemptColumns =
-    "SELECT t.id, t.account_id, COALESCE(p.display_name, ''), t.task_id, t.task_version, "
+    "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END, CASE WHEN t.study = '' THEN "
+    "COALESCE(p.display_name, '') ELSE t.participant END, t.task_id, t.task_version, "
     "t.started_utc, t.duration_s, t.device, t.seed, t.build, t.end_reason, t.demonstration, "
     "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version, "
     "t.preprocessing_version, t.generated_from, t.exam_course, t.exam_course_version, "
     "t.exam_stage, "
-    "t.proctor, t.device_certificate, t.haptic_grade, t.void_reason FROM attempts t LEFT JOIN "
+    "t.proctor, t.device_certificate, t.haptic_grade, t.void_reason, t.study, t.participant FROM "
+    "attempts t LEFT JOIN "
     "persons p ON p.account_id = "
     "t.account_id ";
 
@@ -63,32 +66,35 @@ AttemptRecord read_attempt(const Statement& row) {
                    row.text(23)};
     record.haptic_grade = row.text(24);
     record.void_reason = row.text(25);
+    record.study = {row.text(26), row.text(27)};
     return record;
 }
 
 namespace {
 
 int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
-                       const HapticVerdict& haptics) {
+                       const HapticVerdict& haptics, const std::string& void_reason) {
     Statement insert(
         connection,
         "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
         "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
         "demonstration, points, verdict, rubric_id, rubric_version, "
         "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
-        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason) VALUES (?, ?, "
-        "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
-    insert.run(user_id, result.header.task_id, result.header.task_version,
-               result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
-               result.end.duration_s, result.header.device, std::to_string(result.header.seed),
-               result.header.build, static_cast<int>(result.end.reason),
-               std::to_string(result.end.final_hash), result.end.dropped,
-               result.header.demonstration, result.score.points,
-               static_cast<int>(result.score.verdict), result.score.rubric_id,
-               result.score.rubric_version, result.metrics.version,
-               assessment::kPreprocessingVersion, result.exam.course_id, result.exam.course_version,
-               result.exam.stage_id, result.exam.proctor, result.exam.device_certificate,
-               haptics.certificate, haptics.grade, haptics.void_reason);
+        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, study, "
+        "participant) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
+        "?, ?) RETURNING id");
+    insert.run(
+        user_id, result.header.task_id, result.header.task_version,
+        result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
+        result.end.duration_s, result.header.device, std::to_string(result.header.seed),
+        result.header.build, static_cast<int>(result.end.reason),
+        std::to_string(result.end.final_hash), result.end.dropped, result.header.demonstration,
+        result.score.points, static_cast<int>(result.score.verdict), result.score.rubric_id,
+        result.score.rubric_version, result.metrics.version, assessment::kPreprocessingVersion,
+        result.exam.course_id, result.exam.course_version, result.exam.stage_id,
+        result.exam.proctor, result.exam.device_certificate, haptics.certificate, haptics.grade,
+        void_reason, result.study.study, result.study.participant);
     return insert.returned_id();
 }
 
@@ -146,9 +152,11 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
         packed = compress(file);
     }
     const HapticVerdict haptics = haptic_verdict(result);
+    const std::string void_reason =
+        joined_reasons(haptics.void_reason, slow_machine_reason(result.events));
     UnitOfWork work(connection_);
     (void)need_user(user_id);
-    const int64_t id = insert_attempt(connection_, user_id, result, haptics);
+    const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())
         Statement(
@@ -159,16 +167,18 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
                  QByteArray::fromRawData(reinterpret_cast<const char*>(packed.data()),
                                          static_cast<qsizetype>(packed.size())));
     append_audit(actor_, "attempt.save", "attempt " + std::to_string(id),
-                 "user " + std::to_string(user_id));
-    if (!haptics.void_reason.empty())
-        append_audit(actor_, "attempt.void", "attempt " + std::to_string(id), haptics.void_reason);
+                 result.study.study.empty() ? "user " + std::to_string(user_id)
+                                            : result.study.study + " " + result.study.participant);
+    if (!void_reason.empty())
+        append_audit(actor_, "attempt.void", "attempt " + std::to_string(id), void_reason);
     work.commit();
     return id;
 }
 
 std::vector<AttemptRecord> SqlStore::attempts(int64_t user_id, const std::string& task_id) {
     connection_.begin_operation("list the attempts of");
-    const AttemptConditions where = conditions_of(user_id, 0, task_id);
+    const AttemptConditions where =
+        conditions_of(user_id, 0, task_id, user_id == 0 ? Studies::kTakenIn : Studies::kLeftOut);
     Statement query(connection_, kAttemptColumns + where.sql + " ORDER BY t.started_utc, t.id");
     query.run_list(where.values);
     std::vector<AttemptRecord> found;

@@ -6,8 +6,10 @@
 
 namespace placode::db {
 
-AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id) {
+AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id,
+                                Studies studies) {
     AttemptConditions made;
+    if (studies == Studies::kLeftOut) made.add("t.study = ''");
     if (user_id != 0) made.add("t.account_id = ?", QVariant(qlonglong(user_id)));
     if (group_id != 0)
         made.add(
@@ -19,14 +21,18 @@ AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::st
 }
 
 std::string is_finished(const std::string& table) {
-    return table + ".void_reason = '' AND " + table + ".end_reason <> " +
-           std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) + " AND " + table +
-           ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
+    return table + ".void_reason = '' AND " + table + ".study = '' AND " + table +
+           ".end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) +
+           " AND " + table + ".verdict <> " +
+           std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
 }
 
 AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {
     connection_.begin_operation("list attempts of");
-    const AttemptConditions where = conditions_of(filter.user_id, filter.group_id, filter.task_id);
+    const bool everybody = filter.user_id == 0 && filter.group_id == 0;
+    const AttemptConditions where =
+        conditions_of(filter.user_id, filter.group_id, filter.task_id,
+                      filter.studies && everybody ? Studies::kTakenIn : Studies::kLeftOut);
     AttemptPage page;
     Statement count(connection_, "SELECT COUNT(*) FROM attempts t" + where.sql);
     count.run_list(where.values);

@@ -118,6 +118,7 @@ std::vector<MeasuredAttempt> SqlStore::measured_attempts(int64_t user_id,
                                                          const std::string& task_id) {
     std::vector<MeasuredAttempt> found;
     for (AttemptRecord& record : attempts(user_id, task_id)) {
+        if (!record.study.study.empty()) continue;
         MeasuredAttempt measured;
         measured.metrics.version = record.metric_set_version;
         measured.record = std::move(record);

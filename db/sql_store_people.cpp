@@ -216,7 +216,8 @@ void SqlStore::erase_person(int64_t user_id, bool with_attempts) {
     if (with_attempts) {
         std::vector<int64_t> attempts;
         {
-            Statement query(connection_, "SELECT id FROM attempts WHERE account_id = ?");
+            Statement query(connection_,
+                            "SELECT id FROM attempts WHERE account_id = ? AND study = ''");
             query.run(user_id);
             while (query.next()) attempts.push_back(query.integer(0));
         }

@@ -195,7 +195,13 @@ int64_t SqlStore::insert_step(const StepRecord& step) {
     insert.run(step.study_id, step.participant, step.visit, step.step,
                kStates[static_cast<size_t>(step.state)], step.attempt_id, step.answer_id,
                step.detail, step.at_utc.empty() ? utc_now() : step.at_utc);
-    return insert.returned_id();
+    const int64_t id = insert.returned_id();
+    // Whoever was signed in: it is the participant's from now on.
+    if (step.attempt_id != 0)
+        Statement(connection_,
+                  "UPDATE attempts SET study = ?, participant = ? WHERE id = ? AND study = ''")
+            .run(step.study_id, step.participant, step.attempt_id);
+    return id;
 }
 
 int64_t SqlStore::record_step(const StepRecord& step) {
@@ -214,8 +220,10 @@ int64_t SqlStore::record_step(const StepRecord& step) {
 std::vector<StepRecord> SqlStore::steps(const std::string& study_id) {
     connection_.begin_operation("read the steps of a study from");
     Statement query(connection_,
-                    "SELECT id, code, visit, step, state, attempt_id, answer_id, detail, at_utc "
-                    "FROM study_steps WHERE study_id = ? ORDER BY id");
+                    "SELECT s.id, s.code, s.visit, s.step, s.state, s.attempt_id, s.answer_id, "
+                    "s.detail, s.at_utc, COALESCE(u.reason, ''), COALESCE(u.superseded_by, ''), "
+                    "COALESCE(u.superseded_utc, '') FROM study_steps s LEFT JOIN superseded_steps "
+                    "u ON u.step_id = s.id WHERE s.study_id = ? ORDER BY s.id");
     query.run(study_id);
     std::vector<StepRecord> found;
     while (query.next()) {
@@ -232,6 +240,9 @@ std::vector<StepRecord> SqlStore::steps(const std::string& study_id) {
         step.answer_id = query.integer(6);
         step.detail = query.text(7);
         step.at_utc = query.text(8);
+        step.superseded_reason = query.text(9);
+        step.superseded_by = query.text(10);
+        step.superseded_utc = query.text(11);
         found.push_back(std::move(step));
     }
     return found;
@@ -242,11 +253,20 @@ void SqlStore::erase_participant(const std::string& study_id, const std::string&
     {
         Statement query(connection_,
                         "SELECT DISTINCT attempt_id FROM study_steps WHERE study_id = ? AND code = "
-                        "? AND attempt_id > 0");
-        query.run(study_id, code);
+                        "? AND attempt_id > 0 UNION SELECT id FROM attempts WHERE study = ? AND "
+                        "participant = ?");
+        query.run(study_id, code, study_id, code);
         while (query.next()) attempts.push_back(query.integer(0));
     }
     for (const int64_t id : attempts) delete_attempt(id);
+    Statement(connection_,
+              "DELETE FROM superseded_steps WHERE step_id IN (SELECT id FROM study_steps WHERE "
+              "study_id = ? AND code = ?)")
+        .run(study_id, code);
+    for (const char* table : {"step_notes", "participant_devices"})
+        Statement(connection_,
+                  std::string("DELETE FROM ") + table + " WHERE study_id = ? AND code = ?")
+            .run(study_id, code);
     const std::string mine =
         " WHERE answer_id IN (SELECT id FROM answers WHERE study_id = ? AND participant = ?)";
     for (const char* table :

@@ -31,6 +31,13 @@ bool SqlStore::is_locked(const std::string& study_id, const std::string& code) {
     return query.next() && query.text(0) != "unlocked";
 }
 
+void SqlStore::need_participant(const std::string& study_id, const std::string& code) {
+    Statement there(connection_, "SELECT number FROM participants WHERE study_id = ? AND code = ?");
+    if (!there.run(study_id, code).next())
+        connection_.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
+                                              code + "\"; check the code");
+}
+
 void SqlStore::need_unlocked(const std::string& study_id, const std::string& code) {
     if (is_locked(study_id, code))
         connection_.fail(Kind::kRefused, "the record of " + code +
@@ -49,6 +56,11 @@ std::string SqlStore::record_checksum(const std::string& study_id, const std::st
         }
         all += '\n';
     };
+    const auto add_if_any = [&](const char* sql, int columns) {
+        const std::string before = all;
+        add_rows(sql, columns);
+        if (all.size() == before.size() + 1) all = before;
+    };
     add_rows("SELECT created_utc FROM participants WHERE study_id = ? AND code = ?", 1);
     add_rows(
         "SELECT id, visit, step, state, attempt_id, answer_id, detail, at_utc FROM study_steps "
@@ -65,6 +77,16 @@ std::string SqlStore::record_checksum(const std::string& study_id, const std::st
     add_rows(
         "SELECT t.id, t.task_id, t.points, t.verdict, t.duration_s FROM attempts t JOIN "
         "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ? AND s.code = ? ORDER BY t.id",
+        5);
+    // Only where there are any: a record that was signed before there were such things stays right.
+    add_if_any(
+        "SELECT u.step_id, u.reason, u.superseded_utc FROM superseded_steps u JOIN study_steps s "
+        "ON "
+        "s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id",
+        3);
+    add_if_any(
+        "SELECT id, visit, step, note, at_utc FROM step_notes WHERE study_id = ? AND code = ? "
+        "ORDER BY id",
         5);
     return checksum_hex(all);
 }
@@ -98,10 +120,7 @@ RecordEvent event_of(const std::string& study_id, const std::string& code, Recor
 void SqlStore::lock_record(const std::string& study_id, const std::string& code) {
     connection_.begin_operation("lock the record of " + code + " in");
     UnitOfWork work(connection_);
-    Statement there(connection_, "SELECT number FROM participants WHERE study_id = ? AND code = ?");
-    if (!there.run(study_id, code).next())
-        connection_.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
-                                              code + "\"; check the code");
+    need_participant(study_id, code);
     if (is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is locked already");
     RecordEvent event = event_of(study_id, code, RecordEventKind::kLocked, actor_);
     event.checksum = record_checksum(study_id, code);

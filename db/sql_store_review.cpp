@@ -76,11 +76,11 @@ int64_t SqlStore::save_rating(const RatingRecord& rating) {
     connection_.begin_operation("save a rating of attempt " + std::to_string(rating.attempt_id) +
                                 " in");
     UnitOfWork work(connection_);
-    Statement there(connection_, "SELECT account_id FROM attempts WHERE id = ?");
+    Statement there(connection_, "SELECT account_id, study FROM attempts WHERE id = ?");
     if (!there.run(rating.attempt_id).next())
         connection_.fail(Kind::kNotFound,
                          "there is no attempt " + std::to_string(rating.attempt_id));
-    if (there.integer(0) == rating.rater_id)
+    if (there.integer(0) == rating.rater_id && there.text(1).empty())
         connection_.fail(Kind::kRefused, "nobody rates an attempt of their own");
     (void)need_user(rating.rater_id);
     Statement before(connection_,

@@ -150,7 +150,8 @@ std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::
 std::vector<std::string> SqlStore::tasks_with_attempts() {
     connection_.begin_operation("list tasks of");
     // From one name to the next over the index: SELECT DISTINCT reads every attempt.
-    Statement next(connection_, "SELECT MIN(task_id) FROM attempts WHERE task_id > ?");
+    Statement next(connection_,
+                   "SELECT MIN(task_id) FROM attempts WHERE task_id > ? AND study = ''");
     std::vector<std::string> found;
     for (std::string last;;) {
         next.run(last);

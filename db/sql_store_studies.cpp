@@ -74,15 +74,37 @@ std::string SqlStore::new_participant(const std::string& study_id, bool demonstr
     return code;
 }
 
+void SqlStore::set_participant_device(const std::string& study_id, const std::string& code,
+                                      const std::string& device) {
+    connection_.begin_operation("choose the device of " + code + " in");
+    if (device.empty()) connection_.fail(Kind::kRefused, "no device is named");
+    UnitOfWork work(connection_);
+    need_participant(study_id, code);
+    Statement before(connection_,
+                     "SELECT device FROM participant_devices WHERE study_id = ? AND code = ?");
+    const std::string old = before.run(study_id, code).next() ? before.text(0) : std::string();
+    if (old == device) return;
+    Statement(connection_,
+              "INSERT INTO participant_devices (study_id, code, device, chosen_by, chosen_utc) "
+              "VALUES (?, ?, ?, ?, ?) ON CONFLICT (study_id, code) DO UPDATE SET device = "
+              "excluded.device, chosen_by = excluded.chosen_by, chosen_utc = excluded.chosen_utc")
+        .run(study_id, code, device, actor_, utc_now());
+    append_audit(actor_, "study.device", study_id + " " + code,
+                 old.empty() ? device : device + ", before: " + old);
+    work.commit();
+}
+
 std::vector<ParticipantRecord> SqlStore::participants(const std::string& study_id) {
     connection_.begin_operation("read participants from");
-    Statement query(connection_,
-                    "SELECT p.code, p.number, p.created_utc, COALESCE(s.protocol_version, 0), "
-                    "COALESCE(s.arm, -1), COALESCE(s.demonstration, 0), w.mode, w.reason, "
-                    "w.withdrawn_utc FROM participants p "
-                    "LEFT JOIN participant_states s ON s.study_id = p.study_id AND s.code = p.code "
-                    "LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = p.code "
-                    "WHERE p.study_id = ? ORDER BY p.number");
+    Statement query(
+        connection_,
+        "SELECT p.code, p.number, p.created_utc, COALESCE(s.protocol_version, 0), "
+        "COALESCE(s.arm, -1), COALESCE(s.demonstration, 0), w.mode, w.reason, "
+        "w.withdrawn_utc, COALESCE(d.device, '') FROM participants p "
+        "LEFT JOIN participant_devices d ON d.study_id = p.study_id AND d.code = p.code "
+        "LEFT JOIN participant_states s ON s.study_id = p.study_id AND s.code = p.code "
+        "LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = p.code "
+        "WHERE p.study_id = ? ORDER BY p.number");
     query.run(study_id);
     std::vector<ParticipantRecord> found;
     while (query.next()) {
@@ -94,6 +116,7 @@ std::vector<ParticipantRecord> SqlStore::participants(const std::string& study_i
         record.protocol_version = static_cast<int>(query.integer(3));
         record.arm = static_cast<int>(query.integer(4));
         record.demonstration = query.integer(5) != 0;
+        record.device = query.text(9);
         if (const std::string mode = query.text(6); !mode.empty()) {
             record.withdrawal = mode == "keep"   ? WithdrawalMode::kKeep
                                 : mode == "stop" ? WithdrawalMode::kStop

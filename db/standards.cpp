@@ -6,6 +6,7 @@
 #include <span>
 
 #include "assessment/statistics.h"
+#include "db/attempt_counting.h"
 
 namespace placode::db {
 namespace {
@@ -52,7 +53,7 @@ std::vector<double> person_means(Store& store, const std::string& task_id,
     for (const int64_t person : people) {
         std::vector<double> points;
         for (const AttemptRecord& each : store.attempts(person, task_id))
-            if (was_tried(each) && each.void_reason.empty()) points.push_back(each.points);
+            if (counts(each)) points.push_back(each.points);
         const size_t n = std::min(static_cast<size_t>(last), points.size());
         if (const auto mean = assessment::mean_of(std::span(points).last(n)))
             means.push_back(*mean);

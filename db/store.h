@@ -96,7 +96,8 @@ class Store {
     /// Attempt, metrics, reasons, events and the recording's bytes, all or nothing. Vaporised
     /// elements and hashes are left out of the events: the recording has them.
     virtual int64_t save_attempt(int64_t user_id, const AttemptResult& result) = 0;
-    /// Oldest first; user_id 0 = everybody; task_id empty = all.
+    /// Oldest first; user_id 0 = everybody's and those of studies; task_id empty = all. A person's
+    /// own never hold what a participant did while that person was signed in.
     [[nodiscard]] virtual std::vector<AttemptRecord> attempts(int64_t user_id,
                                                               const std::string& task_id = {}) = 0;
     [[nodiscard]] virtual AttemptDetail attempt(int64_t id) = 0;  ///< Throws kNotFound.
@@ -128,7 +129,8 @@ class Store {
         int64_t group_id, const std::string& task_id = {}) = 0;
 
     // --- norms
-    /// Attempts of a task with their metrics, oldest first; user_id 0 = everybody's.
+    /// Attempts of a task with their metrics, oldest first; user_id 0 = everybody's. None of
+    /// studies.
     [[nodiscard]] virtual std::vector<MeasuredAttempt> measured_attempts(
         int64_t user_id, const std::string& task_id) = 0;
     /// Made on first use under this name. Throws kRefused when it has to be made without a name.
@@ -186,6 +188,9 @@ class Store {
     [[nodiscard]] virtual std::optional<DefinitionRecord> definition(const std::string& kind,
                                                                      const std::string& id,
                                                                      int version = 0) = 0;
+    /// The device for a participant's attempts where the protocol names none. Throws kNotFound.
+    virtual void set_participant_device(const std::string& study_id, const std::string& code,
+                                        const std::string& device) = 0;
     /// Next code with check character; where the study is published with arms, allocates.
     virtual std::string new_participant(const std::string& study_id,
                                         bool demonstration = false) = 0;
@@ -197,7 +202,8 @@ class Store {
     /// the new mode does not erase.
     virtual void withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
                           const std::string& reason) = 0;
-    /// Throws kRefused for who has withdrawn, and where consent is needed and missing.
+    /// Throws kRefused for who has withdrawn, and where consent is needed and missing. An attempt
+    /// that the step names belongs to the participant from then on.
     virtual int64_t record_step(const StepRecord& step) = 0;
     [[nodiscard]] virtual std::vector<StepRecord> steps(const std::string& study_id) = 0;
     /// Refuses as record_step() does.

@@ -26,7 +26,7 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
     std::set<std::string> done;
     for (const StepRecord& step : store.steps(answers.study_id))
         if (step.participant == answers.participant && step.visit == answers.visit &&
-            step.state != StepState::kStarted)
+            step.state != StepState::kStarted && !step.superseded())
             done.insert(step.step);
     std::string last;
     for (const auto& step : protocol.steps) {
@@ -37,6 +37,23 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
         if (!done.contains(step.id)) break;
     }
     return last;
+}
+
+/// Why an attempt does not do the step; empty = it does.
+std::string why_not_done(Store& store, const StepRecord& step, const AttemptRecord& attempt) {
+    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
+        return "interrupted";
+    if (!attempt.void_reason.empty()) return "void: " + attempt.void_reason;
+    int version = 0;
+    for (const ParticipantRecord& each : store.participants(step.study_id))
+        if (each.code == step.participant) version = each.protocol_version;
+    if (version == 0) return {};
+    const auto protocol = published_study(store, step.study_id, version);
+    const auto* asked = protocol ? protocol->step(step.step) : nullptr;
+    if (asked == nullptr || attempt.duration_s >= asked->min_s) return {};
+    const auto whole = [](double s) { return std::to_string(static_cast<int>(s)) + " s"; };
+    return "ended after " + whole(attempt.duration_s) + ", before the least duration of " +
+           whole(asked->min_s);
 }
 
 /// Consent and demographics are not asked again at a second visit.
@@ -126,6 +143,7 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
         progress.participant = participant;
         for (const StepRecord& step : steps[participant.code]) {
             progress.last_utc = std::max(progress.last_utc, step.at_utc);
+            if (step.superseded()) continue;
             if (step.state != StepState::kStarted)
                 progress.finished.push_back(std::to_string(step.visit) + "/" + step.step);
         }
@@ -149,9 +167,21 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
                 }
             }
         }
+        for (const StepRecord& step : steps[participant.code])
+            if (step.step == progress.next && step.visit == progress.visit)
+                progress.open_because = step.superseded() ? step.superseded_reason : step.detail;
         list.push_back(std::move(progress));
     }
     return list;
+}
+
+void record_attempt_step(Store& store, StepRecord step) {
+    for (const StepRecord& each : store.steps(step.study_id))
+        if (each.attempt_id == step.attempt_id) return;
+    const AttemptRecord attempt = store.attempt(step.attempt_id).record;
+    step.detail = why_not_done(store, step, attempt);
+    step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;
+    store.record_step(step);
 }
 
 std::vector<EntryDifference> entry_differences(Store& store, const std::string& study_id) {

@@ -34,13 +34,20 @@ void record_consent(Store& store, const std::string& study_id, const std::string
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
                        const AnswerRecord& answers);
 
+/// Marks the step as done by an attempt that is in the store; one that was broken off, was shorter
+/// than the protocol asks, or is void is noted with the reason, and the step stays open. Does
+/// nothing for an attempt that a step names already. Throws as Store::record_step().
+/// @param step without state and detail.
+void record_attempt_step(Store& store, StepRecord step);
+
 /// Where a participant stands.
 struct Progress {
     ParticipantRecord participant;
     int visit = 1;                      ///< Of the next step.
     int done = 0, total = 0;            ///< Steps of all visits; total 0 = no protocol.
     std::string next;                   ///< Id of the next step; empty = finished, or no protocol.
-    std::vector<std::string> finished;  ///< "visit/step", done or skipped.
+    std::vector<std::string> finished;  ///< "visit/step", done or skipped, and not superseded.
+    std::string open_because;           ///< Why the next step was tried and is not done; or empty.
     std::string last_utc;               ///< Of the newest step.
 };
 [[nodiscard]] std::vector<Progress> study_progress(Store& store, const std::string& study_id);

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Care of a study's data after they were given: lock and signature of a participant's record,
-// corrections with a reason, double entry from paper, the hand's signature under a consent.
+// corrections with a reason, repeats of a procedure, notes, double entry from paper, the hand's
+// signature under a consent.
 
 #include <map>
 #include <optional>
@@ -49,6 +50,14 @@ struct ConsentSignature {
     std::string code, path, at_utc;  ///< Path of an SVG, in pixels of the field it was drawn in.
 };
 
+/// What a coordinator remarks on a step.
+struct StepNote {
+    int64_t id = 0;
+    std::string study_id, code;
+    int visit = 1;
+    std::string step, note, noted_by, at_utc;
+};
+
 /// One implementation with Store; every change is one transaction and in the audit trail.
 class StudyRecords {
  public:
@@ -82,6 +91,16 @@ class StudyRecords {
     /// second entry already, kRefused, kNotFound.
     virtual void save_second_entry(const SecondEntry& entry) = 0;
     [[nodiscard]] virtual std::vector<SecondEntry> second_entries(const std::string& study_id) = 0;
+
+    /// What was recorded of the step is kept, marked with the reason, and counts no more: the step
+    /// is to be done again. For steps with an attempt. Throws kRefused (no reason, nothing that
+    /// counts, no attempt, locked, withdrawn), kNotFound.
+    virtual void repeat_step(const std::string& study_id, const std::string& code, int visit,
+                             const std::string& step, const std::string& reason) = 0;
+    /// Throws kRefused for an empty note or a locked record, kNotFound.
+    virtual void note_step(const std::string& study_id, const std::string& code, int visit,
+                           const std::string& step, const std::string& note) = 0;
+    [[nodiscard]] virtual std::vector<StepNote> step_notes(const std::string& study_id) = 0;
 
     virtual void save_consent_signature(const std::string& study_id, const std::string& code,
                                         const std::string& path) = 0;

@@ -59,6 +59,17 @@ TEST(MachineSpeed, ASlideShowDoesNot) {
     EXPECT_TRUE(computer.speed.counts_for_nothing());
 }
 
+TEST(MachineSpeed, LessThanAPictureASecondIsNotTakenForNoWindow) {
+    Computer computer;
+    for (int i = 0; i < 20; ++i) computer.second(1000, i % 3 == 0 ? 1 : 0);
+    ASSERT_TRUE(computer.speed.closing(20));
+    EXPECT_GT(computer.speed.closing(20)->value2, 0);
+    EXPECT_LT(computer.speed.closing(20)->value2, 20);
+    Computer headless;
+    for (int i = 0; i < 5; ++i) headless.second(1000, 0);
+    EXPECT_EQ(headless.speed.closing(5)->value2, 0);
+}
+
 TEST(MachineSpeed, OneBadSecondInTenIsForgivenTwoAreNot) {
     Computer computer;
     for (int i = 0; i < 20; ++i) computer.second(1000, i % 10 == 3 ? 5 : 50);

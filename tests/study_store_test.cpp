@@ -7,6 +7,8 @@
 
 #include "curriculum/study.h"
 #include "db/store.h"
+#include "db/study_conduct.h"
+#include "db/study_records.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -58,6 +60,29 @@ class StudyStore : public EngineTest {
         record.changes = {{"sus01", "", "2", "2026-01-01T00:00:00Z"},
                           {"sus01", "2", "4", "2026-01-01T00:00:02Z"}};
         return record;
+    }
+
+    [[nodiscard]] static db::AttemptResult attempt(const std::string& started_utc) {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.started_utc = started_utc;
+        result.end.reason = sim::EndReason::kFinished;
+        result.metrics.values = {{"path_length_mm", 1}};
+        return result;
+    }
+    /// The step "run", done by an attempt that was made while carl was signed in.
+    int64_t perform(const std::string& code, double duration_s = 90,
+                    sim::EndReason end = sim::EndReason::kFinished,
+                    std::vector<sim::Event> events = {}) {
+        auto result = attempt("2026-01-02T03:04:05.000Z");
+        result.end.reason = end;
+        result.end.duration_s = duration_s;
+        result.events = std::move(events);
+        result.study = {"pilot", code};
+        auto run = step(code, "run");
+        run.attempt_id = store->save_attempt(store->user_by_login("carl")->id, result);
+        db::record_attempt_step(*store, run);
+        return run.attempt_id;
     }
 
     std::unique_ptr<db::Store> store;
@@ -183,6 +208,179 @@ TEST_P(StudyStore, WithdrawalStopsKeepsOrErasesAndTheTombstoneStays) {
     EXPECT_TRUE(store->check().empty());
     EXPECT_EQ(store->audit_trail(1).at(0).action, "study.withdraw");
     EXPECT_EQ(store->new_participant("pilot").substr(0, 4), "P004") << "a code is never used twice";
+}
+
+TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {
+    store->publish(study(1));
+    const int64_t carl = store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    const int64_t group = store->create_group("Everybody");
+    store->set_group_role(group, carl, db::GroupRole::kMember);
+    const std::string code = store->new_participant("pilot");
+    store->record_step(step(code, "consent"));
+    const int64_t own = store->save_attempt(carl, attempt("2026-01-02T03:04:05.000Z"));
+    auto of_study = attempt("2026-01-02T04:04:05.000Z");
+    of_study.study = {"pilot", code};
+    const int64_t theirs = store->save_attempt(carl, of_study);
+    // One that came in past the shell: the step that names it makes it the participant's.
+    const int64_t named = store->save_attempt(carl, attempt("2026-01-02T05:04:05.000Z"));
+    auto run = step(code, "run");
+    run.attempt_id = named;
+    store->record_step(run);
+
+    const auto mine = store->attempts(carl);
+    ASSERT_EQ(mine.size(), 1u);
+    EXPECT_EQ(mine[0].id, own);
+    EXPECT_EQ(store->attempts(0).size(), 3u) << "nothing is lost from the store";
+    for (const int64_t id : {theirs, named}) {
+        const auto record = store->attempt(id).record;
+        EXPECT_EQ(record.user_id, 0);
+        EXPECT_EQ(record.user_name, code);
+        EXPECT_EQ(record.study, (db::StudyContext{"pilot", code}));
+    }
+    db::AttemptFilter filter;
+    EXPECT_EQ(store->attempt_page(filter).total, 1);
+    filter.studies = true;
+    EXPECT_EQ(store->attempt_page(filter).total, 3);
+    filter.user_id = carl;
+    EXPECT_EQ(store->attempt_page(filter).total, 1);
+    for (const int64_t whom : {int64_t{0}, group}) {
+        const auto standings = store->task_standings(whom);
+        ASSERT_EQ(standings.size(), 1u);
+        EXPECT_EQ(standings[0].attempts, 1);
+        EXPECT_EQ(store->attempt_points(whom).size(), 1u);
+    }
+    EXPECT_EQ(store->recent_means("diathermy_ring", 3).at(0).attempts, 1);
+    EXPECT_EQ(store->measured_attempts(0, "diathermy_ring").size(), 1u);
+    EXPECT_EQ(store->measured_attempts(carl, "diathermy_ring").size(), 1u);
+    EXPECT_EQ(store->tasks_with_attempts(), std::vector<std::string>{"diathermy_ring"});
+    auto other = attempt("2026-01-02T06:04:05.000Z");
+    other.header.task_id = "only_in_the_study";
+    other.study = {"pilot", code};
+    store->save_attempt(carl, other);
+    EXPECT_EQ(store->tasks_with_attempts().size(), 1u);
+
+    // Who was signed in may go; what participants did stays. Who withdraws takes all along.
+    store->create_user({"ada", "Ada", "correct horse battery", 8, false});
+    store->erase_person(carl, true);
+    EXPECT_EQ(store->attempts(0).size(), 3u);
+    store->withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
+    EXPECT_TRUE(store->attempts(0).empty());
+    EXPECT_TRUE(store->check().empty());
+}
+
+TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
+    store->publish(study(1));
+    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    store->act_as("carl");
+    db::StudyRecords& records = store->records();
+    const std::string code = store->new_participant("pilot");
+    store->record_step(step(code, "consent"));
+    const auto refused = [&](const std::string& name, const std::string& reason) {
+        return failure_of([&] { records.repeat_step("pilot", code, 1, name, reason); }).kind();
+    };
+    EXPECT_EQ(refused("run", "x"), StoreError::Kind::kRefused) << "nothing was done yet";
+    const int64_t first = perform(code);
+    EXPECT_TRUE(db::study_progress(*store, "pilot").at(0).next.empty());
+    EXPECT_EQ(refused("run", ""), StoreError::Kind::kRefused) << "no reason";
+    EXPECT_EQ(refused("consent", "x"), StoreError::Kind::kRefused) << "a consent has no attempt";
+    EXPECT_EQ(failure_of([&] { records.repeat_step("pilot", "P999-X", 1, "run", "x"); }).kind(),
+              StoreError::Kind::kNotFound);
+    records.repeat_step("pilot", code, 1, "run", "the pedal was unplugged");
+    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.repeat");
+    EXPECT_THAT(store->audit_trail(1).at(0).detail, HasSubstr("the pedal was unplugged"));
+    EXPECT_EQ(refused("run", "twice"), StoreError::Kind::kRefused) << "nothing counts any more";
+    auto progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_EQ(progress.next, "run");
+    EXPECT_EQ(progress.done, 1);
+    const int64_t second = perform(code);
+    progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_TRUE(progress.next.empty());
+    const auto steps = store->steps("pilot");
+    ASSERT_EQ(steps.size(), 3u);
+    EXPECT_EQ(steps[1].attempt_id, first);
+    EXPECT_TRUE(steps[1].superseded());
+    EXPECT_EQ(steps[1].superseded_reason, "the pedal was unplugged");
+    EXPECT_EQ(steps[1].superseded_by, "carl");
+    EXPECT_EQ(steps[2].attempt_id, second);
+    EXPECT_FALSE(steps[2].superseded());
+
+    records.lock_record("pilot", code);
+    EXPECT_EQ(refused("run", "x"), StoreError::Kind::kRefused) << "a locked record is closed";
+    records.unlock_record("pilot", code, "to erase it");
+    store->withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
+    EXPECT_EQ(raw().value("SELECT COUNT(*) FROM superseded_steps"), "0");
+    EXPECT_TRUE(store->check().empty());
+}
+
+TEST_P(StudyStore, NotesAreKeptWithWhoWroteThemAndBelongToTheSignedRecord) {
+    store->publish(study(1));
+    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    store->act_as("carl");
+    db::StudyRecords& records = store->records();
+    const std::string code = store->new_participant("pilot");
+    store->record_step(step(code, "consent"));
+    EXPECT_EQ(failure_of([&] { records.note_step("pilot", code, 1, "run", ""); }).kind(),
+              StoreError::Kind::kRefused);
+    EXPECT_EQ(failure_of([&] { records.note_step("pilot", "P999-X", 1, "run", "x"); }).kind(),
+              StoreError::Kind::kNotFound);
+    records.note_step("pilot", code, 1, "run", "coughed");
+    ASSERT_EQ(records.step_notes("pilot").size(), 1u);
+    EXPECT_EQ(records.step_notes("pilot")[0].note, "coughed");
+    EXPECT_EQ(records.step_notes("pilot")[0].noted_by, "carl");
+    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.note");
+    records.lock_record("pilot", code);
+    EXPECT_EQ(failure_of([&] { records.note_step("pilot", code, 1, "run", "x"); }).kind(),
+              StoreError::Kind::kRefused);
+    records.sign_record("pilot", code, "carl", "correct horse battery", "reviewed");
+    EXPECT_TRUE(records.record_states("pilot").at(code).signature_fits);
+    ASSERT_TRUE(raw().run("UPDATE step_notes SET note = 'something else'"));
+    EXPECT_FALSE(records.record_states("pilot").at(code).signature_fits);
+}
+
+TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
+    auto definition = study(1);
+    definition.json.replace(definition.json.find(R"("task":"diathermy_ring")"), 0,
+                            R"("min_s":30,)");
+    store->publish(definition);
+    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    const std::string code = store->new_participant("pilot");
+    store->record_step(step(code, "consent"));
+    perform(code, 12);
+    auto progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_EQ(progress.next, "run");
+    EXPECT_EQ(progress.open_because, "ended after 12 s, before the least duration of 30 s");
+    perform(code, 40, sim::EndReason::kInterrupted);
+    EXPECT_EQ(db::study_progress(*store, "pilot").at(0).open_because, "interrupted");
+    sim::Event slow;
+    slow.kind = sim::EventKind::kMachineSpeed;
+    slow.value = 1;
+    slow.value2 = 12;
+    perform(code, 40, sim::EndReason::kFinished, {slow});
+    EXPECT_THAT(db::study_progress(*store, "pilot").at(0).open_because,
+                HasSubstr("void: The computer was too slow: 12 pictures a second"));
+    const int64_t good = perform(code, 40);
+    progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_TRUE(progress.next.empty());
+    // Again for the same attempt: a crash between saving and removing.
+    auto again = step(code, "run");
+    again.attempt_id = good;
+    db::record_attempt_step(*store, again);
+    EXPECT_EQ(store->steps("pilot").size(), 5u);
+}
+
+TEST_P(StudyStore, TheDeviceIsTheCoordinatorsChoice) {
+    store->publish(study(1));
+    const std::string code = store->new_participant("pilot");
+    EXPECT_EQ(store->participants("pilot").at(0).device, "");
+    store->set_participant_device("pilot", code, "mouse");
+    store->set_participant_device("pilot", code, "mouse");
+    EXPECT_EQ(store->participants("pilot").at(0).device, "mouse");
+    EXPECT_EQ(store->audit_trail(2).at(1).action, "study.participant") << "no change, no entry";
+    store->set_participant_device("pilot", code, "gamepad");
+    EXPECT_EQ(store->participants("pilot").at(0).device, "gamepad");
+    EXPECT_EQ(store->audit_trail(1).at(0).detail, "gamepad, before: mouse");
+    EXPECT_EQ(failure_of([&] { store->set_participant_device("pilot", "P999-X", "mouse"); }).kind(),
+              StoreError::Kind::kNotFound);
 }
 
 TEST_P(StudyStore, AStudyWithoutAProtocolWorksAsBefore) {

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A procedure of a study that went wrong: done again for a reason, remarked on, never removed.
+
+#include "curriculum/study.h"
+#include "db/sql_store.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+void SqlStore::repeat_step(const std::string& study_id, const std::string& code, int visit,
+                           const std::string& step, const std::string& reason) {
+    connection_.begin_operation("have the step \"" + step + "\" of " + code + " done again in");
+    if (reason.empty()) connection_.fail(Kind::kRefused, "a repeat needs a reason");
+    UnitOfWork work(connection_);
+    need_participant(study_id, code);
+    need_active_participant(study_id, code, "");
+    Statement query(connection_,
+                    "SELECT s.id, s.state, s.attempt_id FROM study_steps s WHERE s.study_id = ? "
+                    "AND s.code = ? AND s.visit = ? AND s.step = ? AND NOT EXISTS (SELECT 1 FROM "
+                    "superseded_steps u WHERE u.step_id = s.id) ORDER BY s.id");
+    query.run(study_id, code, visit, step);
+    // What was tried and did not do the step counts already for nothing.
+    std::vector<int64_t> ids;
+    int64_t attempt = 0;
+    while (query.next()) {
+        if (query.text(1) == "started") continue;
+        ids.push_back(query.integer(0));
+        if (query.integer(2) != 0) attempt = query.integer(2);
+    }
+    if (attempt == 0)
+        connection_.fail(Kind::kRefused,
+                         "there is no attempt of this step that counts; only a "
+                         "procedure that was done is done again");
+    for (const int64_t id : ids)
+        Statement(connection_,
+                  "INSERT INTO superseded_steps (step_id, reason, superseded_by, superseded_utc) "
+                  "VALUES (?, ?, ?, ?)")
+            .run(id, reason, actor_, utc_now());
+    append_audit(actor_, "study.repeat", study_id + " " + code,
+                 step + ", visit " + std::to_string(visit) + ", instead of attempt " +
+                     std::to_string(attempt) + ": " + reason);
+    work.commit();
+}
+
+void SqlStore::note_step(const std::string& study_id, const std::string& code, int visit,
+                         const std::string& step, const std::string& note) {
+    connection_.begin_operation("note something on the step \"" + step + "\" of " + code + " in");
+    if (note.empty()) connection_.fail(Kind::kRefused, "the note is empty");
+    if (step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
+    UnitOfWork work(connection_);
+    need_participant(study_id, code);
+    need_unlocked(study_id, code);
+    Statement(connection_,
+              "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) VALUES "
+              "(?, ?, ?, ?, ?, ?, ?)")
+        .run(study_id, code, visit, step, note, actor_, utc_now());
+    append_audit(actor_, "study.note", study_id + " " + code, step + ": " + note);
+    work.commit();
+}
+
+std::vector<StepNote> SqlStore::step_notes(const std::string& study_id) {
+    connection_.begin_operation("read the notes of a study from");
+    Statement query(connection_,
+                    "SELECT id, code, visit, step, note, noted_by, at_utc FROM step_notes WHERE "
+                    "study_id = ? ORDER BY id");
+    query.run(study_id);
+    std::vector<StepNote> found;
+    while (query.next())
+        found.push_back({query.integer(0), study_id, query.text(1),
+                         static_cast<int>(query.integer(2)), query.text(3), query.text(4),
+                         query.text(5), query.text(6)});
+    return found;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt on a machine that was too slow is kept and counts nowhere, in every mode, on both
+// engines.
+
+#include "db/attempt_counting.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "curriculum/task.h"
+#include "db/course_conduct.h"
+#include "db/norms.h"
+#include "db/standards.h"
+#include "tests/store_fixture.h"
+
+using namespace placode;
+using namespace placode::test;
+using testing::HasSubstr;
+
+namespace {
+
+World* const world = World::install();
+
+sim::Event machine(float speed, float pictures) {
+    sim::Event event;
+    event.kind = sim::EventKind::kMachineSpeed;
+    event.value = speed;
+    event.value2 = pictures;
+    return event;
+}
+
+class Counting : public EngineTest {
+ protected:
+    void ready() override {
+        store = open();
+        user = store->create_user({"anna", "Anna", "correct horse battery", 1, false});
+    }
+    int64_t save(const std::string& started_utc, std::vector<sim::Event> events,
+                 db::ExamContext exam = {}) {
+        db::AttemptResult result;
+        result.header.task_id = "diathermy_ring";
+        result.header.started_utc = started_utc;
+        result.end.reason = sim::EndReason::kFinished;
+        result.end.duration_s = 100;
+        result.score.points = 90;
+        result.score.verdict = assessment::Verdict::kPassed;
+        result.metrics.values = {{"path_length_mm", 1}};
+        result.events = std::move(events);
+        result.exam = std::move(exam);
+        return store->save_attempt(user, result);
+    }
+
+    std::unique_ptr<db::Store> store;
+    int64_t user = 0;
+};
+
+}  // namespace
+
+TEST(SlowMachine, IsSaidInPlainWordsWithTheFigureAndTheLimit) {
+    EXPECT_EQ(db::slow_machine_reason({}), "") << "scripts and windowless runs say nothing";
+    EXPECT_EQ(db::slow_machine_reason({machine(1, 60)}), "");
+    EXPECT_EQ(db::slow_machine_reason({machine(0.95F, 20)}), "") << "the limits themselves do";
+    EXPECT_EQ(db::slow_machine_reason({machine(1, 0)}), "") << "nothing was drawn";
+    EXPECT_EQ(db::slow_machine_reason({machine(1, 12.4F)}),
+              "The computer was too slow: 12 pictures a second, 20 are needed");
+    EXPECT_EQ(db::slow_machine_reason({machine(1, 19.9F)}),
+              "The computer was too slow: 19 pictures a second, 20 are needed")
+        << "never \"20, 20 are needed\"";
+    EXPECT_EQ(db::slow_machine_reason({machine(0.62F, 60)}),
+              "The computer was too slow: the simulation ran at 62 % of real time, 95 % are "
+              "needed");
+    EXPECT_THAT(db::slow_machine_reason({machine(0.5F, 3)}), HasSubstr("3 pictures a second"));
+    EXPECT_THAT(db::slow_machine_reason({machine(0.5F, 3)}), HasSubstr("; The computer"));
+    EXPECT_NE(db::slow_machine_reason({machine(std::numeric_limits<float>::quiet_NaN(), 60)}), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, Counting, testing::Values("Sqlite", "Postgresql"), engine_name);
+
+TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
+    const int64_t good = save("2026-01-02T03:00:00.000Z", {machine(1, 60)});
+    const int64_t slow = save("2026-01-03T03:00:00.000Z", {machine(1, 12)});
+    const auto record = store->attempt(slow).record;
+    EXPECT_THAT(record.void_reason, HasSubstr("12 pictures a second"));
+    EXPECT_FALSE(db::counts(record));
+    EXPECT_TRUE(db::counts(store->attempt(good).record));
+    EXPECT_EQ(store->attempts(user).size(), 2u) << "it is kept";
+    EXPECT_EQ(store->audit_trail(1).at(0).action, "attempt.void");
+
+    EXPECT_EQ(store->task_standings(0).at(0).attempts, 1);
+    EXPECT_EQ(store->attempt_points(0).size(), 1u);
+    EXPECT_EQ(store->recent_means("diathermy_ring", 5).at(0).attempts, 1);
+    const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", {user}}});
+    ASSERT_EQ(levels.at(0).by_person.size(), 1u);
+    EXPECT_EQ(levels[0].by_person.at(user).size(), 1u) << "norms and metric quality";
+    EXPECT_EQ(levels[0].by_person.at(user)[0].record.id, good);
+    EXPECT_EQ(db::person_means(*store, "diathermy_ring", {user}, 5), std::vector<double>{90})
+        << "standards";
+    EXPECT_EQ(db::attempts_beside(*store, record).size(), 2u);
+}
+
+TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
+    const curriculum::Course course = curriculum::load_course("first_steps");
+    const curriculum::CourseStage& stage = course.stages.front();
+    const auto standing = [&] {
+        return db::course_standing(*store, user, course.id, "2026-06-01T00:00:00Z")
+            .progress.stages.front();
+    };
+    const int before = standing().attempts;
+    db::AttemptResult result;
+    result.header.task_id = stage.task_id;
+    result.header.started_utc = "2026-01-02T03:00:00.000Z";
+    result.end.reason = sim::EndReason::kFinished;
+    result.score.points = 100;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.events = {machine(0.4F, 60)};
+    store->save_attempt(user, result);
+    EXPECT_EQ(standing().attempts, before) << "mastery does not see it";
+    const int64_t exam = save("2026-01-04T03:00:00.000Z", {machine(0.4F, 60)},
+                              {"first_steps", 1, "exam", "Dr. P", ""});
+    EXPECT_THAT(store->attempt(exam).record.void_reason, HasSubstr("40 % of real time"));
+    result.events = {machine(1, 60)};
+    store->save_attempt(user, result);
+    EXPECT_EQ(standing().attempts, before + 1);
+}
