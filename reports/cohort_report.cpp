@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "db/attempt_counting.h"
 #include "reports/figure.h"
 #include "reports/paper.h"
 #include "reports/report.h"
@@ -211,7 +212,7 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
     report.attempts = store.attempts(user.id);
     std::map<std::string, PersonInTask> tasks;
     for (const db::AttemptRecord& attempt : report.attempts) {
-        if (!db::was_tried(attempt) || !attempt.void_reason.empty()) continue;
+        if (!db::counts(attempt)) continue;
         PersonInTask& one = tasks[attempt.task_id];
         auto& s = one.standing;
         s.user_id = user.id;
@@ -233,6 +234,20 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
     }
     return report;
 }
+
+namespace {
+
+/// Which attempts do not count because the machine failed, and how.
+void write_void(Paper& paper, const std::vector<db::AttemptRecord>& attempts) {
+    QString list;
+    for (const db::AttemptRecord& each : attempts)
+        if (!each.void_reason.empty())
+            list += "<li>Attempt " + QString::number(each.id) +
+                    " does not count: " + safe(each.void_reason) + ".</li>";
+    if (!list.isEmpty()) paper.html("<ul>" + list + "</ul>");
+}
+
+}  // namespace
 
 void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
     const QString name = QString::fromStdString(report.user.display_name);
@@ -270,12 +285,14 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
         for (const db::AttemptRecord& each : report.attempts)
             attempts.push_back({QString::number(each.id), safe(each.started_utc),
                                 safe(each.task_id), number(each.points, 1),
-                                verdict_word(each.verdict), end_word(each.end), safe(each.device),
-                                safe(each.exam.stage_id)});
+                                each.void_reason.empty() ? verdict_word(each.verdict)
+                                                         : QStringLiteral("does not count"),
+                                end_word(each.end), safe(each.device), safe(each.exam.stage_id)});
         write_rows(
             paper,
             {"attempt", "started (UTC)", "task", "points", "verdict", "end", "device", "exam"},
             attempts);
+        write_void(paper, report.attempts);
     }
     paper.finish();
 }

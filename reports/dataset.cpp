@@ -286,13 +286,15 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     }
     if (!data.attempts.empty()) {
         Form form = attempts_form(data.attempts, owners);
-        form.fields.insert(form.fields.begin(), text_field("step", "Step of the protocol"));
-        for (Row& row : form.rows) row.values["step"] = step_of.at(row.attempt_id)->step;
+        add_study_fields(form, step_of, store.records().step_notes(study_id), options);
         if (visits > 1)
             add_visits(form, visits,
                        [&](const Row& row) { return step_of.at(row.attempt_id)->visit; });
         data.forms.push_back(std::move(form));
     }
+    for (auto& each : db::study_deviations(store, study_id))
+        if (usable.contains(each.participant)) data.deviations.push_back(std::move(each));
+    if (!data.deviations.empty()) data.forms.push_back(deviations_form(data.deviations, options));
     finish(data);
     return data;
 }

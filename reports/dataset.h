@@ -12,6 +12,7 @@
 
 #include "curriculum/study.h"
 #include "db/store.h"
+#include "db/study_deviations.h"
 
 namespace placode::reports {
 
@@ -55,13 +56,14 @@ struct Row {
     int instance = 1;         ///< Counts rows of one participant in a repeating form.
     std::string at_utc, language;
     bool demonstration = false;
-    int64_t attempt_id = 0;                     ///< Of an attempt; else 0.
+    int64_t attempt_id = 0;  ///< Of an attempt; else 0.
+    bool counts = true;      ///< False for an attempt that no analysis uses: void, or done again.
     std::map<std::string, std::string> values;  ///< Field id to value; missing is absent.
     std::set<std::string> not_asked;            ///< Hidden by branching.
 };
 
 struct Form {
-    std::string id;    ///< Questionnaire id, "attempts" or "participants".
+    std::string id;    ///< Questionnaire id, "attempts", "deviations" or "participants".
     std::string name;  ///< Id, and "_v2" behind it where there are several versions.
     int version = 1;
     std::string title, introduction, source, licence;
@@ -85,6 +87,7 @@ struct Dataset {
     int participants_left_out = 0;            ///< Withdrew, and wanted their data unused or erased.
     std::vector<db::AttemptDetail> attempts;  ///< In the order of the rows of the form "attempts".
     std::vector<db::AnswerRecord> answers;    ///< As stored.
+    std::vector<db::Deviation> deviations;    ///< Of the participants whose data are used.
 
     [[nodiscard]] const Form* form(const std::string& form_id) const;
 };
@@ -107,6 +110,11 @@ struct DatasetOptions {
 /// The published text, else the shipped one of that version. Throws ReportError.
 [[nodiscard]] curriculum::Questionnaire questionnaire_of(db::Store& store, const std::string& id,
                                                          int version);
+
+/// A form whose rows are answers of people, and not lists of what was done.
+[[nodiscard]] inline bool is_questionnaire(const Form& form) {
+    return form.id != "participants" && form.id != "attempts" && form.id != "deviations";
+}
 
 /// "form|participant|instance|field" to value.
 using Cells = std::map<std::string, std::string>;

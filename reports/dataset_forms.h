@@ -28,4 +28,12 @@ void add_visits(Form& form, int visits, const std::function<int(const Row&)>& vi
                                      const std::optional<curriculum::StudyProtocol>& protocol,
                                      const DatasetOptions& options);
 
+/// Adds to the rows of attempts_form() of which step they are and whether they count.
+/// @param steps of the study, by attempt.
+void add_study_fields(Form& form, const std::map<int64_t, const db::StepRecord*>& steps,
+                      const std::vector<db::StepNote>& notes, const DatasetOptions& options);
+/// A row each; at least one.
+[[nodiscard]] Form deviations_form(const std::vector<db::Deviation>& deviations,
+                                   const DatasetOptions& options);
+
 }  // namespace placode::reports

@@ -103,7 +103,8 @@ std::string events_text(const sim::Recording& recording) {
     return text;
 }
 
-std::string motion_json(const sim::Recording& recording, const db::AttemptRecord& attempt) {
+std::string motion_json(const sim::Recording& recording, const db::AttemptRecord& attempt,
+                        const Row& row) {
     std::map<std::string, int> count;
     for (const Channel& channel : channels_of(recording)) ++count[channel.type];
     QJsonObject json{
@@ -125,13 +126,20 @@ std::string motion_json(const sim::Recording& recording, const db::AttemptRecord
         {"PlacodeAttempt", static_cast<qint64>(attempt.id)},
         {"PlacodeSeed", QString::number(attempt.seed)},
         {"PlacodeStateHash", QString::number(recording.end.final_hash, 16)},
-        {"PlacodeDemonstration", attempt.demonstration}};
+        {"PlacodeDemonstration", attempt.demonstration},
+        {"PlacodeCounts", row.counts}};
+    for (const auto& [field, key] : {std::pair{"void_reason", "PlacodeVoidReason"},
+                                     {"not_done", "PlacodeNotDone"},
+                                     {"superseded_reason", "PlacodeDoneAgainBecause"}})
+        if (const auto found = row.values.find(field); found != row.values.end())
+            json[key] = QString::fromStdString(found->second);
     for (const auto& [type, n] : count) json[QString::fromStdString(type) + "ChannelCount"] = n;
     return QJsonDocument(json).toJson().toStdString();
 }
 
 struct Place {
     const db::AttemptDetail* attempt;
+    const Row* row;
     std::string folder, stem;
 };
 
@@ -147,7 +155,7 @@ std::vector<Place> places_of(const Dataset& data, const std::string& root) {
             const std::string subject = "sub-" + label(row.participant);
             const std::string stem = subject + "_task-" + label(attempt.record.task_id);
             const int run = ++runs[stem];
-            places.push_back({&attempt, root + "/" + subject + "/motion",
+            places.push_back({&attempt, &row, root + "/" + subject + "/motion",
                               stem + "_tracksys-placode_run-" + std::to_string(run)});
         }
     }
@@ -209,7 +217,8 @@ void write_motion_bids(const ExportSource& source, const std::string& folder) {
         fs::create_directories(place.folder);
         const std::string stem = place.folder + "/" + place.stem;
         save_file(stem + "_motion.tsv", motion_text(*recording));
-        save_file(stem + "_motion.json", motion_json(*recording, place.attempt->record));
+        save_file(stem + "_motion.json",
+                  motion_json(*recording, place.attempt->record, *place.row));
         save_file(stem + "_channels.tsv", channels_text(*recording));
         save_file(stem + "_events.tsv", events_text(*recording));
     }

@@ -56,6 +56,11 @@ QString head_html(const db::AttemptRecord& record, const assessment::Score& scor
                 "points</b></p>")
                 .arg(verdict_colour(score.verdict, style).name(), verdict_word(score.verdict),
                      number(score.points, 1));
+    if (!record.void_reason.empty())
+        html += QStringLiteral(
+                    "<p style='background-color:#fff1d6'><b>&nbsp;Does not count.</b> %1. The "
+                    "attempt is kept; the machine failed, not the person.</p>")
+                    .arg(escaped(record.void_reason));
     html += QStringLiteral(
                 "<p>%1 &middot; task %2 (version %3) &middot; %4 UTC &middot; %5 s &middot; %6 "
                 "&middot; %7</p>")

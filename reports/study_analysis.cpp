@@ -55,7 +55,8 @@ std::optional<Levels> levels_by(const Dataset& data, const std::string& id) {
     if (form->id == "attempts") {
         std::set<std::string> names;
         for (const Row& row : form->rows)
-            if (const auto found = row.values.find(field->id); found != row.values.end())
+            if (const auto found = row.values.find(field->id);
+                row.counts && found != row.values.end())
                 names.insert(found->second);
         levels.names.assign(names.begin(), names.end());
         levels.of_attempt = field;
@@ -89,6 +90,7 @@ std::vector<std::vector<double>> person_means(const Form& attempts, const Field&
                                               const Levels& levels) {
     std::map<std::pair<size_t, std::string>, std::vector<double>> values;
     for (const Row& row : attempts.rows) {
+        if (!row.counts) continue;
         const auto level = levels.level_of(row);
         const auto value = value_of(row, field.id);
         if (level && value) values[{*level, row.participant}].push_back(*value);
@@ -190,8 +192,8 @@ std::vector<Grouping> possible_groupings(const Dataset& data) {
         for (const Form& form : data.forms)
             for (const Field& field : form.fields)
                 if (field.ordinal == opinion &&
-                    ((field.kind == FieldKind::kCode && form.id != "attempts" &&
-                      (form.id != "participants" || field.id == "arm")) ||
+                    ((field.kind == FieldKind::kCode &&
+                      (is_questionnaire(form) || field.id == "arm")) ||
                      (form.id == "attempts" && (field.id == "device" || field.id == "task_id"))))
                     add(form, field);
     return list;
@@ -270,7 +272,7 @@ std::vector<std::vector<double>> pairs_of(const StudyReport& report, const Form&
     std::map<std::string, std::vector<double>> first, second, all;
     for (const Row& row : attempts.rows) {
         const auto value = value_of(row, field.id);
-        if (!value) continue;
+        if (!value || !row.counts) continue;
         all[row.participant].push_back(*value);
         const int when = visit.contains(row.attempt_id) ? visit[row.attempt_id] : 1;
         if (when == 1) first[row.participant].push_back(*value);
@@ -298,7 +300,7 @@ Analysis test_retest(const StudyReport& report, const ChartStyle& style) {
     const Form* attempts = report.data.form("attempts");
     bool by_visit = false;
     for (const db::StepRecord& step : report.steps)
-        by_visit = by_visit || (step.visit == 2 && step.attempt_id > 0);
+        by_visit = by_visit || (step.visit == 2 && step.attempt_id > 0 && !step.superseded());
     struct Line {
         const Field* field;
         assessment::Icc icc;

@@ -74,8 +74,7 @@ std::map<std::string, Learner> learners_of(const Form& attempts) {
     for (const Row& row : attempts.rows) {
         const auto points = value_of(row, "points");
         const auto verdict = row.values.find("verdict");
-        if (!points || verdict == row.values.end()) continue;
-        if (verdict->second == "Not attempted") continue;
+        if (!points || verdict == row.values.end() || !row.counts) continue;
         Learner& learner = learners[row.participant];
         learner.points.push_back(*points);
         learner.failed.push_back(verdict->second != "Passed");
@@ -180,7 +179,9 @@ Analysis rater_agreement(const StudyReport& report, const std::vector<db::Rating
     analysis.id = "rater_agreement";
     analysis.title = "Agreement of raters";
     std::set<int64_t> own;
-    for (const auto& attempt : report.data.attempts) own.insert(attempt.record.id);
+    if (const Form* attempts = report.data.form("attempts"))
+        for (const Row& row : attempts->rows)
+            if (row.counts) own.insert(row.attempt_id);
     struct Judged {
         std::string label;
         std::map<int64_t, std::map<int64_t, double>> values;

@@ -115,7 +115,7 @@ std::optional<GroupComparison> comparison_of(const Dataset& data) {
     for (const Form& groups : data.forms) {
         for (const Field& by : groups.fields) {
             if (by.kind != FieldKind::kCode || by.ordinal || by.codes.size() != 2) continue;
-            if (groups.id == "participants" && by.id != "arm") continue;
+            if (!is_questionnaire(groups) && by.id != "arm") continue;
             std::map<std::string, int> group_of;
             for (const Row* row : first_rows(groups))
                 if (const auto value = value_of(*row, by.id))
@@ -222,7 +222,7 @@ StudyNumbers study_numbers(const Dataset& data,
                            const std::vector<curriculum::Questionnaire>& instruments) {
     StudyNumbers numbers;
     for (const Form& form : data.forms) {
-        if (form.id == "participants" || form.id == "attempts") continue;
+        if (!is_questionnaire(form)) continue;
         FormNumbers result;
         result.form = &form;
         for (const Field& field : form.fields) {

@@ -54,7 +54,8 @@ FlowNumbers flow_of(const StudyReport& report) {
     for (const auto& step : protocol.steps) {
         std::set<std::string> done;
         for (const auto& record : report.steps)
-            if (record.step == step.id && record.state == db::StepState::kDone)
+            if (record.step == step.id && record.state == db::StepState::kDone &&
+                !record.superseded())
                 done.insert(record.participant);
         const int n = static_cast<int>(done.size());
         if (step.kind == curriculum::StepKind::kConsent)
@@ -143,6 +144,7 @@ std::optional<Figure> performance_figure(const Dataset& data, const ChartStyle& 
     if (form == nullptr) return std::nullopt;
     std::map<std::string, LearningLine> lines;
     for (const Row& row : form->rows) {
+        if (!row.counts) continue;
         const auto points = row.values.find("points"), verdict = row.values.find("verdict");
         if (points == row.values.end() || verdict == row.values.end()) continue;
         if (verdict->second == "Not attempted") continue;
@@ -177,6 +179,12 @@ void write_title(Paper& paper, const StudyReport& report) {
     paper.html(html);
 }
 
+QString aids_of(const curriculum::StudyStep& step) {
+    const std::string names = curriculum::aid_names(step.allowed_aids());
+    return names.empty() ? QStringLiteral("none")
+                         : safe(names).replace(QLatin1String(","), QLatin1String(", "));
+}
+
 void write_methods(Paper& paper, const StudyReport& report) {
     paper.heading("Methods");
     if (!report.data.definition_json.empty()) {
@@ -189,6 +197,12 @@ void write_methods(Paper& paper, const StudyReport& report) {
             if (step.kind == curriculum::StepKind::kProcedure)
                 name += step.time_limit_s ? " (limit " + number(*step.time_limit_s, 0) + " s)"
                                           : QStringLiteral(" (no limit of the study)");
+            if (step.min_s > 0) name += " (at least " + number(step.min_s, 0) + " s)";
+            if (step.is_attempt())
+                name += " (device: " +
+                        (step.device.empty() ? QStringLiteral("the coordinator's choice")
+                                             : safe(step.device)) +
+                        "; aids: " + aids_of(step) + ")";
             steps += (steps.isEmpty() ? "" : ", ") + name;
         }
         paper.html("<p>Each participant went through: " + steps +
@@ -352,7 +366,7 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
     StudyReport report;
     report.data = study_dataset(store, study_id, {false, language});
     for (const Form& form : report.data.forms)
-        if (form.id != "participants" && form.id != "attempts")
+        if (is_questionnaire(form))
             report.instruments.push_back(questionnaire_of(store, form.id, form.version));
     report.everybody = store.participants(study_id);
     report.steps = store.steps(study_id);
@@ -395,6 +409,7 @@ void write_study_pdf(const StudyReport& report, const std::string& path,
     write_methods(paper, report);
     paper.heading("Participants");
     draw(paper, "flow", "");
+    write_deviations(paper, report);
     for (const FormNumbers& form : numbers.forms) {
         tell(form.form->title);
         paper.heading(QString::fromStdString(form.form->title));

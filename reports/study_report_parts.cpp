@@ -3,8 +3,10 @@
 #include "reports/study_report_parts.h"
 
 #include <algorithm>
+#include <set>
 
 #include "reports/study_analysis.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 namespace {
@@ -39,6 +41,41 @@ void write_analyses(Paper& paper, const StudyReport& report) {
     write_analysis_table(paper, test_retest(report));
     write_analysis_table(paper, rater_agreement(report, report.ratings,
                                                 curriculum::load_questionnaire(kRatersForm)));
+}
+
+void write_deviations(Paper& paper, const StudyReport& report) {
+    paper.heading("Deviations from the protocol");
+    std::vector<QStringList> counts, list;
+    for (int i = 0; i < db::kDeviationKinds; ++i) {
+        const auto kind = static_cast<db::DeviationKind>(i);
+        std::set<std::string> people;
+        int times = 0;
+        for (const db::Deviation& each : report.data.deviations) {
+            if (each.kind != kind) continue;
+            people.insert(each.participant);
+            ++times;
+        }
+        if (times > 0)
+            counts.push_back({deviation_title(kind, Language::kEnglish), QString::number(times),
+                              QString::number(people.size())});
+    }
+    if (counts.empty()) {
+        paper.html("<p>None was recorded.</p>");
+        return;
+    }
+    paper.table(
+        "Deviations from the protocol by kind: how many, and in how many participants. Pauses and "
+        "slow spells are those of one procedure together. Notes are remarks of the coordinator and "
+        "no deviations. Attempts that were done again, were broken off, ended too early or are "
+        "void "
+        "are in no analysis.",
+        {"kind", "n", "participants"}, "lrr", counts);
+    for (const db::Deviation& each : report.data.deviations)
+        list.push_back({safe(each.participant), safe(each.step),
+                        deviation_title(each.kind, Language::kEnglish),
+                        deviation_words(each, Language::kEnglish).toHtmlEscaped()});
+    paper.table("Every deviation, by code.", {"code", "step", "kind", "what happened"}, "llll",
+                list);
 }
 
 void write_data_care(Paper& paper, const StudyReport& report) {

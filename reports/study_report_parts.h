@@ -10,6 +10,8 @@ namespace placode::reports {
 
 /// Construct validity, test-retest, learning curves, agreement of raters, as far as there are data.
 void write_analyses(Paper& paper, const StudyReport& report);
+/// Where things did not go as the protocol says: how many of each kind, and every one by code.
+void write_deviations(Paper& paper, const StudyReport& report);
 /// Amendments of the protocol, corrections, locks, and who signed what when and meaning what.
 void write_data_care(Paper& paper, const StudyReport& report);
 

@@ -9,6 +9,7 @@
 #include "assessment/ledger.h"
 #include "assessment/scoring.h"
 #include "assessment/themes.h"
+#include "db/study_deviations.h"
 
 namespace placode::reports {
 
@@ -21,6 +22,22 @@ namespace placode::reports {
 [[nodiscard]] QString reason_words(const std::string& english);
 /// Patterns of the shipped rubrics; a test compares them with data/tasks.
 [[nodiscard]] std::vector<std::string> reason_patterns();
+
+/// Why an attempt is void, as the store keeps it (English), said again in the program's language.
+[[nodiscard]] QString void_words(const std::string& english);
+
+/// Why a step of a study is still to be done, as its record keeps it (English), said again in the
+/// program's language.
+[[nodiscard]] QString not_done_words(const std::string& english);
+
+/// In which language something is said: the program's, or English for files.
+enum class Language : uint8_t { kProgram, kEnglish };
+/// "Stood still twice, 12 s in all (menu, help)."
+[[nodiscard]] QString deviation_words(const db::Deviation& deviation,
+                                      Language language = Language::kProgram);
+/// "Pauses": what the report counts.
+[[nodiscard]] QString deviation_title(db::DeviationKind kind,
+                                      Language language = Language::kProgram);
 
 /// "Placode touched, 0.4 s, at most 12 mN"
 [[nodiscard]] QString ledger_words(const assessment::LedgerEntry& entry);

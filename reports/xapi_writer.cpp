@@ -123,14 +123,14 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
         const auto found = row.values.find(id);
         return found == row.values.end() ? std::string() : found->second;
     };
-    const bool passed = value("verdict") == "Passed";
-    // Nothing was done: it was opened, and says nothing about success.
-    const bool tried = value("verdict") != "Not attempted";
+    // What does not count is neither passed nor failed; where nothing was done it was opened.
+    const bool passed = row.counts && value("verdict") == "Passed";
     QJsonObject object =
         statement(data, form, row,
-                  !tried   ? "launched"
-                  : passed ? "passed"
-                           : "failed",
+                  value("verdict") == "Not attempted" ? "launched"
+                  : !row.counts                       ? "terminated"
+                  : passed                            ? "passed"
+                                                      : "failed",
                   form.name + "|" + row.participant + "|" + std::to_string(row.instance));
     object["object"] = QJsonObject{
         {"objectType", "Activity"},
@@ -145,13 +145,16 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
         {"duration", duration(value("duration_s").empty() ? "0" : value("duration_s"))},
         {"score", QJsonObject{{"scaled", points / 100}, {"raw", points}, {"min", 0}, {"max", 100}}},
         {"extensions", extensions}};
-    if (tried) result["success"] = passed;
+    if (row.counts) result["success"] = passed;
     object["result"] = result;
     return object;
 }
 
-/// What has no statement: who is enrolled and who a person is are no learning experiences.
-bool has_statements(const Form& form) { return form.id != "participants" && form.id != "person"; }
+/// What has no statement: who is enrolled, who a person is and what deviated from the protocol are
+/// no learning experiences.
+bool has_statements(const Form& form) {
+    return form.id == "attempts" || (is_questionnaire(form) && form.id != "person");
+}
 
 std::string path_of(const std::string& folder, const Dataset& data) {
     return folder + "/" + file_name(data.id) + "_xapi.json";

@@ -83,6 +83,33 @@ TEST_F(Export, AWrongRecordingIsFoundInMotionBids) {
     }
 }
 
+TEST_F(Export, RepeatsNotesAndDeviationsLeaveInEveryFormat) {
+    db::StudyRecords& records = store->records();
+    records.note_step("s1", codes[0], 1, "procedure_1", "coughed; twice");
+    records.repeat_step("s1", codes[0], 1, "procedure_1", "the pedal was unplugged");
+    const auto made = source();
+    const reports::Form* attempts = made.data.form("attempts");
+    ASSERT_NE(attempts, nullptr);
+    EXPECT_EQ(attempts->rows.at(0).values.at("superseded"), "1");
+    EXPECT_EQ(attempts->rows[0].values.at("superseded_reason"), "the pedal was unplugged");
+    EXPECT_EQ(attempts->rows[0].values.at("counts"), "0");
+    EXPECT_EQ(attempts->rows[0].values.at("note"), "coughed; twice");
+    EXPECT_FALSE(attempts->rows[0].counts) << "no analysis uses it";
+    EXPECT_EQ(attempts->field("superseded_by"), nullptr) << "whose decision it was is a name";
+    EXPECT_NE(source(true).data.form("attempts")->field("superseded_by"), nullptr);
+    const reports::Form* deviations = made.data.form("deviations");
+    ASSERT_NE(deviations, nullptr);
+    ASSERT_EQ(deviations->rows.size(), 2u);
+    EXPECT_THAT(deviations->rows[0].values.at("what"), HasSubstr("the pedal was unplugged"));
+    for (const auto& format : reports::export_formats())  // Each is read back and compared.
+        EXPECT_FALSE(export_dataset(made, format.name, out(format.name)).empty()) << format.name;
+    const Rows rows = reports::parse_csv(read_text(out("csv") + "/s1_deviations.csv"));
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(at(rows, 1, "kind"), "4");
+    EXPECT_THAT(read_text(out("xapi") + "/s1_xapi.json"), HasSubstr("verbs/terminated"))
+        << "what does not count is neither passed nor failed";
+}
+
 TEST_F(Export, AFailedExportLeavesTheFolderAsItWas) {
     auto broken = source();
     for (auto& form : broken.data.forms)  // More than SPSS can hold.
@@ -130,11 +157,18 @@ TEST_F(Export, NamesLeaveOnlyWithPermission) {
     }
     export_dataset(source(true), "csv", out("named"));
     EXPECT_THAT(read_text(out("named/s1_kinds.csv")), HasSubstr("Anna Nowak"));
+    // The attempt of the study is the participant's; this one is the person's own.
     const auto user = *store->user_by_login("anna");
+    db::AttemptResult own;
+    own.header.task_id = "diathermy_ring";
+    own.header.started_utc = "2026-11-21T11:05:00.000Z";
+    own.score.points = 77.75;
+    store->save_attempt(user.id, own);
     export_dataset({reports::user_dataset(*store, user), reports::recordings_of(*store)}, "csv",
                    out("user"));
-    EXPECT_THAT(read_text(out("user/user_1_attempts.csv")),
-                testing::AllOf(HasSubstr("88.25"), Not(HasSubstr("anna"))));
+    EXPECT_THAT(
+        read_text(out("user/user_1_attempts.csv")),
+        testing::AllOf(HasSubstr("77.75"), Not(HasSubstr("88.25")), Not(HasSubstr("anna"))));
 }
 
 TEST_F(Export, TheChecksumsOfTheBundleAreThoseOfSha256sum) {

@@ -20,8 +20,10 @@
 #include <cmath>
 
 #include "db/study_conduct.h"
+#include "db/study_records.h"
 #include "reports/csv_table.h"
 #include "reports/export.h"
+#include "reports/study_analysis.h"
 #include "tests/store_fixture.h"
 
 using namespace placode;
@@ -51,6 +53,7 @@ class StudyReportTest : public testing::Test {
         db::DefinitionRecord definition;
         definition.kind = "study";
         definition.id = kStudy;
+        definition.version = curriculum::load_study(kStudy).version;
         definition.json = curriculum::load_study(kStudy).json;
         store->publish(definition);
     }
@@ -101,6 +104,7 @@ class StudyReportTest : public testing::Test {
                 result.header.task_id = "diathermy_ring";
                 result.header.started_utc = "2026-11-21T10:0" + std::to_string(trial) + ":00.000Z";
                 result.header.demonstration = true;
+                result.end.duration_s = 90;
                 result.score.points = 40 + 15 * trial + static_cast<double>(p);
                 result.score.verdict =
                     trial == 3 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
@@ -292,6 +296,38 @@ TEST_F(StudyReportTest, ThePdfHoldsMethodsFlowTablesAndVersions) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
                                                                 << text.toStdString();
     }
+}
+
+TEST_F(StudyReportTest, DeviationsAreCountedAndListedAndNoAnalysisUsesWhatDoesNotCount) {
+    answer_as_the_paper();
+    add_attempts();
+    const auto rows_that_count = [&] {
+        const auto made = report();
+        const reports::Form* attempts = made.data.form("attempts");
+        return std::count_if(attempts->rows.begin(), attempts->rows.end(),
+                             [](const reports::Row& row) { return row.counts; });
+    };
+    const auto before = rows_that_count();
+    const auto learnt = reports::learning_curves(report(), {}).rows;
+    store->records().repeat_step(kStudy, codes[0], 1, "procedure_3", "the pedal was unplugged");
+    store->records().note_step(kStudy, codes[1], 1, "procedure_1", "coughed");
+    EXPECT_EQ(rows_that_count(), before - 1);
+    EXPECT_NE(reports::learning_curves(report(), {}).rows.at(0).at(1).text, learnt.at(0).at(1).text)
+        << "one attempt less";
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    const QString path = QString::fromStdString(folder.file("study.pdf"));
+    reports::write_study_pdf(report(), path.toStdString());
+    if (qEnvironmentVariableIsSet("PLACODE_SCREENSHOTS"))
+        QFile::copy(path, qEnvironmentVariable("PLACODE_SCREENSHOTS") + "/study_deviations.pdf");
+    QProcess process;
+    process.start(pdftotext, {"-layout", path, "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    const QString text = QString::fromUtf8(process.readAllStandardOutput()).simplified();
+    for (const char* expected :
+         {"Deviations from the protocol", "Done again", "the pedal was unplugged", "coughed"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
+                                                                << text.toStdString();
 }
 
 TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {

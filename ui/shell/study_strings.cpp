@@ -31,4 +31,40 @@ namespace {
     QT_TRANSLATE_NOOP("Analysis", "There are no attempts yet."),
 };
 
+// Words of reports/conduct_words.cpp: why an attempt does not count, what deviated from a protocol.
+[[maybe_unused]] const char* const kDeviationWords[] = {
+    QT_TRANSLATE_NOOP("Deviation", "menu"),
+    QT_TRANSLATE_NOOP("Deviation", "help"),
+    QT_TRANSLATE_NOOP("Deviation", "asked before closing"),
+    QT_TRANSLATE_NOOP("Deviation", "another window in front"),
+    QT_TRANSLATE_NOOP("Deviation", "Stood still %1, %2 in all (%3)."),
+    QT_TRANSLATE_NOOP("Deviation", "The computer fell behind %1, %2 in all."),
+    QT_TRANSLATE_NOOP("Deviation", "Does not count: %1."),
+    QT_TRANSLATE_NOOP("Deviation", "Ended after %1; the protocol asks for at least %2."),
+    QT_TRANSLATE_NOOP("Deviation", "Broken off after %1."),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "Done again; this attempt is kept and does not count. Reason: %1"),
+    QT_TRANSLATE_NOOP("Deviation", "Done with %1; %2 was set."),
+    QT_TRANSLATE_NOOP("Deviation", "Skipped."),
+    QT_TRANSLATE_NOOP("Deviation", "%1 s"),
+    QT_TRANSLATE_NOOP("Deviation", "once"),
+    QT_TRANSLATE_NOOP("Deviation", "twice"),
+    QT_TRANSLATE_NOOP("Deviation", "%1 times"),
+    QT_TRANSLATE_NOOP("Deviation", "broken off"),
+    QT_TRANSLATE_NOOP("Deviation", "it ended after %1 s, before %2 s were over"),
+    QT_TRANSLATE_NOOP("Deviation",
+                      "The computer was too slow: %1 pictures a second, 20 are needed"),
+    QT_TRANSLATE_NOOP(
+        "Deviation",
+        "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed"),
+    QT_TRANSLATE_NOOP("Deviation", "Pauses"),
+    QT_TRANSLATE_NOOP("Deviation", "Slow computer"),
+    QT_TRANSLATE_NOOP("Deviation", "Ended too early"),
+    QT_TRANSLATE_NOOP("Deviation", "Broken off"),
+    QT_TRANSLATE_NOOP("Deviation", "Done again"),
+    QT_TRANSLATE_NOOP("Deviation", "Another device"),
+    QT_TRANSLATE_NOOP("Deviation", "Step skipped"),
+    QT_TRANSLATE_NOOP("Deviation", "Note"),
+};
+
 }  // namespace
