@@ -41,7 +41,7 @@ class ShellHarness {
         options.language = "en";
         options.theme = "light";
         options.settings_file = path("settings.ini");
-        options.launch.program = PLACODE_BIN_DIR "/placode-sim";
+        options.launch.program = simulator;
         options.launch.more_arguments = QStringList{"--headless", "--fast"};
         options.launch.hands = hands;
         options.launch.more_arguments << more_arguments;
@@ -220,6 +220,7 @@ class ShellHarness {
     QString save_as;             ///< Answer to the next file dialog.
     QString hands;               ///< Of the next start(): who operates, whatever device is chosen.
     QStringList more_arguments;  ///< Of the next start(), for the simulator.
+    QString simulator = PLACODE_BIN_DIR "/placode-sim";  ///< Of the next start().
     int lock_after_s = 0;        ///< Of the next start().
     QString open_this;           ///< Answer to the next dialog for a file to read.
 
