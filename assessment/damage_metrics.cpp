@@ -98,7 +98,7 @@ std::vector<std::string_view> not_recorded(const sim::Recording& recording) {
         if (resects(recording.header)) missing.push_back("resected_percent");
     }
     if (resects(recording.header) && !has(recording, sim::kMarkedLost))
-        missing.push_back("marked_lost_percent");
+        missing.insert(missing.end(), {"marked_lost_percent", "marked_gone_percent"});
     if (!recording.header.geometry.planned_contour.empty() && !has(recording, sim::kRingGap))
         missing.insert(missing.end(), {"largest_gap_mm", "gap_count"});
     if (!has(recording, sim::kStretchSum)) missing.push_back(kVolumeTime);

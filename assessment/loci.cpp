@@ -301,7 +301,8 @@ Locus locate(std::string_view metric, double threshold, const sim::Recording& re
         return locate_incision(metric, recording);
     if (metric.substr(0, 6) == "trace_") return locate_trace(metric, recording);
     if (metric == "released_deg") return locate_held(recording);
-    if (metric == "resected_percent" || metric == "pieces_out" || metric == "resected_mm3")
+    if (metric == "resected_percent" || metric == "marked_gone_percent" || metric == "pieces_out" ||
+        metric == "resected_mm3")
         return locate_left(recording);
     if (metric == "peak_traction_mn") return locate_pull(recording);
     if (metric == "peak_force_mn") return locate_force(recording);

@@ -110,9 +110,14 @@ std::vector<MetricDefinition> metric_definitions() {
         {"resected_mm3", "Resected tissue", "mm3", kNeutral, "Rest volume of these pieces.",
          "Placode"},
         {"resected_percent", "Marked tissue resected", "%", kHigherIsBetter,
-         "Share of the marked volume that was drawn out of the field in pieces, as the picture "
-         "shows "
-         "it; what burned, tore or was washed away does not count.",
+         "Share of the marked volume that was drawn out of the field in pieces; what burned, tore "
+         "or "
+         "was washed away does not count.",
+         "Placode"},
+        {"marked_gone_percent", "Marked tissue gone", "%", kHigherIsBetter,
+         "Share of the marked volume that is no longer there, taken out or destroyed, as the "
+         "picture "
+         "shows it.",
          "Placode"},
         {"marked_lost_percent", "Marked tissue destroyed", "%", kLowerIsBetter,
          "Share of the marked volume that burned, tore or was washed away as crumbs.", "Placode"},

@@ -175,7 +175,9 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     score.rubric_id = rubric.id;
     score.rubric_version = rubric.version;
     score.metric_set_version = metrics.version;
-    if (!attempted(rubric, metrics)) {
+    std::vector<Reason> tuned;
+    add_tuned(recording, tuned);
+    if (tuned.empty() && !attempted(rubric, metrics)) {
         score.verdict = Verdict::kNotAttempted;
         score.reasons.push_back({std::string(kNotAttemptedItem),
                                  "Nothing was done: this attempt does not count.",
@@ -186,7 +188,7 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     for (const RubricItem& item : rubric.items) sight.weights += item.earns;
     bool proven = true, critical = false;
     score.reasons = judge_lines(sight, proven);
-    add_tuned(recording, score.reasons);
+    score.reasons.insert(score.reasons.begin(), tuned.begin(), tuned.end());
     double points = rubric.start_points;
     for (const Reason& reason : score.reasons) {
         points -= reason.points;

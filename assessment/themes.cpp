@@ -27,7 +27,7 @@ constexpr Prefix kPrefixes[]{
     {"resected", Theme::kRelease},
     {"pieces", Theme::kRelease},
     {"grasps", Theme::kRelease},
-    {"marked_lost", Theme::kRelease},
+    {"marked_", Theme::kRelease},
     {"lift_hold", Theme::kRelease},
     {"energy", Theme::kEnergy},
     {"activation", Theme::kEnergy},

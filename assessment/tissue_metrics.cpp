@@ -329,12 +329,20 @@ double lifted_s(const sim::Recording& recording) {
 }
 
 /// The share of the marked tissue that the ledger's last such entry tells.
-void add_share(const sim::Recording& recording, sim::EventKind kind, const char* metric,
-               std::vector<Metric>& out) {
+std::optional<double> marked_share(const sim::Recording& recording, sim::EventKind kind) {
     std::optional<double> share;
     for (const sim::Event& e : recording.events)
         if (e.kind == kind) share = std::max(share.value_or(0), static_cast<double>(e.value2));
-    if (share) out.push_back({metric, *share * 100});
+    return share;
+}
+
+/// What became of the marked tissue: taken out, destroyed; the rest was left behind.
+void add_marked(const sim::Recording& recording, std::vector<Metric>& out) {
+    const auto taken = marked_share(recording, sim::kTakenOut);
+    const auto lost = marked_share(recording, sim::kMarkedLost);
+    if (taken) out.push_back({"resected_percent", *taken * 100});
+    if (lost) out.push_back({"marked_lost_percent", *lost * 100});
+    if (taken && lost) out.push_back({"marked_gone_percent", 100 * std::min(1.0, *taken + *lost)});
 }
 
 /// Tips below the surface, from whatever instrument.
@@ -367,8 +375,7 @@ void add_dissection(const sim::Recording& recording, std::vector<Metric>& out) {
         out.push_back({"snips", static_cast<double>(snips.count)});
         out.push_back({"pieces_out", static_cast<double>(pieces.count)});
         out.push_back({"resected_mm3", pieces.value * 1e9});
-        add_share(recording, sim::kTakenOut, "resected_percent", out);
-        add_share(recording, sim::kMarkedLost, "marked_lost_percent", out);
+        add_marked(recording, out);
     }
     if (jaws) {
         const Sum released = total(recording, EventKind::kReleased);

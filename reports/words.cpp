@@ -61,9 +61,9 @@ constexpr const char* kPatterns[]{
     "The placode is free over {value} degrees, and points are given for that share; it still hangs "
     "on{where}.",
     "The placode is not released: it is free over {value} of 360 degrees only.",
-    "{value} % of the marked tissue is taken out, and points are given for that share; most of the "
-    "rest hangs{where}.",
-    "Marked tissue was left behind: {value} % is out, 80 % is the least.",
+    "{value} % of the marked tissue is gone, and points are given for that share; most of the rest "
+    "hangs{where}.",
+    "More than 15 % of the marked tissue was left behind.",
     "Tissue was held lifted for {value} s of 9 s, and points are given for that share.",
     "Tissue was grasped {value} times of three, and points are given for that share.",
     "More than 5 mm3 of skin tore.",

@@ -92,6 +92,12 @@ double taken_out_share(const Scene& scene, const State& state) noexcept {
     return std::min(1.0, state.pieces.marked_out_m3 / scene.marked_volume_m3);
 }
 
+double gone_share(const Scene& scene, const State& state) noexcept {
+    if (!(scene.marked_volume_m3 > 0)) return -1;
+    return std::min(
+        1.0, (state.pieces.marked_out_m3 + state.pieces.marked_lost_m3) / scene.marked_volume_m3);
+}
+
 Event taken_out_event(const Scene& scene, const State& state) noexcept {
     Event event;
     event.time_s = state.time_s;

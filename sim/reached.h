@@ -40,6 +40,10 @@ inline constexpr int kLedgerVersion = 1;
 /// marked. What heat removed, force tore or water washed away does not count.
 [[nodiscard]] double taken_out_share(const Scene& scene, const State& state) noexcept;
 
+/// Share of the marked tissue that is no longer there, however it went, 0..1: what the picture
+/// shows. Pieces count from when they go. -1 where nothing is marked.
+[[nodiscard]] double gone_share(const Scene& scene, const State& state) noexcept;
+
 /// kTakenOut as of now, without a place.
 [[nodiscard]] Event taken_out_event(const Scene& scene, const State& state) noexcept;
 

@@ -73,7 +73,7 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
             }
         }
     }
-    out.resected_fraction = static_cast<float>(taken_out_share(scene, state));
+    out.resected_fraction = static_cast<float>(gone_share(scene, state));
     out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
     out.resect_line.resize(scene.resection.anchors.size());
     for (size_t i = 0; i < out.resect_line.size(); ++i) {

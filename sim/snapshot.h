@@ -38,7 +38,7 @@ struct Snapshot {
     std::vector<std::array<float, 3>> resect_line;  ///< Deformed outline of the marked tissue [m].
     std::vector<uint8_t> resect_cut;                ///< Per point: parted there.
     int free_sectors = 0, pieces_out = 0;
-    float resected_fraction = -1;  ///< taken_out_share().
+    float resected_fraction = -1;  ///< gone_share().
     Phase phase = Phase::kInspect;
     float cut_fraction = 0;  ///< ring_share().
     float vapour_rate_m3_s = 0;

@@ -56,6 +56,7 @@ class AttemptMaker {
         put(recording, sim::kLedgerWritten, 0, sim::kLedgerVersion);
         put(recording, sim::kStretchSum, 0, 0);
         put(recording, sim::kTakenOut, 0, 0);
+        put(recording, sim::kMarkedLost, 30, 0);
         if (!task.steps.empty())
             put(recording, sim::kPracticeSteps, 0, static_cast<double>(task.steps.size()));
         return recording;

@@ -87,7 +87,8 @@ TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     // One number: picture, ledger while it runs, ledger at the end.
     Snapshot snapshot;
     fill_snapshot(field.scene, field.state, snapshot);
-    EXPECT_EQ(snapshot.resected_fraction, static_cast<float>(share));
+    EXPECT_NEAR(gone_share(field.scene, field.state), patch / marked, 1e-6);
+    EXPECT_EQ(snapshot.resected_fraction, static_cast<float>(gone_share(field.scene, field.state)));
     EXPECT_EQ(field.last(kTakenOut).value2, static_cast<float>(share));
     const auto closing = reached_events(field.scene, field.state);
     ASSERT_GE(closing.size(), 2U);
@@ -96,12 +97,14 @@ TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     EXPECT_GT(closing[0].rest_position_m[1], 0.003F) << "where the rest hangs";
     EXPECT_EQ(closing[1].kind, kMarkedLost);
     EXPECT_NEAR(closing[1].value2, torn / marked, 1e-6);
+    EXPECT_NEAR(closing[0].value2 + closing[1].value2, snapshot.resected_fraction, 1e-6);
 }
 
 TEST(Reached, WhereNothingIsMarkedThereIsNoShare) {
     const Scene scene = test::box_scene(test::grasped_block(Vec3(0.008, 0.008, 0.002), {4, 4, 2}));
     const State state(scene, 1);
     EXPECT_EQ(taken_out_share(scene, state), -1);
+    EXPECT_EQ(gone_share(scene, state), -1);
     EXPECT_EQ(ring_share(state), 0);
     EXPECT_TRUE(reached_events(scene, state).empty());
 }

@@ -187,7 +187,7 @@ TEST_P(ScoringProperties, WhatAnOlderProgramDidNotRecordIsNamedAndIsNoPass) {
     sim::Recording old = done(task, 1);
     std::erase_if(old.events, [](const sim::Event& e) {
         return e.kind == sim::kLedgerWritten || e.kind == sim::kTakenOut ||
-               e.kind == sim::kStretchSum;
+               e.kind == sim::kMarkedLost || e.kind == sim::kStretchSum;
     });
     const auto unknown = assessment::not_recorded(old);
     const Score score = score_of(task, old);
@@ -241,7 +241,7 @@ TEST_P(ScoringProperties, WhatDecidesInTheatreDecidesThePass) {
         spoil(recording);
         return score_of(task, recording).verdict;
     };
-    if (asks_for(task, "resected_percent")) {
+    if (asks_for(task, "marked_gone_percent")) {
         EXPECT_EQ(spoiled([](sim::Recording& r) {
                       std::erase_if(r.events,
                                     [](const auto& e) { return e.kind == sim::kTakenOut; });

@@ -217,10 +217,12 @@ TEST(TissueMetrics, ResectedIsWhatWasDrawnOutHoweverManyPiecesLeave) {
     add(sim::kTakenOut, 0, 0);
     add(sim::kTakenOut, 1e-9F, 0.25F);
     add(sim::kTakenOut, 3.5e-9F, 0.875F);
-    add(sim::kMarkedLost, 0.5e-9F, 0.125F);
+    EXPECT_FALSE(compute_metrics(recording).find("marked_gone_percent")) << "broken off";
+    add(sim::kMarkedLost, 0.5e-9F, 0.0625F);
     const MetricSet m = compute_metrics(recording);
     EXPECT_EQ(m.find("resected_percent"), 87.5);
-    EXPECT_EQ(m.find("marked_lost_percent"), 12.5);
+    EXPECT_EQ(m.find("marked_lost_percent"), 6.25);
+    EXPECT_EQ(m.find("marked_gone_percent"), 93.75);
     const auto known = not_recorded(recording);
     EXPECT_EQ(std::find(known.begin(), known.end(), "resected_percent"), known.end());
 }

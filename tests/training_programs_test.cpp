@@ -169,14 +169,14 @@ TEST_F(TrainingPrograms, OldAttemptsAreRescoredAndBothScoresKept) {
     task["rubric"]["start_points"] = 70;
     write_text(file("strict.json"), task.dump());
     const Outcome changed = as("ewa", "rescore --task strict.json");
-    EXPECT_EQ(changed.status, 2) << "the attempt was scored under version 1 with another text";
+    EXPECT_EQ(changed.status, 2) << "the attempt was scored under this version with another text";
     EXPECT_THAT(changed.err, HasSubstr("next version"));
-    EXPECT_THAT(as("ewa", "--json scores 1").out, Not(HasSubstr("\"rubric_version\": 2")));
-    task["rubric"]["version"] = 2;
+    EXPECT_THAT(as("ewa", "--json scores 1").out, Not(HasSubstr("\"rubric_version\": 3")));
+    task["rubric"]["version"] = 3;
     write_text(file("strict.json"), task.dump());
     EXPECT_EQ(as("anna", "rescore --task strict.json").status, 1);
     EXPECT_EQ(as("ewa", "rescore --task strict.json --dry-run").status, 0);
-    EXPECT_THAT(as("anna", "scores 1").out, Not(HasSubstr("ring_incision 2")))
+    EXPECT_THAT(as("anna", "scores 1").out, Not(HasSubstr("ring_incision 3")))
         << "a dry run saves nothing";
     const Outcome rescored = as("ewa", "--json rescore --task strict.json");
     ASSERT_EQ(rescored.status, 0) << rescored.err;
@@ -184,7 +184,7 @@ TEST_F(TrainingPrograms, OldAttemptsAreRescoredAndBothScoresKept) {
     EXPECT_THAT(rescored.out, HasSubstr("\"state\": \"rescored\""));
     const Outcome scores = as("anna", "--json scores 1");
     EXPECT_THAT(scores.out,
-                AllOf(HasSubstr("\"rubric_version\": 1"), HasSubstr("\"rubric_version\": 2"),
+                AllOf(HasSubstr("\"rubric_version\": 2"), HasSubstr("\"rubric_version\": 3"),
                       HasSubstr("\"preprocessing_version\": 1")));
     EXPECT_EQ(number_in(as("ewa", "--json rescore --task strict.json").out, "scored"), 0)
         << "once is enough";

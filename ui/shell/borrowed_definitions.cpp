@@ -9,6 +9,9 @@ namespace {
 
 [[maybe_unused]] const char* const kMetricDefinitions[] = {
     QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Share of the marked volume that is no longer there, taken out or destroyed, "
+                      "as the picture shows it."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the marked volume that burned, tore or was washed away as crumbs."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time with the tip of an instrument below the surface, spells over 0.3 s."),
@@ -83,9 +86,8 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition", "Loose pieces drawn back to the port."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Rest volume of these pieces."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Share of the marked volume that was drawn out of the field in pieces, as "
-                      "the picture shows it; "
-                      "what burned, tore or was washed away does not count."),
+                      "Share of the marked volume that was drawn out of the field in pieces; what "
+                      "burned, tore or was washed away does not count."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws closed on tissue."),
     QT_TRANSLATE_NOOP(
         "MetricDefinition",

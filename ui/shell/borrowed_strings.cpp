@@ -108,6 +108,7 @@ namespace {
     QT_TRANSLATE_NOOP("Metric", "Resected tissue"),
     QT_TRANSLATE_NOOP("Metric", "Marked tissue resected"),
     QT_TRANSLATE_NOOP("Metric", "Marked tissue destroyed"),
+    QT_TRANSLATE_NOOP("Metric", "Marked tissue gone"),
     QT_TRANSLATE_NOOP("Metric", "Tip below the surface"),
     QT_TRANSLATE_NOOP("Metric", "Times below the surface"),
     QT_TRANSLATE_NOOP("Metric", "Grasps"),
@@ -275,10 +276,9 @@ namespace {
     QT_TRANSLATE_NOOP("Reason",
                       "The placode is not released: it is free over {value} of 360 degrees only."),
     QT_TRANSLATE_NOOP("Reason",
-                      "{value} % of the marked tissue is taken out, and points are given for that "
+                      "{value} % of the marked tissue is gone, and points are given for that "
                       "share; most of the rest hangs{where}."),
-    QT_TRANSLATE_NOOP("Reason",
-                      "Marked tissue was left behind: {value} % is out, 80 % is the least."),
+    QT_TRANSLATE_NOOP("Reason", "More than 15 % of the marked tissue was left behind."),
     QT_TRANSLATE_NOOP(
         "Reason",
         "Tissue was held lifted for {value} s of 9 s, and points are given for that share."),

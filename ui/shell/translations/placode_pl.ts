@@ -2215,6 +2215,10 @@
         <translation>Zniszczona zaznaczona tkanka</translation>
     </message>
     <message>
+        <source>Marked tissue gone</source>
+        <translation>Usunięta zaznaczona tkanka</translation>
+    </message>
+    <message>
         <source>Tip below the surface</source>
         <translation>Końcówka pod powierzchnią</translation>
     </message>
@@ -2649,6 +2653,10 @@
         <translation>Część zaznaczonej objętości, która się spaliła, rozerwała lub została wypłukana jako okruchy.</translation>
     </message>
     <message>
+        <source>Share of the marked volume that is no longer there, taken out or destroyed, as the picture shows it.</source>
+        <translation>Część zaznaczonej objętości, której już nie ma: wyciągnięta lub zniszczona, tak jak pokazuje obraz.</translation>
+    </message>
+    <message>
         <source>Time with the tip of an instrument below the surface, spells over 0.3 s.</source>
         <translation>Czas z końcówką narzędzia pod powierzchnią, okresy ponad 0,3 s.</translation>
     </message>
@@ -2669,8 +2677,8 @@
         <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu albo które sięga w zdrową skórę lub do płytki.</translation>
     </message>
     <message>
-        <source>Share of the marked volume that was drawn out of the field in pieces, as the picture shows it; what burned, tore or was washed away does not count.</source>
-        <translation>Część zaznaczonej objętości wyciągnięta z pola w kawałkach, tak jak pokazuje obraz; to, co spalone, rozerwane lub wypłukane, się nie liczy.</translation>
+        <source>Share of the marked volume that was drawn out of the field in pieces; what burned, tore or was washed away does not count.</source>
+        <translation>Część zaznaczonej objętości wyciągnięta z pola w kawałkach; to, co spalone, rozerwane lub wypłukane, się nie liczy.</translation>
     </message>
     <message>
         <source>Stretches of the planned contour without a point that is cut.</source>
@@ -3507,12 +3515,12 @@
         <translation>Płytka nie jest uwolniona: jest wolna tylko na {value} z 360 stopni.</translation>
     </message>
     <message>
-        <source>{value} % of the marked tissue is taken out, and points are given for that share; most of the rest hangs{where}.</source>
+        <source>{value} % of the marked tissue is gone, and points are given for that share; most of the rest hangs{where}.</source>
         <translation>Usunięto {value} % zaznaczonej tkanki i za tę część przyznano punkty; większość reszty trzyma się{where}.</translation>
     </message>
     <message>
-        <source>Marked tissue was left behind: {value} % is out, 80 % is the least.</source>
-        <translation>Pozostawiono zaznaczoną tkankę: usunięto {value} %, najmniej potrzeba 80 %.</translation>
+        <source>More than 15 % of the marked tissue was left behind.</source>
+        <translation>Pozostawiono ponad 15 % zaznaczonej tkanki.</translation>
     </message>
     <message>
         <source>Tissue was held lifted for {value} s of 9 s, and points are given for that share.</source>
