@@ -68,7 +68,7 @@ struct ScriptedParticipants {
 
     void consent(const std::string& code);
     void answer(const std::string& questionnaire, size_t row);
-    void perform(const QString& device, double length_s);
+    void perform(double length_s);
     void takePart(size_t row);
 
  private:
@@ -128,10 +128,8 @@ inline void ScriptedParticipants::answer(const std::string& questionnaire, size_
     QVERIFY(shell->arrives(PageId::kStudyRun));
 }
 
-inline void ScriptedParticipants::perform(const QString& device, double length_s) {
-    QVERIFY(QTest::qWaitFor([&] { return shell->find<QComboBox>("device") != nullptr; }, 10000));
-    auto* devices = shell->find<QComboBox>("device");
-    devices->setCurrentIndex(devices->findData(device));
+inline void ScriptedParticipants::perform(double length_s) {
+    QVERIFY2(shell->find<QComboBox>("device") == nullptr, "a participant chooses no device");
     QVERIFY(press("start_attempt"));
     QVERIFY(shell->arrives(PageId::kRunning));
     QVERIFY(QTest::qWaitFor(
@@ -140,11 +138,15 @@ inline void ScriptedParticipants::perform(const QString& device, double length_s
                    shell->window().current() == PageId::kStudyRun;
         },
         kPatienceMs));
-    if (shell->window().current() == PageId::kRunning) QVERIFY(shell->click("stop_and_score"));
+    if (shell->window().current() == PageId::kRunning) {
+        shell->confirmNext();
+        QVERIFY(shell->click("stop_and_score"));
+    }
     QVERIFY(shell->arrives(PageId::kStudyRun, 120));
 }
 
 inline void ScriptedParticipants::takePart(size_t row) {
+    QVERIFY(shell->choose("study_device", device(row)));
     QVERIFY(press("enrol"));
     QVERIFY(shell->arrives(PageId::kStudyRun));
     const std::string code = store().participants(kStudy).back().code;
@@ -158,12 +160,13 @@ inline void ScriptedParticipants::takePart(size_t row) {
     for (int procedure = 1; procedure <= 3; ++procedure) {
         const std::string due = "procedure_" + std::to_string(procedure);
         QVERIFY(QTest::qWaitFor([&] { return progress(code).next == due; }, 20000));
-        perform(device(row), length_s(row, procedure));
+        perform(length_s(row, procedure));
         if (QTest::currentTestFailed()) return;
     }
     answer("face_validity", row);
     if (QTest::currentTestFailed()) return;
     QVERIFY(progress(code).next.empty());
+    shell->takeBackNext();
     QVERIFY(press("run_finished"));
     QVERIFY(shell->arrives(PageId::kStudies));
 }

@@ -167,7 +167,7 @@ void ShellGalleryTest::lookAt(const TourStop& stop, const QString& who, QStringL
     for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
         if (folder.isEmpty() && theme == ThemeKind::kDark) continue;
         shell.context().setTheme(theme);
-        shell.window().open(stop.place);
+        shell.window().visit(stop.place);
         if (!shell.arrives(stop.place.page)) {
             wrong << QString("%1 cannot open %2").arg(who, stop.name);
             return;
@@ -213,7 +213,7 @@ void ShellGalleryTest::everythingThatTakesTheFocusIsNamed() {
     for (const Visitor& visitor : kVisitors) {
         QVERIFY(shell.signIn(visitor.login, visitor.password));
         for (const TourStop& stop : page_tour(shell.context())) {
-            shell.window().open(stop.place);
+            shell.window().visit(stop.place);
             QVERIFY2(shell.arrives(stop.place.page), stop.name);
             settle();
             for (const QWidget* widget : shell.window().findChildren<QWidget*>()) {

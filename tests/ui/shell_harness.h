@@ -131,6 +131,16 @@ class ShellHarness {
         QTimer::singleShot(50, window_.get(), [this] { pressInDialog("confirm_yes"); });
     }
 
+    /// Presses the button of the next question that keeps everything as it is.
+    void refuseNext() {
+        QTimer::singleShot(50, window_.get(), [this] { pressInDialog("confirm_no"); });
+    }
+
+    /// Types the coordinator's password when the screen is taken back from a participant.
+    void takeBackNext(const QString& password = "placode-demo") {
+        QTimer::singleShot(50, window_.get(), [this, password] { typeToTakeBack(password); });
+    }
+
     [[nodiscard]] bool signIn(const QString& login, const QString& password) {
         if (context_->signedIn()) context_->signOut();
         if (!arrives(PageId::kLogin)) return false;
@@ -233,6 +243,15 @@ class ShellHarness {
         } else {
             QTimer::singleShot(50, window_.get(), [this, name] { pressInDialog(name); });
         }
+    }
+
+    void typeToTakeBack(const QString& password) {
+        QWidget* dialog = QApplication::activeModalWidget();
+        auto* field =
+            dialog != nullptr ? dialog->findChild<QLineEdit*>("take_back_password") : nullptr;
+        if (field == nullptr) return takeBackNext(password);
+        QTest::keyClicks(field, password);
+        QTest::keyClick(field, Qt::Key_Return);
     }
 
     QTemporaryDir folder_;

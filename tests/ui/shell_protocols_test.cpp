@@ -221,6 +221,7 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     // Without a change of theme, which would lead back to the questions.
     shell.window().grab().save(shell.shotFile("74_every_kind_review"));
     QVERIFY(press("submit_answers"));
+    shell.takeBackNext();
     QVERIFY(press("participant_done"));
     const auto answers = shell.context().store().answers("kinds");
     QCOMPARE(answers.size(), size_t(1));

@@ -12,7 +12,10 @@
 #include "curriculum/questionnaire.h"
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
+#include "db/study_records.h"
+#include "export_columns.h"
 #include "shell_harness.h"
+#include "short_study.h"
 
 namespace placode::ui {
 
@@ -32,17 +35,20 @@ class ShellStudyTest : public QObject {
     void studyIsPublishedOnce();
     void consentNeedsEveryStatement();
     void questionsBriefingAndPractice();
+    void anAttemptThatEndsTooEarlyIsToBeDoneAgain();
     void interruptionCostsNothing();
     void proceduresAreStepsOfTheParticipant();
     void lastQuestionnaireEndsTheRun();
+    void whatAParticipantDidIsNobodyElses();
+    void aProcedureIsDoneAgainForAReason();
     void coordinatorSeesWhereEveryoneStands();
     void reportAndExportComeOut();
 
  private:
     /// Answers whatever the questionnaire on the screen asks for, and submits.
     void answerAll(const std::string& questionnaire);
-    /// Starts the attempt of the step that is shown and ends it after a moment.
-    void perform(const QString& device);
+    /// Starts the attempt of the step that is shown and ends it after that time [s].
+    void perform(double time_s = 0.5);
     /// Clicks as soon as the button is there: a step that was recorded leads on a moment later.
     [[nodiscard]] bool press(const QString& name) {
         return QTest::qWaitFor(
@@ -59,6 +65,7 @@ class ShellStudyTest : public QObject {
     }
 
     std::unique_ptr<ShellHarness> shell_;
+    bool running_shown_ = false;
     QString code_;
 };
 
@@ -79,10 +86,17 @@ void ShellStudyTest::studyIsPublishedOnce() {
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("enrol") != nullptr; }, 10000));
     QVERIFY(db::published_study(shell.context().store(), kStudy).has_value());
     QVERIFY(shell.find<QPushButton>("publish_study") == nullptr);
+    QCOMPARE(db::published_study(shell.context().store(), kStudy)->step("procedure_1")->min_s,
+             60.0);
+    publish_short_study(shell.context().store(), kStudy, {{"procedure_1", 6}});
+    shell.window().open({PageId::kStudies, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kStudies));
 }
 
 void ShellStudyTest::consentNeedsEveryStatement() {
     ShellHarness& shell = *shell_;
+    // The coordinator chooses the device, before the screen is handed over.
+    QVERIFY(shell.choose("study_device", "script:novice"));
     QVERIFY(press("enrol"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
     code_ = QString::fromStdString(progress().participant.code);
@@ -156,27 +170,54 @@ void ShellStudyTest::questionsBriefingAndPractice() {
     shell.shot("63_briefing");
     QVERIFY(press("step_done"));
     QVERIFY(QTest::qWaitFor([&] { return progress().next == "familiarisation"; }, 5000));
-    QVERIFY(QTest::qWaitFor([&] { return shell.find<QComboBox>("device") != nullptr; }, 5000));
+    QVERIFY(QTest::qWaitFor([&] { return !shell.text("run_device").isEmpty(); }, 5000));
+    QVERIFY2(shell.text("run_device").contains("Novice", Qt::CaseInsensitive),
+             qPrintable(shell.text("run_device")));
     shell.shot("64_familiarisation");
-    perform("script:novice");
+    perform();
     if (QTest::currentTestFailed()) return;
     QCOMPARE(progress().next, std::string("procedure_1"));
 }
 
-void ShellStudyTest::perform(const QString& device) {
+void ShellStudyTest::perform(double time_s) {
     ShellHarness& shell = *shell_;
-    QVERIFY(QTest::qWaitFor([&] { return shell.find<QComboBox>("device") != nullptr; }, 5000));
-    auto* devices = shell.find<QComboBox>("device");
-    QVERIFY(devices->findData(device) >= 0);
-    devices->setCurrentIndex(devices->findData(device));
+    QVERIFY2(shell.find<QComboBox>("device") == nullptr, "a participant chooses no device");
     QVERIFY(press("start_attempt"));
     QVERIFY(shell.arrives(PageId::kRunning));
     QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());
-    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 0.5; },
+    QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > time_s; },
                             kPatienceMs));
+    // Time only; nothing that says how well it goes.
+    const QWidget* page = shell.window().page();
+    QVERIFY(shell.find<QLabel>("live_time")->isVisibleTo(page));
+    for (const char* hidden : {"live_phase", "live_physics", "live_ring"})
+        QVERIFY2(!shell.find<QLabel>(hidden)->isVisibleTo(page), hidden);
+    if (!running_shown_) {
+        running_shown_ = true;
+        shell.window().grab().save(shell.shotFile("64_study_running"));
+    }
+    // One press does not end it.
+    shell.refuseNext();
+    QVERIFY(shell.click("stop_and_score"));
+    QVERIFY(shell.context().launcher().running());
+    shell.confirmNext();
     QVERIFY(shell.click("stop_and_score"));
     // Led on, without a score.
     QVERIFY(shell.arrives(PageId::kStudyRun, 60));
+}
+
+void ShellStudyTest::anAttemptThatEndsTooEarlyIsToBeDoneAgain() {
+    ShellHarness& shell = *shell_;
+    perform(0.5);
+    if (QTest::currentTestFailed()) return;
+    QCOMPARE(progress().next, std::string("procedure_1"));
+    QVERIFY2(progress().open_because.starts_with("ended after"), progress().open_because.c_str());
+    QVERIFY2(shell.text("open_because").contains("does not count"),
+             qPrintable(shell.text("open_because")));
+    shell.shot("64_to_be_done_again");
+    const auto steps = shell.context().store().steps(kStudy);
+    QVERIFY(steps.back().state == db::StepState::kStarted);
+    QVERIFY(steps.back().attempt_id > 0);
 }
 
 void ShellStudyTest::interruptionCostsNothing() {
@@ -193,8 +234,8 @@ void ShellStudyTest::interruptionCostsNothing() {
 }
 
 void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
-    for (const char* device : {"script:novice", "script:intermediate", "script:expert"}) {
-        perform(device);
+    for (const double time_s : {6.5, 0.5, 0.5}) {
+        perform(time_s);
         if (QTest::currentTestFailed()) return;
     }
     QCOMPARE(progress().next, std::string("face_validity"));
@@ -202,6 +243,7 @@ void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
     db::Store& store = shell_->context().store();
     for (const auto& step : store.steps(kStudy)) {
         if (step.attempt_id == 0) continue;
+        if (step.state == db::StepState::kStarted) continue;  // It ended too early.
         ++procedures;
         QCOMPARE(step.state, db::StepState::kDone);
         QCOMPARE(QString::fromStdString(step.participant), code_);
@@ -221,6 +263,73 @@ void ShellStudyTest::lastQuestionnaireEndsTheRun() {
     QCOMPARE(progress().done, progress().total);
     QVERIFY(shell.find<QPushButton>("run_finished") != nullptr);
     shell.shot("67_run_finished");
+    shell.takeBackNext();
+    QVERIFY(press("run_finished"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+}
+
+void ShellStudyTest::whatAParticipantDidIsNobodyElses() {
+    db::Store& store = shell_->context().store();
+    const int64_t coordinator = shell_->idOf("demo.coordinator");
+    QVERIFY(store.attempts(coordinator).empty());
+    for (const auto& standing : store.task_standings(0)) QVERIFY(standing.user_id != coordinator);
+    int seen = 0;
+    for (const auto& attempt : store.attempts(0)) {
+        if (attempt.study.study != kStudy) continue;
+        ++seen;
+        QCOMPARE(attempt.user_id, int64_t{0});
+        QCOMPARE(QString::fromStdString(attempt.user_name), code_);
+    }
+    QCOMPARE(seen, 5);
+}
+
+void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kStudyData, 0, code_, {{"study", kStudy}}});
+    QVERIFY(shell.arrives(PageId::kStudyData));
+    auto* table = shell.find<QTableWidget>("procedures_table");
+    QVERIFY(table != nullptr);
+    QCOMPARE(table->rowCount(), 5);
+    QVERIFY(table->item(1, 4)->text().startsWith("does not count"));
+    QCOMPARE(table->item(2, 4)->text(), QString("counts"));
+    auto* deviations = shell.find<QTableWidget>("deviations_table");
+    QVERIFY(deviations != nullptr);
+    QCOMPARE(deviations->item(0, 1)->text(), QString("Ended too early"));
+    table->selectRow(2);
+    QVERIFY(press("repeat_step"));
+    QVERIFY(shell.bannerSays("needs a reason"));
+    QVERIFY(shell.type("step_note", "coughed twice"));
+    QVERIFY(press("add_note"));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return !shell.context().store().records().step_notes(kStudy).empty(); }, 5000));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            auto* now = shell.find<QTableWidget>("deviations_table");
+            return now != nullptr && now->rowCount() == 2;
+        },
+        5000));
+    shell.find<QTableWidget>("procedures_table")->selectRow(2);
+    QVERIFY(shell.type("repeat_reason", "the pedal was unplugged"));
+    shell.confirmNext();
+    QVERIFY(press("repeat_step"));
+    QVERIFY(QTest::qWaitFor([&] { return progress().next == "procedure_1"; }, 5000));
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+            auto* now = shell.find<QTableWidget>("procedures_table");
+            return now != nullptr && now->item(2, 4)->text().contains("the pedal was unplugged");
+        },
+        5000));
+    shell.whole("68_study_procedures");
+    QVERIFY(shell.fits());
+    // The participant does it once more, and it counts instead.
+    shell.window().open({PageId::kStudies, 0, {}, {{"study", kStudy}}});
+    QVERIFY(shell.arrives(PageId::kStudies));
+    QVERIFY(press("continue_participant"));
+    QVERIFY(shell.arrives(PageId::kStudyRun));
+    perform(6.5);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(progress().next.empty());
+    shell.takeBackNext();
     QVERIFY(press("run_finished"));
     QVERIFY(shell.arrives(PageId::kStudies));
 }
@@ -229,6 +338,7 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     ShellHarness& shell = *shell_;
     QVERIFY(press("enrol"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
+    shell.takeBackNext();
     QVERIFY(press("interrupt_run"));
     QVERIFY(shell.arrives(PageId::kStudies));
     auto* table = shell.find<QTableWidget>("progress_table");
@@ -262,6 +372,19 @@ void ShellStudyTest::reportAndExportComeOut() {
     QVERIFY(press("study_export"));
     QVERIFY(shell.bannerSays("read back and compared", 60));
     QVERIFY(!QDir(shell.save_as).entryList({"*.csv"}, QDir::Files).isEmpty());
+    // Both attempts leave, and the one that counts no more says so; so do the deviations.
+    const Rows attempts = table_of(shell.save_as + "/" + kStudy + "_attempts.csv");
+    int again = 0;
+    for (size_t r = 1; r < attempts.size(); ++r) {
+        if (cell(attempts, r, "step") != "procedure_1") continue;
+        if (cell(attempts, r, "superseded") != "1") continue;
+        ++again;
+        QCOMPARE(cell(attempts, r, "superseded_reason"), std::string("the pedal was unplugged"));
+        QCOMPARE(cell(attempts, r, "counts"), std::string("0"));
+    }
+    QCOMPARE(again, 1);
+    const Rows deviations = table_of(shell.save_as + "/" + kStudy + "_deviations.csv");
+    QVERIFY(deviations.size() >= 4);  // head, ended too early, done again, note
     shell.save_as = shell.path("study.pdf");
     QVERIFY(press("study_report"));
     QVERIFY(shell.bannerSays("study.pdf", 60));

@@ -104,7 +104,7 @@ class AnswerFields {
     QRadioButton* point(int value, int width, QButtonGroup* group) {
         auto* button = new QRadioButton(QString::number(value));
         button->setObjectName(QString("answer_%1_%2").arg(qstr(item_.id)).arg(value));
-        QString name = tr("%1: %2 of %3").arg(field_.mark).arg(value).arg(item_.scale_max);
+        QString name = tr("%1: %2 of %3").arg(field_.question).arg(value).arg(item_.scale_max);
         if (value == item_.scale_min) name += ", " + context_.in(item_.anchor_low);
         if (value == item_.scale_max) name += ", " + context_.in(item_.anchor_high);
         button->setAccessibleName(name);

@@ -16,7 +16,7 @@ namespace placode::ui {
 
 struct AnswerField {
     const curriculum::QuestionnaireItem& item;  ///< Outlives the widgets.
-    QString mark;                               ///< Letter or number of the question.
+    QString question;                           ///< For who hears the page instead of seeing it.
     QString given;                              ///< Answer so far; empty = none.
     QObject* owner = nullptr;                   ///< The fields speak as long as it lives.
     std::function<void(const QString&)> keep;   ///< Takes every new answer; empty = none any more.

@@ -34,6 +34,29 @@ std::string simulator_missing(const LaunchOptions& options) {
            "; build or install it beside placode, or set PLACODE_SIM to its path";
 }
 
+QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& options) {
+    using curriculum::AttemptMode;
+    const QString device = options.hands.isEmpty() ? order.device : options.hands;
+    QStringList arguments{"--task",   order.task,           "--device", device,
+                          "--record", order.recording_file, "--status"};
+    if (order.demonstration) arguments << "--demonstration";
+    if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);
+    const AttemptMode mode = order.mode();
+    if (mode == AttemptMode::kExam || order.seed > 0)
+        arguments << "--seed" << QString::number(order.seed);
+    if (mode == AttemptMode::kExam) arguments << "--exam";
+    if (mode == AttemptMode::kStudy) {
+        arguments << "--study"
+                  << "--aids" << order.aids;
+        if (order.min_s > 0) arguments << "--min-duration" << QString::number(order.min_s);
+    }
+    // Whose name stands on a preset that is saved while tuning.
+    if (curriculum::conduct_of(mode).tuning && !order.user_name.isEmpty())
+        arguments << "--author" << order.user_name;
+    arguments << "--language" << options.language << options.more_arguments;
+    return arguments;
+}
+
 AttemptLauncher::AttemptLauncher(LaunchOptions options, QObject* parent)
     : QObject(parent), options_(std::move(options)) {
     connect(&process_, &QProcess::readyReadStandardOutput, this, &AttemptLauncher::readStatus);
@@ -67,18 +90,7 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     status_ = {};
     errors_.clear();
     asked_ = false;
-    const QString device = options_.hands.isEmpty() ? order.device : options_.hands;
-    QStringList arguments{"--task",   order.task,           "--device", device,
-                          "--record", order.recording_file, "--status"};
-    if (order.demonstration) arguments << "--demonstration";
-    if (order.duration_s > 0) arguments << "--duration" << QString::number(order.duration_s);
-    const bool exam = !order.exam.course_id.empty();
-    if (exam || order.seed > 0) arguments << "--seed" << QString::number(order.seed);
-    if (exam) arguments << "--exam";
-    // Whose name stands on a preset that is saved while tuning.
-    if (!order.user_name.isEmpty()) arguments << "--author" << order.user_name;
-    arguments << "--language" << options_.language << options_.more_arguments;
-    process_.start(path, arguments);
+    process_.start(path, simulator_arguments(order, options_));
     if (!process_.waitForStarted(kPatienceMs)) {
         const QString reason = process_.errorString();
         remove_recording(order.recording_file);

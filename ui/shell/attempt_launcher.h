@@ -34,6 +34,10 @@ struct LaunchOptions {
 /// What to say then: where it was looked for, and the way out.
 [[nodiscard]] std::string simulator_missing(const LaunchOptions& options);
 
+/// Everything behind the program's name. @pre order.recording_file is set.
+[[nodiscard]] QStringList simulator_arguments(const AttemptOrder& order,
+                                              const LaunchOptions& options);
+
 /// The newest status line of the running attempt.
 struct LiveStatus {
     double time_s = 0, physics_hz = 0, cut_fraction = 0, servo_p999_us = 0;

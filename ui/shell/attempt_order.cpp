@@ -17,6 +17,7 @@
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/standards.h"
+#include "db/study_conduct.h"
 #include "sim/event.h"
 
 namespace placode::ui {
@@ -34,24 +35,16 @@ std::vector<sim::Event> ledger(const sim::Recording& recording) {
     return kept;
 }
 
-/// An attempt of a study is a step of its participant. One that was interrupted is noted, but the
-/// step is still to be done. Does nothing for a step that names the attempt already.
-void record_study_step(db::Store& store, const AttemptOrder& order, int64_t attempt_id,
-                       sim::EndReason end) {
+/// An attempt of a study is a step of its participant.
+void record_study_step(db::Store& store, const AttemptOrder& order, int64_t attempt_id) {
     if (order.study.isEmpty()) return;
-    const std::string study = order.study.toStdString();
-    for (const db::StepRecord& each : store.steps(study))
-        if (each.attempt_id == attempt_id) return;
     db::StepRecord step;
-    step.study_id = study;
+    step.study_id = order.study.toStdString();
     step.participant = order.participant.toStdString();
     step.visit = order.visit;
     step.step = order.step.toStdString();
     step.attempt_id = attempt_id;
-    const bool interrupted = end == sim::EndReason::kInterrupted || end == sim::EndReason::kRunning;
-    step.state = interrupted ? db::StepState::kStarted : db::StepState::kDone;
-    if (interrupted) step.detail = "interrupted";
-    store.record_step(step);
+    db::record_attempt_step(store, step);
 }
 
 }  // namespace
@@ -86,6 +79,8 @@ void write_order(AttemptOrder& order, const QString& folder) {
         {"participant", order.participant},
         {"step", order.step},
         {"visit", order.visit},
+        {"aids", order.aids},
+        {"min_s", order.min_s},
         {"duration_s", order.duration_s},
         {"seed", QString::number(order.seed)},
         {"exam_course", QString::fromStdString(order.exam.course_id)},
@@ -119,6 +114,8 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     order.participant = json["participant"].toString();
     order.step = json["step"].toString();
     order.visit = json["visit"].toInt(1);
+    order.aids = json["aids"].toString();
+    order.min_s = json["min_s"].toDouble();
     order.duration_s = json["duration_s"].toDouble();
     order.seed = json["seed"].toString().toULongLong();
     order.exam.course_id = json["exam_course"].toString().toStdString();
@@ -170,7 +167,7 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing.
     if (const std::optional<int64_t> known = store.attempt_of_recording(file)) {
-        record_study_step(store, order, *known, store.attempt(*known).record.end);
+        record_study_step(store, order, *known);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};
     }
@@ -191,10 +188,11 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     // An exam is what was asked for: this task with this case.
     if (recording.header.task_id == order.task.toStdString() && recording.header.seed == order.seed)
         result.exam = order.exam;
+    result.study = {order.study.toStdString(), order.participant.toStdString()};
     result.events = ledger(recording);
     result.recording_file = file;
     const int64_t id = store.save_attempt(order.user_id, result);
-    record_study_step(store, order, id, result.end.reason);
+    record_study_step(store, order, id);
     remove_recording(order.recording_file);
     return {Saving::kSaved, id};
 }

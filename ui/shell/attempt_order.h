@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "curriculum/conduct.h"
 #include "db/store.h"
 
 namespace placode::ui {
@@ -25,9 +26,17 @@ struct AttemptOrder {
     bool demonstration = false;        ///< Of a demonstration account.
     QString study, participant, step;  ///< Of a study; empty = of a course.
     int visit = 1;
+    QString aids;           ///< Of a study: what the picture may show, as aid_names().
+    double min_s = 0;       ///< Of a study: a shorter attempt does not count as done.
     double duration_s = 0;  ///< 0 = the task's limit.
     uint64_t seed = 0;      ///< Of anatomy and operator; 0 = the program's own.
     db::ExamContext exam;   ///< Of an exam stage; no course = practice.
+
+    [[nodiscard]] curriculum::AttemptMode mode() const {
+        if (!study.isEmpty()) return curriculum::AttemptMode::kStudy;
+        return exam.course_id.empty() ? curriculum::AttemptMode::kPractice
+                                      : curriculum::AttemptMode::kExam;
+    }
 };
 
 /// A recording that was not saved: crash, power cut, or a store that could not be reached.

@@ -95,6 +95,7 @@ class AttemptsPage : public Page {
         filter.user_id = person_->currentData().toLongLong();
         filter.task_id = task_->currentData().toString().toStdString();
         filter.limit = kRows;
+        filter.studies = context_.may(db::Action::kRunQuestionnaire);
         filter.offset = offset_;
         const db::AttemptPage page = context_.store().attempt_page(filter);
         while (QLayoutItem* item = list_->takeAt(0)) {

@@ -6,6 +6,8 @@
 #include <QHeaderView>
 #include <map>
 
+#include "db/attempt_counting.h"
+#include "reports/words.h"
 #include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
 
@@ -29,11 +31,11 @@ QTableWidgetItem* when_cell(const std::string& utc) {
 
 QTableWidgetItem* verdict_cell(const AppContext& context, const db::AttemptRecord& attempt) {
     // One word here; the result page says what the critical error was.
-    const bool failed = attempt.end != sim::EndReason::kInterrupted &&
-                        attempt.verdict == assessment::Verdict::kFailed;
+    const bool failed = db::counts(attempt) && attempt.verdict == assessment::Verdict::kFailed;
     QTableWidgetItem* cell =
         make_cell(failed ? AttemptsTable::tr("Failed") : verdict_word(attempt));
-    cell->setToolTip(verdict_word(attempt));
+    cell->setToolTip(attempt.void_reason.empty() ? verdict_word(attempt)
+                                                 : reports::void_words(attempt.void_reason));
     const Tokens& colors = context.colors();
     const std::string tone = verdict_tone(attempt);
     cell->setForeground(tone == "good"       ? colors.good
@@ -78,9 +80,12 @@ QTableWidget* make_attempts_table(AppContext& context,
         table->setItem(row, column++,
                        make_number_cell(format_duration(attempt.duration_s), attempt.duration_s));
         table->setItem(row, column++, make_cell(device_name(attempt.device)));
-        table->setItem(row, column++,
-                       make_cell(attempt.demonstration ? AttemptsTable::tr("DEMONSTRATION")
-                                                       : end_word(attempt.end)));
+        table->setItem(
+            row, column++,
+            make_cell(!attempt.void_reason.empty() ? reports::void_words(attempt.void_reason)
+                      : attempt.demonstration      ? AttemptsTable::tr("DEMONSTRATION")
+                                                   : end_word(attempt.end)));
+        table->item(row, column - 1)->setToolTip(table->item(row, column - 1)->text());
         ++row;
     }
     // Device and time stand on the result page, a click away.

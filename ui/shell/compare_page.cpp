@@ -11,6 +11,7 @@
 #include <memory>
 
 #include "assessment/ledger.h"
+#include "db/attempt_counting.h"
 #include "reports/attempt_figures.h"
 #include "reports/words.h"
 #include "ui/shell/kept_recording.h"
@@ -63,8 +64,7 @@ class ComparePage : public Page {
  private:
     db::AttemptDetail readAllowed(int64_t id) {
         db::AttemptDetail detail = context_.store().attempt(id);
-        const bool own = detail.record.user_id == context_.user().id;
-        context_.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+        require_sight(context_, detail.record);
         return detail;
     }
 
@@ -84,7 +84,10 @@ class ComparePage : public Page {
         filter.limit = kOffered;
         filter.user_id =
             context_.may(db::Action::kViewAttempts, db::Scope::kOther) ? 0 : context_.user().id;
-        for (const db::AttemptRecord& each : context_.store().attempt_page(filter).rows) {
+        // What a participant did is compared with what the same participant did.
+        const bool study = !first.study.study.empty();
+        for (const db::AttemptRecord& each : study ? db::attempts_beside(context_.store(), first)
+                                                   : context_.store().attempt_page(filter).rows) {
             if (each.id == first.id) continue;
             chooser_->addItem(nameOf(each), QVariant::fromValue<qint64>(each.id));
             points_.push_back(each.user_id == first.user_id ? each.points : -1);

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include "curriculum/conduct.h"
 #include "curriculum/definitions.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -31,6 +32,18 @@ std::vector<FormOption> step_kinds() {
             {"procedure", DefinitionFields::tr("Procedure: a recorded task")}};
 }
 
+std::vector<FormOption> aids() {
+    std::vector<FormOption> options;
+    for (const std::string_view name : curriculum::kAidNames) {
+        const QString id = QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+        options.push_back({id, id == "planned_line" ? DefinitionFields::tr("the planned line")
+                               : id == "read_outs"  ? DefinitionFields::tr("read-outs")
+                               : id == "warnings"   ? DefinitionFields::tr("warnings")
+                                                    : DefinitionFields::tr("depth")});
+    }
+    return options;
+}
+
 std::vector<FormOption> item_kinds() {
     return {{"likert", DefinitionFields::tr("Likert scale")},
             {"number", DefinitionFields::tr("Number")},
@@ -49,6 +62,7 @@ std::vector<FormField> study_fields() {
             {"title", DefinitionFields::tr("Title"), Kind::kLocal},
             {"description", DefinitionFields::tr("Description"), Kind::kLocal},
             {"source", DefinitionFields::tr("Source")},
+            {"reason", DefinitionFields::tr("Why it differs from the version before")},
             {"visits", DefinitionFields::tr("Visits"), Kind::kInteger}};
 }
 
@@ -82,6 +96,12 @@ std::vector<FormField> step_fields(AppContext& context) {
             {"max_s", DefinitionFields::tr("At most [s] (familiarisation)"), Kind::kNumber},
             {"time_limit_s", DefinitionFields::tr("Time limit [s] (procedure; empty = none)"),
              Kind::kNumber},
+            {"min_s",
+             DefinitionFields::tr("Least duration [s]: a shorter attempt does not count as done"),
+             Kind::kNumber},
+            {"device",
+             DefinitionFields::tr("Device, e.g. mouse (empty = the coordinator chooses once)")},
+            {"aids", DefinitionFields::tr("What the picture may show"), Kind::kSeveral, aids()},
             {"arms", DefinitionFields::tr("Only for these arms, from 0 (empty = everybody)"),
              Kind::kIntegers}};
 }

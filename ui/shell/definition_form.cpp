@@ -4,10 +4,12 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/shell/parts.h"
 
@@ -194,6 +196,8 @@ void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
             column->addLayout(make_field(field.label, box));
             return;
         }
+        case FormFieldKind::kSeveral:
+            return addSeveral(column, field);
         case FormFieldKind::kLocal: {
             auto* row = new QHBoxLayout;
             row->setSpacing(kSpace8);
@@ -225,6 +229,48 @@ void DefinitionForm::add(QVBoxLayout* column, const FormField& field) {
             column->addLayout(make_field(field.label, edit));
         }
     }
+}
+
+/// A box for "as usual", which takes the key away, and a box for each option.
+void DefinitionForm::addSeveral(QVBoxLayout* column, const FormField& field) {
+    const std::string key = field.key;
+    const QString name = QString("form_") + field.key;
+    const auto there = object_->find(key);
+    const bool listed = there != object_->end() && there->is_array();
+    auto* row = new QVBoxLayout;
+    row->setSpacing(kSpace4);
+    auto* usual = new QCheckBox(QCoreApplication::translate("DefinitionFields", "as usual"));
+    usual->setObjectName(name + "_usual");
+    usual->setChecked(!listed);
+    row->addWidget(usual);
+    std::vector<std::pair<QCheckBox*, std::string>> boxes;
+    for (const FormOption& option : field.options) {
+        auto* box = new QCheckBox(option.words);
+        box->setObjectName(name + "_" + option.value);
+        const std::string value = option.value.toStdString();
+        box->setChecked(listed && std::find(there->begin(), there->end(), value) != there->end());
+        box->setEnabled(listed);
+        row->addWidget(box);
+        boxes.emplace_back(box, value);
+    }
+    const auto take = [this, field, usual, boxes] {
+        OrderedJson list = OrderedJson::array();
+        for (const auto& [box, value] : boxes) {
+            box->setEnabled(!usual->isChecked());
+            if (box->isChecked()) list.push_back(value);
+        }
+        if (usual->isChecked())
+            object_->erase(field.key);
+        else
+            (*object_)[field.key] = list;
+        if (changed) changed();
+    };
+    connect(usual, &QCheckBox::toggled, this, take);
+    for (const auto& [box, value] : boxes) connect(box, &QCheckBox::toggled, this, take);
+    auto* holder = new QWidget;
+    holder->setLayout(row);
+    row->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(make_field(field.label, holder));
 }
 
 void DefinitionForm::addLines(QVBoxLayout* column, const FormField& field) {

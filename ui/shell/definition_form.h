@@ -24,6 +24,7 @@ enum class FormFieldKind : uint8_t {
     kInteger,
     kFlag,
     kChoice,    ///< One of `options`.
+    kSeveral,   ///< Any of `options`, as a list; absent = the program's own choice.
     kIntegers,  ///< [0, 1]
     kShowIf,    ///< {"item": .., "any_of": [..]}: "item = 1 2".
     kScales     ///< [{"id", "title", "items", "method"}, ..]: "id | mean A B C | english | polish".
@@ -51,6 +52,7 @@ class DefinitionForm : public QWidget {
 
  private:
     void add(QVBoxLayout* column, const FormField& field);
+    void addSeveral(QVBoxLayout* column, const FormField& field);
     void addLines(QVBoxLayout* column, const FormField& field);
     void set(const char* key, const OrderedJson& value);
 

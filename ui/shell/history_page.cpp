@@ -8,6 +8,7 @@
 
 #include "assessment/learning_curve.h"
 #include "assessment/standard_setting.h"
+#include "db/attempt_counting.h"
 #include "db/standards.h"
 #include "reports/figure.h"
 #include "ui/shell/attempts_table.h"
@@ -83,7 +84,7 @@ class HistoryPage : public Page {
         for (const db::AttemptRecord& attempt : all_) {
             if (attempt.task_id != id) continue;
             shown.push_back(attempt);
-            if (db::was_tried(attempt)) counted.push_back(attempt);
+            if (db::counts(attempt)) counted.push_back(attempt);
         }
         double pass = 70;
         (void)context_.problemOf(

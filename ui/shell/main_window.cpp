@@ -9,6 +9,7 @@
 #include <QShortcut>
 #include <QToolButton>
 
+#include "ui/shell/handover.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -104,7 +105,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
 
 void MainWindow::lock() {
     if (!context_.signedIn()) return;
-    if (context_.launcher().running() || (page_ && page_->alone()) ||
+    if (context_.launcher().running() || handedOver() ||
         QApplication::activeModalWidget() != nullptr) {
         idle_.start(context_.lockAfterSeconds() * 1000);
         return;
@@ -127,21 +128,35 @@ Place MainWindow::home() const {
     return {page, 0, {}, {}};
 }
 
+bool MainWindow::handedOver() const {
+    return context_.signedIn() && is_participants(context_, place_);
+}
+
+bool MainWindow::mayTakeBack() { return !handedOver() || take_back(context_, this); }
+
 void MainWindow::open(const Place& place) {
-    if (page_ && !page_->mayLeave()) {
+    const bool taken_back = handedOver() && !is_participants(context_, place);
+    if ((page_ && !page_->mayLeave()) || (taken_back && !mayTakeBack())) {
         updateFrame();
         return;
     }
     if (page_) trail_.push_back(place_);
     if (trail_.size() > 50) trail_.erase(trail_.begin());
+    if (taken_back) trail_.clear();  // Nobody goes back into somebody else's run by accident.
+    banner_->hide();
+    showPlace(place);
+    if (taken_back) offerLeftovers();
+}
+
+void MainWindow::visit(const Place& place) {
     banner_->hide();
     showPlace(place);
 }
 
 void MainWindow::goBack() {
-    if (trail_.empty()) return showPlace(home());
-    const Place last = trail_.back();
-    trail_.pop_back();
+    const Place last = trail_.empty() ? home() : trail_.back();
+    if (handedOver() && !is_participants(context_, last) && !mayTakeBack()) return;
+    if (!trail_.empty()) trail_.pop_back();
     banner_->hide();
     showPlace(last);
 }
@@ -210,7 +225,7 @@ void MainWindow::showRetry(const QString& text, const std::function<void()>& aga
 }
 
 void MainWindow::updateFrame() {
-    const bool alone = page_ && page_->alone();
+    const bool alone = handedOver();
     rail_->setVisible(context_.signedIn() && !alone);
     for (const char* name : {"user_menu", "search", "switch_user"})
         if (auto* button = bar_->findChild<QToolButton*>(name))
@@ -232,7 +247,7 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     const bool stay =
-        (page_ && !page_->mayLeave()) ||
+        (page_ && !page_->mayLeave()) || !mayTakeBack() ||
         (context_.launcher().running() &&
          !confirm(this, tr("Close Placode while an attempt is running?"),
                   tr("The attempt ends. Its recording is kept and offered at the next start."),

@@ -28,6 +28,8 @@ class MainWindow : public QMainWindow {
     /// Opens the store and shows set-up, log-in or, when that fails, why and "Try again".
     void begin();
     void open(const Place& place);
+    /// As open(), without any question: for tours of the pages, where nobody is at the screen.
+    void visit(const Place& place);
     [[nodiscard]] PageId current() const { return place_.page; }
     [[nodiscard]] Page* page() const { return page_; }
     [[nodiscard]] const Banner& banner() const { return *banner_; }
@@ -46,6 +48,10 @@ class MainWindow : public QMainWindow {
     void addSwitch(QHBoxLayout* bar);
     void switchUser();
     void rebuild();
+    /// A participant is at the screen: no rail, no search, no other page without the password.
+    [[nodiscard]] bool handedOver() const;
+    /// False keeps the screen with the participant.
+    [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
     void announce(const QString& text);

@@ -28,10 +28,13 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         return;
     }
     if ((ending.crashed || ending.exit_code != 0) && !ending.asked) {
-        // The person decides what becomes of it; until then the file stays.
-        if (waiting) showPlace({PageId::kRecovery, 0, {}, {}});
+        // The person decides what becomes of it; until then the file stays. Of a study it is the
+        // coordinator who decides, after taking the screen back.
+        const bool study = !ending.order.study.isEmpty();
+        if (waiting) showPlace(study ? placeOf(ending.order) : Place{PageId::kRecovery, 0, {}, {}});
         context_.report({tr("The simulator ended unexpectedly."),
-                         tr("What was recorded is kept and can be saved as interrupted."),
+                         study ? tr("What was recorded is kept. Please call the coordinator.")
+                               : tr("What was recorded is kept and can be saved as interrupted."),
                          ending.message});
         return;
     }
@@ -47,7 +50,9 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
             const bool waiting = place_.page == PageId::kRunning;
             if (!done) {
                 // The banner has the reason; the recording stays and is offered again.
-                if (waiting) showPlace({PageId::kRecovery, 0, {}, {}});
+                if (waiting)
+                    showPlace(ending.order.study.isEmpty() ? Place{PageId::kRecovery, 0, {}, {}}
+                                                           : placeOf(ending.order));
                 return;
             }
             if (saved->outcome == Saving::kEmpty) {

@@ -237,7 +237,7 @@ void MainWindow::addSwitch(QHBoxLayout* bar) {
 }
 
 void MainWindow::switchUser() {
-    if (page_ && !page_->mayLeave()) return;
+    if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return;
     // Switching keeps nobody's name in the field; signing out proposes the same person again.
     context_.settings().remove("last_login");
     context_.signOut();
@@ -273,7 +273,7 @@ void MainWindow::addUserMenu(QHBoxLayout* bar) {
     connect(recovery, &QAction::triggered, this, [this] { open({PageId::kRecovery, 0, {}, {}}); });
     connect(change, &QAction::triggered, this, &MainWindow::switchUser);
     connect(out, &QAction::triggered, this, [this] {
-        if (page_ && !page_->mayLeave()) return;
+        if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return;
         context_.signOut();
     });
     user->setMenu(menu);

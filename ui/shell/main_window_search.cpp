@@ -11,7 +11,7 @@ namespace placode::ui {
 
 void MainWindow::openSearch() {
     // While a participant is at the screen nothing else can be opened.
-    if (!context_.signedIn() || (page_ && page_->alone())) return;
+    if (!context_.signedIn() || handedOver()) return;
     if (search_ && search_->isVisible()) return;
     std::vector<Findable> pages;
     for (const auto& [button, page] : rail_buttons_)

@@ -111,12 +111,12 @@ std::vector<PageTime> time_pages(AppContext& context, MainWindow& window, int ru
         one.name = stop.name;
         std::vector<double> shown, used;
         for (int i = 0; i < runs && (i == 0 || shown.back() < kTooSlowMs); ++i) {
-            window.open({PageId::kAccount, 0, {}, {}});
+            window.visit({PageId::kAccount, 0, {}, {}});
             paint(window);
             QElapsedTimer clock;
             clock.start();
             const double before_ms = processor_ms();
-            window.open(stop.place);
+            window.visit(stop.place);
             paint(window);
             shown.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
             used.push_back(processor_ms() - before_ms);

@@ -64,8 +64,6 @@ class Page : public QWidget {
     [[nodiscard]] virtual QVariantMap state() const { return {}; }
     /// False keeps the user here (unsaved answers).
     [[nodiscard]] virtual bool mayLeave() { return true; }
-    /// No rail and no user menu: a participant is at the screen.
-    [[nodiscard]] virtual bool alone() const { return false; }
 
  Q_SIGNALS:
     void go(const placode::ui::Place& place);

@@ -62,9 +62,6 @@ class ParticipantPage : public Page {
         if (second_of_ != 0) return tr("Second entry of %1").arg(code_);
         return rating_of_ != 0 ? tr("Rate an attempt") : tr("Participant %1").arg(code_);
     }
-    [[nodiscard]] bool alone() const override {
-        return rating_of_ == 0 && second_of_ == 0 && !paper_ && preview_.isEmpty();
-    }
     [[nodiscard]] QVariantMap state() const override {
         QVariantMap kept;
         for (const auto& [id, answer] : answers_) kept[qstr(id)] = qstr(answer);
@@ -151,20 +148,32 @@ class ParticipantPage : public Page {
             column->addWidget(make_label(context_.in(section.introduction), "muted"));
     }
 
-    /// The letter of an item, or its number where the id is a word for machines.
+    /// Questions are counted as they are seen: one that an answer hides leaves no gap.
     [[nodiscard]] QString markOf(const QuestionnaireItem& item) const {
-        if (item.id.size() <= 2) return qstr(item.id);
-        return QString::number(&item - questionnaire_.items.data() + 1);
+        int number = 0;
+        for (const QuestionnaireItem& each : questionnaire_.items) {
+            if (curriculum::is_shown(questionnaire_, each, answers_) || showsAll()) ++number;
+            if (&each == &item) break;
+        }
+        return QString::number(number);
     }
+    [[nodiscard]] QString headingOf(const QuestionnaireItem& item) const {
+        QString text = markOf(item) + "  " + context_.in(item.text);
+        if (!item.required) text += tr(" (may be left out)");
+        return text;
+    }
+    /// A preview shows every question, with its condition, until the first answer.
+    [[nodiscard]] bool showsAll() const { return !preview_.isEmpty() && !previewed_; }
 
     QWidget* itemCard(const QuestionnaireItem& item) {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
-        QString text = markOf(item) + "  " + context_.in(item.text);
-        if (!item.required) text += tr(" (may be left out)");
-        layout->addWidget(make_label(text, "heading"));
+        QLabel* heading = make_label(headingOf(item), "heading");
+        heading->setObjectName("question_" + qstr(item.id));
+        headings_[item.id] = heading;
+        layout->addWidget(heading);
         add_answer_field(layout, context_,
-                         {item, markOf(item), answer(item.id), this,
+                         {item, context_.in(item.text), answer(item.id), this,
                           [this, id = item.id](const QString& text) { keep(id, text); }});
         if (const QString notes = item_notes(context_, questionnaire_, item);
             !preview_.isEmpty() && !notes.isEmpty()) {
@@ -172,7 +181,13 @@ class ParticipantPage : public Page {
             label->setObjectName("notes_" + qstr(item.id));
             layout->addWidget(label);
         }
+        QLabel* missing = make_label(tr("This question needs an answer."), "critical");
+        missing->setObjectName("missing_" + qstr(item.id));
+        missing->hide();
+        missing_[item.id] = missing;
+        layout->addWidget(missing);
         QFrame* card = make_card(layout);
+        card->setObjectName("card_" + qstr(item.id));
         cards_[item.id] = card;
         return card;
     }
@@ -228,32 +243,50 @@ class ParticipantPage : public Page {
             }
             cards_[item.id]->setVisible(shown);
         }
+        previewed_ = branching_seen_;
+        for (const QuestionnaireItem& item : questionnaire_.items)
+            headings_[item.id]->setText(headingOf(item));
     }
 
     void unmark(const std::string& id) {
-        mark(id, "");
+        mark(id, false);
         message_->hide();
     }
 
-    void mark(const std::string& id, const char* tone) {
+    /// In the colour of what is wrong, and in words: the colour of focus says something else.
+    void mark(const std::string& id, bool missing) {
         QFrame* card = cards_[id];
-        card->setProperty("tone", tone);
+        card->setProperty("tone", missing ? "critical" : "");
         card->style()->unpolish(card);
         card->style()->polish(card);
+        missing_[id]->setVisible(missing);
+    }
+
+    /// The first field of the question that can be answered by keys.
+    void focusOn(const std::string& id) {
+        for (QWidget* field : cards_[id]->findChildren<QWidget*>())
+            if (field->objectName().startsWith("answer_") && field->focusPolicy() != Qt::NoFocus)
+                return field->setFocus(Qt::OtherFocusReason);
     }
 
     /// All answers that are missing are marked; the message names the first problem.
     [[nodiscard]] bool complete() {
         const QuestionnaireItem* first = nullptr;
+        QStringList missing_marks;
         for (const QuestionnaireItem& item : questionnaire_.items) {
             const bool missing = item.required && answers_.count(item.id) == 0 &&
                                  curriculum::is_shown(questionnaire_, item, answers_);
-            mark(item.id, missing ? "accent" : "");
+            mark(item.id, missing);
+            if (missing) missing_marks << markOf(item);
             if (missing && first == nullptr) first = &item;
         }
         if (first != nullptr) {
-            message_->setText(tr("Question %1 needs an answer.").arg(markOf(*first)));
+            message_->setText(
+                missing_marks.size() == 1
+                    ? tr("Question %1 needs an answer.").arg(missing_marks.front())
+                    : tr("Questions %1 need an answer.").arg(missing_marks.join(", ")));
             message_->show();
+            focusOn(first->id);
             if (auto* scroll = steps_->currentWidget()->findChild<QScrollArea*>())
                 scroll->ensureWidgetVisible(cards_[first->id]);
             return false;
@@ -409,8 +442,8 @@ class ParticipantPage : public Page {
     }
 
     QString code_;
-    bool branching_seen_ = false;  ///< Of a preview.
-    QString preview_;              ///< Text of a questionnaire that is being edited; empty = none.
+    bool branching_seen_ = false, previewed_ = false;  ///< Of a preview.
+    QString preview_;  ///< Text of a questionnaire that is being edited; empty = none.
     curriculum::Questionnaire questionnaire_;
     std::string study_;
     int visit_ = 1;
@@ -421,6 +454,7 @@ class ParticipantPage : public Page {
     curriculum::Answers answers_, aside_;
     std::vector<db::AnswerChange> changes_;
     std::map<std::string, QFrame*> cards_;
+    std::map<std::string, QLabel*> headings_, missing_;
     QStackedWidget* steps_ = nullptr;
     QLabel* message_ = nullptr;
     bool submitted_ = false;

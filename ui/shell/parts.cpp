@@ -10,6 +10,8 @@
 #include <QScrollArea>
 #include <cmath>
 
+#include "db/attempt_counting.h"
+
 namespace placode::ui {
 namespace {
 
@@ -249,6 +251,7 @@ QString format_points(double points) { return format_number(points, 0); }
 
 QString verdict_word(const db::AttemptRecord& attempt) {
     if (attempt.end == sim::EndReason::kInterrupted) return Parts::tr("Interrupted");
+    if (!attempt.void_reason.empty()) return Parts::tr("Does not count");
     switch (attempt.verdict) {
         case assessment::Verdict::kPassed:
             return Parts::tr("Passed");
@@ -262,7 +265,7 @@ QString verdict_word(const db::AttemptRecord& attempt) {
 }
 
 const char* verdict_tone(const db::AttemptRecord& attempt) {
-    if (attempt.end == sim::EndReason::kInterrupted) return "";
+    if (!db::counts(attempt)) return "";
     switch (attempt.verdict) {
         case assessment::Verdict::kPassed:
             return "good";

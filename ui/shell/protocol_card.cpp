@@ -15,12 +15,15 @@
 #include "db/study_conduct.h"
 #include "reports/export.h"
 #include "reports/study_report.h"
+#include "reports/words.h"
+#include "ui/shell/device_tester.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
 
 constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
+constexpr const char* kDeviceSetting = "study_device";
 
 /// Those that are published, and those that are shipped and could be.
 std::vector<std::string> known_studies(AppContext& context) {
@@ -89,40 +92,110 @@ class ProtocolCard : public QFrame {
         auto* row = new QHBoxLayout;
         row->addStretch();
         button(row, tr("Publish version %1").arg(protocol.version), "primary", "check",
-               "publish_study", [this, protocol] {
-                   context_.guard(tr("Publishing the study"), [&] {
-                       context_.require(db::Action::kRunQuestionnaire);
-                       for (const auto& step : protocol.steps)
-                           if (!step.questionnaire.empty())
-                               db::publish_on_first_use(
-                                   context_.store(),
-                                   curriculum::load_questionnaire(step.questionnaire));
-                       db::DefinitionRecord definition;
-                       definition.kind = "study";
-                       definition.id = protocol.id;
-                       definition.version = protocol.version;
-                       definition.json = protocol.json;
-                       context_.store().publish(definition);
-                       again();
-                   });
-               });
+               "publish_study", [this, protocol] { publish(protocol); });
         layout->addLayout(row);
+    }
+
+    /// A newer version came with the program: participants who are in keep theirs.
+    void addNewer(QVBoxLayout* layout, const curriculum::StudyProtocol& published) {
+        const auto shipped = curriculum::list_definitions("studies");
+        if (std::find(shipped.begin(), shipped.end(), study_) == shipped.end()) return;
+        const auto newer = curriculum::load_study(study_);
+        if (newer.version <= published.version) return;
+        auto* row = new QHBoxLayout;
+        row->addWidget(
+            make_label(tr("Version %1 came with this program. %2 Who is enrolled already keeps "
+                          "the version of that day.")
+                           .arg(newer.version)
+                           .arg(qstr(newer.reason)),
+                       "small"),
+            1);
+        button(row, tr("Publish version %1").arg(newer.version), "secondary", "check",
+               "publish_study", [this, newer] { publish(newer); });
+        layout->addLayout(row);
+    }
+
+    void publish(const curriculum::StudyProtocol& protocol) {
+        context_.guard(tr("Publishing the study"), [&] {
+            context_.require(db::Action::kRunQuestionnaire);
+            for (const auto& step : protocol.steps)
+                if (!step.questionnaire.empty())
+                    db::publish_on_first_use(context_.store(),
+                                             curriculum::load_questionnaire(step.questionnaire));
+            db::DefinitionRecord definition;
+            definition.kind = "study";
+            definition.id = protocol.id;
+            definition.version = protocol.version;
+            definition.json = protocol.json;
+            definition.reason = protocol.reason;
+            context_.store().publish(definition);
+            again();
+        });
     }
 
     void addConduct(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
         list_ = db::study_progress(context_.store(), study_);
+        addNewer(layout, protocol);
         auto* row = new QHBoxLayout;
         row->addWidget(
             make_label(tr("Version %1 · participants: %2").arg(protocol.version).arg(list_.size()),
                        "muted"),
             1);
+        addDevices(row, protocol);
         button(row, tr("Enrol a participant"), "primary", "plus", "enrol", [this] { enrol(); });
         layout->addLayout(row);
         if (list_.empty()) return;
         layout->addWidget(makeTable(protocol));
+        connect(table_, &QTableWidget::itemSelectionChanged, this, [this] { showDevice(); });
+        showDevice();
         layout->addWidget(flow(protocol));
         layout->addLayout(actions());
         layout->addLayout(exports());
+    }
+
+    /// With which device a participant works is the coordinator's choice, once, where the protocol
+    /// leaves it open.
+    void addDevices(QHBoxLayout* row, const curriculum::StudyProtocol& protocol) {
+        const bool open =
+            std::any_of(protocol.steps.begin(), protocol.steps.end(),
+                        [](const auto& step) { return step.is_attempt() && step.device.empty(); });
+        if (!open) return;
+        devices_ = new QComboBox;
+        devices_->setObjectName("study_device");
+        devices_->setAccessibleName(tr("Device of the participant"));
+        devices_->setToolTip(
+            tr("With what the participant works; it cannot be changed in the run."));
+        if (context_.user().demonstration)
+            for (const char* script : {"script:expert", "script:intermediate", "script:novice"})
+                offer(script);
+        const QString last = context_.settings().value(kDeviceSetting).toString();
+        each_device(context_, devices_, [this, last](const ListedDevice& device) {
+            offer(device.name);
+            if (device.name == last && !chosen_) devices_->setCurrentIndex(devices_->count() - 1);
+        });
+        devices_->setCurrentIndex(std::max(0, devices_->findData(last.isEmpty() ? "mouse" : last)));
+        connect(devices_, &QComboBox::activated, this, [this] { chosen_ = true; });
+        QLabel* label = make_label(tr("Device"), "muted");
+        label->setWordWrap(false);
+        label->setBuddy(devices_);
+        row->addWidget(label);
+        row->addWidget(devices_);
+    }
+
+    /// Adds what is not offered yet; its place.
+    int offer(const QString& device) {
+        if (const int at = devices_->findData(device); at >= 0) return at;
+        devices_->addItem(device_name(device.toStdString()), device);
+        return devices_->count() - 1;
+    }
+
+    /// The device of the participant who is selected: going on changes nothing by accident.
+    void showDevice() {
+        if (devices_ == nullptr || selected() == nullptr) return;
+        const QString own = qstr(selected()->participant.device);
+        if (own.isEmpty()) return;
+        chosen_ = true;
+        devices_->setCurrentIndex(offer(own));
     }
 
     QTableWidget* makeTable(const curriculum::StudyProtocol& protocol) {
@@ -135,7 +208,12 @@ class ProtocolCard : public QFrame {
             const db::Progress& each = list_[static_cast<size_t>(row)];
             const auto* next = protocol.step(each.next);
             QString remark = each.participant.demonstration ? tr("DEMONSTRATION") : QString();
-            if (each.participant.withdrawal) remark = tr("withdrew") + " " + remark;
+            if (each.participant.withdrawal)
+                remark = tr("withdrew") + " " + remark;
+            else if (!each.open_because.empty())
+                remark =
+                    tr("to be done again: %1").arg(reports::not_done_words(each.open_because)) +
+                    " " + remark;
             table_->setItem(row, 0, make_cell(qstr(each.participant.code)));
             table_->setItem(
                 row, 1, make_number_cell(tr("%1 of %2").arg(each.done).arg(each.total), each.done));
@@ -146,6 +224,7 @@ class ProtocolCard : public QFrame {
             table_->setItem(
                 row, 3, make_cell(each.last_utc.empty() ? QString() : format_when(each.last_utc)));
             table_->setItem(row, 4, make_cell(remark));
+            table_->item(row, 4)->setToolTip(remark);
         }
         fit_columns(table_, 2);
         table_->selectRow(0);
@@ -181,7 +260,14 @@ class ProtocolCard : public QFrame {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace8);
         button(row, tr("Continue"), "secondary", "play", "continue_participant", [this] {
-            if (selected() != nullptr) run(qstr(selected()->participant.code));
+            if (selected() != nullptr) run(selected()->participant.code);
+        });
+        button(row, tr("Procedures"), "secondary", "data", "participant_data", [this] {
+            if (selected() != nullptr)
+                Q_EMIT page_.go({PageId::kStudyData,
+                                 0,
+                                 qstr(selected()->participant.code),
+                                 {{"study", qstr(study_)}}});
         });
         row->addStretch();
         mode_ = new QComboBox;
@@ -240,7 +326,7 @@ class ProtocolCard : public QFrame {
     void enrol() {
         context_.guard(tr("Making a participant code"), [this] {
             context_.require(db::Action::kRunQuestionnaire);
-            run(qstr(context_.store().new_participant(study_, context_.user().demonstration)));
+            run(context_.store().new_participant(study_, context_.user().demonstration));
         });
     }
 
@@ -323,8 +409,17 @@ class ProtocolCard : public QFrame {
             });
     }
 
-    void run(const QString& code) {
-        Q_EMIT page_.go({PageId::kStudyRun, 0, code, {{"study", qstr(study_)}}});
+    /// The device is set, then the screen is the participant's.
+    void run(const std::string& code) {
+        context_.guard(tr("Handing the screen over"), [&] {
+            context_.require(db::Action::kRunQuestionnaire);
+            if (devices_ != nullptr) {
+                const QString device = devices_->currentData().toString();
+                context_.settings().setValue(kDeviceSetting, device);
+                context_.store().set_participant_device(study_, code, device.toStdString());
+            }
+            Q_EMIT page_.go({PageId::kStudyRun, 0, qstr(code), {{"study", qstr(study_)}}});
+        });
     }
     void again() { Q_EMIT page_.go({PageId::kStudies, 0, {}, {{"study", qstr(study_)}}}); }
 
@@ -333,6 +428,8 @@ class ProtocolCard : public QFrame {
     std::string study_;
     std::vector<db::Progress> list_;
     QTableWidget* table_ = nullptr;
+    QComboBox* devices_ = nullptr;  ///< nullptr: the protocol says it for every step.
+    bool chosen_ = false;           ///< Somebody has chosen; what is found later changes nothing.
     QComboBox* mode_ = nullptr;
     QLineEdit* reason_ = nullptr;
     QLineEdit* identifying_ = nullptr;  ///< Why names may leave; empty = they do not.

@@ -371,6 +371,7 @@ class ProtocolsPage : public Page {
             record.reason = reason_->text().trimmed().toStdString();
             if (isStudy()) {
                 const auto study = curriculum::load_study_text(record.json, kindText());
+                if (record.reason.empty()) record.reason = study.reason;
                 publish_questionnaires(context_, study);
                 record.id = study.id, record.version = study.version;
             } else {

@@ -13,6 +13,7 @@
 #include "assessment/correlation.h"
 #include "assessment/reliability.h"
 #include "curriculum/questionnaire.h"
+#include "db/attempt_counting.h"
 #include "db/packing.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -34,6 +35,7 @@ class RatingsPage : public Page {
         // The newest wait for a rating; what was rated is looked up one by one.
         db::AttemptFilter newest;
         newest.limit = kQueued;
+        newest.studies = true;  // Their codes are no names, and raters of a study are educators.
         for (const db::AttemptRecord& each : context.store().attempt_page(newest).rows)
             attempts_[each.id] = each;
         for (const db::RatingRecord& each : ratings_)
@@ -62,7 +64,7 @@ class RatingsPage : public Page {
             if (each.rater_id == context_.user().id) rated.insert(each.attempt_id);
         std::vector<std::pair<std::string, const db::AttemptRecord*>> order;
         for (const auto& [id, each] : attempts_) {
-            if (each.user_id == context_.user().id || rated.contains(id) || !db::was_tried(each))
+            if (each.user_id == context_.user().id || rated.contains(id) || !db::counts(each))
                 continue;
             order.emplace_back(db::checksum_hex(context_.user().login + "/" + std::to_string(id)),
                                &each);

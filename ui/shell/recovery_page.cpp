@@ -38,6 +38,9 @@ class RecoveryPage : public Page {
     /// One's own; an administrator also sees those of others and those without an owner.
     [[nodiscard]] bool mine(const Leftover& leftover) const {
         if (leftover.order && leftover.order->user_id == context_.user().id) return true;
+        if (leftover.order && !leftover.order->study.isEmpty() &&
+            context_.may(db::Action::kRunQuestionnaire))
+            return true;
         return context_.may(db::Action::kManageUsers, db::Scope::kOther);
     }
 
@@ -45,7 +48,8 @@ class RecoveryPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         layout->addWidget(make_label(headline(leftover), "heading"));
-        if (leftover.order && leftover.order->user_id != context_.user().id)
+        if (leftover.order &&
+            (leftover.order->user_id != context_.user().id || !leftover.order->study.isEmpty()))
             layout->addWidget(
                 make_label(tr("Belongs to %1.").arg(leftover.order->user_name), "muted"));
         if (!leftover.problem.isEmpty()) {
@@ -138,7 +142,11 @@ class RecoveryPage : public Page {
                     return;
                 }
                 Q_EMIT notice(tr("The attempt was saved."));
-                Q_EMIT go({PageId::kResult, saved->attempt_id, {}, {}});
+                Q_EMIT go(
+                    order.study.isEmpty()
+                        ? Place{PageId::kResult, saved->attempt_id, {}, {}}
+                        : Place{
+                              PageId::kStudyData, 0, order.participant, {{"study", order.study}}});
             });
     }
 };

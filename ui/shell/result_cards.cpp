@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/themes.h"
+#include "db/attempt_counting.h"
 #include "db/norms.h"
 #include "reports/words.h"
 #include "ui/shell/ledger_view.h"
@@ -99,11 +100,11 @@ ResultData read_result(db::Store& store, int64_t attempt_id) {
     ResultData data;
     data.detail = store.attempt(attempt_id);
     const db::AttemptRecord& record = data.detail.record;
-    data.history = store.attempts(record.user_id, record.task_id);
+    data.history = db::attempts_beside(store, record);
     std::vector<int64_t> before;
     for (const db::AttemptRecord& each : data.history) {
         if (each.id == attempt_id) break;
-        if (db::was_tried(each)) before.push_back(each.id);
+        if (db::counts(each)) before.push_back(each.id);
     }
     const size_t from = before.size() > kBandAttempts ? before.size() - kBandAttempts : 0;
     for (size_t i = from; i < before.size(); ++i) data.earlier.push_back(store.attempt(before[i]));

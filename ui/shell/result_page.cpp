@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <memory>
 
+#include "reports/words.h"
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/result_cards.h"
@@ -26,7 +27,7 @@ class ResultPage : public Page {
         : Page(context), data_(read_result(context.store(), place.number)) {
         const db::AttemptRecord& record = data_.detail.record;
         const bool own = record.user_id == context.user().id;
-        context.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+        require_sight(context, record);
         QVBoxLayout* column = make_column(this);
         column->addWidget(headCard(own));
         auto* row = new QHBoxLayout;
@@ -71,6 +72,8 @@ class ResultPage : public Page {
         auto* below = new QHBoxLayout;
         below->setSpacing(kSpace12);
         if (!record.exam.course_id.empty()) below->addWidget(make_badge(tr("Exam"), "warn"));
+        if (!record.study.study.empty())
+            below->addWidget(make_badge(tr("Study %1").arg(qstr(record.study.study)), "accent"));
         if (record.demonstration) below->addWidget(make_demonstration_badge());
         below->addWidget(make_label(facts.join(" · "), "muted"), 1);
         layout->addLayout(below);
@@ -86,11 +89,15 @@ class ResultPage : public Page {
                 "warn"));
         }
         if (!record.void_reason.empty()) {
-            QLabel* voided = make_label(
-                tr("Void for cause: the force device did not work as it must. The attempt is kept, "
-                   "does not count and uses up no attempt of the exam. (%1)")
-                    .arg(qstr(record.void_reason)),
-                "warn");
+            // Of an exam also the force device; its reasons are figures for technicians.
+            const bool exam = !record.exam.course_id.empty() && record.haptic_grade == "bad";
+            const QString text =
+                exam
+                    ? tr("Void for cause: the force device did not work as it must. The attempt is "
+                         "kept, does not count and uses up no attempt of the exam. (%1)")
+                    : tr("This attempt does not count, and it is not your fault. %1. It is kept, "
+                         "and uses up no attempt of an exam.");
+            QLabel* voided = make_label(text.arg(reports::void_words(record.void_reason)), "warn");
             voided->setObjectName("void_for_cause");
             layout->addWidget(voided);
         } else if (record.haptic_grade == "bad") {

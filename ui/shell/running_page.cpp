@@ -38,8 +38,11 @@ class RunningPage : public Page {
         column->addWidget(warning_);
         column->addLayout(buttons());
         column->addWidget(make_label(
-            tr("Stop and score ends the attempt here and scores what was done. Abort keeps it in "
-               "the history as interrupted; it does not count for the course."),
+            study()
+                ? tr("The procedure ends in the fetoscope's window, by itself or from its menu. "
+                     "What is ended here ends for good.")
+                : tr("Stop and score ends the attempt here and scores what was done. Abort keeps "
+                     "it in the history as interrupted; it does not count for the course."),
             "small"));
         column->addStretch();
         connect(&context.launcher(), &AttemptLauncher::statusChanged, this, [this] { update(); });
@@ -48,12 +51,13 @@ class RunningPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Attempt is running"); }
-    /// During a study a participant is at the screen.
-    [[nodiscard]] bool alone() const override {
-        return !context_.launcher().order().study.isEmpty();
-    }
 
  private:
+    [[nodiscard]] curriculum::AttemptMode mode() const {
+        return context_.launcher().order().mode();
+    }
+    [[nodiscard]] bool study() const { return mode() == curriculum::AttemptMode::kStudy; }
+
     QLabel* number(QGridLayout* grid, int column, const QString& name, const char* object) {
         QLabel* above = make_label(name, "muted");
         grid->addWidget(above, 0, column);
@@ -89,21 +93,47 @@ class RunningPage : public Page {
     QHBoxLayout* buttons() {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
-        stop_ = make_button(context_, tr("Stop and score"), "primary", "stop");
+        // A participant sees no score: the step is done.
+        stop_ = make_button(context_, study() ? tr("End the procedure") : tr("Stop and score"),
+                            study() ? "secondary" : "primary", "stop");
         stop_->setObjectName("stop_and_score");
-        abort_ = make_button(context_, tr("Abort"), "danger", "close");
+        abort_ = make_button(context_, study() ? tr("Break off") : tr("Abort"), "danger", "close");
         abort_->setObjectName("abort");
         row->addWidget(stop_);
         row->addWidget(abort_);
         row->addStretch();
-        connect(stop_, &QPushButton::clicked, this, [this] { context_.launcher().finish(); });
-        connect(abort_, &QPushButton::clicked, this, [this] {
-            if (confirm(this, tr("Abort the attempt?"),
-                        tr("It is kept as interrupted and does not count for the course."),
-                        tr("Abort")))
-                context_.launcher().abort();
+        // While a question stands the attempt may end by itself, and this page with it.
+        connect(stop_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
+            if (mayFinish()) launcher.finish();
+        });
+        connect(abort_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
+            if (confirm(
+                    window(), study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
+                    study() ? tr("What was done so far is kept and does not count; the procedure "
+                                 "has to be done again from the beginning.")
+                            : tr("It is kept as interrupted and does not count for the course."),
+                    study() ? tr("Break off") : tr("Abort")))
+                launcher.abort();
         });
         return row;
+    }
+
+    /// Where an attempt cannot be made again, ending it asks, and says what is lost.
+    [[nodiscard]] bool mayFinish() {
+        if (!curriculum::conduct_of(mode()).always_ask) return true;
+        const double time_s = context_.launcher().status().time_s;
+        const double min_s = context_.launcher().order().min_s;
+        QString text = study()
+                           ? tr("The procedure ends here for good, after %1. You cannot go on "
+                                "with it.")
+                           : tr("The exam ends here for good, after %1, and is scored as it is. "
+                                "You cannot go on with it.");
+        text = text.arg(format_duration(time_s));
+        if (time_s < min_s)
+            text += " " + tr("It lasted less than %1: it will not count and has to be done again.")
+                              .arg(format_duration(min_s));
+        return confirm(window(), study() ? tr("End the procedure?") : tr("End the exam?"), text,
+                       study() ? tr("End the procedure") : tr("End the exam"));
     }
 
     [[nodiscard]] static QString phaseName(const QString& phase) {
@@ -124,17 +154,17 @@ class RunningPage : public Page {
                                       .arg(device_name(launcher.order().device.toStdString()))
                                 : tr("The fetoscope's window is opening."));
         time_->setText(begun ? format_duration(live.time_s) : "–");
-        // An exam has no read-outs but the time, here neither.
-        const bool exam = !launcher.order().exam.course_id.empty();
-        for (QWidget* part : read_outs_) part->setVisible(!exam);
-        bar_->setVisible(!exam);
+        // An exam and a study have no read-outs but the time, here neither.
+        const bool numbers = mode() == curriculum::AttemptMode::kPractice;
+        for (QWidget* part : read_outs_) part->setVisible(numbers);
+        bar_->setVisible(numbers);
         phase_->setText(phaseName(live.phase));
         physics_->setText(live.physics_hz > 0 ? tr("%1 Hz").arg(format_number(live.physics_hz, 0))
                                               : "–");
         ring_->setText(begun ? format_number(100 * live.cut_fraction, 0) + " %" : "–");
         bar_->setValue(static_cast<int>(100 * live.cut_fraction));
         QStringList warnings;
-        if (!live.warning.isEmpty()) warnings << live.warning;
+        if (numbers && !live.warning.isEmpty()) warnings << live.warning;
         if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
         warning_->setText(warnings.join(" "));
         warning_->setVisible(!warnings.isEmpty());

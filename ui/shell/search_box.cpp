@@ -128,10 +128,11 @@ void SearchBox::readAttempts() {
     auto attempts = std::make_shared<std::vector<db::AttemptRecord>>();
     context_.background(
         this, tr("Reading the attempts"),
-        [attempts, user](db::Store& store) {
+        [attempts, user, studies = context_.may(db::Action::kRunQuestionnaire)](db::Store& store) {
             db::AttemptFilter newest;
             newest.user_id = user;
             newest.limit = static_cast<int>(kAttempts);
+            newest.studies = studies;
             *attempts = store.attempt_page(newest).rows;
         },
         [this, attempts, everybody](bool) {

@@ -14,6 +14,7 @@
 #include "ui/shell/names_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/procedures_card.h"
 #include "ui/shell/study_parts.h"
 
 namespace placode::ui {
@@ -52,6 +53,11 @@ class StudyDataPage : public Page {
         read();
         column->addWidget(make_label(summary(), "muted"));
         column->addWidget(recordsCard(place.text));
+        auto* procedures = new ProceduresCard(context, *this, study_, [this] { again(); });
+        column->addWidget(procedures);
+        connect(table_, &QTableWidget::itemSelectionChanged, procedures,
+                [this, procedures] { procedures->open(selected().toStdString()); });
+        procedures->open(selected().toStdString());
         column->addWidget(entryCard());
         column->addWidget(correctionsCard());
         column->addWidget(make_names_card(context, *this, study_, codes()));

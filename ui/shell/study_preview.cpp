@@ -137,11 +137,15 @@ QWidget* make_study_preview(AppContext& context, const curriculum::StudyProtocol
         if (!step.questionnaire.empty()) add_questions(context, layout, step.questionnaire);
         if (step.task.empty()) continue;
         const double limit = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
-        layout->addWidget(
-            make_label(task_title(context, step.task) + ", " +
-                           (limit > 0 ? StudyPreview::tr("at most %1").arg(format_duration(limit))
-                                      : StudyPreview::tr("no time limit of the study")),
-                       "muted"));
+        QStringList rules{task_title(context, step.task),
+                          limit > 0 ? StudyPreview::tr("at most %1").arg(format_duration(limit))
+                                    : StudyPreview::tr("no time limit of the study")};
+        if (step.min_s > 0)
+            rules << StudyPreview::tr("at least %1").arg(format_duration(step.min_s));
+        rules << (step.device.empty()
+                      ? StudyPreview::tr("the coordinator chooses the device")
+                      : StudyPreview::tr("device: %1").arg(device_name(step.device)));
+        layout->addWidget(make_label(rules.join(", "), "muted"));
     }
     QFrame* card = make_card(layout);
     card->setObjectName("study_preview");

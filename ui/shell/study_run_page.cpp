@@ -4,14 +4,13 @@
 // store, so that an interruption costs nothing: the page goes on where the participant stopped.
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <algorithm>
 
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
-#include "ui/shell/device_tester.h"
+#include "reports/words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/signature_pad.h"
@@ -65,7 +64,6 @@ class StudyRunPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
-    [[nodiscard]] bool alone() const override { return true; }
     [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
 
  private:
@@ -127,12 +125,13 @@ class StudyRunPage : public Page {
         return card;
     }
 
-    void addButton(QVBoxLayout* layout, const QString& text, const char* name,
-                   const std::function<void()>& work) {
+    QPushButton* addButton(QVBoxLayout* layout, const QString& text, const char* name,
+                           const std::function<void()>& work) {
         QPushButton* button = make_button(context_, text, "primary", "next");
         button->setObjectName(name);
         connect(button, &QPushButton::clicked, this, work);
         layout->addWidget(button, 0, Qt::AlignRight);
+        return button;
     }
 
     /// The text, a box for every statement, and the signature: on the screen, or on a sheet that
@@ -198,18 +197,31 @@ class StudyRunPage : public Page {
         QString text = tr("A window with the fetoscope's view opens.");
         if (step.max_s > 0)
             text += " " + tr("It closes by itself after %1.").arg(format_duration(step.max_s));
+        if (step.min_s > 0)
+            text +=
+                " " +
+                tr("An attempt shorter than %1 does not count.").arg(format_duration(step.min_s));
         layout->addWidget(make_label(text, "muted"));
-        auto* devices = new QComboBox;
-        devices->setObjectName("device");
-        each_device(context_, devices, [devices](const ListedDevice& device) {
-            devices->addItem(device_name(device.name.toStdString()), device.name);
-        });
-        if (context_.user().demonstration)
-            for (const char* script : {"script:expert", "script:intermediate", "script:novice"})
-                devices->addItem(device_name(script), script);
-        layout->addLayout(make_field(tr("Device"), devices));
-        addButton(layout, tr("Start"), "start_attempt",
-                  [this, devices, step] { start(step, devices->currentData().toString()); });
+        if (!progress_.open_because.empty()) {
+            QLabel* open = make_label(
+                tr("The attempt before does not count: %1. Please do this step once more.")
+                    .arg(reports::not_done_words(progress_.open_because)),
+                "warn");
+            open->setObjectName("open_because");
+            layout->addWidget(open);
+        }
+        // The protocol's, or the coordinator's choice: never the participant's.
+        const QString device =
+            qstr(step.device.empty() ? progress_.participant.device : step.device);
+        QLabel* shown =
+            make_label(device.isEmpty() ? tr("No device is chosen. Please call the coordinator.")
+                                        : tr("Device: %1").arg(device_name(device.toStdString())),
+                       device.isEmpty() ? "warn" : "body");
+        shown->setObjectName("run_device");
+        layout->addWidget(shown);
+        addButton(layout, tr("Start"), "start_attempt", [this, device, step] {
+            start(step, device);
+        })->setEnabled(!device.isEmpty());
         if (step.kind != StepKind::kFamiliarisation) return;
         QPushButton* skip = make_button(context_, tr("Not needed, go on"), "quiet");
         skip->setObjectName("step_skip");
@@ -223,7 +235,7 @@ class StudyRunPage : public Page {
             const curriculum::Task task = curriculum::load_task(step.task);
             AttemptOrder order;
             order.user_id = context_.user().id;
-            order.user_name = qstr(context_.user().display_name);
+            order.user_name = code_;  // Whoever is signed in: it is the participant's.
             order.task = qstr(task.id);
             order.title = nameOf(step);
             order.device = device;
@@ -234,6 +246,8 @@ class StudyRunPage : public Page {
             order.participant = code_;
             order.step = qstr(step.id);
             order.visit = progress_.visit;
+            order.aids = qstr(curriculum::aid_names(step.allowed_aids()));
+            order.min_s = step.min_s;
             order.duration_s = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
             context_.launcher().start(order, context_.recordingsFolder());
             Q_EMIT go({PageId::kRunning, 0, {}, {}});

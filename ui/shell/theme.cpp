@@ -87,6 +87,7 @@ QLabel[role="badge"][tone="warn"] { background: @warn_soft@; color: @warn@; }
 QLabel[role="badge"][tone="critical"] { background: @critical_soft@; color: @critical@; }
 QFrame[role="card"] { background: @raised@; border: 1px solid @line@; border-radius: 8px; }
 QFrame[role="card"][tone="accent"] { border: 2px solid @accent@; }
+QFrame[role="card"][tone="critical"] { border: 2px solid @critical@; }
 QFrame[role="rule"] { background: @line@; max-height: 1px; min-height: 1px; border: none; }
 QFrame[role="rail"] { background: @raised@; border: none; border-right: 1px solid @line@; }
 QFrame[role="bar"] { background: @raised@; border: none; border-bottom: 1px solid @line@; }

@@ -4,6 +4,7 @@
 
 #include <QHBoxLayout>
 
+#include "db/attempt_counting.h"
 #include "db/standards.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/pages.h"
@@ -144,7 +145,7 @@ class TodayPage : public Page {
         const std::string task = training_.attempts.back().task_id;
         std::vector<db::AttemptRecord> shown;
         for (const db::AttemptRecord& attempt : training_.attempts) {
-            if (attempt.task_id == task && db::was_tried(attempt)) shown.push_back(attempt);
+            if (attempt.task_id == task && db::counts(attempt)) shown.push_back(attempt);
         }
         double pass = 70;
         for (const TrainingStage& stage : training_.stages) {

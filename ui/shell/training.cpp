@@ -57,6 +57,12 @@ Training load_training(AppContext& context) {
     return training;
 }
 
+void require_sight(AppContext& context, const db::AttemptRecord& attempt) {
+    if (!attempt.study.study.empty() && context.may(db::Action::kRunQuestionnaire)) return;
+    const bool own = attempt.user_id == context.user().id;
+    context.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+}
+
 QVariantMap task_state(const curriculum::Course& course, const curriculum::CourseStage& stage) {
     if (stage.mode != curriculum::StageMode::kExam) return {};
     return {{"exam_course", QString::fromStdString(course.id)},

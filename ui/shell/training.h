@@ -41,6 +41,10 @@ struct Training {
 /// Throws DefinitionError (course) and StoreError.
 [[nodiscard]] Training load_training(AppContext& context);
 
+/// Throws StoreError(kRefused) for who may not see the attempt: everybody sees the own ones, an
+/// educator those of others, a coordinator those of studies.
+void require_sight(AppContext& context, const db::AttemptRecord& attempt);
+
 /// What the task page must know to open this stage: an exam is asked for as one.
 [[nodiscard]] QVariantMap task_state(const curriculum::Course& course,
                                      const curriculum::CourseStage& stage);

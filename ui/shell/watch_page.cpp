@@ -31,8 +31,7 @@ class WatchPage : public Page {
           record_(context.store().attempt(place.number).record),
           from_s_(place.state.value("from_s").toDouble()),
           blinded_(place.state.value("blinded").toBool()) {
-        const bool own = record_.user_id == context.user().id;
-        context.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
+        require_sight(context, record_);
         LaunchOptions options = context.launcher().options();
         options.language = context.language();
         replay_ = new ReplayLauncher(options, this);

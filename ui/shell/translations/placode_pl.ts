@@ -411,11 +411,11 @@
         <translation>przyjęto pakiet norm</translation>
     </message>
     <message>
-        <source>made the centre&apos;s signing key</source>
+        <source>made the centre's signing key</source>
         <translation>utworzono klucz podpisu ośrodka</translation>
     </message>
     <message>
-        <source>trusted another centre&apos;s key</source>
+        <source>trusted another centre's key</source>
         <translation>zaufano kluczowi innego ośrodka</translation>
     </message>
     <message>
@@ -435,23 +435,23 @@
         <translation>usunięto odzyskane nagranie</translation>
     </message>
     <message>
-        <source>wrote a cohort&apos;s report</source>
+        <source>wrote a cohort's report</source>
         <translation>utworzono raport grupy</translation>
     </message>
     <message>
-        <source>wrote a study&apos;s figures</source>
+        <source>wrote a study's figures</source>
         <translation>zapisano wykresy badania</translation>
     </message>
     <message>
-        <source>wrote an attempt&apos;s report</source>
+        <source>wrote an attempt's report</source>
         <translation>utworzono raport próby</translation>
     </message>
     <message>
-        <source>wrote a study&apos;s report</source>
+        <source>wrote a study's report</source>
         <translation>utworzono raport badania</translation>
     </message>
     <message>
-        <source>wrote a trainee&apos;s report</source>
+        <source>wrote a trainee's report</source>
         <translation>utworzono raport szkolącego się</translation>
     </message>
     <message>
@@ -487,7 +487,7 @@
         <translation>ustalono próg zaliczenia</translation>
     </message>
     <message>
-        <source>saved the station&apos;s devices</source>
+        <source>saved the station's devices</source>
         <translation>zapisano urządzenia stanowiska</translation>
     </message>
     <message>
@@ -499,7 +499,7 @@
         <translation>przywrócono kopię zapasową</translation>
     </message>
     <message>
-        <source>saved a questionnaire&apos;s answers</source>
+        <source>saved a questionnaire's answers</source>
         <translation>zapisano odpowiedzi kwestionariusza</translation>
     </message>
     <message>
@@ -507,7 +507,7 @@
         <translation>zapisano podpisaną zgodę</translation>
     </message>
     <message>
-        <source>looked at a consent&apos;s signature</source>
+        <source>looked at a consent's signature</source>
         <translation>obejrzano podpis pod zgodą</translation>
     </message>
     <message>
@@ -515,7 +515,7 @@
         <translation>poprawiono odpowiedź</translation>
     </message>
     <message>
-        <source>made a study&apos;s key of names</source>
+        <source>made a study's key of names</source>
         <translation>utworzono klucz nazwisk badania</translation>
     </message>
     <message>
@@ -523,7 +523,7 @@
         <translation>wpisano nazwisko uczestnika do klucza</translation>
     </message>
     <message>
-        <source>opened a study&apos;s key of names</source>
+        <source>opened a study's key of names</source>
         <translation>otwarto klucz nazwisk badania</translation>
     </message>
     <message>
@@ -535,15 +535,15 @@
         <translation>opublikowano protokół</translation>
     </message>
     <message>
-        <source>locked a participant&apos;s record</source>
+        <source>locked a participant's record</source>
         <translation>zamknięto dokumentację uczestnika</translation>
     </message>
     <message>
-        <source>signed a participant&apos;s record</source>
+        <source>signed a participant's record</source>
         <translation>podpisano dokumentację uczestnika</translation>
     </message>
     <message>
-        <source>unlocked a participant&apos;s record</source>
+        <source>unlocked a participant's record</source>
         <translation>otwarto dokumentację uczestnika</translation>
     </message>
     <message>
@@ -611,7 +611,7 @@
         <translation>zapisano analizę %1</translation>
     </message>
     <message>
-        <source>used a study&apos;s key of names: %1</source>
+        <source>used a study's key of names: %1</source>
         <translation>użyto klucza nazwisk badania: %1</translation>
     </message>
     <message>
@@ -669,6 +669,22 @@
     <message>
         <source>%1, version %2</source>
         <translation>%1, wersja %2</translation>
+    </message>
+<message>
+        <source>took the screen back from a participant</source>
+        <translation>odebrano ekran uczestnikowi</translation>
+    </message>
+    <message>
+        <source>chose a participant's device</source>
+        <translation>wybrano urządzenie uczestnika</translation>
+    </message>
+    <message>
+        <source>noted something on a step</source>
+        <translation>zapisano uwagę do kroku</translation>
+    </message>
+    <message>
+        <source>had a procedure done again</source>
+        <translation>zarządzono powtórzenie zabiegu</translation>
     </message>
 </context>
 <context>
@@ -802,7 +818,7 @@
         <translation>numer %1</translation>
     </message>
     <message>
-        <source>And %1 more: choose &quot;Only who needs help&quot; to see them in the table.</source>
+        <source>And %1 more: choose "Only who needs help" to see them in the table.</source>
         <translation>I jeszcze %1: wybierz „Tylko potrzebujący pomocy”, aby zobaczyć ich w tabeli.</translation>
     </message>
     <message>
@@ -1128,7 +1144,7 @@
         <translation>obracaj uchwyt</translation>
     </message>
     <message>
-        <source>hold the first button, or the arm&apos;s gripper</source>
+        <source>hold the first button, or the arm's gripper</source>
         <translation>przytrzymaj pierwszy przycisk lub chwytak ramienia</translation>
     </message>
 </context>
@@ -1230,7 +1246,7 @@
 <context>
     <name>Device</name>
     <message>
-        <source>tip in the picture&apos;s plane, wheel for depth; no force</source>
+        <source>tip in the picture's plane, wheel for depth; no force</source>
         <translation>końcówka w płaszczyźnie obrazu, kółko to głębokość; bez siły</translation>
     </message>
     <message>
@@ -1409,7 +1425,7 @@
         <translation>Drogi narzędzi</translation>
     </message>
     <message>
-        <source>cranial (12 o&apos;clock)</source>
+        <source>cranial (12 o'clock)</source>
         <translation>głowowo (godzina 12)</translation>
     </message>
     <message>
@@ -1638,7 +1654,7 @@
         <translation>%1 °C</translation>
     </message>
     <message>
-        <source>%1 o&apos;clock</source>
+        <source>%1 o'clock</source>
         <translation>godzina %1</translation>
     </message>
     <message>
@@ -2261,19 +2277,19 @@
         <translation>Od chwili, gdy pierwszy instrument jest w obrazie, do końca.</translation>
     </message>
     <message>
-        <source>Mean distance of the kerf&apos;s centre from the planned contour.</source>
+        <source>Mean distance of the kerf's centre from the planned contour.</source>
         <translation>Średnia odległość środka szczeliny cięcia od planowanej linii.</translation>
     </message>
     <message>
-        <source>95th percentile of the distance of the kerf&apos;s centre from the planned contour.</source>
+        <source>95th percentile of the distance of the kerf's centre from the planned contour.</source>
         <translation>95. percentyl odległości środka szczeliny cięcia od planowanej linii.</translation>
     </message>
     <message>
-        <source>Largest distance of the kerf&apos;s centre from the planned contour.</source>
+        <source>Largest distance of the kerf's centre from the planned contour.</source>
         <translation>Największa odległość środka szczeliny cięcia od planowanej linii.</translation>
     </message>
     <message>
-        <source>Largest distance from the kerf&apos;s centre to the plan or from the plan to it.</source>
+        <source>Largest distance from the kerf's centre to the plan or from the plan to it.</source>
         <translation>Największa odległość środka szczeliny od planu lub planu od niej.</translation>
     </message>
     <message>
@@ -2317,7 +2333,7 @@
         <translation>Najwyższa temperatura w płytce.</translation>
     </message>
     <message>
-        <source>Arrhenius integral of the placode&apos;s highest temperature with constants of skin: an upper bound, 1 = 63 % dead, at most 1e6.</source>
+        <source>Arrhenius integral of the placode's highest temperature with constants of skin: an upper bound, 1 = 63 % dead, at most 1e6.</source>
         <translation>Całka Arrheniusa z najwyższej temperatury płytki ze stałymi skóry: górne ograniczenie, 1 = 63 % martwych komórek, najwyżej 1e6.</translation>
     </message>
     <message>
@@ -2325,7 +2341,7 @@
         <translation>Ile razy część płytki przekroczyła dawkę ostrzegawczą.</translation>
     </message>
     <message>
-        <source>Share of the placode&apos;s volume beyond the injury dose or temperature.</source>
+        <source>Share of the placode's volume beyond the injury dose or temperature.</source>
         <translation>Część objętości płytki powyżej dawki lub temperatury uszkadzającej.</translation>
     </message>
     <message>
@@ -2365,11 +2381,11 @@
         <translation>Największa siła instrumentu działająca na tkankę.</translation>
     </message>
     <message>
-        <source>Times the force was above the scene&apos;s limit.</source>
+        <source>Times the force was above the scene's limit.</source>
         <translation>Ile razy siła przekroczyła granicę sceny.</translation>
     </message>
     <message>
-        <source>Time with the force above the scene&apos;s limit.</source>
+        <source>Time with the force above the scene's limit.</source>
         <translation>Czas z siłą powyżej granicy sceny.</translation>
     </message>
     <message>
@@ -2417,11 +2433,11 @@
         <translation>Ile razy tkanka wysunęła się ze szczęk.</translation>
     </message>
     <message>
-        <source>Grasps with a jaw pressure above the tissue&apos;s limit.</source>
+        <source>Grasps with a jaw pressure above the tissue's limit.</source>
         <translation>Uchwycenia z naciskiem szczęk powyżej granicy tkanki.</translation>
     </message>
     <message>
-        <source>Pulls above the tissue&apos;s limit for over 0.3 s.</source>
+        <source>Pulls above the tissue's limit for over 0.3 s.</source>
         <translation>Pociągnięcia powyżej granicy tkanki trwające ponad 0,3 s.</translation>
     </message>
     <message>
@@ -2445,7 +2461,7 @@
         <translation>Długość drogi przez czas.</translation>
     </message>
     <message>
-        <source>Times a tip&apos;s speed rose through 20 mm/s after having been below 10 mm/s.</source>
+        <source>Times a tip's speed rose through 20 mm/s after having been below 10 mm/s.</source>
         <translation>Ile razy prędkość końcówki przekroczyła 20 mm/s po spadku poniżej 10 mm/s.</translation>
     </message>
     <message>
@@ -2485,11 +2501,11 @@
         <translation>Łączny obrót instrumentów wokół własnych trzonów.</translation>
     </message>
     <message>
-        <source>Total change of the shafts&apos; direction up and down, seen from the first pose.</source>
+        <source>Total change of the shafts' direction up and down, seen from the first pose.</source>
         <translation>Łączna zmiana kierunku trzonów w górę i w dół, widziana z pierwszego położenia.</translation>
     </message>
     <message>
-        <source>Total change of the shafts&apos; direction to the sides, seen from the first pose.</source>
+        <source>Total change of the shafts' direction to the sides, seen from the first pose.</source>
         <translation>Łączna zmiana kierunku trzonów na boki, widziana z pierwszego położenia.</translation>
     </message>
     <message>
@@ -2497,11 +2513,11 @@
         <translation>Przecięta część planowanej linii przez drogę końcówki z włączonym prądem.</translation>
     </message>
     <message>
-        <source>Cube root of the box around the tip&apos;s way over its length, busiest instrument.</source>
+        <source>Cube root of the box around the tip's way over its length, busiest instrument.</source>
         <translation>Pierwiastek sześcienny z prostopadłościanu wokół drogi końcówki przez jej długość, najczynniejszy instrument.</translation>
     </message>
     <message>
-        <source>Box around the way of the busiest instrument&apos;s tip.</source>
+        <source>Box around the way of the busiest instrument's tip.</source>
         <translation>Prostopadłościan wokół drogi końcówki najczynniejszego instrumentu.</translation>
     </message>
     <message>
@@ -2521,19 +2537,19 @@
         <translation>Pierwiastek z kwadratu zrywu bez jednostki, mediana ruchów wziętych do SPARC; najlepszy wynik to 19.</translation>
     </message>
     <message>
-        <source>Local maxima of the tips&apos; speeds above 20 mm/s, per minute.</source>
+        <source>Local maxima of the tips' speeds above 20 mm/s, per minute.</source>
         <translation>Lokalne maksima prędkości końcówek powyżej 20 mm/s, na minutę.</translation>
     </message>
     <message>
-        <source>Way of the left hand&apos;s instrument.</source>
+        <source>Way of the left hand's instrument.</source>
         <translation>Droga instrumentu lewej ręki.</translation>
     </message>
     <message>
-        <source>Way of the right hand&apos;s instruments.</source>
+        <source>Way of the right hand's instruments.</source>
         <translation>Droga instrumentów prawej ręki.</translation>
     </message>
     <message>
-        <source>Correlation of the hands&apos; speeds.</source>
+        <source>Correlation of the hands' speeds.</source>
         <translation>Korelacja prędkości rąk.</translation>
     </message>
     <message>
@@ -2557,15 +2573,15 @@
         <translation>Część czasu, w której żadna ręka nie poruszała się szybciej niż 5 mm/s.</translation>
     </message>
     <message>
-        <source>Correlation of the hands&apos; angular speeds.</source>
+        <source>Correlation of the hands' angular speeds.</source>
         <translation>Korelacja prędkości kątowych rąk.</translation>
     </message>
     <message>
-        <source>Root of the tip&apos;s power from 8 to 12 Hz, unfiltered, worst instrument.</source>
+        <source>Root of the tip's power from 8 to 12 Hz, unfiltered, worst instrument.</source>
         <translation>Pierwiastek z mocy ruchu końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
     </message>
     <message>
-        <source>Root of the power of the tip&apos;s acceleration from 8 to 12 Hz, unfiltered, worst instrument.</source>
+        <source>Root of the power of the tip's acceleration from 8 to 12 Hz, unfiltered, worst instrument.</source>
         <translation>Pierwiastek z mocy przyspieszenia końcówki od 8 do 12 Hz, bez filtra, najgorszy instrument.</translation>
     </message>
     <message>
@@ -2581,7 +2597,7 @@
         <translation>Siła działająca na tkankę zsumowana w czasie.</translation>
     </message>
     <message>
-        <source>What the force was above the scene&apos;s limit, summed up over time.</source>
+        <source>What the force was above the scene's limit, summed up over time.</source>
         <translation>Nadmiar siły ponad granicę sceny zsumowany w czasie.</translation>
     </message>
     <message>
@@ -2589,7 +2605,7 @@
         <translation>Siła działająca na płytkę zsumowana w czasie.</translation>
     </message>
     <message>
-        <source>Root mean square of the distance of the kerf&apos;s centre from the planned contour.</source>
+        <source>Root mean square of the distance of the kerf's centre from the planned contour.</source>
         <translation>Średnia kwadratowa odległości środka szczeliny cięcia od planowanej linii.</translation>
     </message>
     <message>
@@ -2621,11 +2637,11 @@
         <translation>Średnia odległość od brzegu nacięcia do miejsca, gdzie dawka spada do 240 minut równoważnych przy 43 °C.</translation>
     </message>
     <message>
-        <source>Share of the task&apos;s steps that were done.</source>
+        <source>Share of the task's steps that were done.</source>
         <translation>Część kroków zadania, które wykonano.</translation>
     </message>
     <message>
-        <source>Mean distance from the target&apos;s centre where tissue was first touched.</source>
+        <source>Mean distance from the target's centre where tissue was first touched.</source>
         <translation>Średnia odległość miejsca pierwszego dotknięcia tkanki od środka celu.</translation>
     </message>
     <message>
@@ -2645,7 +2661,7 @@
         <translation>95. percentyl tej odległości, na odcinkach po 5 stopni.</translation>
     </message>
     <message>
-        <source>Time during which both hands pulled within the task&apos;s limits.</source>
+        <source>Time during which both hands pulled within the task's limits.</source>
         <translation>Czas, w którym obie ręce ciągnęły w granicach zadania.</translation>
     </message>
     <message>
@@ -2665,7 +2681,7 @@
         <translation>Ile razy końcówka narzędzia była pod powierzchnią dłużej niż 0,3 s.</translation>
     </message>
     <message>
-        <source>Share of the planned contour&apos;s points that are cut through to the target depth within 1 mm, as the picture shows it.</source>
+        <source>Share of the planned contour's points that are cut through to the target depth within 1 mm, as the picture shows it.</source>
         <translation>Część punktów planowanej linii przeciętych na docelową głębokość w granicach 1 mm, tak jak pokazuje obraz.</translation>
     </message>
     <message>
@@ -2684,7 +2700,27 @@
         <source>Stretches of the planned contour without a point that is cut.</source>
         <translation>Odcinki planowanej linii bez przeciętego punktu.</translation>
     </message>
-</context>
+<message>
+        <source>Share of the planned contour that is cut to the target depth within 1 mm.</source>
+        <translation>Część planowanej linii, która jest przecięta na docelową głębokość w odległości do 1 mm.</translation>
+    </message>
+    <message>
+        <source>Longest uncut stretch of the planned contour.</source>
+        <translation>Najdłuższy nieprzecięty odcinek planowanej linii.</translation>
+    </message>
+    <message>
+        <source>Length of the incision whose centre is more than 0.5 mm off the plan.</source>
+        <translation>Długość nacięcia, którego środek leży ponad 0,5 mm od planu.</translation>
+    </message>
+    <message>
+        <source>Share of the marked volume that has left the field.</source>
+        <translation>Część zaznaczonej objętości, która opuściła pole.</translation>
+    </message>
+    <message>
+        <source>Uncut stretches of the planned contour.</source>
+        <translation>Nieprzecięte odcinki planowanej linii.</translation>
+    </message>
+    </context>
 <context>
     <name>ParticipantPage</name>
     <message>
@@ -2823,6 +2859,14 @@
         <source>The second entry is saved; differences are listed below.</source>
         <translation>Drugie wprowadzenie zapisane; różnice są wymienione poniżej.</translation>
     </message>
+<message>
+        <source>This question needs an answer.</source>
+        <translation>To pytanie wymaga odpowiedzi.</translation>
+    </message>
+    <message>
+        <source>Questions %1 need an answer.</source>
+        <translation>Pytania %1 wymagają odpowiedzi.</translation>
+    </message>
 </context>
 <context>
     <name>Parts</name>
@@ -2917,6 +2961,10 @@
     <message>
         <source>Not attempted</source>
         <translation>Nie podjęto</translation>
+    </message>
+<message>
+        <source>Does not count</source>
+        <translation>Nie liczy się</translation>
     </message>
 </context>
 <context>
@@ -3125,7 +3173,7 @@
         <translation>Powód</translation>
     </message>
     <message>
-        <source>Reason; &quot;not given&quot; is one</source>
+        <source>Reason; "not given" is one</source>
         <translation>Powód; „nie podano” też wystarczy</translation>
     </message>
     <message>
@@ -3220,6 +3268,34 @@
         <source>Making the report: %1</source>
         <translation>Tworzenie raportu: %1</translation>
     </message>
+<message>
+        <source>Version %1 came with this program. %2 Who is enrolled already keeps the version of that day.</source>
+        <translation>Z tym programem przyszła wersja %1. %2 Kto jest już włączony, zachowuje wersję z tamtego dnia.</translation>
+    </message>
+    <message>
+        <source>Device of the participant</source>
+        <translation>Urządzenie uczestnika</translation>
+    </message>
+    <message>
+        <source>With what the participant works; it cannot be changed in the run.</source>
+        <translation>Czym pracuje uczestnik; w trakcie nie można tego zmienić.</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>to be done again: %1</source>
+        <translation>do powtórzenia: %1</translation>
+    </message>
+    <message>
+        <source>Procedures</source>
+        <translation>Zabiegi</translation>
+    </message>
+    <message>
+        <source>Handing the screen over</source>
+        <translation>Przekazanie ekranu</translation>
+    </message>
 </context>
 <context>
     <name>RatingsPage</name>
@@ -3304,7 +3380,7 @@
         <translation>Korelacja z wynikiem zostanie podana przy pięciu ocenionych próbach.</translation>
     </message>
     <message>
-        <source>Spearman&apos;s rho between score and rating: %1, 95 % interval %2 to %3 (n = %4)</source>
+        <source>Spearman's rho between score and rating: %1, 95 % interval %2 to %3 (n = %4)</source>
         <translation>Rho Spearmana między wynikiem a oceną: %1, przedział 95 % od %2 do %3 (n = %4)</translation>
     </message>
 </context>
@@ -3487,7 +3563,7 @@
         <translation>%1 razy</translation>
     </message>
     <message>
-        <source> at %1 o&apos;clock</source>
+        <source> at %1 o'clock</source>
         <translation> na godzinie %1</translation>
     </message>
     <message>
@@ -3837,11 +3913,11 @@
         <translation>Obejrzyj</translation>
     </message>
     <message>
-        <source>See this attempt again in the simulator&apos;s window</source>
+        <source>See this attempt again in the simulator's window</source>
         <translation>Obejrzyj tę próbę ponownie w oknie symulatora</translation>
     </message>
     <message>
-        <source>%1 o&apos;clock, %2: %3</source>
+        <source>%1 o'clock, %2: %3</source>
         <translation>godzina %1, %2: %3</translation>
     </message>
     <message>
@@ -3865,7 +3941,7 @@
         <translation>Gdzie igła oddała energię, w dżulach na milimetr kwadratowy.</translation>
     </message>
     <message>
-        <source>The field from above: planned contour, what was cut, the needle&apos;s path. The measures say the same in numbers.</source>
+        <source>The field from above: planned contour, what was cut, the needle's path. The measures say the same in numbers.</source>
         <translation>Pole z góry: planowany kontur, co nacięto, droga igły. Pomiary mówią to samo w liczbach.</translation>
     </message>
     <message>
@@ -3940,6 +4016,14 @@
         <source>This attempt was kept without a recording. Score, reasons and measures are complete; the pictures, the report and watching it again need one.</source>
         <translation>Ta próba została zapisana bez nagrania. Wynik, powody i pomiary są kompletne; nagrania wymagają tylko obrazy, raport i ponowne obejrzenie.</translation>
     </message>
+<message>
+        <source>Study %1</source>
+        <translation>Badanie %1</translation>
+    </message>
+    <message>
+        <source>This attempt does not count, and it is not your fault. %1. It is kept, and uses up no attempt of an exam.</source>
+        <translation>Ta próba się nie liczy i nie jest to Pani/Pana wina. %1. Jest zachowana i nie zużywa próby egzaminu.</translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
@@ -4008,11 +4092,11 @@
         <translation>Próba się zakończyła; trwa obliczanie wyniku.</translation>
     </message>
     <message>
-        <source>Runs in the fetoscope&apos;s window: %1.</source>
+        <source>Runs in the fetoscope's window: %1.</source>
         <translation>Trwa w oknie fetoskopu: %1.</translation>
     </message>
     <message>
-        <source>The fetoscope&apos;s window is opening.</source>
+        <source>The fetoscope's window is opening.</source>
         <translation>Otwiera się okno fetoskopu.</translation>
     </message>
     <message>
@@ -4030,6 +4114,50 @@
     <message>
         <source>Proctor: %1</source>
         <translation>Nadzór: %1</translation>
+    </message>
+<message>
+        <source>The procedure ends in the fetoscope's window, by itself or from its menu. What is ended here ends for good.</source>
+        <translation>Zabieg kończy się w oknie fetoskopu, sam lub z menu. Co zakończy się tutaj, jest zakończone na dobre.</translation>
+    </message>
+    <message>
+        <source>End the procedure</source>
+        <translation>Zakończ zabieg</translation>
+    </message>
+    <message>
+        <source>Break off</source>
+        <translation>Przerwij</translation>
+    </message>
+    <message>
+        <source>Break the procedure off?</source>
+        <translation>Przerwać zabieg?</translation>
+    </message>
+    <message>
+        <source>What was done so far is kept and does not count; the procedure has to be done again from the beginning.</source>
+        <translation>To, co zrobiono, jest zachowane i nie liczy się; zabieg trzeba wykonać od początku.</translation>
+    </message>
+    <message>
+        <source>The procedure ends here for good, after %1. You cannot go on with it.</source>
+        <translation>Zabieg kończy się tu na dobre, po %1. Nie można go kontynuować.</translation>
+    </message>
+    <message>
+        <source>The exam ends here for good, after %1, and is scored as it is. You cannot go on with it.</source>
+        <translation>Egzamin kończy się tu na dobre, po %1, i jest oceniany tak, jak jest. Nie można go kontynuować.</translation>
+    </message>
+    <message>
+        <source>It lasted less than %1: it will not count and has to be done again.</source>
+        <translation>Trwał krócej niż %1: nie będzie się liczył i trzeba go powtórzyć.</translation>
+    </message>
+    <message>
+        <source>End the procedure?</source>
+        <translation>Zakończyć zabieg?</translation>
+    </message>
+    <message>
+        <source>End the exam?</source>
+        <translation>Zakończyć egzamin?</translation>
+    </message>
+    <message>
+        <source>End the exam</source>
+        <translation>Zakończ egzamin</translation>
     </message>
 </context>
 <context>
@@ -4059,7 +4187,7 @@
         <translation>Dodaj konta demonstracyjne, aby się rozejrzeć</translation>
     </message>
     <message>
-        <source>demo.trainee, demo.educator, demo.coordinator, each with the password &quot;%1&quot;; their data is marked as demonstration everywhere.</source>
+        <source>demo.trainee, demo.educator, demo.coordinator, each with the password "%1"; their data is marked as demonstration everywhere.</source>
         <translation>demo.trainee, demo.educator, demo.coordinator, każde z hasłem „%1”; ich dane są wszędzie oznaczone jako demonstracja.</translation>
     </message>
     <message>
@@ -4178,7 +4306,7 @@
         <translation>Eksperci, którzy by nie zaliczyli</translation>
     </message>
     <message>
-        <source>AUC %1, Cohen&apos;s d %2, Mann-Whitney p %3. Method: Jorgensen, Konge and Subhi 2018.</source>
+        <source>AUC %1, Cohen's d %2, Mann-Whitney p %3. Method: Jorgensen, Konge and Subhi 2018.</source>
         <translation>AUC %1, d Cohena %2, p Manna-Whitneya %3. Metoda: Jorgensen, Konge i Subhi 2018.</translation>
     </message>
     <message>
@@ -4198,7 +4326,7 @@
         <translation>Z %1 nowicjuszy i %2 ekspertów; nowicjusze powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
     </message>
     <message>
-        <source>None was set: the task&apos;s own pass mark of %1 points holds.</source>
+        <source>None was set: the task's own pass mark of %1 points holds.</source>
         <translation>Nie ustalono: obowiązuje własny próg zadania, %1 pkt.</translation>
     </message>
     <message>
@@ -4408,7 +4536,7 @@
         <translation>Zapisywanie zgody</translation>
     </message>
     <message>
-        <source>A window with the fetoscope&apos;s view opens.</source>
+        <source>A window with the fetoscope's view opens.</source>
         <translation>Otworzy się okno z obrazem fetoskopu.</translation>
     </message>
     <message>
@@ -4463,6 +4591,22 @@
         <source>Signature</source>
         <translation>Podpis</translation>
     </message>
+<message>
+        <source>An attempt shorter than %1 does not count.</source>
+        <translation>Próba krótsza niż %1 nie liczy się.</translation>
+    </message>
+    <message>
+        <source>The attempt before does not count: %1. Please do this step once more.</source>
+        <translation>Poprzednia próba się nie liczy: %1. Proszę wykonać ten krok jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>No device is chosen. Please call the coordinator.</source>
+        <translation>Nie wybrano urządzenia. Proszę zawołać koordynatora.</translation>
+    </message>
+    <message>
+        <source>Device: %1</source>
+        <translation>Urządzenie: %1</translation>
+    </message>
 </context>
 <context>
     <name>TaskPage</name>
@@ -4511,7 +4655,7 @@
         <translation>Rozpocznij próbę</translation>
     </message>
     <message>
-        <source>A window with the fetoscope&apos;s view opens. Time limit %1.</source>
+        <source>A window with the fetoscope's view opens. Time limit %1.</source>
         <translation>Otworzy się okno z obrazem fetoskopu. Limit czasu %1.</translation>
     </message>
     <message>
@@ -4563,7 +4707,7 @@
         <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
     </message>
     <message>
-        <source>The proctor&apos;s name or password is wrong.</source>
+        <source>The proctor's name or password is wrong.</source>
         <translation>Login lub hasło osoby nadzorującej jest błędne.</translation>
     </message>
     <message>
@@ -4824,7 +4968,7 @@
         <translation>Pauza</translation>
     </message>
     <message>
-        <source>The attempt is simulated again exactly, in the simulator&apos;s window.</source>
+        <source>The attempt is simulated again exactly, in the simulator's window.</source>
         <translation>Próba jest dokładnie symulowana ponownie w oknie symulatora.</translation>
     </message>
     <message>
@@ -5152,6 +5296,10 @@
         <source>Locked after a time without a touch. Come back where you were.</source>
         <translation>Zablokowano po czasie bezczynności. Wrócisz tam, gdzie praca została przerwana.</translation>
     </message>
+<message>
+        <source>What was recorded is kept. Please call the coordinator.</source>
+        <translation>Zapis jest zachowany. Proszę zawołać koordynatora.</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::SearchBox</name>
@@ -5203,7 +5351,7 @@
 <context>
     <name>CalibrationGuide</name>
     <message>
-        <source>1. Calibrate the arm in the vendor&apos;s own program (Touch Diagnostic).</source>
+        <source>1. Calibrate the arm in the vendor's own program (Touch Diagnostic).</source>
         <translation>1. Skalibruj ramię w programie producenta (Touch Diagnostic).</translation>
     </message>
     <message>
@@ -5227,7 +5375,7 @@
         <translation>3. Obudź uchwyt naciśnięciem jego przycisku.</translation>
     </message>
     <message>
-        <source>1. Calibrate in the vendor&apos;s program HapticInit, or move every axis to its ends once.</source>
+        <source>1. Calibrate in the vendor's program HapticInit, or move every axis to its ends once.</source>
         <translation>1. Skalibruj w programie producenta HapticInit albo przesuń każdą oś raz do obu końców.</translation>
     </message>
     <message>
@@ -5460,8 +5608,8 @@
         <translation>ścieżka libHD.so; puste: tak jak znajdzie ją system</translation>
     </message>
     <message>
-        <source>name of the right arm in the vendor&apos;s setup; empty: try the default device, &quot;Default PHANToM&quot; and &quot;Right Device&quot;</source>
-        <translation>nazwa prawego ramienia w programie producenta; puste: urządzenie domyślne, &quot;Default PHANToM&quot; i &quot;Right Device&quot;</translation>
+        <source>name of the right arm in the vendor's setup; empty: try the default device, "Default PHANToM" and "Right Device"</source>
+        <translation>nazwa prawego ramienia w programie producenta; puste: urządzenie domyślne, "Default PHANToM" i "Right Device"</translation>
     </message>
     <message>
         <source>name of the left arm; empty: no left arm</source>
@@ -5484,7 +5632,7 @@
         <translation>device_id lewego Inverse3; auto: pierwsze, które podaje się za leworęczne; puste: bez lewego ramienia</translation>
     </message>
     <message>
-        <source>the device&apos;s axes that are our x (right), y (up), z (to the operator)</source>
+        <source>the device's axes that are our x (right), y (up), z (to the operator)</source>
         <translation>osie urządzenia, które są naszymi x (w prawo), y (w górę), z (do operatora)</translation>
     </message>
     <message>
@@ -5544,7 +5692,7 @@
         <translation>kiedy</translation>
     </message>
     <message>
-        <source>foot pedals: /dev/input/by-id/...-event-kbd; empty: none but the keyboard&apos;s F13, F14</source>
+        <source>foot pedals: /dev/input/by-id/...-event-kbd; empty: none but the keyboard's F13, F14</source>
         <translation>pedały nożne: /dev/input/by-id/...-event-kbd; puste: tylko F13 i F14 klawiatury</translation>
     </message>
     <message>
@@ -5854,7 +6002,7 @@
         <translation>Odpowiedź jest wymagana</translation>
     </message>
     <message>
-        <source>&quot;Does not apply&quot; may be answered</source>
+        <source>"Does not apply" may be answered</source>
         <translation>Można odpowiedzieć „nie dotyczy”</translation>
     </message>
     <message>
@@ -5917,6 +6065,42 @@
         <source>none</source>
         <translation>brak</translation>
     </message>
+<message>
+        <source>the planned line</source>
+        <translation>planowana linia</translation>
+    </message>
+    <message>
+        <source>read-outs</source>
+        <translation>wskazania liczbowe</translation>
+    </message>
+    <message>
+        <source>warnings</source>
+        <translation>ostrzeżenia</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>głębokość</translation>
+    </message>
+    <message>
+        <source>Why it differs from the version before</source>
+        <translation>Czym i dlaczego różni się od poprzedniej wersji</translation>
+    </message>
+    <message>
+        <source>Least duration [s]: a shorter attempt does not count as done</source>
+        <translation>Najkrótszy czas [s]: krótsza próba nie zalicza kroku</translation>
+    </message>
+    <message>
+        <source>Device, e.g. mouse (empty = the coordinator chooses once)</source>
+        <translation>Urządzenie, np. mouse (puste = koordynator wybiera raz)</translation>
+    </message>
+    <message>
+        <source>What the picture may show</source>
+        <translation>Co może pokazywać obraz</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>jak zwykle</translation>
+    </message>
 </context>
 <context>
     <name>StudyPreview</name>
@@ -5971,6 +6155,18 @@
     <message>
         <source>counts for %1</source>
         <translation>liczy się do: %1</translation>
+    </message>
+<message>
+        <source>at least %1</source>
+        <translation>co najmniej %1</translation>
+    </message>
+    <message>
+        <source>the coordinator chooses the device</source>
+        <translation>urządzenie wybiera koordynator</translation>
+    </message>
+    <message>
+        <source>device: %1</source>
+        <translation>urządzenie: %1</translation>
     </message>
 </context>
 <context>
@@ -6349,7 +6545,7 @@
         <translation>%1 z %2</translation>
     </message>
     <message>
-        <source>Meaning: &quot;reviewed and complete&quot;</source>
+        <source>Meaning: "reviewed and complete"</source>
         <translation>Znaczenie: „sprawdzono, kompletne”</translation>
     </message>
     <message>
@@ -6409,7 +6605,7 @@
         <translation>Nie ma otwartych różnic.</translation>
     </message>
     <message>
-        <source>Reason: &quot;looked at the sheet&quot;</source>
+        <source>Reason: "looked at the sheet"</source>
         <translation>Powód: „sprawdzono na arkuszu”</translation>
     </message>
     <message>
@@ -6781,7 +6977,7 @@
         <translation>Przydzielanie kursu</translation>
     </message>
     <message>
-        <source>There is nobody called &quot;%1&quot; whom you may assign a course; choose one of the list.</source>
+        <source>There is nobody called "%1" whom you may assign a course; choose one of the list.</source>
         <translation>Nie ma nikogo o nazwie „%1”, komu możesz przydzielić kurs; wybierz z listy.</translation>
     </message>
     <message>
@@ -7162,7 +7358,7 @@
         <translation>tylko na urządzeniu haptycznym, którego pętla musi pozostać sprawna</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no id: use letters, digits, _ . and - only.</source>
+        <source>"%1" is no id: use letters, digits, _ . and - only.</source>
         <translation>„%1” nie jest identyfikatorem: używaj tylko liter, cyfr, _ . i -.</translation>
     </message>
     <message>
@@ -7174,15 +7370,15 @@
         <translation>Kurs ma od 1 do 100 etapów. Dodaj etap.</translation>
     </message>
     <message>
-        <source>There is no task &quot;%1&quot;. Choose one of the list.</source>
+        <source>There is no task "%1". Choose one of the list.</source>
         <translation>Nie ma zadania „%1”. Wybierz z listy.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is the id of another stage already.</source>
+        <source>"%1" is the id of another stage already.</source>
         <translation>„%1” jest już identyfikatorem innego etapu.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is not an earlier stage.</source>
+        <source>"%1" is not an earlier stage.</source>
         <translation>„%1” nie jest wcześniejszym etapem.</translation>
     </message>
     <message>
@@ -7324,7 +7520,7 @@
         <translation>Dodaj do grupy</translation>
     </message>
     <message>
-        <source>There is nobody called &quot;%1&quot;.</source>
+        <source>There is nobody called "%1".</source>
         <translation>Nie ma nikogo o nazwie „%1”.</translation>
     </message>
     <message>
@@ -7553,7 +7749,7 @@
         <translation>Tylko na certyfikowanym urządzeniu haptycznym</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no whole number; write them with commas.</source>
+        <source>"%1" is no whole number; write them with commas.</source>
         <translation>„%1” nie jest liczbą całkowitą; rozdziel liczby przecinkami.</translation>
     </message>
     <message>
@@ -7564,7 +7760,7 @@
 <context>
     <name>AngoffCard</name>
     <message>
-        <source>Judges&apos; estimates (Angoff)</source>
+        <source>Judges' estimates (Angoff)</source>
         <translation>Oszacowania sędziów (Angoff)</translation>
     </message>
     <message>
@@ -7600,7 +7796,7 @@
         <translation>Sędzia %1</translation>
     </message>
     <message>
-        <source>Judge %1, &quot;%2&quot;: %3 is no number from 0 to 100.</source>
+        <source>Judge %1, "%2": %3 is no number from 0 to 100.</source>
         <translation>Sędzia %1, „%2”: %3 nie jest liczbą od 0 do 100.</translation>
     </message>
     <message>
@@ -7608,7 +7804,7 @@
         <translation>Brakujące oszacowania: %1</translation>
     </message>
     <message>
-        <source>This task&apos;s rubric has no lines.</source>
+        <source>This task's rubric has no lines.</source>
         <translation>Rubryka tego zadania nie ma wierszy.</translation>
     </message>
     <message>
@@ -7631,7 +7827,7 @@
         <translation>Jakość miar</translation>
     </message>
     <message>
-        <source>A metric has evidence when experts differ from novices (the interval of Hedges&apos; g is above 0), when it repeats (ICC of %1 attempts a person at least 0.5), and when at most 20 % of the values are at its best one.</source>
+        <source>A metric has evidence when experts differ from novices (the interval of Hedges' g is above 0), when it repeats (ICC of %1 attempts a person at least 0.5), and when at most 20 % of the values are at its best one.</source>
         <translation>Miara jest potwierdzona, gdy eksperci różnią się od początkujących (przedział g Hedgesa powyżej 0), gdy jest powtarzalna (ICC z %1 prób na osobę co najmniej 0,5) i gdy najwyżej 20 % wartości jest najlepszych z możliwych.</translation>
     </message>
     <message>
@@ -7667,7 +7863,7 @@
         <translation>Miara</translation>
     </message>
     <message>
-        <source>Hedges&apos; g</source>
+        <source>Hedges' g</source>
         <translation>g Hedgesa</translation>
     </message>
     <message>
@@ -7703,7 +7899,7 @@
         <translation>▲ nie: %1</translation>
     </message>
     <message>
-        <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric&apos;s next version and score the attempts again.</source>
+        <source>Metrics: %1, without evidence: %2. A metric without evidence should weigh nothing in a rubric: take its line out, publish the rubric's next version and score the attempts again.</source>
         <translation>Miary: %1, bez potwierdzenia: %2. Miara bez potwierdzenia nie powinna nic ważyć w rubryce: usuń jej wiersz, opublikuj następną wersję rubryki i oceń próby ponownie.</translation>
     </message>
 </context>
@@ -7740,6 +7936,287 @@
     <message>
         <source>All of these with manifest and checksums</source>
         <translation>Wszystkie, ze spisem i sumami kontrolnymi</translation>
+    </message>
+</context>
+<context>
+    <name>Deviation</name>
+    <message>
+        <source>menu</source>
+        <translation>menu</translation>
+    </message>
+    <message>
+        <source>help</source>
+        <translation>pomoc</translation>
+    </message>
+    <message>
+        <source>asked before closing</source>
+        <translation>pytanie przed zamknięciem</translation>
+    </message>
+    <message>
+        <source>another window in front</source>
+        <translation>inne okno na wierzchu</translation>
+    </message>
+    <message>
+        <source>Stood still %1, %2 in all (%3).</source>
+        <translation>Czas stał %1, łącznie %2 (%3).</translation>
+    </message>
+    <message>
+        <source>The computer fell behind %1, %2 in all.</source>
+        <translation>Komputer nie nadążał %1, łącznie %2.</translation>
+    </message>
+    <message>
+        <source>Does not count: %1.</source>
+        <translation>Nie liczy się: %1.</translation>
+    </message>
+    <message>
+        <source>Ended after %1; the protocol asks for at least %2.</source>
+        <translation>Zakończono po %1; protokół wymaga co najmniej %2.</translation>
+    </message>
+    <message>
+        <source>Broken off after %1.</source>
+        <translation>Przerwano po %1.</translation>
+    </message>
+    <message>
+        <source>Done again; this attempt is kept and does not count. Reason: %1</source>
+        <translation>Powtórzono; ta próba jest zachowana i nie liczy się. Powód: %1</translation>
+    </message>
+    <message>
+        <source>Done with %1; %2 was set.</source>
+        <translation>Wykonano urządzeniem %1; ustalono %2.</translation>
+    </message>
+    <message>
+        <source>Skipped.</source>
+        <translation>Pominięto.</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>once</source>
+        <translation>raz</translation>
+    </message>
+    <message>
+        <source>twice</source>
+        <translation>dwa razy</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1 razy</translation>
+    </message>
+    <message>
+        <source>broken off</source>
+        <translation>przerwano</translation>
+    </message>
+    <message>
+        <source>it ended after %1 s, before %2 s were over</source>
+        <translation>zakończono po %1 s, przed upływem %2 s</translation>
+    </message>
+    <message>
+        <source>The computer was too slow: %1 pictures a second, 20 are needed</source>
+        <translation>Komputer był za wolny: %1 obrazów na sekundę, potrzeba 20</translation>
+    </message>
+    <message>
+        <source>The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed</source>
+        <translation>Komputer był za wolny: symulacja szła z szybkością %1 % czasu rzeczywistego, potrzeba 95 %</translation>
+    </message>
+    <message>
+        <source>Pauses</source>
+        <translation>Przerwy</translation>
+    </message>
+    <message>
+        <source>Slow computer</source>
+        <translation>Wolny komputer</translation>
+    </message>
+    <message>
+        <source>Ended too early</source>
+        <translation>Zakończono za wcześnie</translation>
+    </message>
+    <message>
+        <source>Broken off</source>
+        <translation>Przerwano</translation>
+    </message>
+    <message>
+        <source>Done again</source>
+        <translation>Powtórzono</translation>
+    </message>
+    <message>
+        <source>Another device</source>
+        <translation>Inne urządzenie</translation>
+    </message>
+    <message>
+        <source>Step skipped</source>
+        <translation>Pominięty krok</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Uwaga</translation>
+    </message>
+</context>
+<context>
+    <name>TakeBackDialog</name>
+    <message>
+        <source>For the coordinator</source>
+        <translation>Dla koordynatora</translation>
+    </message>
+    <message>
+        <source>The screen belongs to a participant. %1 takes it back with the password or the PIN.</source>
+        <translation>Ekran należy do uczestnika. %1 odbiera go hasłem lub kodem PIN.</translation>
+    </message>
+    <message>
+        <source>The screen belongs to a participant. %1 takes it back with the password.</source>
+        <translation>Ekran należy do uczestnika. %1 odbiera go hasłem.</translation>
+    </message>
+    <message>
+        <source>Password of %1</source>
+        <translation>Hasło: %1</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
+    </message>
+    <message>
+        <source>Take the screen back</source>
+        <translation>Odbierz ekran</translation>
+    </message>
+    <message>
+        <source>Type your password.</source>
+        <translation>Proszę wpisać hasło.</translation>
+    </message>
+    <message>
+        <source>Too many wrong passwords. Try again in %1 s.</source>
+        <translation>Za dużo błędnych haseł. Proszę spróbować za %1 s.</translation>
+    </message>
+    <message>
+        <source>This account is deactivated.</source>
+        <translation>To konto jest wyłączone.</translation>
+    </message>
+    <message>
+        <source>That is wrong. The screen stays with the participant.</source>
+        <translation>To nie to. Ekran zostaje u uczestnika.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::ProceduresCard</name>
+    <message>
+        <source>Reading the procedures</source>
+        <translation>Odczyt zabiegów</translation>
+    </message>
+    <message>
+        <source>Procedures of %1</source>
+        <translation>Zabiegi: %1</translation>
+    </message>
+    <message>
+        <source>%1 has not worked at the simulator yet.</source>
+        <translation>%1: jeszcze bez pracy przy symulatorze.</translation>
+    </message>
+    <message>
+        <source>done again: %1 (%2)</source>
+        <translation>powtórzono: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>liczy się</translation>
+    </message>
+    <message>
+        <source>does not count: %1</source>
+        <translation>nie liczy się: %1</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Krok</translation>
+    </message>
+    <message>
+        <source>When</source>
+        <translation>Kiedy</translation>
+    </message>
+    <message>
+        <source>Lasted</source>
+        <translation>Trwało</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Urządzenie</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Stan</translation>
+    </message>
+    <message>
+        <source>Procedures</source>
+        <translation>Zabiegi</translation>
+    </message>
+    <message>
+        <source>, visit %1</source>
+        <translation>, wizyta %1</translation>
+    </message>
+    <message>
+        <source>Why it went wrong, e.g. the pedal was unplugged</source>
+        <translation>Co poszło źle, np. pedał był odłączony</translation>
+    </message>
+    <message>
+        <source>Note on the procedure</source>
+        <translation>Uwaga do zabiegu</translation>
+    </message>
+    <message>
+        <source>Repeat this procedure …</source>
+        <translation>Powtórz ten zabieg …</translation>
+    </message>
+    <message>
+        <source>Add the note</source>
+        <translation>Dodaj uwagę</translation>
+    </message>
+    <message>
+        <source>Open the result</source>
+        <translation>Otwórz wynik</translation>
+    </message>
+    <message>
+        <source>A repeat needs a reason.</source>
+        <translation>Powtórzenie wymaga powodu.</translation>
+    </message>
+    <message>
+        <source>Write what went wrong; it stands in every export and report.</source>
+        <translation>Proszę napisać, co poszło źle; powód stoi w każdym eksporcie i raporcie.</translation>
+    </message>
+    <message>
+        <source>Repeat %1?</source>
+        <translation>Powtórzyć: %1?</translation>
+    </message>
+    <message>
+        <source>What %1 did is kept and marked with the reason; it counts no more. The participant does this step again.</source>
+        <translation>To, co zrobił(a) %1, jest zachowane i oznaczone powodem; już się nie liczy. Uczestnik wykonuje ten krok jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Repeat</source>
+        <translation>Powtórz</translation>
+    </message>
+    <message>
+        <source>Having the procedure done again</source>
+        <translation>Zarządzenie powtórzenia zabiegu</translation>
+    </message>
+    <message>
+        <source>Adding the note</source>
+        <translation>Dodawanie uwagi</translation>
+    </message>
+    <message>
+        <source>Looking for deviations</source>
+        <translation>Szukanie odstępstw</translation>
+    </message>
+    <message>
+        <source>Deviations from the protocol</source>
+        <translation>Odstępstwa od protokołu</translation>
+    </message>
+    <message>
+        <source>There are none.</source>
+        <translation>Nie ma żadnych.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Co się stało</translation>
     </message>
 </context>
 </TS>

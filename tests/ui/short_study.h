@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The paper's study, published for tests: with least durations that a test can wait for.
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
+
+namespace placode::ui {
+
+/// Publishes the version after the newest one.
+/// @param least_s by step; a procedure that is not named has none.
+inline void publish_short_study(db::Store& store, const std::string& study,
+                                const std::map<std::string, double>& least_s = {}) {
+    auto json = nlohmann::ordered_json::parse(curriculum::load_study(study).json);
+    const auto newest = store.definition("study", study);
+    json["version"] = (newest ? newest->version : json["version"].get<int>()) + 1;
+    for (auto& step : json["steps"]) {
+        step.erase("min_s");
+        if (const auto found = least_s.find(step["id"]); found != least_s.end())
+            step["min_s"] = found->second;
+    }
+    for (const auto& step : json["steps"])
+        if (step.contains("questionnaire"))
+            db::publish_on_first_use(
+                store, curriculum::load_questionnaire(step["questionnaire"].get<std::string>()));
+    db::DefinitionRecord definition;
+    definition.kind = "study";
+    definition.id = study;
+    definition.version = json["version"];
+    definition.json = json.dump(2);
+    definition.reason = "shorter, for a test";
+    store.publish(definition);
+}
+
+}  // namespace placode::ui
