@@ -7,6 +7,7 @@
 
 #include "curriculum/course.h"
 #include "curriculum/json_reader.h"
+#include "sim/near_word.h"
 
 namespace placode::curriculum {
 namespace {
@@ -131,7 +132,8 @@ Course load_course(const std::string& id_or_file) {
         std::string known;
         for (const std::string& id : tasks) known += (known.empty() ? "" : ", ") + id;
         throw DefinitionError(origin, "/stages/" + std::to_string(i) + "/task_id",
-                              "there is no task \"" + task + "\"; expected one of: " + known);
+                              "there is no task \"" + task + "\"; expected one of: " + known +
+                                  sim::did_you_mean(task, tasks));
     }
     return course;
 }

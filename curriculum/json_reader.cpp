@@ -9,6 +9,8 @@
 #include <sstream>
 #include <vector>
 
+#include "sim/near_word.h"
+
 namespace placode::curriculum {
 
 namespace fs = std::filesystem;
@@ -49,7 +51,8 @@ fs::path find_definition(const std::string& kind, const std::string& id_or_file)
     throw DefinitionError((data_folder() / kind).string(), "",
                           "no definition \"" + id_or_file +
                               "\"; expected one of: " + (list.empty() ? "(none installed)" : list) +
-                              ", or the path of a .json file");
+                              ", or the path of a .json file" +
+                              sim::did_you_mean(id_or_file, known));
 }
 
 namespace {

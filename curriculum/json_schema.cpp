@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -17,6 +16,7 @@
 #include <valijson/validator.hpp>
 
 #include "curriculum/json_reader.h"
+#include "sim/near_word.h"
 #include "sim/number_text.h"
 
 namespace placode::curriculum {
@@ -40,22 +40,6 @@ std::string escape_pointer(const std::string& key) {
             escaped.push_back(c);
     }
     return escaped;
-}
-
-size_t edit_distance(const std::string& a, const std::string& b) {
-    std::vector<size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), size_t{0});
-    for (size_t i = 1; i <= a.size(); ++i) {
-        size_t corner = row[0];
-        row[0] = i;
-        for (size_t j = 1; j <= b.size(); ++j) {
-            const size_t above = row[j];
-            row[j] =
-                std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] == b[j - 1] ? 0 : 1)});
-            corner = above;
-        }
-    }
-    return row[b.size()];
 }
 
 size_t shared_prefix(const std::string& a, const std::string& b) {
@@ -193,7 +177,8 @@ class Explainer {
         for (const auto& [name, unused] : properties.items()) {
             all += (all.empty() ? "" : ", ") + name;
             if (value.contains(name)) continue;
-            const size_t prefix = shared_prefix(key, name), distance = edit_distance(key, name);
+            const size_t prefix = shared_prefix(key, name),
+                         distance = sim::edit_distance(key, name);
             if (prefix < best_prefix || (prefix == best_prefix && distance >= best_distance))
                 continue;
             best = name;

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "curriculum/json_reader.h"
+#include "sim/near_word.h"
 
 namespace placode::curriculum {
 
@@ -22,7 +23,8 @@ std::string read_metric(const Json& json, const std::string& origin, const std::
     std::string known;
     for (const std::string& name : metrics) known += (known.empty() ? "" : ", ") + name;
     throw DefinitionError(origin, pointer,
-                          "unknown metric \"" + id + "\"; expected one of: " + known);
+                          "unknown metric \"" + id + "\"; expected one of: " + known +
+                              sim::did_you_mean(id, {metrics.begin(), metrics.end()}));
 }
 
 assessment::RubricItem read_item(const Json& json, const std::string& origin,
