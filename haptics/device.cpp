@@ -4,7 +4,9 @@
 
 #include <algorithm>
 
+#include "haptics/gamepad_search.h"
 #include "haptics/operator_model.h"
+#include "sim/near_word.h"
 
 namespace placode::haptics {
 
@@ -30,10 +32,12 @@ struct Variant {
     bool hardware = false;  // has to be there
 };
 
+constexpr std::string_view kGamepad = "gamepad";
+
 constexpr Variant kVariants[] = {
     {"mouse", "tip in the picture's plane, wheel for depth; no force", open_mouse},
     {"keyboard", "fixed speeds; no force", open_keyboard},
-    {"gamepad", "sticks and triggers; no force; needs a pad with a standard mapping", open_gamepad},
+    {kGamepad, "sticks and triggers; no force; needs a pad with a standard mapping", open_gamepad},
     {"spacemouse", "3Dconnexion SpaceMouse over spacenavd; no force", open_spacemouse, true},
     {"openhaptics", "Touch, Touch X, Omni over OpenHaptics", open_openhaptics, true},
     {"haply", "Haply Inverse3 over the Inverse service", open_haply, true},
@@ -41,17 +45,26 @@ constexpr Variant kVariants[] = {
     {"forcedimension", "Force Dimension omega, delta, sigma, lambda", open_forcedimension, true},
 };
 
-std::string known_names() {
-    std::string names;
-    for (const auto& variant : kVariants) names += std::string(variant.name) + ", ";
+std::vector<std::string> known_names() {
+    std::vector<std::string> names;
+    for (const auto& variant : kVariants) names.emplace_back(variant.name);
     for (const auto level : operator_levels())
-        names += std::string(kScriptPrefix) + std::string(operator_name(level)) + ", ";
-    return names + std::string(kMousePerson);
+        names.push_back(std::string(kScriptPrefix) + std::string(operator_name(level)));
+    names.emplace_back(kMousePerson);
+    return names;
 }
 
 // Opens the device for a moment: what cannot be opened says why, what can says what it is.
 DeviceListing look_for(const Variant& variant, const Station& station) {
     DeviceListing out{std::string(variant.name), true, std::string(variant.detail), {}};
+    if (variant.name ==
+        kGamepad) {  // Opened by the window, which takes it also when it comes later.
+        const GamepadSearch search = look_for_gamepads();
+        out.found = search.found;
+        out.available = !search.found.empty();
+        if (!out.available) out.detail = search.reason();
+        return out;
+    }
     if (!variant.hardware) return out;
     DeviceConfig config;
     config.name = out.name;
@@ -90,7 +103,10 @@ std::unique_ptr<DeviceGroup> open_device(const DeviceConfig& config) {
         if (variant.name != name) continue;
         return variant.open(config);
     }
-    throw DeviceError("unknown device \"" + config.name + "\"; known are: " + known_names() + ".");
+    std::string names;
+    for (const std::string& known : known_names()) names += (names.empty() ? "" : ", ") + known;
+    throw DeviceError("unknown device \"" + config.name + "\"; known are: " + names +
+                      sim::did_you_mean(name, known_names()));
 }
 
 std::vector<DeviceListing> list_devices(const Station& station) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "haptics/gamepad_search.h"
 #include "haptics/window_hands.h"
 
 namespace placode::haptics {
@@ -58,6 +59,8 @@ class GamepadDevice final : public WindowHands {
 }  // namespace
 
 std::unique_ptr<DeviceGroup> open_gamepad(const DeviceConfig& config) {
+    // A window takes a pad that is plugged in later; without one there is nothing to wait for.
+    if (config.window == nullptr) need_gamepad();
     return std::make_unique<GamepadDevice>(config);
 }
 

@@ -15,6 +15,7 @@
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/device.h"
+#include "haptics/gamepad_search.h"
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
 #include "sim/view/gl_program.h"
@@ -92,6 +93,8 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
                 tool.scope_angle_deg = arguments.scope_angle_deg;
         }
     }
+    // Nobody shall sit before a needle that does not move.
+    if (arguments.device == "gamepad") haptics::need_gamepad();
     sim::Latest<sim::WindowInput> input;
     curriculum::AttemptOptions options;
     options.device = arguments.device;
