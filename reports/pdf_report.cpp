@@ -6,51 +6,84 @@
 #include <QPainter>
 #include <QPdfWriter>
 #include <QSaveFile>
-#include <QTextDocument>
-#include <cmath>
-#include <span>
+#include <algorithm>
 
+#include "curriculum/task.h"
 #include "reports/attempt_figures.h"
+#include "reports/metric_groups.h"
 #include "reports/report.h"
+#include "reports/sheets.h"
 #include "reports/text.h"
 #include "reports/words.h"
 
 namespace placode::reports {
 namespace {
 
-constexpr double kMargin = 56, kWidth = 794, kHeight = 1123;  // A4 at 96 dpi
-constexpr double kInner = kWidth - 2 * kMargin;
+constexpr double kMargin = Sheets::kMargin, kInner = Sheets::kInner;
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
-/// Draws HTML in a column and returns its height.
-double draw_html(QPainter& painter, const QPointF& at, double width, const QString& html) {
-    QTextDocument document;
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(12);
-    // Letter spacing (at least 1/64 pixel) switches ligatures off: with them a search for
-    // "finished" finds nothing.
-    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
-    document.setDefaultFont(font);
-    document.setDocumentMargin(0);
-    document.setTextWidth(width);
-    document.setHtml(html);
-    painter.save();
-    painter.translate(at);
-    document.drawContents(&painter);
-    painter.restore();
-    return document.size().height();
+/// What is printed.
+struct Subject {
+    const db::AttemptDetail& attempt;
+    const sim::Recording& recording;
+    const std::vector<db::AttemptRecord>& history;
+    std::string centre, title;
+    std::vector<std::string> scored;  ///< Metrics that the rubric looks at.
+};
+
+/// Title of the task and what its rubric asks for, as the recording kept them; else the id.
+void read_task(Subject& subject) {
+    subject.title = subject.attempt.record.task_id;
+    try {
+        const curriculum::Task task = curriculum::load_task_text(subject.recording.header.task_json,
+                                                                 subject.attempt.record.task_id);
+        subject.title = task.title.in("en");
+        for (const assessment::RubricItem& item : task.rubric.items)
+            subject.scored.push_back(item.metric);
+    } catch (const curriculum::DefinitionError&) {
+        // An old recording whose task this build cannot read any more: the id says enough.
+    }
 }
 
-QString head_html(const db::AttemptRecord& record, const assessment::Score& score,
-                  const ChartStyle& style) {
-    QString html;
-    if (record.demonstration) {
+QString facts_html(const std::vector<std::pair<QString, QString>>& facts) {
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='2' width='100%'>");
+    for (size_t i = 0; i < facts.size(); i += 2) {
+        html += QStringLiteral("<tr>");
+        for (size_t k = i; k < i + 2; ++k)
+            html += k < facts.size() ? QStringLiteral(
+                                           "<td style='color:#5f666e'>%1&nbsp;&nbsp;</td><td "
+                                           "width='38%'>%2</td>")
+                                           .arg(facts[k].first, facts[k].second)
+                                     : QStringLiteral("<td></td><td></td>");
+        html += QStringLiteral("</tr>");
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString mode_words(const db::AttemptRecord& record, const std::string& mode) {
+    if (record.exam.course_id.empty())
+        return mode == "study" ? QStringLiteral("study") : QStringLiteral("practice");
+    return QStringLiteral("exam of %1 (version %2), stage %3")
+        .arg(escaped(record.exam.course_id), QString::number(record.exam.course_version),
+             escaped(record.exam.stage_id));
+}
+
+QString head_html(const Subject& subject, const ChartStyle& style) {
+    const db::AttemptRecord& record = subject.attempt.record;
+    const assessment::Score& score = subject.attempt.score;
+    QString html =
+        QStringLiteral(
+            "<table width='100%' cellspacing='0'><tr><td><b>%1</b></td><td align='right' "
+            "style='color:#5f666e'>Placode &middot; report of attempt %2</td></tr></table>")
+            .arg(escaped(subject.centre), QString::number(record.id));
+    if (record.demonstration)
         html += QStringLiteral(
             "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - simulated operator, "
             "not a person's attempt.</p>");
-    }
-    html += QStringLiteral("<p style='color:#5f666e'>Placode - attempt %1</p>").arg(record.id);
+    if (!record.void_reason.empty())
+        html += QStringLiteral("<p style='background-color:#fff1d6'><b>&nbsp;VOID</b> - %1</p>")
+                    .arg(escaped(record.void_reason));
     html += QStringLiteral(
                 "<p style='font-size:22px'><b><span style='color:%1'>%2</span> - %3 of 100 "
                 "points</b></p>")
@@ -61,124 +94,207 @@ QString head_html(const db::AttemptRecord& record, const assessment::Score& scor
                     "<p style='background-color:#fff1d6'><b>&nbsp;Does not count.</b> %1. The "
                     "attempt is kept; the machine failed, not the person.</p>")
                     .arg(escaped(record.void_reason));
-    html += QStringLiteral(
-                "<p>%1 &middot; task %2 (version %3) &middot; %4 UTC &middot; %5 s &middot; %6 "
-                "&middot; %7</p>")
-                .arg(escaped(record.user_name), escaped(record.task_id),
-                     QString::number(record.task_version), escaped(record.started_utc),
-                     number(record.duration_s, 1), escaped(record.device), end_word(record.end));
-    return html;
+    std::vector<std::pair<QString, QString>> facts{
+        {QStringLiteral("Person"), escaped(record.user_name)},
+        {QStringLiteral("Task"),
+         QStringLiteral("%1 (version %2)").arg(escaped(subject.title)).arg(record.task_version)},
+        {QStringLiteral("Date"),
+         escaped(record.started_utc).replace('T', ' ').remove('Z') + QStringLiteral(" UTC")},
+        {QStringLiteral("Duration"),
+         QStringLiteral("%1 s, %2").arg(number(record.duration_s, 1), end_word(record.end))},
+        {QStringLiteral("Kind"), mode_words(record, subject.recording.header.mode)},
+        {QStringLiteral("Device"), escaped(record.device)}};
+    if (!record.exam.proctor.empty())
+        facts.emplace_back(QStringLiteral("Proctor"), escaped(record.exam.proctor));
+    if (!record.haptic_grade.empty() && record.haptic_grade != "not_applicable")
+        facts.emplace_back(QStringLiteral("Haptic certificate"), escaped(record.haptic_grade));
+    return html + facts_html(facts);
 }
 
-QString reasons_html(const assessment::Score& score) {
-    if (score.reasons.empty()) return QStringLiteral("<h3>Reasons</h3><p>No points were lost.</p>");
-    QString html =
-        QStringLiteral("<h3>Reasons</h3><table cellspacing='0' cellpadding='3' width='100%'>");
+std::vector<QString> reason_rows(const assessment::Score& score) {
+    std::vector<QString> rows;
     for (const assessment::Reason& reason : score.reasons) {
         const QString when =
             reason.time_s < 0 ? QString() : QStringLiteral("at %1 s").arg(number(reason.time_s, 1));
-        html += QStringLiteral(
-                    "<tr><td align='right'>-%1</td><td>%2%3</td><td align='right' "
-                    "style='color:#5f666e'>%4</td></tr>")
-                    .arg(number(reason.points, 1),
-                         reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
-                         reason_words(reason.text).toHtmlEscaped(), when);
+        rows.push_back(QStringLiteral("<tr><td align='right' width='46'>-%1</td><td>&nbsp;%2%3</td>"
+                                      "<td align='right' width='90' style='color:#5f666e'>%4</td>"
+                                      "</tr>")
+                           .arg(number(reason.points, 1),
+                                reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
+                                reason_words(reason.text).toHtmlEscaped(), when));
     }
-    return html + QStringLiteral("</table>");
+    return rows;
 }
 
-constexpr size_t kMetricsAPage = 46;
-
-/// Definitions of those that this attempt has.
-std::vector<assessment::MetricDefinition> known_metrics(const assessment::MetricSet& metrics) {
-    std::vector<assessment::MetricDefinition> known;
-    for (const assessment::MetricDefinition& definition : assessment::metric_definitions())
-        if (metrics.find(definition.id)) known.push_back(definition);
-    return known;
-}
-
-QString metrics_html(const assessment::MetricSet& metrics,
-                     std::span<const assessment::MetricDefinition> shown) {
-    QString html = QStringLiteral(
-        "<h3>Metrics</h3><table cellspacing='0' cellpadding='1' width='100%'>"
-        "<tr style='color:#5f666e'><td>metric</td><td "
-        "align='right'>value</td><td>unit</td><td>better</td></tr>");
-    for (const assessment::MetricDefinition& definition : shown) {
-        const auto value = metrics.find(definition.id);
-        const char* better = definition.direction == assessment::Direction::kLowerIsBetter ? "lower"
-                             : definition.direction == assessment::Direction::kHigherIsBetter
-                                 ? "higher"
-                                 : "";
-        html += QStringLiteral(
-                    "<tr><td>%1</td><td align='right'>%2</td><td>&nbsp;%3</td><td "
-                    "style='color:#5f666e'>%4</td></tr>")
-                    .arg(escaped(std::string(definition.name)),
-                         is_count(definition, *value) ? number(*value, 0) : metric_number(*value),
-                         unit_sign(definition.unit).toHtmlEscaped(), QString::fromLatin1(better));
+QString better_word(assessment::Direction direction) {
+    switch (direction) {
+        case assessment::Direction::kLowerIsBetter:
+            return QStringLiteral("lower is better");
+        case assessment::Direction::kHigherIsBetter:
+            return QStringLiteral("higher is better");
+        case assessment::Direction::kNeutral:
+            break;
     }
-    return html + QStringLiteral("</table>");
+    return QStringLiteral("for information");
 }
 
-QString provenance_html(const db::AttemptRecord& record, const sim::Recording& recording) {
+QString metric_row(const assessment::MetricDefinition& definition, double value, bool counts) {
+    const QString name = escaped(std::string(definition.name));
+    return QStringLiteral(
+               "<tr><td width='46%'>%1</td><td align='right' width='14%'>%2</td><td "
+               "width='14%'>&nbsp;%3</td><td style='color:#5f666e'>%4</td></tr>")
+        .arg(counts ? QStringLiteral("<b>%1</b>").arg(name) : name,
+             is_count(definition, value) ? number(value, 0) : metric_number(value),
+             unit_sign(definition.unit).toHtmlEscaped(), better_word(definition.direction));
+}
+
+void add_metrics(Sheets& sheets, const Subject& subject) {
+    sheets.html(
+        QStringLiteral("<h2>Metrics</h2><p style='color:#5f666e'>In bold: what the score looks at. "
+                       "Left out: what this task does not have.</p>"));
+    for (const GroupedMetrics& group :
+         grouped_metrics(subject.attempt.metrics, subject.recording.header, subject.scored)) {
+        std::vector<QString> rows;
+        for (const assessment::MetricDefinition& each : group.metrics)
+            rows.push_back(metric_row(each, *subject.attempt.metrics.find(each.id),
+                                      std::find(subject.scored.begin(), subject.scored.end(),
+                                                each.id) != subject.scored.end()));
+        sheets.table(
+            QString::fromLatin1(group_title(group.group)),
+            QStringLiteral("<tr style='color:#5f666e'><td>measure</td><td align='right'>value</td>"
+                           "<td>&nbsp;unit</td><td>direction</td></tr>"),
+            rows);
+    }
+}
+
+QString provenance_html(const Subject& subject) {
+    const db::AttemptRecord& record = subject.attempt.record;
     return QStringLiteral(
                "<h3>Can be checked</h3><p style='color:#5f666e'>Rubric %1 version %2, metric set "
-               "version %3, "
-               "build %4, seed %5, recording with %6 frames and final state hash %7. The same "
-               "recording "
-               "and rubric give the same score.</p>")
+               "version %3, build %4, seed %5, recording with %6 frames and final state hash %7. "
+               "The same recording and rubric give the same score.</p>")
         .arg(escaped(record.rubric_id), QString::number(record.rubric_version),
              QString::number(record.metric_set_version), escaped(record.build),
-             QString::number(record.seed), QString::number(recording.inputs.size()),
-             QString::number(recording.end.final_hash, 16));
+             QString::number(record.seed), QString::number(subject.recording.inputs.size()),
+             QString::number(subject.recording.end.final_hash, 16));
 }
 
-void draw_footer(QPainter& painter, int page, int pages, const db::AttemptRecord& record) {
-    draw_html(
-        painter, {kMargin, kHeight - kMargin + 10}, kInner,
-        QStringLiteral(
-            "<p style='color:#5f666e;font-size:10px'>Placode attempt %1%2 - page %3 of %4</p>")
-            .arg(QString::number(record.id),
-                 record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString(),
-                 QString::number(page), QString::number(pages)));
+/// Lines to sign on: the person, and who was there or taught.
+QString signature_html(const Subject& subject) {
+    const db::AttemptRecord& record = subject.attempt.record;
+    const auto line = [](const QString& who, const QString& name) {
+        return QStringLiteral(
+                   "<tr><td colspan='2'><br><br></td></tr><tr><td>____________________________</td>"
+                   "<td>________________</td></tr><tr><td style='color:#5f666e'>%1%2</td><td "
+                   "style='color:#5f666e'>date</td></tr>")
+            .arg(who, name.isEmpty() ? QString() : QStringLiteral(": ") + name);
+    };
+    const QString second =
+        record.exam.proctor.empty() ? QStringLiteral("educator") : QStringLiteral("proctor");
+    return QStringLiteral("<h3>Signatures</h3><table width='100%' cellspacing='0'>") +
+           line(QStringLiteral("person"), escaped(record.user_name)) +
+           line(second, escaped(record.exam.proctor)) + QStringLiteral("</table>");
 }
 
 /// What was harmed when and where, and the ways of the instruments.
-void draw_pictures(QPainter& painter, const sim::Recording& recording, const ChartStyle& style) {
+void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& style) {
+    const sim::Recording& recording = subject.recording;
     const auto picture =
         ledger_picture(recording.events, recording.header.geometry, recording.end.duration_s);
-    double y = kMargin;
-    const auto heading = [&](const char* text) {
-        y += draw_html(painter, {kMargin, y}, kInner,
-                       QStringLiteral("<h3>%1</h3>").arg(figure_word(text))) +
-             4;
+    const auto heading = [&](const char* text, double height) {
+        sheets.need(height + 30);
+        sheets.html(QStringLiteral("<h3>%1</h3>").arg(figure_word(text)));
+        sheets.space(4);
     };
-    heading("Damage over time");
-    draw_ledger(painter, QRectF(kMargin, y, kInner, ledger_height(style)), picture, style);
-    y += ledger_height(style) + 6;
-    heading("Damage and energy on the anatomy");
+    heading("Damage over time", ledger_height(style));
+    sheets.picture(ledger_height(style) + 6, [&](QPainter& painter, double y) {
+        draw_ledger(painter, QRectF(kMargin, y, kInner, ledger_height(style)), picture, style);
+    });
     const double half = (kInner - 16) / 2, map = 330;
-    draw_field_map(painter, QRectF(kMargin, y, half, map), recording, picture.entries,
-                   FieldLayer::kDamage, style);
-    draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording, picture.entries,
-                   FieldLayer::kEnergy, style);
-    y += map + 6;
-    heading("Ways of the instruments");
+    heading("Damage and energy on the anatomy", map);
+    sheets.picture(map + 6, [&](QPainter& painter, double y) {
+        draw_field_map(painter, QRectF(kMargin, y, half, map), recording, picture.entries,
+                       FieldLayer::kDamage, style);
+        draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording,
+                       picture.entries, FieldLayer::kEnergy, style);
+    });
     const double third = (kInner - 24) / 3;
-    for (int i = 0; i < 3; ++i)
-        draw_trajectory(painter, QRectF(kMargin + i * (third + 12), y, third, 250), recording,
-                        static_cast<Side>(i), style);
+    heading("Ways of the instruments", 250);
+    sheets.picture(256, [&](QPainter& painter, double y) {
+        for (int i = 0; i < 3; ++i)
+            draw_trajectory(painter, QRectF(kMargin + i * (third + 12), y, third, 250), recording,
+                            static_cast<Side>(i), style);
+    });
+}
+
+void add_first_page(Sheets& sheets, const Subject& subject, const ChartStyle& style) {
+    sheets.html(head_html(subject, style));
+    sheets.space(10);
+    sheets.picture(340, [&](QPainter& painter, double y) {
+        draw_incision(painter, QRectF(kMargin, y, kInner * 0.52, 330), subject.recording, style);
+        sheets.draw(QStringLiteral("<b>Own history of this task</b>"), {kMargin + kInner * 0.56, y},
+                    kInner * 0.44, true);
+        draw_history(painter, QRectF(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240),
+                     subject.history, 70, style);
+    });
+    const auto rows = reason_rows(subject.attempt.score);
+    if (rows.empty())
+        sheets.html(QStringLiteral("<h3>Reasons</h3><p>No points were lost.</p>"));
+    else
+        sheets.table(QStringLiteral("Reasons"), {}, rows);
+}
+
+/// Everything, on paper or only counted; how many pages it takes.
+int lay_out(QPdfWriter* writer, QPainter* painter, const Subject& subject, int pages) {
+    const ChartStyle style;
+    const db::AttemptRecord& record = subject.attempt.record;
+    const QString mark = record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString();
+    const QString head =
+        QStringLiteral("<p style='color:#5f666e;font-size:10px'>%1 - %2 - %3%4</p>")
+            .arg(escaped(record.user_name), escaped(subject.title),
+                 escaped(record.started_utc).left(10), mark);
+    const QString foot =
+        QStringLiteral(
+            "<table width='100%' cellspacing='0' style='color:#5f666e;font-size:10px'>"
+            "<tr><td>Placode attempt %1%2 - %3</td><td align='right'>page %4 of "
+            "%5</td></tr></table>")
+            .arg(QString::number(record.id), mark, escaped(record.build), QStringLiteral("%1"),
+                 QStringLiteral("%2"));
+    Sheets sheets(writer, painter, head, foot, pages);
+    add_first_page(sheets, subject, style);
+    sheets.newPage();
+    add_pictures(sheets, subject, style);
+    sheets.newPage();
+    add_metrics(sheets, subject);
+    sheets.space(8);
+    sheets.html(provenance_html(subject));
+    sheets.space(12);
+    sheets.html(signature_html(subject));
+    sheets.finishPage();
+    return sheets.pages();
 }
 
 }  // namespace
 
+std::string centre_name(db::Store& store) {
+    try {
+        return store.centre_key({}).centre;
+    } catch (const db::StoreError& error) {
+        if (error.kind() == db::StoreError::Kind::kRefused) return {};  // It has no name yet.
+        throw;
+    }
+}
+
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
-                       const std::vector<db::AttemptRecord>& history, const std::string& path) {
+                       const std::vector<db::AttemptRecord>& history, const std::string& path,
+                       const std::string& centre) {
     QSaveFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::WriteOnly)) {
         throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +
                           "; choose a folder that you may write to");
     }
-    const ChartStyle style;
+    Subject subject{attempt, recording, history, centre, {}, {}};
+    read_task(subject);
     {
         QPdfWriter writer(&file);
         writer.setResolution(96);
@@ -187,38 +303,8 @@ void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& r
         writer.setTitle(QStringLiteral("Placode attempt %1").arg(attempt.record.id));
         writer.setCreator(QString::fromStdString("Placode " + attempt.record.build));
         QPainter painter(&writer);
-        double y = kMargin;
-        y += draw_html(painter, {kMargin, y}, kInner,
-                       head_html(attempt.record, attempt.score, style)) +
-             8;
-        draw_incision(painter, QRectF(kMargin, y, kInner * 0.52, 330), recording, style);
-        draw_html(painter, {kMargin + kInner * 0.56, y}, kInner * 0.44,
-                  QStringLiteral("<b>Own history of this task</b>"));
-        draw_history(painter, QRectF(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240), history,
-                     70, style);
-        y += 346;
-        draw_html(painter, {kMargin, y}, kInner, reasons_html(attempt.score));
-        const auto known = known_metrics(attempt.metrics);
-        const size_t tables =
-            std::max<size_t>(1, (known.size() + kMetricsAPage - 1) / kMetricsAPage);
-        const int pages = 2 + static_cast<int>(tables);
-        draw_footer(painter, 1, pages, attempt.record);
-        writer.newPage();
-        draw_pictures(painter, recording, style);
-        draw_footer(painter, 2, pages, attempt.record);
-        for (size_t i = 0; i < tables; ++i) {
-            writer.newPage();
-            const size_t from = i * kMetricsAPage;
-            const auto shown =
-                std::span(known).subspan(from, std::min(kMetricsAPage, known.size() - from));
-            y = kMargin + 12 +
-                draw_html(painter, {kMargin, kMargin}, kInner,
-                          metrics_html(attempt.metrics, shown));
-            if (i + 1 == tables)
-                draw_html(painter, {kMargin, y}, kInner,
-                          provenance_html(attempt.record, recording));
-            draw_footer(painter, static_cast<int>(i) + 3, pages, attempt.record);
-        }
+        const int pages = lay_out(nullptr, nullptr, subject, 0);
+        lay_out(&writer, &painter, subject, pages);
     }
     if (!file.commit()) {
         throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "db/records.h"
+#include "db/store.h"
 
 class QPainter;
 class QRectF;
@@ -21,10 +22,15 @@ class ReportError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// PDF of one attempt: verdict, reasons, metrics, incision picture. Needs a QApplication: the
-/// charts are QCustomPlot.
+/// PDF of one attempt on A4: who, what and under which rules, verdict, reasons, pictures, metrics
+/// in groups, what it can be checked by, and a place to sign. Needs a QApplication: the charts are
+/// QCustomPlot.
+/// @param centre its name for the head; empty: none is printed.
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
-                       const std::vector<db::AttemptRecord>& history, const std::string& path);
+                       const std::vector<db::AttemptRecord>& history, const std::string& path,
+                       const std::string& centre = {});
+/// The name under which the centre signs its norms; empty while it has none.
+[[nodiscard]] std::string centre_name(db::Store& store);
 
 /// Colours and sizes of a chart, so that window (both themes) and paper share the code.
 struct ChartStyle {

@@ -12,9 +12,13 @@
 #include <QImage>
 #include <QPainter>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <cmath>
+#include <map>
+
+#include "reports/metric_groups.h"
 
 using namespace placode;
 
@@ -112,6 +116,113 @@ TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
                                                                 << text.toStdString();
     }
+}
+
+namespace {
+
+/// The text of each page.
+QStringList pages_of(const QString& path) {
+    QProcess process;
+    process.start("pdftotext", {"-layout", path, "-"});
+    if (!process.waitForFinished()) return {};
+    QStringList pages = QString::fromUtf8(process.readAllStandardOutput()).split('\f');
+    if (!pages.isEmpty() && pages.back().trimmed().isEmpty()) pages.removeLast();
+    return pages;
+}
+
+}  // namespace
+
+TEST(Report, ThePdfIsAPaperToFileAndSign) {
+    application();
+    if (QStandardPaths::findExecutable("pdftotext").isEmpty())
+        GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("exam.pdf");
+    db::AttemptDetail exam = attempt();
+    exam.record.exam = {"resident", 3, "final", "Piotr Proctor", ""};
+    exam.record.build = "placode 0.1 avx2";
+    exam.record.rubric_id = "ring";
+    exam.record.rubric_version = 4;
+    exam.record.metric_set_version = 6;
+    reports::write_attempt_pdf(exam, recording(), {}, path.toStdString(), "Clinic of Testing");
+    const QStringList pages = pages_of(path);
+    ASSERT_GE(pages.size(), 3);
+    const QString all = pages.join("\n");
+    EXPECT_TRUE(pages.front().contains("Clinic of Testing"));
+    EXPECT_TRUE(pages.front().contains("Piotr Proctor"));
+    EXPECT_TRUE(pages.front().contains("exam of resident (version 3), stage final"));
+    for (qsizetype i = 0; i < pages.size(); ++i) {
+        EXPECT_TRUE(pages[i].contains(QString("page %1 of %2").arg(i + 1).arg(pages.size())))
+            << pages[i].toStdString();
+        EXPECT_TRUE(pages[i].contains("DEMONSTRATION"));
+        EXPECT_TRUE(pages[i].contains("placode 0.1 avx2"));
+    }
+    // In this order, each once or continued.
+    qsizetype before = all.indexOf("In bold: what the score looks at");
+    for (const char* group :
+         {"Time and view", "Incision", "Placode", "Tissue", "Energy and heat", "Force", "Motion"}) {
+        const qsizetype at = all.indexOf(QRegularExpression(QString("^ *%1\\s*$").arg(group),
+                                                            QRegularExpression::MultilineOption),
+                                         before + 1);
+        EXPECT_GT(at, before) << group;
+        before = at;
+    }
+    EXPECT_TRUE(all.contains("lower is better") && all.contains("higher is better"));
+    EXPECT_TRUE(all.contains("Rubric ring version 4"));
+    const QString last = pages.back();
+    EXPECT_TRUE(last.contains("Signatures"));
+    EXPECT_TRUE(last.contains("person: Zofia"));
+    EXPECT_TRUE(last.contains("proctor: Piotr Proctor"));
+    EXPECT_TRUE(last.contains("date"));
+    // One needle and a scope: no second hand, no jaws, no steps.
+    EXPECT_FALSE(all.contains("Both hands"));
+    EXPECT_FALSE(all.contains("Grasping and resection"));
+}
+
+TEST(Report, ManyReasonsGoOnOnTheNextPage) {
+    application();
+    if (QStandardPaths::findExecutable("pdftotext").isEmpty())
+        GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("many.pdf");
+    db::AttemptDetail many = attempt();
+    for (int i = 0; i < 60; ++i)
+        many.score.reasons.push_back(
+            {"x", "Reason number " + std::to_string(i) + ".", 1, 1, false});
+    reports::write_attempt_pdf(many, recording(), {}, path.toStdString());
+    const QStringList pages = pages_of(path);
+    EXPECT_TRUE(pages.join("").contains("Reasons (continued)"));
+    for (int i = 0; i < 60; ++i)
+        EXPECT_TRUE(pages.join("").contains(QString("Reason number %1.").arg(i))) << i;
+}
+
+TEST(MetricGroups, EveryMetricHasAGroupThatItsNameFits) {
+    using reports::MetricGroup;
+    std::map<MetricGroup, int> counts;
+    for (const auto& each : assessment::metric_definitions())
+        ++counts[reports::group_of_metric(each.id)];
+    EXPECT_EQ(counts.size(), 10u) << "an empty group";
+    // What begins like nothing else is motion: it stays the only large one.
+    for (const auto& [group, count] : counts) EXPECT_LE(count, 25) << reports::group_title(group);
+    EXPECT_EQ(reports::group_of_metric("placode_impulse_mn_s"), MetricGroup::kPlacode);
+    EXPECT_EQ(reports::group_of_metric("path_length_left_mm"), MetricGroup::kHands);
+    EXPECT_EQ(reports::group_of_metric("path_length_mm"), MetricGroup::kMotion);
+}
+
+TEST(MetricGroups, WhatTheScoreLooksAtIsNeverLeftOut) {
+    sim::RecordingHeader header;
+    header.tools.resize(1);
+    header.tools[0].kind = sim::ToolKind::kGrasper;
+    const assessment::MetricSet metrics = attempt().metrics;
+    const auto has = [&](const std::vector<std::string>& scored, const char* id) {
+        for (const auto& group : reports::grouped_metrics(metrics, header, scored))
+            for (const auto& each : group.metrics)
+                if (each.id == id) return true;
+        return false;
+    };
+    EXPECT_FALSE(has({}, "energy_on_s")) << "a grasper has no energy";
+    EXPECT_TRUE(has({"energy_on_s"}, "energy_on_s"));
+    EXPECT_TRUE(has({}, "grasps"));
 }
 
 TEST(Report, TheIncisionPictureShowsWhatWasCut) {

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/metric_groups.h"
+
+#include <algorithm>
+#include <array>
+
+namespace placode::reports {
+namespace {
+
+constexpr std::array kGroups{MetricGroup::kTime,    MetricGroup::kIncision,  MetricGroup::kPlacode,
+                             MetricGroup::kTissue,  MetricGroup::kResection, MetricGroup::kEnergy,
+                             MetricGroup::kForce,   MetricGroup::kMotion,    MetricGroup::kHands,
+                             MetricGroup::kPractice};
+
+struct Rule {
+    std::string_view beginning;
+    MetricGroup group;
+};
+
+// By the beginning of the id; the first that fits. What begins like nothing here is motion, the
+// largest group.
+constexpr Rule kRules[]{
+    {"task_time", MetricGroup::kTime},         {"idle_", MetricGroup::kTime},
+    {"out_of_view", MetricGroup::kTime},       {"neither_moving", MetricGroup::kHands},
+    {"ring_", MetricGroup::kIncision},         {"largest_gap", MetricGroup::kIncision},
+    {"gap_", MetricGroup::kIncision},          {"contour_", MetricGroup::kIncision},
+    {"kerf_", MetricGroup::kIncision},         {"off_line", MetricGroup::kIncision},
+    {"outside_band", MetricGroup::kIncision},  {"toward_placode", MetricGroup::kIncision},
+    {"released", MetricGroup::kIncision},      {"cutting_economy", MetricGroup::kIncision},
+    {"placode_", MetricGroup::kPlacode},       {"torn_", MetricGroup::kTissue},
+    {"over_stretch", MetricGroup::kTissue},    {"max_stretch", MetricGroup::kTissue},
+    {"skin_snip", MetricGroup::kTissue},       {"crush_", MetricGroup::kTissue},
+    {"snips", MetricGroup::kResection},        {"pieces", MetricGroup::kResection},
+    {"resected", MetricGroup::kResection},     {"marked", MetricGroup::kResection},
+    {"grasps", MetricGroup::kResection},       {"lift_hold", MetricGroup::kResection},
+    {"slip_", MetricGroup::kResection},        {"energy_", MetricGroup::kEnergy},
+    {"dwell_", MetricGroup::kEnergy},          {"thermal_", MetricGroup::kEnergy},
+    {"dose_", MetricGroup::kEnergy},           {"peak_", MetricGroup::kForce},
+    {"over_force", MetricGroup::kForce},       {"over_traction", MetricGroup::kForce},
+    {"mean_force", MetricGroup::kForce},       {"rms_force", MetricGroup::kForce},
+    {"force_", MetricGroup::kForce},           {"excess_impulse", MetricGroup::kForce},
+    {"path_length_left", MetricGroup::kHands}, {"path_length_right", MetricGroup::kHands},
+    {"bimanual_", MetricGroup::kHands},        {"both_moving", MetricGroup::kHands},
+    {"left_only", MetricGroup::kHands},        {"right_only", MetricGroup::kHands},
+    {"steps_", MetricGroup::kPractice},        {"target_", MetricGroup::kPractice},
+    {"trace_", MetricGroup::kPractice},        {"traction_held", MetricGroup::kPractice},
+};
+
+bool holds(const sim::RecordingHeader& header, std::initializer_list<sim::ToolKind> kinds) {
+    return std::any_of(header.tools.begin(), header.tools.end(), [&](const sim::ToolSpec& tool) {
+        return std::find(kinds.begin(), kinds.end(), tool.kind) != kinds.end();
+    });
+}
+
+bool task_has(MetricGroup group, const sim::RecordingHeader& header) {
+    using sim::ToolKind;
+    const bool needle = holds(header, {ToolKind::kNeedle, ToolKind::kHook});
+    switch (group) {
+        case MetricGroup::kIncision:
+            return !header.geometry.planned_contour.empty() &&
+                   (needle || holds(header, {ToolKind::kScissors}));
+        case MetricGroup::kPlacode:
+            return !header.geometry.placode_edge.empty();
+        case MetricGroup::kResection:
+            return holds(header, {ToolKind::kGrasper, ToolKind::kScissors});
+        case MetricGroup::kEnergy:
+            return needle;
+        case MetricGroup::kHands:
+            return std::count_if(header.tools.begin(), header.tools.end(), [](const auto& tool) {
+                       return tool.kind != ToolKind::kScope;
+                   }) > 1;
+        default:
+            return true;
+    }
+}
+
+}  // namespace
+
+const char* group_title(MetricGroup group) noexcept {
+    switch (group) {
+        case MetricGroup::kTime:
+            return "Time and view";
+        case MetricGroup::kIncision:
+            return "Incision";
+        case MetricGroup::kPlacode:
+            return "Placode";
+        case MetricGroup::kTissue:
+            return "Tissue";
+        case MetricGroup::kResection:
+            return "Grasping and resection";
+        case MetricGroup::kEnergy:
+            return "Energy and heat";
+        case MetricGroup::kForce:
+            return "Force";
+        case MetricGroup::kMotion:
+            return "Motion";
+        case MetricGroup::kHands:
+            return "Both hands";
+        case MetricGroup::kPractice:
+            return "Steps of the exercise";
+    }
+    return "";
+}
+
+MetricGroup group_of_metric(std::string_view id) noexcept {
+    for (const Rule& rule : kRules)
+        if (id.starts_with(rule.beginning)) return rule.group;
+    return MetricGroup::kMotion;
+}
+
+std::vector<GroupedMetrics> grouped_metrics(const assessment::MetricSet& metrics,
+                                            const sim::RecordingHeader& header,
+                                            const std::vector<std::string>& scored) {
+    std::vector<GroupedMetrics> groups;
+    const auto definitions = assessment::metric_definitions();
+    for (const MetricGroup group : kGroups) {
+        GroupedMetrics shown{group, {}};
+        const bool has = task_has(group, header);
+        for (const assessment::MetricDefinition& each : definitions) {
+            if (group_of_metric(each.id) != group || !metrics.find(each.id)) continue;
+            const bool counts = std::find(scored.begin(), scored.end(), each.id) != scored.end();
+            if (has || counts) shown.metrics.push_back(each);
+        }
+        if (!shown.metrics.empty()) groups.push_back(std::move(shown));
+    }
+    return groups;
+}
+
+}  // namespace placode::reports

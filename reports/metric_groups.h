@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Metrics as a report shows them: in groups, and only those that the task has.
+
+#include <string_view>
+#include <vector>
+
+#include "assessment/metrics.h"
+
+namespace placode::reports {
+
+enum class MetricGroup : uint8_t {
+    kTime,
+    kIncision,
+    kPlacode,
+    kTissue,
+    kResection,
+    kEnergy,
+    kForce,
+    kMotion,
+    kHands,
+    kPractice
+};
+
+/// English heading: "Time and view", "Incision", ...
+[[nodiscard]] const char* group_title(MetricGroup group) noexcept;
+[[nodiscard]] MetricGroup group_of_metric(std::string_view id) noexcept;
+
+struct GroupedMetrics {
+    MetricGroup group = MetricGroup::kTime;
+    std::vector<assessment::MetricDefinition> metrics;
+};
+
+/// Of the metrics that were measured those of groups that the task has: no energy where nothing
+/// can be switched on, no hands where only one instrument is held. In the order of MetricGroup;
+/// none is empty. What the score looks at always stands in it.
+[[nodiscard]] std::vector<GroupedMetrics> grouped_metrics(
+    const assessment::MetricSet& metrics, const sim::RecordingHeader& header,
+    const std::vector<std::string>& scored = {});
+
+}  // namespace placode::reports
