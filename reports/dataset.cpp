@@ -4,8 +4,11 @@
 
 #include <QDateTime>
 #include <QLocale>
+#include <QUrl>
+#include <QUuid>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "reports/dataset_forms.h"
 #include "reports/report.h"
@@ -173,7 +176,23 @@ void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset
     }
 }
 
-void finish(Dataset& data) {
+/// From the first entry of the audit trail: the making of the store.
+std::string identity_of(db::Store& store) {
+    static const QUuid space(QStringLiteral("{c4a0bb0e-52a6-5f2d-8d11-7c3a9e0f4b21}"));
+    const auto trail = store.audit_trail(std::numeric_limits<int>::max());
+    std::string first;
+    if (!trail.empty())
+        for (const std::string& part :
+             {trail.back().at_utc, trail.back().actor, trail.back().action, trail.back().object})
+            first += part + "|";
+    return QUuid::createUuidV5(space, QString::fromStdString(first))
+        .toString(QUuid::WithoutBraces)
+        .toStdString();
+}
+
+void finish(db::Store& store, const DatasetOptions& options, Dataset& data) {
+    data.origin = identity_of(store);
+    data.base_uri = checked_base_uri(options.base_uri);
     data.created_utc = QDateTime::currentDateTimeUtc()
                            .toString(QStringLiteral("yyyy-MM-ddTHH:mm:ssZ"))
                            .toStdString();
@@ -187,6 +206,28 @@ void finish(Dataset& data) {
 }
 
 }  // namespace
+
+std::string address_of(const Dataset& data, const std::string& thing) {
+    if (!data.base_uri.empty()) return data.base_uri + "/" + thing;
+    const QUuid space = QUuid::fromString(QString::fromStdString(data.origin));
+    return "urn:uuid:" + QUuid::createUuidV5(space, QString::fromStdString(thing))
+                             .toString(QUuid::WithoutBraces)
+                             .toStdString();
+}
+
+std::string checked_base_uri(const std::string& text) {
+    if (text.empty()) return {};
+    const QUrl url(QString::fromStdString(text), QUrl::StrictMode);
+    const bool web =
+        url.scheme() == QLatin1String("https") || url.scheme() == QLatin1String("http");
+    if (!url.isValid() || !web || url.host().isEmpty() || url.hasQuery() || url.hasFragment())
+        throw ReportError("found \"" + text +
+                          "\"; expected an address that the centre owns, such as "
+                          "https://fhir.hospital.org/placode");
+    std::string base = text;
+    while (base.ends_with('/')) base.pop_back();
+    return base;
+}
 
 int Field::not_applicable_code() const {
     int code = 99, highest = 0;
@@ -295,7 +336,7 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     for (auto& each : db::study_deviations(store, study_id))
         if (usable.contains(each.participant)) data.deviations.push_back(std::move(each));
     if (!data.deviations.empty()) data.forms.push_back(deviations_form(data.deviations, options));
-    finish(data);
+    finish(store, options, data);
     return data;
 }
 
@@ -323,7 +364,7 @@ Dataset user_dataset(db::Store& store, const db::UserRecord& user, const Dataset
         data.attempts.push_back(store.attempt(record.id));
     data.forms.push_back(
         attempts_form(data.attempts, std::vector<std::string>(data.attempts.size(), code)));
-    finish(data);
+    finish(store, options, data);
     return data;
 }
 

@@ -79,6 +79,8 @@ struct Dataset {
     std::string title, description;
     int version = 0;  ///< Of the protocol; 0 = none.
     std::string created_utc, software;
+    std::string origin;    ///< UUID of the store, the same in its backups and copies.
+    std::string base_uri;  ///< Of the centre, without '/' at its end; empty: addresses are URNs.
     bool demonstration = false;                             ///< Any row is simulated.
     std::string definition_json;                            ///< Of the protocol, if any.
     std::map<std::string, std::string> questionnaire_json;  ///< "sus_v1" to text.
@@ -95,6 +97,9 @@ struct Dataset {
 struct DatasetOptions {
     bool identifying = false;     ///< With fields that name a person. Permission is the caller's.
     std::string language = "en";  ///< Of labels.
+    /// https address that the centre owns, under which FHIR and xAPI put their names; empty: each
+    /// is a urn:uuid made from the store and the name. Nothing is served there either way.
+    std::string base_uri = {};
 };
 
 /// Everything of a study but who wanted it unused. Throws ReportError when the study has no
@@ -115,6 +120,11 @@ struct DatasetOptions {
 [[nodiscard]] inline bool is_questionnaire(const Form& form) {
     return form.id != "participants" && form.id != "attempts" && form.id != "deviations";
 }
+/// The address of a thing in exports ("Questionnaire/sus"): below the centre's base, else a URN
+/// that is the same in every export of this store.
+[[nodiscard]] std::string address_of(const Dataset& data, const std::string& thing);
+/// Throws ReportError unless it is an absolute http or https address; takes '/' off its end.
+[[nodiscard]] std::string checked_base_uri(const std::string& text);
 
 /// "form|participant|instance|field" to value.
 using Cells = std::map<std::string, std::string>;

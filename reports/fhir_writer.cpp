@@ -22,15 +22,20 @@ constexpr const char* kAbsent = "http://hl7.org/fhir/StructureDefinition/data-ab
 
 QString text(const std::string& value) { return QString::fromStdString(value); }
 
-QString address(const char* kind, const Form& form) {
-    return QString("%1/%2/%3").arg(kBase, kind, text(form.id));
-}
-QString canonical(const Form& form) {
-    return address("Questionnaire", form) + "|" + QString::number(form.version);
-}
-QString system_of(const Form& form, const Field& field) {
-    return address("CodeSystem", form) + "-" + text(field.id);
-}
+/// A form of a data set, whose addresses hang on the store it came from.
+struct Source {
+    const Dataset& data;
+    const Form& form;
+
+    [[nodiscard]] QString address(const std::string& thing) const {
+        return text(address_of(data, thing));
+    }
+    [[nodiscard]] QString url() const { return address("Questionnaire/" + form.id); }
+    [[nodiscard]] QString canonical() const { return url() + "|" + QString::number(form.version); }
+    [[nodiscard]] QString system_of(const Field& field) const {
+        return address("CodeSystem/" + form.id + "-" + field.id);
+    }
+};
 
 QJsonObject coding(const QString& system, const QString& code, const QString& display) {
     QJsonObject object{{"system", system}, {"code", code}};
@@ -38,13 +43,13 @@ QJsonObject coding(const QString& system, const QString& code, const QString& di
     return object;
 }
 
-QJsonObject coding_of(const Form& form, const Field& field, const std::string& value) {
+QJsonObject coding_of(const Source& source, const Field& field, const std::string& value) {
     if (value == curriculum::kNotApplicable)
         return coding(kNullFlavor, "NA", QStringLiteral("not applicable"));
     QString display;
     for (const Code& code : field.codes)
         if (std::to_string(code.value) == value) display = text(code.label);
-    return coding(system_of(form, field), text(value), display);
+    return coding(source.system_of(field), text(value), display);
 }
 
 const char* type_of(const Field& field) {
@@ -84,7 +89,7 @@ QJsonArray extensions_of(const Field& field) {
     return list;
 }
 
-QJsonObject item_of(const Form& form, const Field& field) {
+QJsonObject item_of(const Source& source, const Field& field) {
     QString label = text(field.label);
     if (field.analogue)
         label += QString(" (%1: %2; %3: %4)")
@@ -99,20 +104,20 @@ QJsonObject item_of(const Form& form, const Field& field) {
     QJsonArray options;
     for (const Code& code : field.codes)
         options.append(
-            QJsonObject{{"valueCoding", coding_of(form, field, std::to_string(code.value))}});
+            QJsonObject{{"valueCoding", coding_of(source, field, std::to_string(code.value))}});
     if (!field.codes.empty() && field.not_applicable)
         options.append(
-            QJsonObject{{"valueCoding", coding_of(form, field, curriculum::kNotApplicable)}});
+            QJsonObject{{"valueCoding", coding_of(source, field, curriculum::kNotApplicable)}});
     if (!options.isEmpty()) item["answerOption"] = options;
     const QJsonArray extensions = extensions_of(field);
     if (!extensions.isEmpty()) item["extension"] = extensions;
-    const Field* asked = field.show_if ? form.field(field.show_if->item) : nullptr;
+    const Field* asked = field.show_if ? source.form.field(field.show_if->item) : nullptr;
     if (asked != nullptr) {
         QJsonArray conditions;
         for (const std::string& answer : field.show_if->any_of)
             conditions.append(QJsonObject{{"question", text(asked->id)},
                                           {"operator", "="},
-                                          {"answerCoding", coding_of(form, *asked, answer)}});
+                                          {"answerCoding", coding_of(source, *asked, answer)}});
         item["enableWhen"] = conditions;
         if (conditions.size() > 1) item["enableBehavior"] = "any";
     }
@@ -146,10 +151,12 @@ QJsonArray items_of(const Form& form, bool with_text, const Make& make) {
     return top;
 }
 
-QJsonObject questionnaire_of_form(const Dataset& data, const Form& form) {
+QJsonObject questionnaire_of_form(const Source& source) {
+    const Dataset& data = source.data;
+    const Form& form = source.form;
     QJsonObject resource{{"resourceType", "Questionnaire"},
                          {"id", text(plain_name(form.name)).replace('_', '-')},
-                         {"url", address("Questionnaire", form)},
+                         {"url", source.url()},
                          {"version", QString::number(form.version)},
                          {"name", text(plain_name(form.name))},
                          {"title", text(form.title)},
@@ -160,11 +167,11 @@ QJsonObject questionnaire_of_form(const Dataset& data, const Form& form) {
     if (!form.source.empty()) resource["purpose"] = text("Source: " + form.source);
     if (!form.licence.empty()) resource["copyright"] = text(form.licence);
     resource["item"] =
-        items_of(form, true, [&](const Field& field) { return item_of(form, field); });
+        items_of(form, true, [&](const Field& field) { return item_of(source, field); });
     return resource;
 }
 
-QJsonObject answer_item(const Form& form, const Row& row, const Field& field) {
+QJsonObject answer_item(const Source& source, const Row& row, const Field& field) {
     const auto found = row.values.find(field.id);
     if (found == row.values.end()) return {};
     QJsonObject item{{"linkId", text(field.id)}};
@@ -172,11 +179,11 @@ QJsonObject answer_item(const Form& form, const Row& row, const Field& field) {
     QJsonArray answers;
     if (field.kind == FieldKind::kCode ||
         (field.kind == FieldKind::kMultiple && value == curriculum::kNotApplicable)) {
-        answers.append(QJsonObject{{"valueCoding", coding_of(form, field, value)}});
+        answers.append(QJsonObject{{"valueCoding", coding_of(source, field, value)}});
     } else if (field.kind == FieldKind::kMultiple) {
         for (const int index : curriculum::answer_indices(value).value_or(std::vector<int>{}))
             answers.append(
-                QJsonObject{{"valueCoding", coding_of(form, field, std::to_string(index))}});
+                QJsonObject{{"valueCoding", coding_of(source, field, std::to_string(index))}});
     } else if (field.not_applicable && value == curriculum::kNotApplicable) {
         item["extension"] =
             QJsonArray{QJsonObject{{"url", kAbsent}, {"valueCode", "not-applicable"}}};
@@ -199,28 +206,28 @@ QString date_time(const std::string& utc) {
     return value;
 }
 
-QJsonObject response_of(const Form& form, const Row& row) {
+QJsonObject response_of(const Source& source, const Row& row) {
+    const Form& form = source.form;
     QJsonObject resource{
         {"resourceType", "QuestionnaireResponse"},
         {"identifier",
          QJsonObject{
-             {"system", QString("%1/response").arg(kBase)},
+             {"system", source.address("response")},
              {"value",
               QString("%1-%2-%3").arg(text(form.name), text(row.participant)).arg(row.instance)}}},
-        {"questionnaire", canonical(form)},
+        {"questionnaire", source.canonical()},
         {"status", "completed"},
-        {"subject",
-         QJsonObject{{"type", "Practitioner"},
-                     {"identifier", QJsonObject{{"system", QString("%1/pseudonym").arg(kBase)},
-                                                {"value", text(row.participant)}}}}}};
+        {"subject", QJsonObject{{"type", "Practitioner"},
+                                {"identifier", QJsonObject{{"system", source.address("pseudonym")},
+                                                           {"value", text(row.participant)}}}}}};
     if (!row.at_utc.empty()) resource["authored"] = date_time(row.at_utc);
     if (!row.language.empty()) resource["language"] = text(row.language);
     if (row.demonstration)
         resource["meta"] =
-            QJsonObject{{"tag", QJsonArray{coding(QString("%1/tag").arg(kBase), "demonstration",
+            QJsonObject{{"tag", QJsonArray{coding(source.address("tag"), "demonstration",
                                                   "simulated data, not a person's answers")}}};
     const QJsonArray items =
-        items_of(form, false, [&](const Field& field) { return answer_item(form, row, field); });
+        items_of(form, false, [&](const Field& field) { return answer_item(source, row, field); });
     if (!items.isEmpty()) resource["item"] = items;
     return resource;
 }
@@ -285,9 +292,9 @@ void write_fhir(const ExportSource& source, const std::string& folder) {
     fs::create_directories(root);
     for (const Form& form : source.data.forms) {
         save_json(root + "/Questionnaire-" + file_name(form.name) + ".json",
-                  questionnaire_of_form(source.data, form));
+                  questionnaire_of_form({source.data, form}));
         for (const Row& row : form.rows)
-            save_json(response_path(root, form, row), response_of(form, row));
+            save_json(response_path(root, form, row), response_of({source.data, form}, row));
     }
 }
 
@@ -300,7 +307,7 @@ void verify_fhir(const ExportSource& source, const std::string& folder) {
             Row row;
             row.participant = resource["subject"]["identifier"]["value"].toString().toStdString();
             row.instance = resource["identifier"]["value"].toString().section('-', -1).toInt();
-            if (resource["questionnaire"].toString() != canonical(form))
+            if (resource["questionnaire"].toString() != Source{source.data, form}.canonical())
                 throw ReportError("export fhir: read back, " + response_path(root, form, expected) +
                                   " names another questionnaire");
             read_items(form, row, resource["item"].toArray(), cells);

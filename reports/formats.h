@@ -35,7 +35,4 @@ void verify_bundle(const ExportSource& source, const std::string& folder);
 [[nodiscard]] std::string form_path(const std::string& folder, const Dataset& data,
                                     const Form& form, const std::string& ending);
 
-/// Addresses in exports: opaque, nothing is served there.
-inline constexpr const char* kBase = "https://placode.example";
-
 }  // namespace placode::reports

@@ -18,7 +18,14 @@ namespace placode::reports {
 namespace {
 
 QString text(const std::string& value) { return QString::fromStdString(value); }
-QString address(const std::string& path) { return QString("%1/%2").arg(kBase, text(path)); }
+/// Where a pseudonym is an account: the centre's address, else the store.
+QString home_of(const Dataset& data) {
+    return text(data.base_uri.empty() ? "urn:uuid:" + data.origin : data.base_uri);
+}
+/// Readable also without an address: a part of the store's URN (RFC 8141, f-component).
+QString address(const Dataset& data, const std::string& thing) {
+    return home_of(data) + (data.base_uri.empty() ? "#" : "/") + text(thing);
+}
 
 QJsonObject in_english(const QString& value) { return {{"en", value}}; }
 
@@ -38,13 +45,13 @@ QJsonObject statement(const Dataset& data, const Form& form, const Row& row,
                       const std::string& verb, const std::string& key) {
     const QJsonObject actor{
         {"objectType", "Agent"},
-        {"account", QJsonObject{{"homePage", kBase}, {"name", text(row.participant)}}}};
+        {"account", QJsonObject{{"homePage", home_of(data)}, {"name", text(row.participant)}}}};
     const QJsonObject verb_object{{"id", text("http://adlnet.gov/expapi/verbs/" + verb)},
                                   {"display", in_english(text(verb))}};
-    QJsonObject extensions{{address("extension/form"), text(form.name)},
-                           {address("extension/instance"), row.instance},
-                           {address("extension/demonstration"), row.demonstration}};
-    const QJsonObject parent{{"objectType", "Activity"}, {"id", address("study/" + data.id)}};
+    QJsonObject extensions{{address(data, "extension/form"), text(form.name)},
+                           {address(data, "extension/instance"), row.instance},
+                           {address(data, "extension/demonstration"), row.demonstration}};
+    const QJsonObject parent{{"objectType", "Activity"}, {"id", address(data, "study/" + data.id)}};
     QJsonObject context{{"platform", text(data.software)},
                         {"extensions", extensions},
                         {"contextActivities", QJsonObject{{"parent", QJsonArray{parent}}}}};
@@ -105,10 +112,11 @@ QString response_of(const Field& field, const std::string& value) {
 QJsonObject answered(const Dataset& data, const Form& form, const Row& row, const Field& field,
                      const std::string& value) {
     QJsonObject object = statement(data, form, row, "answered", cell_key(form, row, field));
-    object["object"] = QJsonObject{{"objectType", "Activity"},
-                                   {"id", address("questionnaire/" + form.id + "/" +
-                                                  std::to_string(form.version) + "/" + field.id)},
-                                   {"definition", definition_of(field)}};
+    object["object"] =
+        QJsonObject{{"objectType", "Activity"},
+                    {"id", address(data, "questionnaire/" + form.id + "/" +
+                                             std::to_string(form.version) + "/" + field.id)},
+                    {"definition", definition_of(field)}};
     object["result"] = QJsonObject{{"response", response_of(field, value)}};
     return object;
 }
@@ -134,11 +142,12 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
                   form.name + "|" + row.participant + "|" + std::to_string(row.instance));
     object["object"] = QJsonObject{
         {"objectType", "Activity"},
-        {"id", address("task/" + value("task_id") + "/" + value("task_version"))},
+        {"id", address(data, "task/" + value("task_id") + "/" + value("task_version"))},
         {"definition", QJsonObject{{"type", "http://adlnet.gov/expapi/activities/simulation"},
                                    {"name", in_english(text(value("task_id")))}}}};
     QJsonObject extensions;
-    for (const auto& [id, each] : row.values) extensions[address("metric/" + id)] = text(each);
+    for (const auto& [id, each] : row.values)
+        extensions[address(data, "metric/" + id)] = text(each);
     const double points = value("points").empty() ? 0 : std::stod(value("points"));
     QJsonObject result{
         {"completion", value("end") == "finished"},
@@ -166,22 +175,23 @@ Cells read_cells(const Dataset& data, const std::string& path) {
     std::set<QString> ids;
     for (const QJsonValue& entry : document.array()) {
         const QJsonValue context = entry["context"]["extensions"];
-        const Form* form = data.form(context[address("extension/form")].toString().toStdString());
+        const Form* form =
+            data.form(context[address(data, "extension/form")].toString().toStdString());
         if (form == nullptr || !ids.insert(entry["id"].toString()).second)
             throw ReportError("export xapi: read back, a statement names no form or repeats an id");
         Row row;
         row.participant = entry["actor"]["account"]["name"].toString().toStdString();
-        row.instance = context[address("extension/instance")].toInt();
+        row.instance = context[address(data, "extension/instance")].toInt();
         if (form->id == "attempts") {
             const QJsonObject metrics = entry["result"]["extensions"].toObject();
             for (const Field& field : form->fields)
-                if (const auto found = metrics.find(address("metric/" + field.id));
+                if (const auto found = metrics.find(address(data, "metric/" + field.id));
                     found != metrics.end())
                     cells[cell_key(*form, row, field)] = found->toString().toStdString();
             continue;
         }
         const Field* field =
-            form->field(entry["object"]["id"].toString().section('/', -1).toStdString());
+            form->field(entry["object"]["definition"]["name"]["en"].toString().toStdString());
         if (field == nullptr)
             throw ReportError("export xapi: read back, a statement names no item");
         QString response = entry["result"]["response"].toString();

@@ -142,9 +142,92 @@ TEST_F(Export, FhirResourcesFitTheOfficialR4SchemaAndItsCardinalities) {
     EXPECT_EQ(responses, 2 + 3 + 1);
     const auto response =
         json_of(out("s1_fhir/QuestionnaireResponse-kinds-" + codes[0] + "-1.json"));
-    EXPECT_EQ(response["questionnaire"], "https://placode.example/Questionnaire/kinds|1");
+    const auto form = json_of(out("s1_fhir/Questionnaire-kinds.json"));
+    EXPECT_EQ(response["questionnaire"], form["url"].get<std::string>() + "|1");
+    EXPECT_THAT(form["url"].get<std::string>(),
+                testing::MatchesRegex("urn:uuid:[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}"));
     EXPECT_EQ(response["subject"]["identifier"]["value"], codes[0]);
     EXPECT_EQ(response["meta"]["tag"][0]["code"], "demonstration");
+}
+
+namespace {
+
+/// Every address in a resource: the values of url, system, questionnaire.
+void addresses_in(const nlohmann::json& value, std::vector<std::string>& found) {
+    if (value.is_object())
+        for (const auto& [key, each] : value.items()) {
+            const bool address =
+                key == "url" || key == "system" || key == "questionnaire" || key == "homePage";
+            if (address && each.is_string()) found.push_back(each);
+            addresses_in(each, found);
+        }
+    if (value.is_array())
+        for (const auto& each : value) addresses_in(each, found);
+}
+
+std::vector<std::string> addresses_of_files(const std::string& folder) {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder))
+        addresses_in(json_of(entry.path().string()), found);
+    return found;
+}
+
+bool is_hl7(const std::string& address) {
+    return address.starts_with("http://hl7.org/") ||
+           address.starts_with("http://terminology.hl7.org/");
+}
+
+}  // namespace
+
+TEST_F(Export, FhirAddressesAreUrnsOfTheStoreOrBelowTheCentresBase) {
+    write("fhir");
+    const auto urns = addresses_of_files(out("s1_fhir"));
+    EXPECT_GT(urns.size(), 20u);
+    for (const std::string& address : urns)
+        EXPECT_TRUE(is_hl7(address) || address.starts_with("urn:uuid:")) << address;
+    // The same store gives the same names, today and after a backup.
+    const auto first = json_of(out("s1_fhir/Questionnaire-kinds.json"));
+    fs::remove_all(out());
+    write("fhir");
+    EXPECT_EQ(json_of(out("s1_fhir/Questionnaire-kinds.json"))["url"], first["url"]);
+    fs::remove_all(out());
+    reports::ExportSource owned = source();
+    owned.data =
+        reports::study_dataset(*store, "s1", {false, "en", "https://fhir.hospital.org/placode/"});
+    reports::export_dataset(owned, "fhir", out());
+    for (const std::string& address : addresses_of_files(out("s1_fhir")))
+        EXPECT_TRUE(is_hl7(address) || address.starts_with("https://fhir.hospital.org/placode/"))
+            << address;
+    EXPECT_EQ(json_of(out("s1_fhir/Questionnaire-kinds.json"))["url"],
+              "https://fhir.hospital.org/placode/Questionnaire/kinds");
+    for (const char* type : {"Questionnaire-kinds"})
+        EXPECT_EQ(
+            fhir_problem("Questionnaire", json_of(out(std::string("s1_fhir/") + type + ".json"))),
+            "");
+}
+
+TEST_F(Export, ABaseThatIsNoAddressIsRefused) {
+    for (const char* base : {"hospital", "ftp://hospital.org", "https://", "https://h.org/?a=b",
+                             "https://h.org/#a", "javascript:alert(1)"})
+        EXPECT_THROW((void)reports::study_dataset(*store, "s1", {false, "en", base}),
+                     reports::ReportError)
+            << base;
+}
+
+TEST_F(Export, NoFormatNamesAnAddressOfAnExample) {
+    for (const auto& format : reports::export_formats()) {
+        if (format.name == std::string("spss")) continue;  // binary; it has no addresses
+        write(format.name);
+    }
+    int files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(out())) {
+        if (!entry.is_regular_file()) continue;
+        ++files;
+        const std::string text = read_text(entry.path().string());
+        EXPECT_THAT(text, Not(HasSubstr(".example"))) << entry.path();
+        EXPECT_THAT(text, Not(HasSubstr("example.org"))) << entry.path();
+    }
+    EXPECT_GT(files, 10);
 }
 
 TEST_F(Export, OdmKeepsTheOrderOfElementsAndIsWellFormed) {
