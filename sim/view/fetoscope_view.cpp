@@ -141,8 +141,8 @@ struct FetoscopeView::Impl {
 
 FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
     : settings(s),
-      context(s.offscreen ? open_offscreen({s.width, s.height, false, s.title})
-                          : open_window({s.width, s.height, s.fullscreen, s.title})),
+      context(s.offscreen ? open_offscreen({s.width, s.height, false, s.title, {}})
+                          : open_window({s.width, s.height, s.fullscreen, s.title, s.place})),
       tools(field.tools),
       mesh(field),
       maps(bake_maps(field)),

@@ -5,6 +5,7 @@
 // screenshots. Main thread only; owns the OpenGL context.
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ struct ViewSettings {
     bool adaptive = true;  ///< Follow the frame time; off for reproducible pictures.
     Quality quality;       ///< To start with.
     std::string title = "Placode";
+    std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
 };
 
 class FetoscopeView {

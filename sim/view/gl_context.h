@@ -4,6 +4,7 @@
 // Where OpenGL draws: a window, or nowhere (off-screen, needs no display). Main thread only.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim/view/window_event.h"
@@ -14,6 +15,7 @@ struct ContextSettings {
     int width = 1280, height = 800;  ///< [px]
     bool fullscreen = false;
     std::string title = "Placode";
+    std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
 };
 
 class GlContext {

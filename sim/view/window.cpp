@@ -101,6 +101,9 @@ class GlfwWindow final : public GlContext {
             throw ViewError("OpenGL 3.3 is not available here (" + reason +
                             "); install the graphics driver or libgl1-mesa-dri, or use --headless");
         }
+        // A desktop that places windows by itself (Wayland) refuses; nothing is lost then.
+        if (settings.place && monitor == nullptr)
+            glfwSetWindowPos(window_, settings.place->first, settings.place->second);
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
         glfwSetWindowUserPointer(window_, this);

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+#include "ui/usage_message.h"
+
 namespace placode::ui {
 namespace {
 
@@ -28,6 +30,19 @@ void read_size(const std::string& text, Arguments& arguments) {
         throw UsageError("--size: found \"" + text +
                          "\", expected WxH from 160x120 to 7680x4320, e.g. 1280x800");
     }
+}
+
+// "X,Y"
+void read_position(const std::string& text, Arguments& arguments) {
+    const size_t comma = text.find(',');
+    int x = 0, y = 0;
+    if (comma == std::string::npos || !number(std::string_view(text).substr(0, comma), x) ||
+        !number(std::string_view(text).substr(comma + 1), y) || std::abs(x) > 32767 ||
+        std::abs(y) > 32767) {
+        throw UsageError("--position: found \"" + text +
+                         "\", expected X,Y in pixels of the desktop, e.g. 640,40");
+    }
+    arguments.place = {x, y};
 }
 
 // "DIR" or "DIR:EVERY_S"
@@ -98,7 +113,7 @@ void check(Arguments& arguments) {
 
 Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     Arguments arguments;
-    std::string size, screenshots, camera;
+    std::string size, position, screenshots, camera;
     std::optional<std::string> aids;
     exit_now = false;
     CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
@@ -120,6 +135,8 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     app.add_option("--screenshots", screenshots, "Save pictures in DIR, every EVERY_S seconds (5)")
         ->type_name("DIR[:EVERY_S]");
     app.add_option("--size", size, "Size of window and pictures")->type_name("WxH");
+    app.add_option("--position", position, "Upper left corner of the window on the desktop [px]")
+        ->type_name("X,Y");
     app.add_option("--scope", arguments.scope_angle_deg, "Angle of the optic [deg]")
         ->check(CLI::IsMember({0, 30}));
     app.add_option("--language", arguments.language, "en or pl")
@@ -177,7 +194,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
         exit_now = true;
         return arguments;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(std::string(error.what()) + "; see placode-sim --help");
+        throw UsageError(usage_message(app, error));
     }
     if (is_exam) arguments.mode = curriculum::AttemptMode::kExam;
     if (is_study) arguments.mode = curriculum::AttemptMode::kStudy;
@@ -185,6 +202,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     if (aids) read_aids(*aids, arguments);
     if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
     if (!size.empty()) read_size(size, arguments);
+    if (!position.empty()) read_position(position, arguments);
     if (!screenshots.empty()) read_screenshots(screenshots, arguments);
     if (arguments.author.empty()) {
         const char* login = std::getenv("USER");

@@ -4,6 +4,7 @@
 // What placode-sim was asked to do.
 
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -27,7 +28,8 @@ struct Arguments {
     int threads = 2;
     uint64_t seed = 1;
     int width = 1280, height = 800;
-    int scope_angle_deg = -1;  ///< -1 = as the task says.
+    std::optional<std::pair<int, int>> place;  ///< Of the window on the desktop [px].
+    int scope_angle_deg = -1;                  ///< -1 = as the task says.
     bool headless = false, fast = false, status = false, demonstration = false;
     bool fullscreen = false, list_devices = false, json = false;
     std::string preset, author;  ///< Tuned numbers to load; who tunes, for what is saved.

@@ -117,6 +117,7 @@ sim::ViewSettings view_settings(const Arguments& arguments, const std::string& t
     settings.offscreen = arguments.headless;
     settings.adaptive = !arguments.headless;
     settings.fullscreen = arguments.fullscreen;
+    settings.place = arguments.place;
     settings.title = "Placode: " + title;
     if (arguments.headless) settings.quality.samples = 4;  // pictures may take their time
     return settings;

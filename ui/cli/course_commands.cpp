@@ -165,7 +165,9 @@ Json to_json(const db::AssignmentRecord& each) {
 
 int assign(const Context& context, const Options& options) {
     if (options.user.empty() == options.group.empty())
-        throw InputError("course assign: expected either --user or --group");
+        throw InputError(std::string("course assign: found ") +
+                         (options.user.empty() ? "neither" : "both") +
+                         " of --user and --group; expected one of them");
     Session session(context, Missing::kRefuse);
     db::AssignmentRecord assignment;
     assignment.course_id = options.id;
@@ -195,7 +197,7 @@ int assign(const Context& context, const Options& options) {
 db::AssignmentRecord find_assignment(Session& session, int64_t id) {
     for (const auto& each : session.store().assignments(0))
         if (each.id == id) return each;
-    throw InputError("there is no assignment " + std::to_string(id) +
+    throw InputError("assignment " + std::to_string(id) + ": not in " + session.store().url() +
                      "; `placodectl course assignments` shows them");
 }
 

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "reports/export.h"
+#include "reports/report.h"
+#include "sim/near_word.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -14,7 +16,7 @@ using db::Action;
 using db::Scope;
 
 struct Options {
-    std::string format, study, user, out = ".", language = "en", identifying;
+    std::string format, study, user, out = ".", language = "en", identifying, base;
 };
 
 /// Fields that name a person leave only for somebody who may see names, with a reason that the
@@ -32,11 +34,12 @@ reports::Dataset study_data(Session& session, const Options& options) {
     session.need(Action::kExportStudy, Scope::kOther);
     need_identifying(session, options, false);
     if (session.store().participants(options.study).empty())
-        throw InputError("--study: found \"" + options.study + "\", which has no participants in " +
+        throw InputError("--study: \"" + options.study + "\" has no participants in " +
                          session.store().url() +
-                         "; expected the id of a study, see `placodectl study list`");
+                         "; expected the id of a study, see `placodectl study list`" +
+                         sim::did_you_mean(options.study, session.store().study_ids()));
     return reports::study_dataset(session.store(), options.study,
-                                  {!options.identifying.empty(), options.language});
+                                  {!options.identifying.empty(), options.language, options.base});
 }
 
 reports::Dataset user_data(Session& session, const Options& options) {
@@ -45,12 +48,19 @@ reports::Dataset user_data(Session& session, const Options& options) {
     session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
     need_identifying(session, options, own);
     return reports::user_dataset(session.store(), user,
-                                 {!options.identifying.empty(), options.language});
+                                 {!options.identifying.empty(), options.language, options.base});
 }
 
 int run_export(const Context& context, const Options& options) {
+    try {
+        (void)reports::checked_base_uri(options.base);
+    } catch (const reports::ReportError& error) {
+        throw InputError(std::string("--fhir-base: ") + error.what());
+    }
     if (options.study.empty() == options.user.empty())
-        throw InputError("export " + options.format + ": expected either --study ID or --user ID");
+        throw InputError("export " + options.format + ": found " +
+                         (options.study.empty() ? "neither" : "both") +
+                         " of --study and --user; expected one of them");
     Session session(context, Missing::kRefuse);
     const reports::ExportSource source{
         options.study.empty() ? user_data(session, options) : study_data(session, options),
@@ -108,6 +118,12 @@ void add_export_command(CLI::App& app, Context& context) {
     command->add_option("--language", options->language, "Of labels")
         ->check(CLI::IsMember({"en", "pl"}))
         ->capture_default_str();
+    command
+        ->add_option(
+            "--fhir-base", options->base,
+            "FHIR and xAPI: https address that the centre owns, below which names of forms, "
+            "codes and pseudonyms stand (default: URNs made from the store)")
+        ->type_name("URI");
     command->add_option("--identifying", options->identifying,
                         "REASON: with fields that name a person; audited");
     command->callback([&context, options] {

@@ -89,7 +89,7 @@ void add_group_commands(CLI::App& app, Context& context) {
         return added;
     };
     command("add", "Creates a group; an educator who does so teaches it", add)
-        ->add_option("NAME", options->name)
+        ->add_option("NAME", options->name, "Of the new group, not taken yet")
         ->required();
     command("list", "Lists groups with their people",
             [](const Context& c, const Options&) { return list(c); });

@@ -10,6 +10,7 @@
 #include "db/store.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/usage_message.h"
 
 namespace {
 
@@ -94,8 +95,9 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        (void)app.exit(error);
-        return 2;
+        for (int i = 1; i < argc; ++i)
+            context.json = context.json || std::string_view(argv[i]) == "--json";
+        return fail(context, 2, placode::ui::usage_message(app, error));
     }
     return run(context);
 }

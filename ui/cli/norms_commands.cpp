@@ -9,6 +9,7 @@
 
 #include "db/norms.h"
 #include "db/signature.h"
+#include "sim/near_word.h"
 #include "ui/cli/norms_quality.h"
 #include "ui/cli/people.h"
 
@@ -233,7 +234,18 @@ TwoLevels two_levels(Session& session, const Options& options) {
     return {std::move(levels[1]), std::move(levels[0])};
 }
 
+/// A metric that nobody measures has no values, which says less than that it is misspelt.
+void need_metric(const std::string& id) {
+    std::vector<std::string> known{"points"};
+    for (const auto& each : assessment::metric_definitions()) known.emplace_back(each.id);
+    if (std::find(known.begin(), known.end(), id) != known.end()) return;
+    throw InputError("--metric: unknown metric \"" + id +
+                     "\"; expected \"points\" or one that `placodectl score` prints" +
+                     sim::did_you_mean(id, known));
+}
+
 int standard(const Context& context, const Options& options) {
+    need_metric(options.metric);
     Session session = educator(context);
     const auto [novices, experts] = two_levels(session, options);
     auto low = db::level_values(novices, options.metric, !options.per_attempt);
@@ -305,19 +317,22 @@ void add_norms_commands(CLI::App& app, Context& context) {
         ->check(CLI::Range(curriculum::kLeastNormGroup, 1000))
         ->capture_default_str();
     command("list", "Lists norm packs", list)->add_option("--task", options->task, "Task id");
-    command("show", "One norm pack", show)->add_option("ID", options->id)->required();
+    command("show", "One norm pack", show)
+        ->add_option("ID", options->id, "Number of the pack, see `norms list`")
+        ->required();
     CLI::App* out = command("export", "Writes a signed norm pack", export_pack);
-    out->add_option("ID", options->id)->required();
+    out->add_option("ID", options->id, "Number of the pack, see `norms list`")->required();
     out->add_option("--out", options->file, "FILE.json")->required();
     CLI::App* in = command("import", "Takes a norm pack of another centre", import_pack);
-    in->add_option("FILE", options->file)->required();
+    in->add_option("FILE", options->file, "FILE.json that `norms export` wrote")->required();
     in->add_flag("--trust", options->trust, "Trust this centre's key from now on");
     command("apply", "Shows a task's attempts against this pack", apply)
-        ->add_option("ID", options->id)
+        ->add_option("ID", options->id, "Number of the pack, see `norms list`")
         ->required();
     CLI::App* compared = command("compare", "An attempt against the bands in use", compare);
     compared->add_option("ATTEMPT", options->id, "Number")->required();
-    compared->add_option("--level", options->level)->capture_default_str();
+    compared->add_option("--level", options->level, "Of the band, such as expert")
+        ->capture_default_str();
     CLI::App* mark = command("standard", "Pass mark from contrasting groups", standard);
     mark->add_option("TASK", options->task, "Task id")->required();
     mark->add_option("--novices", options->novices, "Group")->required();

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "curriculum/utc_time.h"
+#include "sim/near_word.h"
 
 namespace placode::cli {
 
@@ -34,7 +35,8 @@ db::Roles roles_of(const std::vector<std::string>& names) {
             if (known == name) found = static_cast<db::Roles>(role);
         if (found == 0)
             throw InputError("--role: found \"" + name +
-                             "\"; expected trainee, educator, coordinator or administrator");
+                             "\"; expected trainee, educator, coordinator or administrator" +
+                             sim::did_you_mean(name, role_names(static_cast<db::Roles>(~0u))));
         roles |= found;
     }
     return roles;
@@ -43,8 +45,10 @@ db::Roles roles_of(const std::vector<std::string>& names) {
 db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
     for (const db::GroupRecord& group : session.store().groups())
         if (group.name == name_or_id || std::to_string(group.id) == name_or_id) return group;
-    throw InputError("there is no group \"" + name_or_id + "\" in " + session.store().url() +
-                     "; `placodectl group list` shows them");
+    std::vector<std::string> names;
+    for (const db::GroupRecord& group : session.store().groups()) names.push_back(group.name);
+    throw InputError("group \"" + name_or_id + "\": not in " + session.store().url() +
+                     "; `placodectl group list` shows them" + sim::did_you_mean(name_or_id, names));
 }
 
 void need_for_group(const Session& session, db::Action action, const db::GroupRecord& group) {

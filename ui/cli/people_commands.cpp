@@ -230,7 +230,7 @@ void add_erasure_commands(CLI::App& user, const std::shared_ptr<Options>& option
     command("erasures", "Who asked to be erased",
             [](const Context& c, const Options&) { return erasures(c); });
     CLI::App* erased = command("erase", "Erases a person for good", erase);
-    erased->add_option("login", options->login)->required();
+    erased->add_option("login", options->login, "Login or number")->required();
     erased->add_option("--confirm", options->confirm, "The login once more");
     erased->add_flag("--with-attempts", options->with_attempts, "The attempts go as well");
 }
@@ -261,7 +261,7 @@ void add_people_commands(CLI::App& app, Context& context) {
     command("invitations", "Lists invitations, without their codes",
             [](const Context& c, const Options&) { return invitations(c); });
     CLI::App* accepted = command("accept", "Makes an account by an invitation's code", accept);
-    accepted->add_option("CODE", options->code)->required();
+    accepted->add_option("CODE", options->code, "Of the invitation")->required();
     accepted->add_option("login", options->login, "Login, unique without case")->required();
     accepted->add_option("--name", options->name, "Name as shown (default: the login)");
     CLI::App* pinned = command("pin", "Sets the own PIN, from $PLACODE_NEW_PIN or asked for", pin);

@@ -12,6 +12,7 @@
 #include "reports/export.h"
 #include "reports/report.h"
 #include "reports/study_report.h"
+#include "sim/near_word.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -41,7 +42,8 @@ int report_attempt(const Context& context, const Options& options) {
                          ", which has no recording; expected an attempt with one");
     reports::write_attempt_pdf(
         attempt, *recording,
-        session.store().attempts(attempt.record.user_id, attempt.record.task_id), options.out);
+        session.store().attempts(attempt.record.user_id, attempt.record.task_id), options.out,
+        reports::centre_name(session.store()));
     session.store().audit(session.actor(), "report.pdf", "attempt " + options.id, options.out);
     print(context, {{"attempt", id}, {"path", options.out}}, "wrote " + options.out);
     return 0;
@@ -58,9 +60,10 @@ int report_study(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kExportStudy, Scope::kOther);
     if (session.store().participants(options.id).empty())
-        throw InputError("report study: found \"" + options.id +
-                         "\", which has no participants in " + session.store().url() +
-                         "; expected the id of a study, see `placodectl study list`");
+        throw InputError("report study: \"" + options.id + "\" has no participants in " +
+                         session.store().url() +
+                         "; expected the id of a study, see `placodectl study list`" +
+                         sim::did_you_mean(options.id, session.store().study_ids()));
     const auto report = reports::read_study_report(session.store(), options.id, options.language);
     reports::write_study_pdf(report, options.out, [](const std::string& what) {
         if (isatty(STDERR_FILENO) != 0) std::cerr << "making: " << what << '\n';

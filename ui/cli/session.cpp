@@ -9,6 +9,7 @@
 #include <charconv>
 
 #include "db/store_url.h"
+#include "sim/near_word.h"
 
 namespace placode::cli {
 namespace {
@@ -108,8 +109,11 @@ db::UserRecord Session::find_user(const std::string& login_or_id) {
     const auto [rest, error] = std::from_chars(login_or_id.data(), end, id);
     if (error == std::errc{} && rest == end)
         if (auto found = store_->user(id)) return *found;
-    throw InputError("there is no user \"" + login_or_id + "\" in " + store_->url() +
-                     "; `placodectl user list` shows them");
+    std::vector<std::string> logins;
+    for (const db::UserRecord& each : store_->users()) logins.push_back(each.login);
+    throw InputError("user \"" + login_or_id + "\": not in " + store_->url() +
+                     "; `placodectl user list` shows them" +
+                     sim::did_you_mean(login_or_id, logins));
 }
 
 }  // namespace placode::cli

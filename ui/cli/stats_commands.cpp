@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "ui/cli/stats_table.h"
+#include "ui/usage_message.h"
 
 namespace placode::cli {
 namespace {
@@ -34,10 +35,10 @@ int run_stats(const Context& context, const StatsOptions& options) {
     const auto all = all_statistics();
     const auto found = all.find(options.name);
     if (found == all.end()) {
-        std::string names;
-        for (const auto& [name, function] : all) names += (names.empty() ? "" : " ") + name;
-        throw InputError("stats: there is no statistic \"" + options.name + "\"; expected one of " +
-                         names);
+        std::vector<std::string> names;
+        for (const auto& [name, function] : all) names.push_back(name);
+        throw InputError("stats: unknown statistic \"" + options.name + "\"; expected one of: " +
+                         ui::list_of(names) + sim::did_you_mean(options.name, names));
     }
     const StatsTable table = read_stats_table(options.file);
     Json json;

@@ -130,13 +130,13 @@ void add_store_commands(CLI::App& app, Context& context) {
     auto file = std::make_shared<std::string>();
     CLI::App* backup_command =
         app.add_subcommand("backup", "Copies the embedded store to FILE while others may use it");
-    backup_command->add_option("FILE", *file)->required();
+    backup_command->add_option("FILE", *file, "New file for the copy")->required();
     backup_command->callback(
         [&context, file] { context.run = [&context, file] { return backup(context, *file); }; });
 
     CLI::App* restore_command = app.add_subcommand(
         "restore", "Puts the backup FILE in the place of the store; the old one is kept beside it");
-    restore_command->add_option("FILE", *file)->required();
+    restore_command->add_option("FILE", *file, "A backup that `backup` wrote")->required();
     restore_command->callback(
         [&context, file] { context.run = [&context, file] { return restore(context, *file); }; });
 

@@ -9,6 +9,7 @@
 #include "curriculum/study.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
+#include "sim/near_word.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"
@@ -137,10 +138,11 @@ int step(const Context& context, const StudyOptions& options) {
     if (protocol && protocol->step(options.step) == nullptr) {
         std::string known;
         for (const auto& each : protocol->steps) known += (known.empty() ? "" : ", ") + each.id;
-        throw InputError("step: found \"" + options.step + "\"; expected one of: " + known);
+        throw InputError("study step: found \"" + options.step + "\"; expected one of: " + known);
     }
     if (protocol && protocol->step(options.step)->kind == curriculum::StepKind::kConsent)
-        throw InputError("step: consent is recorded with `placodectl study consent`");
+        throw InputError("study step: \"" + options.step +
+                         "\" is the consent; record it with `placodectl study consent`");
     db::StepRecord record;
     record.study_id = options.id;
     record.participant = need_code(options.code);
@@ -175,9 +177,9 @@ int status(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const auto list = db::study_progress(session.store(), options.id);
     if (list.empty())
-        throw InputError("study: found \"" + options.id +
-                         "\", which has no participants; `placodectl study enrol " + options.id +
-                         "` adds one");
+        throw InputError("study status: \"" + options.id +
+                         "\" has no participants; `placodectl study enrol " + options.id +
+                         "` adds one" + sim::did_you_mean(options.id, session.store().study_ids()));
     Json json{{"study", options.id}, {"participants", Json::array()}};
     std::vector<std::vector<std::string>> rows{
         {"code", "enrolled (UTC)", "arm", "steps", "next", "last (UTC)", "remark"}};
@@ -224,7 +226,7 @@ void add_definition_commands(CLI::App& group, Context& context, const std::strin
         context.run = [&context, kind] { return list_definitions(context, kind); };
     });
     CLI::App* show = group.add_subcommand("show", "The text of a definition");
-    show->add_option("ID", options->id)->required();
+    show->add_option("ID", options->id, "Of the definition, see `list`")->required();
     show->add_option("--version", options->version, "0 = the newest");
     show->callback([&context, kind, options] {
         context.run = [&context, kind, options] {
@@ -283,18 +285,20 @@ void add_study_commands(CLI::App& app, Context& context) {
     consent_command->add_option("--agreed", options->agreed, "Ids of the statements")->required();
     CLI::App* step_command = with_code(add("step", "Records what a participant did", step));
     step_command->add_option("STEP", options->step, "Id in the protocol")->required();
-    step_command->add_option("--state", options->state)
+    step_command->add_option("--state", options->state, "What became of the step")
         ->check(CLI::IsMember({"started", "done", "skipped"}))
         ->capture_default_str();
     step_command->add_option("--attempt", options->attempt, "Number of the attempt");
-    step_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
+    step_command->add_option("--visit", options->visit, "Number of the visit")
+        ->check(CLI::Range(1, 100));
     add("status", "Where everyone stands", status);
     CLI::App* answer_command = with_language(
         with_code(add("answer", "Saves the answers to a questionnaire", study_answer)));
     answer_command->add_option("QUESTIONNAIRE", options->questionnaire, "Id or FILE.json")
         ->required();
     answer_command->add_option("ANSWERS", options->answers, "ITEM=VALUE ...")->required();
-    answer_command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
+    answer_command->add_option("--visit", options->visit, "Number of the visit")
+        ->check(CLI::Range(1, 100));
     CLI::App* import_command = with_language(
         add("import", "Answers from a table: a row a participant, a column an item", study_import));
     import_command->add_option("FILE", options->file, "FILE.csv with a column participant")

@@ -121,10 +121,12 @@ void add_study_key_commands(CLI::App& study, Context& context) {
     add("key-make", "An encrypted file for the names behind the codes; asks for a passphrase",
         make);
     CLI::App* set_command = add("key-set", "Keeps the name behind a code", set);
-    set_command->add_option("CODE", options->entry.code)->required();
-    set_command->add_option("--name", options->entry.name)->required();
-    set_command->add_option("--contact", options->entry.contact);
-    set_command->add_option("--remark", options->entry.remark);
+    set_command->add_option("CODE", options->entry.code, "Of the participant, e.g. P001-C")
+        ->required();
+    set_command->add_option("--name", options->entry.name, "Of the person behind the code")
+        ->required();
+    set_command->add_option("--contact", options->entry.contact, "Telephone or address");
+    set_command->add_option("--remark", options->entry.remark, "Whatever helps to find the person");
     add("key-list", "Shows the names; asks for the passphrase", list);
     add("key-passphrase", "Gives the key another passphrase", change);
 }

@@ -177,7 +177,8 @@ void add_study_record_commands(CLI::App& study, Context& context) {
                 ->required();
         if (form) {
             command->add_option("QUESTIONNAIRE", options->questionnaire, "Its id")->required();
-            command->add_option("--visit", options->visit)->check(CLI::Range(1, 100));
+            command->add_option("--visit", options->visit, "Number of the visit")
+                ->check(CLI::Range(1, 100));
         }
         command->callback([&context, options, work] {
             context.run = [&context, options, work] { return work(context, *options); };
@@ -189,24 +190,25 @@ void add_study_record_commands(CLI::App& study, Context& context) {
         ->add_option("--meaning", options->meaning, "\"reviewed and complete\"")
         ->required();
     add("unlock", "Cancels lock and signature", unlock)
-        ->add_option("--reason", options->reason)
+        ->add_option("--reason", options->reason, "Why; kept in the audit trail")
         ->required();
     const auto with_answers = [&](CLI::App* command) {
         command->add_option("ANSWERS", options->answers, "ITEM=VALUE ...")->required();
         return command;
     };
     with_answers(add("correct", "Changes answers for a reason", correct, true, true))
-        ->add_option("--reason", options->reason)
+        ->add_option("--reason", options->reason, "Why; kept in the audit trail")
         ->required();
     with_answers(add("second-entry", "The same sheet typed again", second_entry, true, true));
     add("differences", "Where the two entries differ", differences, false);
     CLI::App* decide_command =
         add("decide", "Which entry says what the sheet says", decide, true, true);
-    decide_command->add_option("ITEM", options->item)->required();
+    decide_command->add_option("ITEM", options->item, "Id of the item that differs")->required();
     decide_command->add_option("--right", options->right, "1 or 2")
         ->required()
         ->check(CLI::Range(1, 2));
-    decide_command->add_option("--reason", options->reason)->required();
+    decide_command->add_option("--reason", options->reason, "Why; kept in the audit trail")
+        ->required();
 }
 
 }  // namespace placode::cli

@@ -114,7 +114,7 @@ void add_user_commands(CLI::App& app, Context& context) {
         CLI::App* command = user->add_subcommand(
             active ? "activate" : "deactivate",
             active ? "Lets a person sign in again" : "Keeps a person from signing in; data stays");
-        command->add_option("login", *login)->required();
+        command->add_option("login", *login, "Login or number")->required();
         command->callback([&context, login, active] {
             context.run = [&context, login, active] { return set_active(context, *login, active); };
         });
@@ -123,7 +123,7 @@ void add_user_commands(CLI::App& app, Context& context) {
     auto login = std::make_shared<std::string>();
     CLI::App* password_command = user->add_subcommand(
         "password", "Sets a password, from $PLACODE_NEW_PASSWORD or asked for");
-    password_command->add_option("login", *login)->required();
+    password_command->add_option("login", *login, "Login or number")->required();
     password_command->callback([&context, login] {
         context.run = [&context, login] { return password(context, *login); };
     });

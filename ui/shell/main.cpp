@@ -11,6 +11,7 @@
 #include <QScreen>
 #include <cstdio>
 
+#include "sim/near_word.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
 
@@ -61,6 +62,22 @@ int measure_pages(AppContext& context, MainWindow& window, const QString& login)
 
 namespace {
 
+/// Says what is wrong with the command line; exit status 2.
+int complain(const QCommandLineParser& parser) {
+    std::string said = parser.errorText().toStdString(), meant;
+    if (!parser.unknownOptionNames().isEmpty()) {
+        const std::string word = "--" + parser.unknownOptionNames().front().toStdString();
+        said = "unknown option \"" + word + "\"";
+        meant = placode::sim::did_you_mean(
+            word, {"--store", "--data", "--language", "--theme", "--time-pages", "--help"});
+    } else if (!parser.positionalArguments().isEmpty()) {
+        said = "\"" + parser.positionalArguments().front().toStdString() +
+               "\" is one argument too many; a store is given with --store";
+    }
+    std::fprintf(stderr, "placode: %s; see `placode --help`%s\n", said.c_str(), meant.c_str());
+    return 2;
+}
+
 constexpr QSize kFrame{4, 40};  ///< Of the desktop around a window [px].
 
 /// A desk at 200 % has half the pixels: what would hang over its edge is shrunk, then maximised.
@@ -91,10 +108,13 @@ int main(int argc, char** argv) {
                         "Sign in (password in $PLACODE_PASSWORD), open every page, print how long "
                         "each took as JSON, and end.",
                         "LOGIN"}});
-    parser.process(application);
+    // Our own words for what is wrong, and status 2 as with the other programs.
+    const bool understood = parser.parse(QApplication::arguments());
+    if (parser.isSet("help")) parser.showHelp(0);
+    if (!understood || !parser.positionalArguments().isEmpty()) return complain(parser);
     const auto one_of = [&](const char* name, const QStringList& known) {
         if (!parser.isSet(name) || known.contains(parser.value(name))) return true;
-        std::fprintf(stderr, "placode: --%s %s: expected %s\n", name,
+        std::fprintf(stderr, "placode: --%s: found \"%s\"; expected %s\n", name,
                      qPrintable(parser.value(name)), qPrintable(known.join(" or ")));
         return false;
     };

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the programs are called: every command and argument is described, and what is misspelt is
+// answered in one form, `program: thing: problem; way out`, with the word that was meant.
+
+// g++ 12 sees an overlap in std::string operations that is not there (GCC 105651).
+#pragma GCC diagnostic ignored "-Wrestrict"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/programs_fixture.h"
+
+using namespace placode::test;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+namespace {
+
+class Usage : public Programs {
+ protected:
+    /// Looks at the help of a command and of all below it; how many arguments were described.
+    int walk(const std::string& program, const std::string& command) const {
+        const Outcome help = run(program, command + " --help");
+        EXPECT_EQ(help.status, 0) << command << help.err;
+        std::istringstream lines(help.out);
+        std::string line, section;
+        std::vector<std::string> below;
+        int described = 0;
+        for (bool wraps = false; std::getline(lines, line);) {
+            if (line.empty()) continue;
+            if (line.front() != ' ') {
+                section = line;
+                continue;
+            }
+            const bool heads = section.starts_with("Positionals") ||
+                               section.starts_with("Options") || section.starts_with("Subcommands");
+            if (!heads) continue;
+            const size_t name = line.find_first_not_of(' ');
+            if (name > 8) {  // the description of a long name stands on a line of its own
+                EXPECT_TRUE(wraps) << program << " " << command << ": " << line;
+                wraps = false;
+                continue;
+            }
+            EXPECT_FALSE(wraps) << program << " " << command
+                                << ": nothing below a long name before " << line;
+            // A name and its description are at least two spaces or the column of 30 apart.
+            const std::string rest = line.substr(name);
+            const size_t gap = rest.find("  ");
+            wraps = gap == std::string::npos && line.size() >= 30;
+            if (!wraps) {
+                EXPECT_TRUE(gap != std::string::npos || line.size() > 30)
+                    << program << " " << command << ": no description of " << line;
+                EXPECT_GT(rest.size(), gap + 2) << line;
+            }
+            ++described;
+            if (section.starts_with("Subcommands")) below.push_back(rest.substr(0, rest.find(' ')));
+        }
+        for (const std::string& each : below)
+            described += walk(program, command.empty() ? each : command + " " + each);
+        return described;
+    }
+};
+
+}  // namespace
+
+TEST_F(Usage, EveryCommandAndArgumentIsDescribed) {
+    EXPECT_GT(walk("placodectl", ""), 300) << "the walk saw too little to prove anything";
+    EXPECT_GT(walk("placode-sim", ""), 20);
+}
+
+TEST_F(Usage, AMisspeltWordIsAnsweredWithTheOneThatWasMeant) {
+    add_user("anna", "trainee");
+    const std::pair<const char*, const char*> cases[]{
+        {"exprt csv --study s1", "\"export\""},
+        {"study sttaus s1", "\"status\""},
+        {"export cvs --study s1", "\"csv\""},
+        {"attempts --usr anna", "\"--user\""},
+        {"--jsn user list", "\"--json\""},
+        {"stats alpa a.csv", "\"alpha\""},
+        {"user add bert --role trainer", "\"trainee\""},
+        {"attempts --user ana", "\"anna\""},
+        {"norms standard diathermy_ring --novices N --experts E --metric path_lenght_mm",
+         "\"path_length_mm\""},
+        {"course show first_stps", "\"first_steps\""},
+    };
+    for (const auto& [command, meant] : cases) {
+        const Outcome said = ctl(command, "PLACODE_NEW_PASSWORD='long enough 1'");
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(std::string("did you mean ") + meant)) << command;
+    }
+    const std::pair<const char*, const char*> attempts[]{
+        {"--task diathermy_ring --device script:exprt --headless --fast", "\"script:expert\""},
+        {"--task diathermy_rng --device script:expert --headless --fast", "\"diathermy_ring\""},
+        {"--tsk diathermy_ring", "\"--task\""},
+        {"--task diathermy_ring --language ep --headless", "expected one of: "},
+    };
+    for (const auto& [command, meant] : attempts) {
+        const Outcome said = run("placode-sim", command);
+        EXPECT_EQ(said.status, 2) << command;
+        EXPECT_THAT(said.err, HasSubstr(meant)) << command;
+    }
+    EXPECT_THAT(run("placode", "--stroe x", "QT_QPA_PLATFORM=offscreen").err,
+                HasSubstr("did you mean \"--store\""));
+    EXPECT_EQ(run("placode", "--stroe x", "QT_QPA_PLATFORM=offscreen").status, 2);
+}
+
+TEST_F(Usage, AStrangeWordIsNotGuessedAt) {
+    const Outcome said = ctl("theremin");
+    EXPECT_EQ(said.status, 2);
+    EXPECT_THAT(said.err, AllOf(HasSubstr("expected one of"), Not(HasSubstr("did you mean"))));
+}
+
+TEST_F(Usage, AllMessagesHaveOneForm) {
+    add_user("anna", "trainee");
+    const char* const commands[]{"",
+                                 "study",
+                                 "exprt",
+                                 "attempts --usr anna",
+                                 "attempts --user",
+                                 "attempts too many",
+                                 "audit --limit x",
+                                 "audit --limit 0",
+                                 "export csv",
+                                 "export",
+                                 "report attempt x --out a.pdf",
+                                 "report attempt 1",
+                                 "stats alpa a.csv",
+                                 "stats alpha missing.csv",
+                                 "attempts --user nobody_at_all",
+                                 "course unassign 7",
+                                 "group member G anna",
+                                 "study status s1",
+                                 "export csv --study s1 --fhir-base nowhere"};
+    for (const char* command : commands) {
+        const Outcome said = ctl(command);
+        EXPECT_EQ(said.status, 2) << command << said.err;
+        EXPECT_THAT(said.err, StartsWith("placodectl: ")) << command;
+        EXPECT_EQ(std::count(said.err.begin(), said.err.end(), '\n'), 1) << command << said.err;
+        // thing: problem; way out
+        EXPECT_THAT(said.err.substr(12), AllOf(HasSubstr("; "))) << command;
+        EXPECT_THAT(said.err, Not(HasSubstr("Run with --help"))) << command;
+        const Outcome json = ctl(std::string("--json ") + command);
+        EXPECT_THAT(json.out, HasSubstr("\"error\"")) << command;
+    }
+}
