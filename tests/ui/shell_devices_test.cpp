@@ -11,9 +11,11 @@
 #include <QApplication>
 #include <cmath>
 
+#include "haptics/gamepad_search.h"
 #include "haptics/station.h"
 #include "shell_harness.h"
 #include "tests/stand_in/haply_service.h"
+#include "ui/shell/details.h"
 
 namespace placode::ui {
 
@@ -115,9 +117,18 @@ void ShellDevicesTest::shots(const QString& name) {
 void ShellDevicesTest::pageSaysWhatIsThereAndWhatIsMissing() {
     QVERIFY(waits([&] { return shell_->find<QWidget>("device_haply") != nullptr; }));
     QCOMPARE(shell_->text("detail_haply"), "Haply Inverse3 A, Haply Inverse3 B");
-    QVERIFY(shell_->text("detail_openhaptics").contains("libHD.so"));
-    QVERIFY(shell_->text("detail_openhaptics").contains("nstall"));
-    QVERIFY(shell_->text("detail_avatar").contains("/dev/ttyACM0"));
+    // User words in sight, the driver's own behind "Details".
+    QVERIFY(shell_->text("detail_openhaptics").contains("have to be installed"));
+    QVERIFY(!shell_->text("detail_openhaptics").contains("libHD"));
+    auto* details = shell_->find<Details>("details_openhaptics");
+    QVERIFY(details->text().contains("libHD.so"));
+    QVERIFY(details->text().contains("nstall"));
+    QVERIFY(!details->isOpen());
+    QVERIFY(shell_->text("detail_avatar").contains("switch it on"));
+    QVERIFY(shell_->find<Details>("details_avatar")->text().contains("/dev/ttyACM0"));
+    // The truth about the gamepad, too.
+    const bool pad = !haptics::look_for_gamepads().found.empty();
+    QCOMPARE(shell_->find<Details>("details_gamepad") == nullptr, pad);
     QVERIFY(shell_->find<QPushButton>("try_haply") != nullptr);
     QVERIFY(shell_->find<QPushButton>("try_openhaptics") == nullptr);
     QVERIFY(shell_->text("tested").contains("No force test"));

@@ -104,8 +104,10 @@ void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
     QVERIFY(shell.type("new_login", "weak"));
     QVERIFY(shell.type("new_password", "short"));
     QVERIFY(shell.click("add_person"));
-    QVERIFY(shell.bannerSays("too short: 5 of at least 10 characters"));
-    shell.shot("04_banner_weak_password");
+    QVERIFY(shell.text("add_message").contains("too short: 5 of at least 10 characters"));
+    QVERIFY(shell.find<QLabel>("add_message")->isVisible());
+    QVERIFY(shell.focusIsIn("new_password"));
+    shell.shot("04_weak_password");
     QVERIFY(!shell.context().store().user_by_login("weak"));
 }
 

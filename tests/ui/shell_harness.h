@@ -98,6 +98,12 @@ class ShellHarness {
         return field->text() == text;
     }
 
+    /// Whether what is typed goes there; also where no desktop makes a window the active one.
+    [[nodiscard]] bool focusIsIn(const QString& name) const {
+        return window_->focusWidget() != nullptr &&
+               window_->focusWidget() == static_cast<QWidget*>(find<QLineEdit>(name));
+    }
+
     /// Chooses what a box holds under `value`, whatever its words are.
     [[nodiscard]] bool choose(const QString& name, const QString& value) {
         auto* box = find<QComboBox>(name);
@@ -120,9 +126,7 @@ class ShellHarness {
 
     [[nodiscard]] bool bannerSays(const QString& words, int seconds = 10) {
         return QTest::qWaitFor(
-            [&] {
-                return window_->banner().isVisible() && window_->banner().text().contains(words);
-            },
+            [&] { return window_->banner().isShown() && window_->banner().text().contains(words); },
             seconds * 1000);
     }
 

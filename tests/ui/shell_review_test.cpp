@@ -174,12 +174,15 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.click("watch"));
     QVERIFY(shell.arrives(PageId::kWatch));
+    // One click is enough: it starts by itself as soon as the recording is there.
     QVERIFY(QTest::qWaitFor([&] { return ledger() != nullptr; }, 30000));
-    shell.shot("45_watch_before");
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.find<QPushButton>("replay_play")->text() == "Pause"; }, kPatienceMs));
+    shell.shot("45_watch_begins");
     QVERIFY(QTest::qWaitFor([&] { return ledger() != nullptr; }, 30000));
     auto* speed = shell.find<QComboBox>("replay_speed");
     speed->setCurrentIndex(speed->findData(8.0));
-    QVERIFY(shell.click("replay_play"));
+    Q_EMIT speed->activated(speed->currentIndex());
     QVERIFY(QTest::qWaitFor([&] { return clock() >= 2; }, kPatienceMs));
     auto* camera = shell.find<QComboBox>("replay_camera");
     camera->setCurrentIndex(camera->findData("above"));
@@ -199,6 +202,13 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
     QVERIFY(QTest::qWaitFor(
         [&] { return shell.find<QPushButton>("replay_play")->text() == "Watch"; }, 10000));
     QVERIFY(!shell.window().banner().isVisible());
+    // Closed, it begins again with one more click.
+    QVERIFY(shell.click("replay_play"));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.find<QPushButton>("replay_play")->text() == "Pause"; }, kPatienceMs));
+    QVERIFY(shell.click("replay_close"));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.find<QPushButton>("replay_play")->text() == "Watch"; }, 10000));
 }
 
 void ShellReviewTest::educatorRemarksAndTheTraineeReadsIt() {

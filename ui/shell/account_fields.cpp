@@ -53,12 +53,24 @@ void AccountFields::addTo(QVBoxLayout* layout, const QVariantMap& state,
     layout->addLayout(second);
 }
 
-QString AccountFields::problem() const {
-    if (login->text().trimmed().isEmpty() || name->text().trimmed().isEmpty())
-        return Account::tr("Give your name and a log-in name.");
+FormProblem AccountFields::problem() const {
+    for (QLineEdit* field : {name, login})
+        if (field->text().trimmed().isEmpty())
+            return {Account::tr("Give your name and a log-in name."), field};
+    if (const QString short_one = password_problem(password->text()); !short_one.isEmpty())
+        return {short_one, password};
     if (password->text() != again->text())
-        return Account::tr("The two passwords differ. Type them again.");
-    return password_problem(password->text());
+        return {again->text().isEmpty() ? Account::tr("Type the password once more.")
+                                        : Account::tr("The two passwords differ. Type them again."),
+                again};
+    return {};
+}
+
+FormProblem first_missing(std::initializer_list<QLineEdit*> fields) {
+    for (QLineEdit* field : fields)
+        if (field->text().trimmed().isEmpty())
+            return {Account::tr("Fill in: %1.").arg(field->accessibleName()), field};
+    return {};
 }
 
 db::NewUser AccountFields::user() const {

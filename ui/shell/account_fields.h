@@ -8,6 +8,7 @@
 #include <QVariantMap>
 
 #include "db/store.h"
+#include "ui/shell/form_keys.h"
 
 namespace placode::ui {
 
@@ -23,8 +24,8 @@ struct AccountFields {
     /// are named NAME, LOGIN, PASSWORD, AGAIN for tests.
     void addTo(QVBoxLayout* layout, const QVariantMap& state,
                const std::array<const char*, 4>& objects);
-    /// What is missing or wrong; empty when an account can be made.
-    [[nodiscard]] QString problem() const;
+    /// What is missing or wrong, and where; nothing when an account can be made.
+    [[nodiscard]] FormProblem problem() const;
     /// Without roles.
     [[nodiscard]] db::NewUser user() const;
     /// Never the password.

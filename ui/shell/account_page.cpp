@@ -62,28 +62,32 @@ class AccountPage : public Page {
         }
         new_->setPlaceholderText(password_rule());
         message_ = make_label({}, "critical");
+        message_->setObjectName("account_message");
         message_->hide();
         layout->addWidget(message_);
         QPushButton* change = make_button(context_, tr("Change the password"), "primary", "key");
         change->setObjectName("change_password");
         connect(change, &QPushButton::clicked, this, [this] { this->change(); });
+        enter_submits({old_, new_, again_}, this, [this] { this->change(); });
         layout->addWidget(change, 0, Qt::AlignLeft);
         return make_card(layout);
     }
 
     void change() {
         message_->hide();
-        if (new_->text() != again_->text())
-            return say(tr("The two passwords differ. Type them again."));
+        if (const FormProblem missing = first_missing({old_, new_})) return say(missing);
         if (const QString problem = password_problem(new_->text()); !problem.isEmpty())
-            return say(problem);
+            return say({problem, new_});
+        if (new_->text() != again_->text())
+            return say({tr("The two passwords differ. Type them again."), again_});
         context_.guard(tr("Changing the password"), [this] {
             const db::SignIn check =
                 context_.store().sign_in(context_.user().login, old_->text().toStdString());
             if (check.outcome == db::SignInOutcome::kThrottled)
-                return say(tr("Too many wrong passwords. Try again in %1 s.").arg(check.wait_s));
+                return say(
+                    {tr("Too many wrong passwords. Try again in %1 s.").arg(check.wait_s), old_});
             if (check.outcome != db::SignInOutcome::kOk)
-                return say(tr("The present password is wrong."));
+                return say({tr("The present password is wrong."), old_});
             context_.store().set_password(context_.user().id, new_->text().toStdString());
             for (QLineEdit* field : {old_, new_, again_}) field->clear();
             Q_EMIT notice(tr("The password was changed."));
@@ -117,17 +121,19 @@ class AccountPage : public Page {
         row->addWidget(remove_pin_);
         row->addStretch();
         layout->addLayout(row);
-        connect(set, &QPushButton::clicked, this, [this] { setPin(pin_->text()); });
+        const auto give = [this] {
+            if (!pin_->text().isEmpty()) return setPin(pin_->text());
+            context_.report({tr("Type four to twelve digits."), {}, {}, false});
+            go_to_field(pin_);
+        };
+        connect(set, &QPushButton::clicked, this, give);
+        enter_submits({pin_}, this, give);
         connect(remove_pin_, &QPushButton::clicked, this, [this] { setPin({}); });
         return make_card(layout);
     }
 
     void setPin(const QString& pin) {
         context_.guard(tr("Setting the PIN"), [&] {
-            using db::StoreError;
-            if (pin.isEmpty() && sender() != remove_pin_)
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("Type four to twelve digits.").toStdString());
             context_.store().set_pin(context_.user().id, pin.toStdString());
             pin_->clear();
             remove_pin_->setVisible(!pin.isEmpty());
@@ -222,9 +228,10 @@ class AccountPage : public Page {
         });
     }
 
-    void say(const QString& text) {
-        message_->setText(text);
+    void say(const FormProblem& problem) {
+        message_->setText(problem.text);
         message_->show();
+        go_to_field(problem.field);
     }
 
     QLineEdit *old_ = nullptr, *new_ = nullptr, *again_ = nullptr;

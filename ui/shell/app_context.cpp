@@ -3,74 +3,16 @@
 #include "ui/shell/app_context.h"
 
 #include <QApplication>
+#include <QCryptographicHash>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPointer>
 #include <QThreadPool>
 #include <QTranslator>
 
-#include "haptics/device.h"
-
 namespace placode::ui {
-namespace {
-
-/// What kind of trouble it is, in the user's language; the exact message follows as detail.
-Problem describe(const std::exception_ptr& error, const QString& doing) {
-    Problem problem;
-    problem.title = AppContext::tr("%1 did not work.").arg(doing);
-    try {
-        std::rethrow_exception(error);
-    } catch (const db::StoreError& e) {
-        using Kind = db::StoreError::Kind;
-        problem.detail = QString::fromUtf8(e.what());
-        switch (e.kind()) {
-            case Kind::kLocked:
-                problem.title = AppContext::tr("The store is locked by another program.");
-                problem.way_out = AppContext::tr("Close the other program, or wait and try again.");
-                break;
-            case Kind::kDamaged:
-                problem.title = AppContext::tr("A file is damaged and was left as it is.");
-                problem.way_out = AppContext::tr("Restore a backup; nothing has been overwritten.");
-                break;
-            case Kind::kTooNew:
-                problem.title = AppContext::tr("This file was written by a newer Placode.");
-                problem.way_out = AppContext::tr("Update Placode on this machine.");
-                break;
-            case Kind::kUnavailable:
-                problem.title = AppContext::tr("The store cannot be reached.");
-                problem.way_out =
-                    AppContext::tr("Check the path or the connection, then try again.");
-                break;
-            case Kind::kConflict:
-                problem.title = AppContext::tr("This name is already taken.");
-                problem.way_out = AppContext::tr("Choose another one.");
-                break;
-            case Kind::kRefused:
-                problem.title = AppContext::tr("This was refused.");
-                break;
-            default:
-                break;
-        }
-    } catch (const curriculum::DefinitionError& e) {
-        problem.title = AppContext::tr("A definition file cannot be used.");
-        problem.way_out = AppContext::tr("Correct the file at the place named, then try again.");
-        problem.detail = QString::fromUtf8(e.what());
-    } catch (const haptics::DeviceError& e) {
-        problem.title = AppContext::tr("The device cannot be used.");
-        problem.way_out = AppContext::tr("Choose another device, or connect it and try again.");
-        problem.detail = QString::fromUtf8(e.what());
-    } catch (const LaunchError& e) {
-        problem.title = AppContext::tr("The simulator could not be started.");
-        problem.detail = QString::fromUtf8(e.what());
-    } catch (const std::exception& e) {
-        problem.detail = QString::fromUtf8(e.what());
-    }
-    return problem;
-}
-
-}  // namespace
-
 AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
     store_url_ = options.store_url.empty() ? db::default_store_url() : options.store_url;
     settings_ = options.settings_file.isEmpty()
@@ -107,7 +49,7 @@ db::Store& AppContext::store() {
 
 void AppContext::signIn(const db::UserRecord& user) {
     user_ = user;
-    settings_->setValue("last_login", QString::fromStdString(user.login));
+    setStoreSetting("last_login", QString::fromStdString(user.login));
     Q_EMIT userChanged();
 }
 
@@ -162,6 +104,23 @@ QString AppContext::in(const curriculum::LocalText& text) const {
     return QString::fromStdString(text.in(language_.toStdString()));
 }
 
+QString AppContext::storeKey(const QString& key) const {
+    // The address without its options; hashed, for it may hold a password.
+    QString place = QString::fromStdString(store_url_.substr(0, store_url_.find('?')));
+    if (place.startsWith("sqlite:")) place = "sqlite:" + QFileInfo(place.mid(7)).absoluteFilePath();
+    const QByteArray name =
+        QCryptographicHash::hash(place.toUtf8(), QCryptographicHash::Sha256).toHex();
+    return QString("store_%1/%2").arg(QString::fromLatin1(name.left(16)), key);
+}
+
+QVariant AppContext::storeSetting(const QString& key) const {
+    return settings_->value(storeKey(key));
+}
+
+void AppContext::setStoreSetting(const QString& key, const QVariant& value) {
+    value.isValid() ? settings_->setValue(storeKey(key), value) : settings_->remove(storeKey(key));
+}
+
 QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& proposal,
                                 const QString& filter) const {
     if (ask_save_file_) return ask_save_file_(parent, title, proposal, filter);
@@ -199,7 +158,7 @@ std::optional<Problem> AppContext::problemOf(const std::function<void()>& work) 
         work();
         return std::nullopt;
     } catch (...) {
-        return describe(std::current_exception(), tr("This"));
+        return problem_of(std::current_exception(), tr("This"));
     }
 }
 
@@ -208,7 +167,7 @@ bool AppContext::guard(const QString& doing, const std::function<void()>& work) 
         work();
         return true;
     } catch (...) {
-        report(describe(std::current_exception(), doing));
+        report(problem_of(std::current_exception(), doing));
         return false;
     }
 }
@@ -231,7 +190,7 @@ void AppContext::background(QObject* receiver, const QString& doing,
         }
         const auto deliver = [this, alive, doing, done, error] {
             if (--busy_ == 0) Q_EMIT busyChanged({});
-            if (error) report(describe(error, doing));
+            if (error) report(problem_of(error, doing));
             if (alive) done(!error);
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);

@@ -17,6 +17,7 @@
 #include "db/access.h"
 #include "db/store.h"
 #include "ui/shell/attempt_launcher.h"
+#include "ui/shell/messages.h"
 #include "ui/shell/theme.h"
 
 class QTranslator;
@@ -36,13 +37,6 @@ struct ShellOptions {
     int lock_after_s = 600;  ///< Without a touch; 0 = never.
     AskFile ask_save_file;   ///< Empty: the desktop's file dialog.
     AskFile ask_open_file;   ///< The same for a file to read.
-};
-
-/// Something went wrong: the thing, what was found, and the way out.
-struct Problem {
-    QString title;    ///< "The store is locked by another program."
-    QString way_out;  ///< "Close it, or wait and try again."
-    QString detail;   ///< The exact message of the part that failed.
 };
 
 /// Main thread. Outlives all pages.
@@ -82,6 +76,10 @@ class AppContext : public QObject {
     void setLanguage(const QString& language);
     [[nodiscard]] QString in(const curriculum::LocalText& text) const;
     [[nodiscard]] QSettings& settings() { return *settings_; }
+    /// What this computer remembers about the store that is open, e.g. who signed in last: another
+    /// store has other people, pages and backups.
+    [[nodiscard]] QVariant storeSetting(const QString& key) const;
+    void setStoreSetting(const QString& key, const QVariant& value);  ///< Not valid: removed.
 
     [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title,
                                       const QString& proposal, const QString& filter) const;
@@ -112,6 +110,7 @@ class AppContext : public QObject {
 
  private:
     void installTranslators();
+    [[nodiscard]] QString storeKey(const QString& key) const;
 
     std::string store_url_;
     AskFile ask_save_file_, ask_open_file_;

@@ -107,15 +107,12 @@ class AssignCard : public QFrame {
 
     void assign() {
         context_.guard(tr("Assigning the course"), [this] {
-            using db::StoreError;
             // What is typed may be the beginning of a name only.
             const int row = target_->findText(target_->currentText(), Qt::MatchContains);
             if (row < 0 || target_->currentText().isEmpty())
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("There is nobody called \"%1\" whom you may assign a course; "
-                                    "choose one of the list.")
-                                     .arg(target_->currentText())
-                                     .toStdString());
+                throw Refusal(tr("There is nobody called \"%1\" whom you may assign a course; "
+                                 "choose one of the list.")
+                                  .arg(target_->currentText()));
             const int64_t target = target_->itemData(row).toLongLong();
             db::Store& store = context_.store();
             db::AssignmentRecord wanted;

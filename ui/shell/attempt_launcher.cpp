@@ -82,9 +82,11 @@ bool AttemptLauncher::running() const { return process_.state() != QProcess::Not
 qint64 AttemptLauncher::processId() const { return process_.processId(); }
 
 void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
-    if (running()) throw LaunchError("another attempt is still running; stop it first");
+    if (running())
+        throw LaunchError(LaunchError::Kind::kBusy,
+                          "another attempt is still running; stop it first");
     const QString path = program();
-    if (path.isEmpty()) throw LaunchError(simulator_missing(options_));
+    if (path.isEmpty()) throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(options_));
     write_order(order, folder);
     order_ = order;
     status_ = {};
@@ -94,8 +96,9 @@ void AttemptLauncher::start(AttemptOrder order, const QString& folder) {
     if (!process_.waitForStarted(kPatienceMs)) {
         const QString reason = process_.errorString();
         remove_recording(order.recording_file);
-        throw LaunchError(path.toStdString() + ": " + reason.toStdString() +
-                          "; check that it is a program of this machine");
+        throw LaunchError(LaunchError::Kind::kFailed,
+                          path.toStdString() + ": " + reason.toStdString() +
+                              "; check that it is a program of this machine");
     }
 }
 

@@ -17,7 +17,12 @@ namespace placode::ui {
 /// placode-sim cannot be started. Names the program and the way out.
 class LaunchError : public std::runtime_error {
  public:
-    using std::runtime_error::runtime_error;
+    enum class Kind : uint8_t { kBusy, kMissing, kFailed };
+    LaunchError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+    [[nodiscard]] Kind kind() const noexcept { return kind_; }
+
+ private:
+    Kind kind_;
 };
 
 /// How the simulator is found and called.

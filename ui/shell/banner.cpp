@@ -3,18 +3,37 @@
 #include "ui/shell/banner.h"
 
 #include <QAccessible>
+#include <QAccessibleWidget>
 #include <QHBoxLayout>
 #include <QStyle>
+#include <utility>
 
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
+namespace {
 
-Banner::Banner(AppContext& context) : context_(context) {
+/// Reading takes about 60 ms a letter; nobody looks at once.
+constexpr int kLeastMs = 6000, kLetterMs = 60;
+
+}  // namespace
+
+void announce_banners_as_alerts() {
+    static bool done = false;
+    if (std::exchange(done, true)) return;
+    QAccessible::installFactory([](const QString& name, QObject* object) -> QAccessibleInterface* {
+        if (name != QLatin1String("placode::ui::Banner") || !object->isWidgetType()) return nullptr;
+        return new QAccessibleWidget(static_cast<QWidget*>(object), QAccessible::AlertMessage);
+    });
+}
+
+Banner::Banner(AppContext& context, QWidget* parent) : QFrame(parent), context_(context) {
     setObjectName("banner");
     setProperty("role", "banner");
-    auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(kSpace16, kSpace12, kSpace12, kSpace12);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(kSpace16, kSpace12, kSpace8, kSpace12);
+    column->setSpacing(kSpace4);
+    auto* row = new QHBoxLayout;
     row->setSpacing(kSpace12);
     icon_ = new QLabel;
     row->addWidget(icon_, 0, Qt::AlignVCenter);
@@ -22,72 +41,95 @@ Banner::Banner(AppContext& context) : context_(context) {
     text->setSpacing(kSpace4);
     title_ = make_label({});
     title_->setObjectName("banner_title");
-    detail_ = make_label({}, "small");
-    detail_->setObjectName("banner_detail");
-    detail_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    detail_->setFocusPolicy(Qt::NoFocus);
+    advice_ = make_label({}, "muted");
+    advice_->setObjectName("banner_advice");
     text->addWidget(title_);
-    text->addWidget(detail_);
+    text->addWidget(advice_);
     row->addLayout(text, 1);
+    row->addWidget(makeClose(), 0, Qt::AlignTop);
+    column->addLayout(row);
     offer_button_ = make_button(context, {}, "secondary");
     offer_button_->setObjectName("banner_offer");
     connect(offer_button_, &QPushButton::clicked, this, [this] {
         const Offer offer = offer_;
-        hide();
+        Q_EMIT closed();
         if (offer.act) offer.act();
     });
-    row->addWidget(offer_button_, 0, Qt::AlignVCenter);
-    QPushButton* close = make_button(context, {}, "icon", "close");
+    column->addWidget(offer_button_, 0, Qt::AlignRight);
+    details_ = new Details(context);
+    connect(details_, &Details::folded, this, &Banner::resized);
+    column->addWidget(details_);
+}
+
+QPushButton* Banner::makeClose() {
+    QPushButton* close = make_button(context_, {}, "icon", "close");
     close->setObjectName("banner_close");
     close->setAccessibleName(tr("Close this message"));
-    close->setToolTip(tr("Close this message"));
+    close->setToolTip(tr("Close this message (Esc)"));
     close->setFixedWidth(kTouchTarget);
-    connect(close, &QPushButton::clicked, this, [this] { hide(); });
-    row->addWidget(close, 0, Qt::AlignVCenter);
-    hide();
+    connect(close, &QPushButton::clicked, this, &Banner::closed);
+    return close;
 }
 
-void Banner::showProblem(const Problem& problem) {
-    title_->setText((problem.title + " " + problem.way_out).trimmed());
-    detail_->setText(problem.detail);
+void Banner::setProblem(const Problem& problem) {
+    title_->setText(problem.title);
+    advice_->setText(problem.way_out);
+    details_->setText(problem.detail, problem.open_details);
     offer_ = {};
-    present("problem", "alert", context_.colors().critical);
+    tone_ = Tone::kProblem;
+    left_ms_ = -1;
+    restyle();
 }
 
-void Banner::showNotice(const QString& text, const Offer& offer) {
+void Banner::setNotice(const QString& text, const Offer& offer) {
     title_->setText(text);
-    detail_->clear();
+    advice_->clear();
+    details_->setText({});
     offer_ = offer;
-    present(offer.act ? "" : "good", offer.act ? "info" : "check",
-            offer.act ? context_.colors().accent : context_.colors().good);
+    tone_ = offer.act ? Tone::kOffer : Tone::kGood;
+    left_ms_ = offer.act ? -1 : kLeastMs + kLetterMs * static_cast<int>(text.size());
+    restyle();
 }
 
-void Banner::takeOver(const Banner& other) {
-    if (other.isHidden()) return;
-    if (other.property("tone") == "problem") {
-        showProblem({other.title_->text(), {}, other.detail_->text()});
-    } else {
-        showNotice(other.title_->text(), other.offer_);
-    }
-}
-
-void Banner::present(const char* tone, const char* icon, const QColor& color) {
-    setProperty("tone", tone);
+void Banner::restyle() {
+    const Tokens& colors = context_.colors();
+    const bool problem = tone_ == Tone::kProblem, good = tone_ == Tone::kGood;
+    setProperty("tone", problem ? "problem" : good ? "good" : "");
     style()->unpolish(this);
     style()->polish(this);
-    icon_->setPixmap(line_icon(icon, color).pixmap(24, 24));
-    detail_->setVisible(!detail_->text().isEmpty());
+    icon_->setPixmap(line_icon(problem ? "alert"
+                               : good  ? "check"
+                                       : "info",
+                               problem ? colors.critical
+                               : good  ? colors.good
+                                       : colors.accent)
+                         .pixmap(24, 24));
+    if (auto* close = findChild<QPushButton*>("banner_close"))
+        close->setIcon(line_icon("close", colors.text));
+    advice_->setVisible(!advice_->text().isEmpty());
     offer_button_->setVisible(static_cast<bool>(offer_.act));
     offer_button_->setText(offer_.text);
-    setAccessibleName(text());
-    QFrame::show();
-    // A screen reader hears it without the focus moving.
+    setAccessibleName(title());
+    setAccessibleDescription(details_->text());
+}
+
+void Banner::announce() {
     QAccessibleEvent event(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&event);
 }
 
+void Banner::tick() {
+    if (left_ms_ < 0 || !isVisible() || !window()->isActiveWindow()) return;
+    const QWidget* focus = window()->focusWidget();
+    if (underMouse() || (focus != nullptr && isAncestorOf(focus))) return;
+    left_ms_ -= kTickMs;
+    if (left_ms_ <= 0) Q_EMIT closed();
+}
+
+QString Banner::title() const { return (title_->text() + " " + advice_->text()).trimmed(); }
+
 QString Banner::text() const {
-    return detail_->text().isEmpty() ? title_->text() : title_->text() + "\n" + detail_->text();
+    return details_->text().isEmpty() ? title() : title() + "\n" + details_->text();
 }
 
 }  // namespace placode::ui

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The strip at the top of a page that says what happened: a problem with its thing, value and way
-// out, or something calm with one thing to do.
+// One message: what happened and what to do, with one thing to press where there is one, and the
+// exact text behind "Details". `Notices` floats them over the page.
 
 #include <QFrame>
+#include <QTimer>
 #include <functional>
 
-#include "ui/shell/app_context.h"
+#include "ui/shell/details.h"
 
-class QHBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -23,23 +23,42 @@ class Banner : public QFrame {
         QString text;
         std::function<void()> act;
     };
+    enum class Tone : uint8_t { kProblem, kGood, kOffer };
 
-    explicit Banner(AppContext& context);
+    explicit Banner(AppContext& context, QWidget* parent = nullptr);
 
-    void showProblem(const Problem& problem);
-    /// Good news or a question; `offer` may be empty.
-    void showNotice(const QString& text, const Offer& offer = {});
-    /// Shows what `other` shows: the frame was rebuilt in another theme or language.
-    void takeOver(const Banner& other);
+    /// Stays until it is closed.
+    void setProblem(const Problem& problem);
+    /// Good news goes by itself after a time to read it; a question (with an offer) stays.
+    void setNotice(const QString& text, const Offer& offer = {});
+    [[nodiscard]] Tone tone() const { return tone_; }
+    /// What stands in it, then the details.
     [[nodiscard]] QString text() const;
+    [[nodiscard]] QString title() const;
+    /// A screen reader says it without the focus moving.
+    void announce();
+    void restyle();  ///< In the colours of the theme of now.
+    /// Goes on counting, or waits: while the pointer or the focus is in it nobody takes it away.
+    void tick();
+    static constexpr int kTickMs = 250;
+
+ Q_SIGNALS:
+    void closed();
+    void resized();
 
  private:
-    void present(const char* tone, const char* icon, const QColor& color);
+    [[nodiscard]] QPushButton* makeClose();
 
     AppContext& context_;
-    QLabel *icon_ = nullptr, *title_ = nullptr, *detail_ = nullptr;
+    QLabel *icon_ = nullptr, *title_ = nullptr, *advice_ = nullptr;
+    Details* details_ = nullptr;
     QPushButton* offer_button_ = nullptr;
     Offer offer_;
+    Tone tone_ = Tone::kGood;
+    int left_ms_ = -1;  ///< Until it goes by itself; -1 = it stays.
 };
+
+/// So that assistive programs know it as an alert. Called once.
+void announce_banners_as_alerts();
 
 }  // namespace placode::ui

@@ -20,6 +20,7 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/replay_launcher.h"
+#include "ui/shell/replay_place.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -130,7 +131,8 @@ class ComparePage : public Page {
             return;
         }
         halves_[1].detail = readAllowed(chooser_->currentData().toLongLong());
-        body_->addWidget(steerCard());
+        steer_ = steerCard();
+        body_->addWidget(steer_);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         for (size_t i = 0; i < 2; ++i) row->addWidget(headCard(i), 1);
@@ -340,17 +342,13 @@ class ComparePage : public Page {
     void makeReplay(Half& half) {
         LaunchOptions options = context_.launcher().options();
         options.language = context_.language();
-        // Half of the screen each.
-        options.replay_arguments << "--size"
-                                 << "900x720";
         half.replay = new ReplayLauncher(options, this);
         connect(half.replay, &ReplayLauncher::stateChanged, this, [this] { refresh(); });
-        connect(half.replay, &ReplayLauncher::ended, this, [this](const QString& message) {
-            if (!message.isEmpty())
-                context_.report({tr("A replay ended with a problem."),
-                                 tr("The recording and its score are untouched."), message});
-            refresh();
-        });
+        connect(half.replay, &ReplayLauncher::ended, this,
+                [this](const std::optional<ProgramEnd>& end) {
+                    if (end) context_.report(simulator_problem(*end));
+                    refresh();
+                });
     }
 
     [[nodiscard]] bool running() const {
@@ -366,8 +364,11 @@ class ComparePage : public Page {
 
     void seek(double time_s) {
         context_.guard(tr("Starting the replays"), [&] {
+            const std::vector<QRect> places = two_of(replay_place(*steer_));
+            size_t side = 0;
             for (Half& half : halves_) {
                 if (!half.replay) return;
+                half.replay->setPlace(places[side++]);
                 const double to = std::min(time_s, half.detail.record.duration_s);
                 if (half.replay->running())
                     half.replay->seek(to);
@@ -396,6 +397,7 @@ class ComparePage : public Page {
     std::array<Half, 2> halves_;
     std::vector<double> points_;
     QVBoxLayout* body_ = nullptr;
+    QWidget* steer_ = nullptr;
     QComboBox *chooser_ = nullptr, *camera_ = nullptr, *speed_ = nullptr;
     QPushButton *play_ = nullptr, *close_ = nullptr;
 };

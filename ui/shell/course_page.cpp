@@ -146,7 +146,7 @@ class CoursePage : public Page {
             chooser->addItem(name, qstr(id));
         }
         connect(chooser, &QComboBox::activated, this, [this, chooser] {
-            context_.settings().setValue("course", chooser->currentData().toString());
+            context_.setStoreSetting("course", chooser->currentData().toString());
             Q_EMIT go({PageId::kCourse, 0, {}, {}});
         });
         head->addWidget(chooser);

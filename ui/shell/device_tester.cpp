@@ -17,7 +17,7 @@ constexpr double kDegree = 180 / std::numbers::pi;
 
 QString need_simulator(const LaunchOptions& options) {
     const QString path = simulator_path(options);
-    if (path.isEmpty()) throw LaunchError(simulator_missing(options));
+    if (path.isEmpty()) throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(options));
     return path;
 }
 
@@ -100,10 +100,6 @@ void each_device(AppContext& context, QObject* receiver,
     // As haptics/device.cpp says them.
     add({"mouse", "tip in the picture's plane, wheel for depth; no force", true, {}});
     add({"keyboard", "fixed speeds; no force", true, {}});
-    add({"gamepad",
-         "sticks and triggers; no force; needs a pad with a standard mapping",
-         true,
-         {}});
     auto* lister = new DeviceLister(context.launcher().options(), receiver);
     QObject::connect(lister, &DeviceLister::listed, receiver, [lister, add](const QString&) {
         for (const ListedDevice& device : lister->devices())
@@ -134,8 +130,9 @@ void DeviceTester::start(const QString& device, double force_n) {
     errors_.clear();
     process_.start(path, {"--test-device", device, "--test-force", QString::number(force_n)});
     if (!process_.waitForStarted(kPatienceMs))
-        throw LaunchError(path.toStdString() + ": " + process_.errorString().toStdString() +
-                          "; check that it is a program of this machine");
+        throw LaunchError(LaunchError::Kind::kFailed,
+                          path.toStdString() + ": " + process_.errorString().toStdString() +
+                              "; check that it is a program of this machine");
 }
 
 void DeviceTester::stop() {

@@ -11,6 +11,7 @@
 
 #include "haptics/hand_identity.h"
 #include "ui/shell/app_context.h"
+#include "ui/shell/details.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/signal_view.h"
 
@@ -49,6 +50,8 @@ class TrialCard : public QFrame {
         loop_ = make_label(tr("Waiting for the device…"), "small");
         loop_->setObjectName("trial_loop");
         layout->addWidget(loop_);
+        details_ = new Details(context_);
+        layout->addWidget(details_);
         rights_ = make_label(
             tr("No real-time rights: other programs can make the force stutter. An administrator "
                "grants them once: %1, then puts the user into the group placode.")
@@ -145,6 +148,7 @@ class TrialCard : public QFrame {
 
     void begin() {
         answered_ = false;
+        details_->setText({});
         context_.guard(tr("Trying the device"), [this] { tester_.start(device_, level()); });
         stop_->setText(tr("End the test"));
         explain();
@@ -326,7 +330,9 @@ class TrialCard : public QFrame {
 
     void over(const QString& why) {
         stop_->setText(tr("Try again"));
-        loop_->setText(why.isEmpty() ? tr("The test has ended; no force.") : why);
+        const Problem problem = device_problem(device_, why);
+        loop_->setText(why.isEmpty() ? tr("The test has ended; no force.") : problem.said());
+        details_->setText(why);
         for (QPushButton* button : {floor_, good_, bad_}) button->setEnabled(false);
     }
 
@@ -346,6 +352,7 @@ class TrialCard : public QFrame {
     QVBoxLayout* arms_ = nullptr;
     QPushButton *stop_ = nullptr, *floor_ = nullptr, *good_ = nullptr, *bad_ = nullptr,
                 *identify_ = nullptr, *swap_ = nullptr;
+    Details* details_ = nullptr;
     QLabel *loop_ = nullptr, *rights_ = nullptr, *force_text_ = nullptr, *hand_text_ = nullptr;
     DeviceTester tester_;  // the last: it ends first
 };

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 
 #include "haptics/station.h"
+#include "ui/shell/details.h"
 #include "ui/shell/device_trial_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -41,7 +42,7 @@ class DevicesPage : public Page {
         connect(&lister_, &DeviceLister::listed, this, [this](const QString& why) { listed(why); });
         connect(&pedal_tester_, &DeviceTester::stateChanged, this, [this] { pedalMoved(); });
         connect(&pedal_tester_, &DeviceTester::ended, this,
-                [this](const QString& why) { pedal_key_->setText(why); });
+                [this](const QString& why) { pedalsEnded(why); });
         showStation();
         // Rebuilt in another language or theme: what was found is still there.
         const QByteArray before = place.state.value("listing").toByteArray();
@@ -72,6 +73,8 @@ class DevicesPage : public Page {
         listing_ = make_label({}, "muted");
         listing_->setObjectName("listing");
         layout->addWidget(listing_);
+        listing_details_ = new Details(context_);
+        layout->addWidget(listing_details_);
         rows_ = new QVBoxLayout;
         rows_->setSpacing(kSpace8);
         layout->addLayout(rows_);
@@ -83,6 +86,7 @@ class DevicesPage : public Page {
         again_->setEnabled(false);
         listing_->setText(tr("Looking for devices; this may take some seconds…"));
         listing_->show();
+        listing_details_->setText({});
         if (!context_.guard(tr("Looking for devices"), [this] { lister_.start(); }))
             again_->setEnabled(true);
     }
@@ -98,7 +102,8 @@ class DevicesPage : public Page {
     void listed(const QString& why) {
         again_->setEnabled(true);
         listing_->setVisible(!why.isEmpty());
-        listing_->setText(why);
+        listing_->setText(tr("The list of devices could not be read."));
+        listing_details_->setText(why);
         if (!why.isEmpty()) return;
         clear(rows_);
         for (const ListedDevice& device : lister_.devices())
@@ -121,14 +126,24 @@ class DevicesPage : public Page {
         auto* words = new QVBoxLayout;
         words->setSpacing(0);
         words->addWidget(make_label(device_name(device.name.toStdString())));
-        QLabel* detail = make_label(
-            device.found.isEmpty() ? detailOf(device) : device.found.join(", "), "small");
+        QLabel* detail = make_label({}, "small");
         detail->setObjectName("detail_" + device.name);
-        if (const QString need = needs(device.name); !device.available && !need.isEmpty())
-            words->addWidget(make_label(need, "small"));
         words->addWidget(detail);
+        if (!device.found.isEmpty()) {
+            detail->setText(device.found.join(", "));
+        } else if (device.available) {
+            detail->setText(
+                QCoreApplication::translate("Device", device.detail.toUtf8().constData()));
+        } else {
+            const Problem problem = device_problem(device.name, device.detail);
+            detail->setText(problem.way_out);
+            auto* details = new Details(context_, problem.detail);
+            details->setObjectName("details_" + device.name);
+            words->addWidget(details);
+        }
         line->addLayout(words, 1);
-        if (device.available && !device.found.isEmpty()) {
+        const bool in_window = device.name == "gamepad";
+        if (device.available && !device.found.isEmpty() && !in_window) {
             QPushButton* start = make_button(context_, tr("Try it"), "secondary", "play");
             start->setObjectName("try_" + device.name);
             connect(start, &QPushButton::clicked, this,
@@ -136,30 +151,6 @@ class DevicesPage : public Page {
             line->addWidget(start, 0, Qt::AlignTop);
         }
         return box;
-    }
-
-    /// What the device needs, for who cannot read the driver's English.
-    [[nodiscard]] QString needs(const QString& device) const {
-        if (context_.language() == "en") return {};  // The driver's reason says so already.
-        if (device == "spacemouse")
-            return tr(
-                "Needs its driver, spacenavd: sudo apt install spacenavd, then switch it on.");
-        if (device == "openhaptics")
-            return tr("Needs OpenHaptics and the Touch driver of 3D Systems.");
-        if (device == "haply") return tr("Needs the Haply Inverse service, running.");
-        if (device == "avatar")
-            return tr("Needs to be plugged in and switched on, and a user of the group dialout.");
-        if (device == "forcedimension")
-            return tr("Needs the libraries of the Force Dimension SDK.");
-        return {};
-    }
-
-    // The reason why a device does not open is the driver's own, in English like every exact
-    // message; what a device is comes translated.
-    static QString detailOf(const ListedDevice& device) {
-        return device.available
-                   ? QCoreApplication::translate("Device", device.detail.toUtf8().constData())
-                   : device.detail;
     }
 
     // --- one device
@@ -309,6 +300,8 @@ class DevicesPage : public Page {
         pedal_key_ = make_label({});
         pedal_key_->setObjectName("pedal_key");
         layout->addWidget(pedal_key_);
+        pedal_details_ = new Details(context_);
+        layout->addWidget(pedal_details_);
         cut_->setEnabled(false);
         coag_->setEnabled(false);
         return make_card(layout);
@@ -322,15 +315,21 @@ class DevicesPage : public Page {
         if (!now.isEmpty() && pedals_->findText(now) < 0) pedals_->addItem(now);
         pedals_->setCurrentText(typed.isEmpty() ? now : typed);
         if (pedals_->currentText().isEmpty() && pedals_->count() == 0)
-            pedal_key_->setText(tr("No pedals were found under /dev/input/by-id."));
+            pedal_key_->setText(tr("No pedals were found."));
     }
 
     void watchPedals() {
         const QString path = pedals_->currentText().trimmed();
         if (path.isEmpty()) return;
         pedal_key_->setText(tr("Press a pedal…"));
+        pedal_details_->setText({});
         context_.guard(tr("Watching the pedals"),
                        [&] { pedal_tester_.start("pedals:" + path, 0.5); });
+    }
+
+    void pedalsEnded(const QString& why) {
+        pedal_details_->setText(why);
+        pedal_key_->setText(why.isEmpty() ? QString() : device_problem("pedals", why).way_out);
     }
 
     void pedalMoved() {
@@ -371,6 +370,7 @@ class DevicesPage : public Page {
     QPushButton *again_ = nullptr, *cut_ = nullptr, *coag_ = nullptr;
     QLabel *listing_ = nullptr, *pedal_key_ = nullptr;
     QVBoxLayout *rows_ = nullptr, *trial_ = nullptr, *station_place_ = nullptr;
+    Details *listing_details_ = nullptr, *pedal_details_ = nullptr;
     QComboBox* pedals_ = nullptr;
 };
 

@@ -215,13 +215,10 @@ class GroupsPage : public Page {
             // Nobody draws people of other groups into the own one.
             context_.require(db::Action::kManageGroups,
                              db::scope_between(context_.store(), context_.user().id, person));
-            using db::StoreError;
             if (role == GroupRole::kEducator &&
                 !db::has_role(people_.at(person).roles, db::Role::kEducator))
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("%1 has not the role educator; an administrator can give it.")
-                                     .arg(qstr(people_.at(person).display_name))
-                                     .toStdString());
+                throw Refusal(tr("%1 has not the role educator; an administrator can give it.")
+                                  .arg(qstr(people_.at(person).display_name)));
             context_.store().set_group_role(group->id, person, role);
             read();
             showGroup();

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <memory>
 
+#include "ui/shell/details.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -34,19 +35,27 @@ class HealthPage : public Page {
         layout->setSpacing(kSpace12);
         layout->addWidget(make_label(tr("The store"), "heading"));
         const QString place = qstr(context_.store().url());
-        QLabel* url = make_label(place, "muted");
-        url->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-        layout->addWidget(url);
         const QFileInfo file(place.mid(7));
-        if (place.startsWith("sqlite:") && file.exists())
+        const bool embedded = place.startsWith("sqlite:");
+        layout->addWidget(make_label(embedded
+                                         ? tr("A file on this computer: %1").arg(file.fileName())
+                                         : tr("A server of the centre (PostgreSQL)"),
+                                     "muted"));
+        if (embedded && file.exists())
             layout->addWidget(make_label(
                 tr("Size: %1")
                     .arg(QLocale().formattedDataSize(file.size() +
                                                      QFileInfo(file.filePath() + "-wal").size())),
                 "muted"));
+        auto* where = new Details(context_, place);
+        where->setObjectName("store_place");
+        layout->addWidget(where);
         outcome_ = make_label(tr("Not checked since this page was opened."));
         outcome_->setObjectName("check_outcome");
         layout->addWidget(outcome_);
+        problems_ = new Details(context_);
+        problems_->setObjectName("check_details");
+        layout->addWidget(problems_);
         QPushButton* check = make_button(context_, tr("Check the store"), "secondary", "health");
         check->setObjectName("check_store");
         connect(check, &QPushButton::clicked, this, [this] { this->check(); });
@@ -60,8 +69,12 @@ class HealthPage : public Page {
             this, tr("Checking the store"),
             [problems](db::Store& store) { *problems = store.check(); },
             [this, problems](bool done) {
-                QStringList lines;
-                for (const std::string& problem : *problems) lines << "• " + qstr(problem);
+                QStringList lines, exact;
+                for (const std::string& problem : *problems) {
+                    lines << "• " + health_problem(qstr(problem)).said();
+                    exact << qstr(problem);
+                }
+                problems_->setText(exact.join("\n"));
                 outcome_->setProperty("role", !done || !lines.isEmpty() ? "critical" : "good");
                 outcome_->style()->unpolish(outcome_);
                 outcome_->style()->polish(outcome_);
@@ -80,7 +93,7 @@ class HealthPage : public Page {
             tr("A consistent copy, also while people work: accounts, attempts with their "
                "recordings, answers, audit. It holds personal data; keep it as safe as the store."),
             "muted"));
-        const QString last = context_.settings().value("last_backup").toString();
+        const QString last = context_.storeSetting("last_backup").toString();
         last_ = make_label(last.isEmpty() ? tr("No backup was made from this machine yet.")
                                           : tr("Last backup: %1").arg(last),
                            "small");
@@ -109,7 +122,7 @@ class HealthPage : public Page {
                     const QString note =
                         QLocale().toString(QDateTime::currentDateTime(), "d MMM yyyy, HH:mm") +
                         ", " + path;
-                    context_.settings().setValue("last_backup", note);
+                    context_.setStoreSetting("last_backup", note);
                     last_->setText(tr("Last backup: %1").arg(note));
                     Q_EMIT notice(tr("Backup written: %1").arg(path));
                 });
@@ -117,6 +130,7 @@ class HealthPage : public Page {
     }
 
     QLabel *outcome_ = nullptr, *last_ = nullptr;
+    Details* problems_ = nullptr;
 };
 
 }  // namespace

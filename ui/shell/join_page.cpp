@@ -41,7 +41,8 @@ class JoinPage : public Page {
         row->addStretch();
         layout->addLayout(row);
         connect(make, &QPushButton::clicked, this, [this] { join(); });
-        connect(fields_.again, &QLineEdit::returnPressed, this, [this] { join(); });
+        enter_submits({code_, fields_.name, fields_.login, fields_.password, fields_.again}, this,
+                      [this] { join(); });
         connect(leave, &QPushButton::clicked, this, [this] {
             Q_EMIT go({PageId::kLogin, 0, {}, {}});
         });
@@ -68,8 +69,9 @@ class JoinPage : public Page {
 
     void join() {
         message_->hide();
-        if (code_->text().trimmed().isEmpty()) return say(tr("Type the code of the invitation."));
-        if (const QString problem = fields_.problem(); !problem.isEmpty()) return say(problem);
+        if (code_->text().trimmed().isEmpty())
+            return say({tr("Type the code of the invitation."), code_});
+        if (const FormProblem problem = fields_.problem()) return say(problem);
         const db::NewUser user = fields_.user();
         context_.guard(tr("Making the account"), [&] {
             context_.store().accept_invitation(code_->text().trimmed().toStdString(), user);
@@ -78,9 +80,10 @@ class JoinPage : public Page {
         });
     }
 
-    void say(const QString& text) {
-        message_->setText(text);
+    void say(const FormProblem& problem) {
+        message_->setText(problem.text);
         message_->show();
+        go_to_field(problem.field);
     }
 
     AccountFields fields_;

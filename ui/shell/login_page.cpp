@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "ui/shell/form_keys.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -27,9 +28,8 @@ class LoginPage : public Page {
         outer->addStretch(3);
         timer_.setInterval(1000);
         connect(&timer_, &QTimer::timeout, this, [this] { countDown(); });
-        const QString login =
-            place.state.value("login", context_.settings().value("last_login")).toString();
-        login_->setText(login);
+        const QString last = context_.storeSetting("last_login").toString();
+        login_->setText(place.state.value("login", isHere(last) ? last : QString()).toString());
         const QString said = place.state.value("message").toString();
         if (!said.isEmpty()) say(said);
         note_->setText(place.state.value("note").toString());
@@ -92,24 +92,35 @@ class LoginPage : public Page {
             Q_EMIT go({PageId::kJoin, 0, {}, {}});
         });
         connect(button_, &QPushButton::clicked, this, [this] { signIn(); });
-        connect(login_, &QLineEdit::returnPressed, this,
-                [this] { password_->text().isEmpty() ? password_->setFocus() : signIn(); });
-        connect(password_, &QLineEdit::returnPressed, this, [this] { signIn(); });
+        enter_submits({login_, password_}, this, [this] { signIn(); });
         QFrame* card = make_card(layout);
         layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
         card->setFixedWidth(460);
         return card;
     }
 
+    /// Whether somebody of this name may sign in to the store that is open.
+    [[nodiscard]] bool isHere(const QString& login) {
+        bool may = false;
+        if (!login.isEmpty())
+            (void)context_.problemOf([&] {
+                const auto user = context_.store().user_by_login(login.toStdString());
+                may = user && user->active;
+            });
+        return may;
+    }
+
     /// The people who signed in here last, as long as they still may.
     void addPeople(QVBoxLayout* layout) {
-        const QStringList recent = context_.settings().value("recent_logins").toStringList();
+        QStringList recent = context_.storeSetting("recent_logins").toStringList();
+        recent.removeIf([this](const QString& login) { return !isHere(login); });
         if (recent.isEmpty()) return;
         auto* grid = new QGridLayout;
         grid->setSpacing(kSpace8);
         int count = 0;
         for (const QString& login : recent.mid(0, kRememberedPeople)) {
             QPushButton* person = make_button(context_, login, "secondary", "account");
+            person->setObjectName("person_" + login);
             person->setAccessibleName(tr("Sign in as %1").arg(login));
             connect(person, &QPushButton::clicked, this, [this, login] {
                 login_->setText(login);
@@ -126,7 +137,7 @@ class LoginPage : public Page {
         if (!button_->isEnabled()) return;
         if (login_->text().trimmed().isEmpty() || password_->text().isEmpty()) {
             say(tr("Type your name and your password."));
-            return;
+            return go_to_field(login_->text().trimmed().isEmpty() ? login_ : password_);
         }
         context_.guard(tr("Signing in"), [this] {
             const std::string typed = password_->text().toStdString();
@@ -188,10 +199,10 @@ class LoginPage : public Page {
     }
 
     void remember(const QString& login) {
-        QStringList recent = context_.settings().value("recent_logins").toStringList();
+        QStringList recent = context_.storeSetting("recent_logins").toStringList();
         recent.removeAll(login);
         recent.prepend(login);
-        context_.settings().setValue("recent_logins", recent.mid(0, kRememberedPeople));
+        context_.setStoreSetting("recent_logins", recent.mid(0, kRememberedPeople));
     }
 
     void countDown() {

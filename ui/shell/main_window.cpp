@@ -4,10 +4,11 @@
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QProgressBar>
+#include <QKeyEvent>
 #include <QScreen>
 #include <QShortcut>
 #include <QToolButton>
+#include <QWindow>
 
 #include "ui/shell/handover.h"
 #include "ui/shell/parts.h"
@@ -19,17 +20,14 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     setWindowIcon(line_icon("placode", context.colors().accent));
     setMinimumSize(940, 520);  // 1920 x 1080 at 200 %.
     resize(1366, 768);
+    announce_banners_as_alerts();
+    notices_ = new Notices(context, this);
     buildFrame();
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
     connect(&context, &AppContext::userChanged, this, &MainWindow::onUserChanged);
-    connect(&context, &AppContext::problemReported, this, [this](const Problem& problem) {
-        ++problems_;
-        banner_->showProblem(problem);
-    });
-    connect(&context, &AppContext::busyChanged, this, [this](const QString& what) {
-        busy_text_->setText(what);
-        busy_->setVisible(!what.isEmpty());
-    });
+    connect(&context, &AppContext::problemReported, this,
+            [this](const Problem& problem) { notices_->showProblem(problem); });
+    connect(&context, &AppContext::busyChanged, notices_, &Notices::showBusy);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
@@ -41,7 +39,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
 
 void MainWindow::begin() {
     const auto again = [this] {
-        banner_->hide();
+        notices_->closeAll();
         begin();
     };
     bool first = false;
@@ -62,9 +60,8 @@ void MainWindow::rebuild() {
     QWidget* old = takeCentralWidget();
     old->hide();
     old->deleteLater();
-    const QPointer<Banner> said = banner_;
     buildFrame();
-    if (said) banner_->takeOver(*said);
+    notices_->restyle();
     if (context_.storeIsOpen()) {
         showPlace(here);
     } else {
@@ -74,6 +71,7 @@ void MainWindow::rebuild() {
 
 void MainWindow::onUserChanged() {
     trail_.clear();
+    notices_->closeAll();  // They were for whoever was here before.
     buildFrame();
     if (!context_.signedIn()) {
         const QString note =
@@ -96,11 +94,26 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
         case QEvent::TouchBegin:
             if (context_.signedIn() && context_.lockAfterSeconds() > 0)
                 idle_.start(context_.lockAfterSeconds() * 1000);
+            if (closesNotice(object, event)) return true;
             break;
         default:
             break;
     }
     return QMainWindow::eventFilter(object, event);
+}
+
+// Escape belongs to an open list, menu or dialog first.
+bool MainWindow::closesNotice(QObject* object, QEvent* event) {
+    if (event->type() != QEvent::KeyPress ||
+        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return false;
+    if (QApplication::activePopupWidget() != nullptr ||
+        QApplication::activeModalWidget() != nullptr || (search_ && search_->isVisible()))
+        return false;
+    const auto* widget = qobject_cast<QWidget*>(object);
+    const bool here = object == static_cast<QObject*>(windowHandle()) ||
+                      (widget != nullptr && widget->window() == this);
+    return here && notices_->closeNewest();
 }
 
 void MainWindow::lock() {
@@ -113,7 +126,7 @@ void MainWindow::lock() {
     locked_place_ = place_;
     if (page_) locked_place_.state = page_->state();
     locked_user_ = context_.user().id;
-    context_.settings().setValue("last_login", qstr(context_.user().login));
+    context_.setStoreSetting("last_login", qstr(context_.user().login));
     context_.audit("session.lock", qstr(context_.user().login));
     context_.signOut();
 }
@@ -143,13 +156,13 @@ void MainWindow::open(const Place& place) {
     if (page_) trail_.push_back(place_);
     if (trail_.size() > 50) trail_.erase(trail_.begin());
     if (taken_back) trail_.clear();  // Nobody goes back into somebody else's run by accident.
-    banner_->hide();
+    notices_->closeAll();
     showPlace(place);
     if (taken_back) offerLeftovers();
 }
 
 void MainWindow::visit(const Place& place) {
-    banner_->hide();
+    notices_->closeAll();
     showPlace(place);
 }
 
@@ -157,7 +170,7 @@ void MainWindow::goBack() {
     const Place last = trail_.empty() ? home() : trail_.back();
     if (handedOver() && !is_participants(context_, last) && !mayTakeBack()) return;
     if (!trail_.empty()) trail_.pop_back();
-    banner_->hide();
+    notices_->closeAll();
     showPlace(last);
 }
 
@@ -166,7 +179,7 @@ void MainWindow::showPlace(const Place& place) {
     Page* made = nullptr;
     if (!context_.guard(tr("Opening the page"), [&] { made = make_page(context_, place); })) {
         showRetry(tr("This page cannot be shown."), [this, place] {
-            banner_->hide();
+            notices_->closeAll();
             showPlace(place);
         });
         return;
@@ -190,12 +203,9 @@ void MainWindow::showPlace(const Place& place) {
     updateFrame();
 }
 
-// Twice queued: after the page change that often comes with it, before it or behind it. A problem
-// that has come up meanwhile is not covered.
+// Twice queued: after the page change that often comes with it, before it or behind it.
 void MainWindow::announce(const QString& text) {
-    const auto show = [this, text, before = problems_] {
-        if (problems_ == before) banner_->showNotice(text);
-    };
+    const auto show = [this, text] { notices_->showNotice(text); };
     const auto queue = [this, show] {
         QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
     };
@@ -232,6 +242,7 @@ void MainWindow::updateFrame() {
             button->setVisible(context_.signedIn() && !alone);
     running_->setVisible(context_.launcher().running() && place_.page != PageId::kRunning);
     title_->setText(page_ ? page_->title() : QString());
+    placeNotices();
     for (const auto& [button, page] : rail_buttons_) {
         const bool here = page == place_.page;
         button->setChecked(here);
@@ -243,6 +254,14 @@ void MainWindow::updateFrame() {
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     narrowRail();
+    placeNotices();
+}
+
+void MainWindow::placeNotices() {
+    // The rail has its new width before its layout has been told.
+    const int rail = rail_ == nullptr || rail_->isHidden() ? 0 : rail_->maximumWidth();
+    const int bar = bar_ == nullptr ? 0 : bar_->maximumHeight();
+    notices_->setArea(QRect(rail, bar, width() - rail, height() - bar));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

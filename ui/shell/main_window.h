@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The frame of the shell: rail, top bar, banner and the page that is shown.
+// The frame of the shell: rail, top bar, the page that is shown, and messages floating over it.
 
 #include <QMainWindow>
 #include <QPointer>
 #include <QTimer>
 #include <vector>
 
-#include "ui/shell/banner.h"
+#include "ui/shell/notices.h"
 #include "ui/shell/pages.h"
 
 class QHBoxLayout;
@@ -32,7 +32,8 @@ class MainWindow : public QMainWindow {
     void visit(const Place& place);
     [[nodiscard]] PageId current() const { return place_.page; }
     [[nodiscard]] Page* page() const { return page_; }
-    [[nodiscard]] const Banner& banner() const { return *banner_; }
+    /// All messages that float over the page.
+    [[nodiscard]] const Notices& banner() const { return *notices_; }
 
  protected:
     void closeEvent(QCloseEvent* event) override;
@@ -64,6 +65,7 @@ class MainWindow : public QMainWindow {
     /// Back to log-in; who comes back as the same person is where he was. Not while an attempt
     /// runs, nor while a participant is at the screen.
     void lock();
+    [[nodiscard]] bool closesNotice(QObject* object, QEvent* event);
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.
     [[nodiscard]] Place lastPlace() const;
@@ -71,6 +73,8 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] static Place placeOf(const AttemptOrder& order);
     [[nodiscard]] Place home() const;
     void updateFrame();
+    /// Messages float over the page, not over rail and top bar.
+    void placeNotices();
     /// A narrow window (or a large scale) has icons only in the rail; the words are tool tips.
     void narrowRail();
 
@@ -78,19 +82,17 @@ class MainWindow : public QMainWindow {
     Place place_;
     std::vector<Place> trail_;
     QPointer<Page> page_;
-    QPointer<Banner> banner_;
+    Notices* notices_ = nullptr;
     QWidget *rail_ = nullptr, *bar_ = nullptr;
     QVBoxLayout* content_ = nullptr;
     QPointer<QWidget> shown_;
-    QLabel *title_ = nullptr, *busy_text_ = nullptr;
-    QWidget* busy_ = nullptr;
+    QLabel* title_ = nullptr;
     QToolButton* running_ = nullptr;
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
     QTimer idle_;
     Place locked_place_;
     int64_t locked_user_ = 0;
-    int problems_ = 0;  ///< Reported so far.
 };
 
 }  // namespace placode::ui

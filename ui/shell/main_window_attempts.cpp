@@ -22,8 +22,8 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         !ending.crashed && ending.exit_code == 2 && context_.launcher().status().time_s <= 0;
     if (never_began || !QFile::exists(ending.order.recording_file)) {
         remove_recording(ending.order.recording_file);
-        context_.report({tr("The attempt could not be started."),
-                         tr("Choose another device or try again."), ending.message});
+        context_.report(simulator_problem(
+            {ending.crashed, ending.exit_code, false, ending.order.device, ending.message}));
         if (waiting) showPlace(placeOf(ending.order));
         return;
     }
@@ -32,10 +32,10 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         // coordinator who decides, after taking the screen back.
         const bool study = !ending.order.study.isEmpty();
         if (waiting) showPlace(study ? placeOf(ending.order) : Place{PageId::kRecovery, 0, {}, {}});
-        context_.report({tr("The simulator ended unexpectedly."),
-                         study ? tr("What was recorded is kept. Please call the coordinator.")
-                               : tr("What was recorded is kept and can be saved as interrupted."),
-                         ending.message});
+        Problem problem = simulator_problem(
+            {ending.crashed, ending.exit_code, true, ending.order.device, ending.message});
+        if (study) problem.way_out = tr("What was recorded is kept. Please call the coordinator.");
+        context_.report(problem);
         return;
     }
     saveAttempt(ending);
@@ -69,7 +69,7 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                     : Place{PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
             if (!context_.signedIn() || context_.user().id != ending.order.user_id) return;
             if (waiting) return showPlace(result);
-            banner_->showNotice(
+            notices_->showNotice(
                 tr("Your attempt was saved."),
                 {order.study.isEmpty() ? tr("Open the result") : tr("Go on with the study"),
                  [this, result] { open(result); }});
@@ -93,7 +93,9 @@ void MainWindow::offerLeftovers() {
         mine == 1 ? tr("An attempt of %1 was not finished or not saved (%2).")
                         .arg(format_clock(last.started_utc), format_duration(last.duration_s))
                   : tr("Attempts that were not finished or not saved: %1.").arg(mine);
-    banner_->showNotice(text, {tr("Look at it"), [this] { open({PageId::kRecovery, 0, {}, {}}); }});
+    notices_->showNotice(text, {tr("Look at it"), [this] {
+                                    open({PageId::kRecovery, 0, {}, {}});
+                                }});
 }
 
 }  // namespace placode::ui

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame around the pages: rail, top bar, banner.
+// The frame around the pages: rail and top bar.
 #include <QActionGroup>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QProgressBar>
 #include <QScrollArea>
 #include <QToolButton>
 
@@ -47,30 +46,13 @@ void MainWindow::buildFrame() {
     right->setSpacing(0);
     bar_ = buildTopBar();
     right->addWidget(bar_);
-    auto* messages = new QVBoxLayout;
-    messages->setContentsMargins(kSpace32, kSpace12, kSpace32, 0);
-    banner_ = new Banner(context_);
-    messages->addWidget(banner_);
-    busy_ = new QWidget;
-    auto* busy = new QVBoxLayout(busy_);
-    busy->setContentsMargins(0, kSpace4, 0, 0);
-    busy->setSpacing(kSpace4);
-    busy_text_ = make_label({}, "small");
-    auto* bar = new QProgressBar;
-    bar->setRange(0, 0);
-    bar->setTextVisible(false);
-    bar->setAccessibleName(tr("Work in progress"));
-    busy->addWidget(busy_text_);
-    busy->addWidget(bar);
-    busy_->hide();
-    messages->addWidget(busy_);
-    right->addLayout(messages);
     content_ = new QVBoxLayout;
     content_->setContentsMargins(0, 0, 0, 0);
     right->addLayout(content_, 1);
     row->addLayout(right, 1);
     setCentralWidget(frame);
     narrowRail();
+    placeNotices();
 }
 
 void MainWindow::narrowRail() {
@@ -239,7 +221,7 @@ void MainWindow::addSwitch(QHBoxLayout* bar) {
 void MainWindow::switchUser() {
     if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return;
     // Switching keeps nobody's name in the field; signing out proposes the same person again.
-    context_.settings().remove("last_login");
+    context_.setStoreSetting("last_login", {});
     context_.signOut();
 }
 

@@ -33,13 +33,13 @@ void MainWindow::rememberPlace() {
     // Only what can be opened again without a context: the rail's pages.
     for (const auto& [button, page] : rail_buttons_)
         if (page == place_.page)
-            context_.settings().setValue(QString("last_page/%1").arg(context_.user().id),
-                                         button->objectName());
+            context_.setStoreSetting(QString("last_page/%1").arg(context_.user().id),
+                                     button->objectName());
 }
 
 Place MainWindow::lastPlace() const {
     const QString last =
-        context_.settings().value(QString("last_page/%1").arg(context_.user().id)).toString();
+        context_.storeSetting(QString("last_page/%1").arg(context_.user().id)).toString();
     for (const auto& [button, page] : rail_buttons_)
         if (button->objectName() == last) return {page, 0, {}, {}};
     return home();

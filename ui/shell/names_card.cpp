@@ -43,7 +43,7 @@ class NamesCard : public QFrame {
         grid->setHorizontalSpacing(kSpace8);
         grid->setVerticalSpacing(kSpace8);
         path_ = make_line("key_path", tr("File of the key"));
-        const QString kept = context_.settings().value("key/" + qstr(study_)).toString();
+        const QString kept = context_.storeSetting("key/" + qstr(study_)).toString();
         path_->setText(kept.isEmpty() ? qstr(db::default_key_path(context_.storeUrl(), study_))
                                       : kept);
         passphrase_ = make_line(
@@ -72,12 +72,10 @@ class NamesCard : public QFrame {
             auto key = make ? db::ParticipantKey::create(path, study_, phrase)
                             : db::ParticipantKey::open(path, phrase);
             if (key.study_id() != study_)
-                throw db::StoreError(
-                    db::StoreError::Kind::kRefused,
-                    "participant key " + path + ": belongs to the study " + key.study_id());
+                throw Refusal(tr("These names belong to the study %1.").arg(qstr(key.study_id())));
             db::keep_seal(context_.store(), study_, key.seal().public_key);
             key_ = std::make_unique<db::ParticipantKey>(std::move(key));
-            context_.settings().setValue("key/" + qstr(study_), path_->text().trimmed());
+            context_.setStoreSetting("key/" + qstr(study_), path_->text().trimmed());
             context_.audit(make ? "study.key.make" : "study.key.open", qstr(study_),
                            path_->text().trimmed());
             passphrase_->clear();

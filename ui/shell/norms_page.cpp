@@ -149,17 +149,14 @@ class NormsPage : public Page {
         const QString path = context_.askOpenFile(this, tr("Import a pack"), "JSON (*.json)");
         if (path.isEmpty()) return;
         context_.guard(tr("Importing the pack"), [&] {
-            using db::StoreError;
             const std::string file = path.toStdString();
             const auto norms =
                 curriculum::load_signed_norms(curriculum::read_norm_file(file), file);
             const auto pack = curriculum::load_norm_pack(norms.content, file);
             if (!db::signature_is_right(norms.content, norms.signature, norms.public_key))
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("%1: the signature is wrong: the pack was changed after it was "
-                                    "signed. Ask the centre for it again.")
-                                     .arg(path)
-                                     .toStdString());
+                throw Refusal(tr("%1: the signature is wrong: the pack was changed after it was "
+                                 "signed. Ask the centre for it again.")
+                                  .arg(path));
             if (!context_.store().trusted_centres().contains(norms.public_key)) {
                 if (!confirm(this, tr("Trust %1?").arg(qstr(pack.centre)),
                              tr("Its key is %1. Compare it with the centre by telephone before "

@@ -37,7 +37,7 @@ void add_attempts(AppContext& context, std::vector<TourStop>& tour) {
     for (const db::AttemptRecord& each : page.rows)
         if (shown->generated && !each.generated) shown = &each;
     tour.push_back({"result", {PageId::kResult, shown->id, {}, {}}});
-    tour.push_back({"watch", {PageId::kWatch, shown->id, {}, {}}});
+    tour.push_back({"watch", {PageId::kWatch, shown->id, {}, {{"watch", false}}}});
     tour.push_back({"compare", {PageId::kCompare, shown->id, {}, {}}});
 }
 

@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QStyle>
 
 #include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
@@ -96,18 +97,52 @@ class PeoplePage : public Page {
                                     db::Role::kAdministrator}) {
             auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
             box->setObjectName(QString("role_%1").arg(static_cast<int>(role)));
-            box->setChecked(role == db::Role::kTrainee);
             roles_.emplace_back(box, role);
             role_boxes_->addWidget(box);
         }
         role_boxes_->addStretch();
         layout->addLayout(role_boxes_);
+        message_ = make_label({}, "critical");
+        message_->setObjectName("add_message");
+        message_->hide();
+        layout->addWidget(message_);
+        role_summary_ = make_label({}, "small");
+        role_summary_->setObjectName("role_summary");
+        layout->addWidget(role_summary_);
         QPushButton* add = make_button(context_, tr("Add the person"), "primary", "plus");
         add->setObjectName("add_person");
         connect(add, &QPushButton::clicked, this, [this] { this->add(); });
+        enter_submits({name_, login_, password_}, this, [this] { this->add(); });
         layout->addWidget(add);
+        for (const auto& [box, role] : roles_)
+            connect(box, &QCheckBox::toggled, this, [this] { showRoles(); });
+        resetRoles();
         new_card_ = make_card(layout);
         return new_card_;
+    }
+
+    /// Most people are trainees; what was ticked for the one before is not for the next.
+    void resetRoles() {
+        for (const auto& [box, role] : roles_) box->setChecked(role == db::Role::kTrainee);
+        showRoles();
+    }
+
+    [[nodiscard]] db::Roles chosenRoles() const {
+        db::Roles roles = 0;
+        for (const auto& [box, role] : roles_)
+            if (box->isChecked()) roles |= static_cast<db::Roles>(role);
+        return roles;
+    }
+
+    /// Who is more than a trainee may see and change more: said before the button is pressed.
+    void showRoles() {
+        const db::Roles roles = chosenRoles();
+        const bool more = roles != static_cast<db::Roles>(db::Role::kTrainee);
+        role_summary_->setText(roles == 0 ? tr("No role is ticked.")
+                                          : tr("Will be: %1").arg(role_names(roles)));
+        role_summary_->setProperty("role", more ? "warn" : "small");
+        role_summary_->style()->unpolish(role_summary_);
+        role_summary_->style()->polish(role_summary_);
     }
 
     QWidget* selectedCard() {
@@ -129,6 +164,7 @@ class PeoplePage : public Page {
         layout->addWidget(reset_);
         layout->addWidget(active_);
         connect(reset_, &QPushButton::clicked, this, [this] { resetPassword(); });
+        enter_submits({new_password_}, this, [this] { resetPassword(); });
         connect(active_, &QPushButton::clicked, this, [this] { toggleActive(); });
         return make_card(layout);
     }
@@ -195,28 +231,30 @@ class PeoplePage : public Page {
     }
 
     void add() {
+        message_->hide();
+        FormProblem problem = first_missing({name_, login_});
+        if (const QString rule = password_problem(password_->text()); !problem && !rule.isEmpty())
+            problem = {rule, password_};
         db::NewUser user;
         user.display_name = name_->text().trimmed().toStdString();
         user.login = login_->text().trimmed().toStdString();
         user.password = password_->text().toStdString();
-        user.roles = 0;
-        for (const auto& [box, role] : roles_) {
-            if (box->isChecked()) user.roles |= static_cast<db::Roles>(role);
+        user.roles = chosenRoles();
+        if (!problem && user.roles == 0)
+            problem = {tr("A person needs at least one role."), nullptr};
+        if (problem) {
+            message_->setText(problem.text);
+            message_->show();
+            return go_to_field(problem.field);
         }
         context_.guard(tr("Adding the person"), [&] {
-            using db::StoreError;
-            if (user.display_name.empty() || user.login.empty())
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("A person needs a name and a log-in name.").toStdString());
-            if (user.roles == 0)
-                throw StoreError(StoreError::Kind::kRefused,
-                                 tr("A person needs at least one role.").toStdString());
-            if (const QString problem = password_problem(password_->text()); !problem.isEmpty())
-                throw StoreError(StoreError::Kind::kRefused, problem.toStdString());
             context_.store().create_user(user);
             for (QLineEdit* field : {name_, login_, password_}) field->clear();
+            resetRoles();
+            name_->setFocus();
             fill();
-            Q_EMIT notice(tr("%1 was added.").arg(qstr(user.display_name)));
+            Q_EMIT notice(
+                tr("%1 was added: %2.").arg(qstr(user.display_name), role_names(user.roles)));
         });
     }
 
@@ -225,7 +263,7 @@ class PeoplePage : public Page {
         if (person == nullptr) return;
         context_.guard(tr("Setting the password"), [&] {
             if (const QString problem = password_problem(new_password_->text()); !problem.isEmpty())
-                throw db::StoreError(db::StoreError::Kind::kRefused, problem.toStdString());
+                throw Refusal(problem);
             context_.store().set_password(person->id, new_password_->text().toStdString());
             new_password_->clear();
             Q_EMIT notice(tr("%1 has a new password.").arg(qstr(person->display_name)));
@@ -251,7 +289,7 @@ class PeoplePage : public Page {
     QBoxLayout *row_ = nullptr, *fields_ = nullptr, *role_boxes_ = nullptr;
     QFrame* new_card_ = nullptr;
     QTableWidget* table_ = nullptr;
-    QLabel* selected_ = nullptr;
+    QLabel *selected_ = nullptr, *role_summary_ = nullptr, *message_ = nullptr;
     QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *new_password_ = nullptr;
     QPushButton *reset_ = nullptr, *active_ = nullptr;
 };

@@ -357,9 +357,9 @@ class ProtocolCard : public QFrame {
                 if (reason.isEmpty()) return;
                 context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
                 if (reason.size() < kShortestReason)
-                    throw db::StoreError(db::StoreError::Kind::kRefused,
-                                         "export with names: the reason needs at least " +
-                                             std::to_string(kShortestReason) + " characters");
+                    throw Refusal(
+                        tr("An export with names needs a reason of at least %1 characters.")
+                            .arg(kShortestReason));
             }))
             return;
         auto count = std::make_shared<size_t>(0);

@@ -7,6 +7,7 @@
 #include <QHBoxLayout>
 #include <memory>
 
+#include "ui/shell/details.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -52,22 +53,20 @@ class RecoveryPage : public Page {
             (leftover.order->user_id != context_.user().id || !leftover.order->study.isEmpty()))
             layout->addWidget(
                 make_label(tr("Belongs to %1.").arg(leftover.order->user_name), "muted"));
-        if (!leftover.problem.isEmpty()) {
+        if (!leftover.problem.isEmpty())
             layout->addWidget(
-                make_label(tr("The recording is damaged and cannot be scored."), "critical"));
-            layout->addWidget(make_label(leftover.problem, "small"));
-        }
-        if (!leftover.damage.isEmpty()) {
-            layout->addWidget(make_label(
-                tr("A part of the recording is damaged; what is whole can be saved."), "warn"));
-            layout->addWidget(make_label(leftover.damage, "small"));
-        }
+                make_label(recording_problem(leftover.problem, false).title, "critical"));
+        else if (!leftover.damage.isEmpty())
+            layout->addWidget(make_label(recording_problem(leftover.damage, true).title, "warn"));
         QComboBox* owner = nullptr;
         if (!leftover.order && leftover.problem.isEmpty()) {
             owner = ownerChooser();
             layout->addLayout(make_field(tr("Nobody knows whose it is. Save it for"), owner));
         }
-        layout->addWidget(make_label(leftover.recording_file, "small"));
+        QStringList exact{leftover.recording_file};
+        for (const QString& said : {leftover.problem, leftover.damage})
+            if (!said.isEmpty()) exact << said;
+        layout->addWidget(new Details(context_, exact.join("\n")));
         layout->addLayout(buttons(leftover, owner, index));
         return make_card(layout);
     }

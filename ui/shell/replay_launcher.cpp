@@ -30,9 +30,10 @@ ReplayLauncher::~ReplayLauncher() {
 
 void ReplayLauncher::start(const QString& recording_file, const QString& camera, double speed,
                            double from_s) {
-    if (running()) throw LaunchError("a replay is running; close it first");
+    if (running())
+        throw LaunchError(LaunchError::Kind::kBusy, "a replay is running; close it first");
     const QString path = simulator_path(options_);
-    if (path.isEmpty()) throw LaunchError(simulator_missing(options_));
+    if (path.isEmpty()) throw LaunchError(LaunchError::Kind::kMissing, simulator_missing(options_));
     state_ = {};
     state_.camera = camera;
     state_.speed = speed;
@@ -40,11 +41,15 @@ void ReplayLauncher::start(const QString& recording_file, const QString& camera,
     QStringList arguments{"--device",   "play:" + recording_file, "--control", "--status",
                           "--language", options_.language,        "--camera",  camera,
                           "--speed",    QString::number(speed)};
+    if (!place_.isNull())
+        arguments << "--size" << QString("%1x%2").arg(place_.width()).arg(place_.height())
+                  << "--position" << QString("%1,%2").arg(place_.x()).arg(place_.y());
     if (from_s > 0) arguments << "--from" << QString::number(from_s, 'f', 2);
     process_.start(path, arguments + options_.replay_arguments);
     if (!process_.waitForStarted(kPatienceMs))
-        throw LaunchError(path.toStdString() + ": " + process_.errorString().toStdString() +
-                          "; check that it is a program of this machine");
+        throw LaunchError(LaunchError::Kind::kFailed,
+                          path.toStdString() + ": " + process_.errorString().toStdString() +
+                              "; check that it is a program of this machine");
 }
 
 void ReplayLauncher::stop() { say("quit"); }
@@ -73,8 +78,10 @@ void ReplayLauncher::readStatus() {
 void ReplayLauncher::onFinished(int exit_code, QProcess::ExitStatus status) {
     readStatus();
     errors_ += process_.readAllStandardError();
-    const bool fine = status == QProcess::NormalExit && exit_code == 0;
-    Q_EMIT ended(fine ? QString() : QString::fromUtf8(errors_.right(4000)).trimmed());
+    const bool crashed = status != QProcess::NormalExit;
+    if (!crashed && exit_code == 0) return Q_EMIT ended(std::nullopt);
+    Q_EMIT ended(
+        ProgramEnd{crashed, exit_code, true, {}, QString::fromUtf8(errors_.right(4000)).trimmed()});
 }
 
 }  // namespace placode::ui

@@ -6,8 +6,12 @@
 
 #include <QObject>
 #include <QProcess>
+#include <QRect>
+
+#include <optional>
 
 #include "ui/shell/attempt_launcher.h"
+#include "ui/shell/messages.h"
 
 namespace placode::ui {
 
@@ -27,6 +31,8 @@ class ReplayLauncher : public QObject {
     explicit ReplayLauncher(LaunchOptions options, QObject* parent = nullptr);
     ~ReplayLauncher() override;
 
+    /// Where its next window goes on the desktop; null: wherever the desktop wants.
+    void setPlace(const QRect& place) { place_ = place; }
     /// Throws LaunchError.
     void start(const QString& recording_file, const QString& camera, double speed, double from_s);
     void stop();
@@ -40,8 +46,8 @@ class ReplayLauncher : public QObject {
 
  Q_SIGNALS:
     void stateChanged();
-    /// @param message why, when it did not end by itself or by request.
-    void ended(const QString& message);
+    /// @param end how, when it did not end by itself or by request.
+    void ended(const std::optional<placode::ui::ProgramEnd>& end);
 
  private:
     void say(const QString& line);
@@ -52,6 +58,7 @@ class ReplayLauncher : public QObject {
     QProcess process_;
     ReplayState state_;
     QByteArray errors_;
+    QRect place_;
 };
 
 }  // namespace placode::ui

@@ -207,7 +207,8 @@ class ResultPage : public Page {
             [detail, history, known, path](db::Store& store) {
                 const sim::Recording recording =
                     known ? *known : stored_recording(store, detail.record.id);
-                reports::write_attempt_pdf(detail, recording, history, path.toStdString());
+                reports::write_attempt_pdf(detail, recording, history, path.toStdString(),
+                                           reports::centre_name(store));
             },
             [this, path](bool done) {
                 if (done) Q_EMIT notice(tr("Report written: %1").arg(path));

@@ -38,6 +38,8 @@ class SetupPage : public Page {
         create->setObjectName("create_administrator");
         create->setProperty("scale", "large");
         connect(create, &QPushButton::clicked, this, [this] { this->create(); });
+        enter_submits({fields_.name, fields_.login, fields_.password, fields_.again}, this,
+                      [this] { this->create(); });
         layout->addWidget(create);
         QFrame* card = make_card(layout);
         layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
@@ -67,14 +69,14 @@ class SetupPage : public Page {
 
     void create() {
         message_->hide();
-        if (const QString problem = fields_.problem(); !problem.isEmpty()) return say(problem);
+        if (const FormProblem problem = fields_.problem()) return say(problem);
         db::NewUser user = fields_.user();
         user.roles = static_cast<db::Roles>(db::Role::kAdministrator);
         if (trains_->isChecked()) user.roles |= static_cast<db::Roles>(db::Role::kTrainee);
         context_.guard(tr("Creating the administrator"), [&] {
             context_.store().create_user(user);
             if (demonstration_->isChecked()) addDemonstrationAccounts();
-            context_.settings().setValue("last_login", QString::fromStdString(user.login));
+            context_.setStoreSetting("last_login", QString::fromStdString(user.login));
             Q_EMIT notice(tr("The administrator was created. Sign in to add people."));
             Q_EMIT go({PageId::kLogin, 0, {}, {}});
         });
@@ -96,9 +98,10 @@ class SetupPage : public Page {
         }
     }
 
-    void say(const QString& text) {
-        message_->setText(text);
+    void say(const FormProblem& problem) {
+        message_->setText(problem.text);
         message_->show();
+        go_to_field(problem.field);
     }
 
     AccountFields fields_;

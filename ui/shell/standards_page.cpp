@@ -178,7 +178,7 @@ class StandardsPage : public Page {
         layout->addLayout(row);
         auto* norms = new QHBoxLayout;
         norms->setSpacing(kSpace16);
-        centre_ = new QLineEdit(context_.settings().value("centre").toString());
+        centre_ = new QLineEdit(context_.storeSetting("centre").toString());
         centre_->setObjectName("centre_name");
         norms->addLayout(make_field(tr("Name of this centre"), centre_), 1);
         QPushButton* make =
@@ -213,7 +213,7 @@ class StandardsPage : public Page {
                                                                      {"expert", persons(2)}};
             db::Store& store = context_.store();
             const std::string centre = centre_->text().trimmed().toStdString();
-            context_.settings().setValue("centre", centre_->text().trimmed());
+            context_.setStoreSetting("centre", centre_->text().trimmed());
             db::keep_own_norms(
                 store,
                 db::make_norms(db::level_attempts(store, task(), people), centre,

@@ -30,12 +30,12 @@ std::string chosen_study(AppContext& context, const std::vector<std::string>& id
     const auto there = [&](const QString& id) {
         return std::find(ids.begin(), ids.end(), id.toStdString()) != ids.end();
     };
-    const QString last = context.settings().value(kSetting).toString();
+    const QString last = context.storeSetting(kSetting).toString();
     const QString chosen = there(wanted) ? wanted
                            : there(last) ? last
                            : ids.empty() ? QString()
                                          : qstr(ids.front());
-    if (!chosen.isEmpty()) context.settings().setValue(kSetting, chosen);
+    if (!chosen.isEmpty()) context.setStoreSetting(kSetting, chosen);
     return chosen.toStdString();
 }
 

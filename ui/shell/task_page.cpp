@@ -156,10 +156,7 @@ class TaskPage : public Page {
     /// Who is present confirms with the own password. Throws kRefused.
     [[nodiscard]] QString confirmedProctor() {
         if (proctor_ == nullptr) return {};
-        using db::StoreError;
-        const auto refuse = [](const QString& why) {
-            throw StoreError(StoreError::Kind::kRefused, why.toStdString());
-        };
+        const auto refuse = [](const QString& why) { throw Refusal(why); };
         if (proctor_->text().trimmed().isEmpty() || proctor_password_->text().isEmpty())
             refuse(tr("The exam begins when a proctor has typed name and password."));
         const db::SignIn found = context_.store().sign_in(proctor_->text().trimmed().toStdString(),

@@ -27,7 +27,7 @@ std::vector<std::string> course_ids(AppContext& context) {
         throw curriculum::DefinitionError((curriculum::data_folder() / "courses").string(), "",
                                           "no course found; expected at least one .json file");
     }
-    const std::string chosen = context.settings().value("course").toString().toStdString();
+    const std::string chosen = context.storeSetting("course").toString().toStdString();
     const auto found = std::find(ids.begin(), ids.end(), chosen);
     if (found != ids.end()) std::rotate(ids.begin(), found, found + 1);
     return ids;

@@ -9,11 +9,13 @@
 #include <QProgressBar>
 #include <QTemporaryDir>
 #include <cmath>
+#include <utility>
 
 #include "reports/words.h"
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/replay_launcher.h"
+#include "ui/shell/replay_place.h"
 #include "ui/shell/result_cards.h"
 #include "ui/shell/training.h"
 
@@ -30,13 +32,15 @@ class WatchPage : public Page {
         : Page(context),
           record_(context.store().attempt(place.number).record),
           from_s_(place.state.value("from_s").toDouble()),
-          blinded_(place.state.value("blinded").toBool()) {
+          blinded_(place.state.value("blinded").toBool()),
+          begin_(place.state.value("watch", true).toBool()) {
         require_sight(context, record_);
         LaunchOptions options = context.launcher().options();
         options.language = context.language();
         replay_ = new ReplayLauncher(options, this);
         column_ = make_column(this);
-        column_->addWidget(steerCard(place));
+        steer_ = steerCard(place);
+        column_->addWidget(steer_);
         wait_ = make_label(tr("Reading the recording …"), "muted");
         column_->addWidget(wait_);
         pictures_ = new QVBoxLayout;
@@ -45,7 +49,7 @@ class WatchPage : public Page {
         column_->addStretch();
         connect(replay_, &ReplayLauncher::stateChanged, this, [this] { refresh(); });
         connect(replay_, &ReplayLauncher::ended, this,
-                [this](const QString& message) { onEnded(message); });
+                [this](const std::optional<ProgramEnd>& end) { onEnded(end); });
         refresh();
         readRecording();
     }
@@ -54,6 +58,8 @@ class WatchPage : public Page {
     [[nodiscard]] QVariantMap state() const override {
         return {{"from_s", replay_->running() ? replay_->state().time_s : from_s_},
                 {"blinded", blinded_},
+                // Built again in another theme or language: a window that is open stays so.
+                {"watch", replay_->running() || begin_},
                 {"camera", camera_->currentData()},
                 {"speed", speed_->currentData()}};
     }
@@ -179,7 +185,8 @@ class WatchPage : public Page {
                 file_ = file;
                 showLedger(*recording);
                 refresh();
-                if (from_s_ > 0) start(from_s_);
+                // Whoever comes here has asked to watch.
+                if (std::exchange(begin_, false)) start(from_s_);
             });
     }
 
@@ -250,6 +257,7 @@ class WatchPage : public Page {
 
     void start(double from_s) {
         context_.guard(tr("Starting the replay"), [&] {
+            replay_->setPlace(replay_place(*steer_));
             replay_->start(file_, camera_->currentData().toString(),
                            speed_->currentData().toDouble(), from_s);
         });
@@ -264,11 +272,9 @@ class WatchPage : public Page {
             start(time_s);
     }
 
-    void onEnded(const QString& message) {
+    void onEnded(const std::optional<ProgramEnd>& end) {
         from_s_ = 0;
-        if (!message.isEmpty())
-            context_.report({tr("The replay ended with a problem."),
-                             tr("The recording and its score are untouched."), message});
+        if (end) context_.report(simulator_problem(*end));
         refresh();
     }
 
@@ -289,7 +295,8 @@ class WatchPage : public Page {
         if (ledger_) ledger_->setCursor_s(running ? now.time_s : -1);
         if (!running) {
             said_->setText(
-                tr("The attempt is simulated again exactly, in the simulator's window."));
+                tr("The attempt is simulated again exactly, in a window beside this one. Its keys: "
+                   "Space pauses, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera."));
             return;
         }
         camera_->setCurrentIndex(std::max(0, camera_->findData(now.camera)));
@@ -308,6 +315,8 @@ class WatchPage : public Page {
     db::AttemptRecord record_;
     double from_s_ = 0;
     bool blinded_ = false;
+    bool begin_ = true;  ///< As soon as the recording is there.
+    QWidget* steer_ = nullptr;
     ReplayLauncher* replay_ = nullptr;
     std::shared_ptr<QTemporaryDir> folder_;
     QString file_;

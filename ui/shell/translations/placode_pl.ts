@@ -43,6 +43,14 @@
         <source>The two passwords differ. Type them again.</source>
         <translation>Hasła się różnią. Wpisz je jeszcze raz.</translation>
     </message>
+<message>
+        <source>Type the password once more.</source>
+        <translation>Wpisz hasło jeszcze raz.</translation>
+    </message>
+    <message>
+        <source>Fill in: %1.</source>
+        <translation>Uzupełnij: %1.</translation>
+    </message>
 </context>
 <context>
     <name>AccountPage</name>
@@ -1563,6 +1571,14 @@
         <source>Backup written: %1</source>
         <translation>Kopia zapisana: %1</translation>
     </message>
+<message>
+        <source>A file on this computer: %1</source>
+        <translation>Plik na tym komputerze: %1</translation>
+    </message>
+    <message>
+        <source>A server of the centre (PostgreSQL)</source>
+        <translation>Serwer ośrodka (PostgreSQL)</translation>
+    </message>
 </context>
 <context>
     <name>HistoryPage</name>
@@ -3081,6 +3097,18 @@
         <source>Invitations, lists, requests (%1 waiting)</source>
         <translation>Zaproszenia, listy, prośby (czeka: %1)</translation>
     </message>
+<message>
+        <source>No role is ticked.</source>
+        <translation>Nie zaznaczono żadnej roli.</translation>
+    </message>
+    <message>
+        <source>Will be: %1</source>
+        <translation>Będzie: %1</translation>
+    </message>
+    <message>
+        <source>%1 was added: %2.</source>
+        <translation>Dodano: %1 (%2).</translation>
+    </message>
 </context>
 <context>
     <name>ProtocolCard</name>
@@ -3295,6 +3323,10 @@
     <message>
         <source>Handing the screen over</source>
         <translation>Przekazanie ekranu</translation>
+    </message>
+<message>
+        <source>An export with names needs a reason of at least %1 characters.</source>
+        <translation>Eksport z nazwiskami wymaga uzasadnienia o długości co najmniej %1 znaków.</translation>
     </message>
 </context>
 <context>
@@ -4995,6 +5027,10 @@
         <source>This attempt was kept without a recording, so it cannot be watched. Its result is complete.</source>
         <translation>Ta próba została zapisana bez nagrania, więc nie można jej obejrzeć. Jej wynik jest kompletny.</translation>
     </message>
+<message>
+        <source>The attempt is simulated again exactly, in a window beside this one. Its keys: Space pauses, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera.</source>
+        <translation>Próba jest symulowana jeszcze raz, dokładnie tak samo, w oknie obok. Jego klawisze: spacja zatrzymuje, ← i → przeskakują o 5 s, ↑ i ↓ zmieniają prędkość, V kamerę.</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::AppContext</name>
@@ -5080,6 +5116,10 @@
     <message>
         <source>Close this message</source>
         <translation>Zamknij ten komunikat</translation>
+    </message>
+<message>
+        <source>Close this message (Esc)</source>
+        <translation>Zamknij tę wiadomość (Esc)</translation>
     </message>
 </context>
 <context>
@@ -5552,6 +5592,14 @@
     <message>
         <source>Needs the libraries of the Force Dimension SDK.</source>
         <translation>Potrzebne biblioteki Force Dimension SDK.</translation>
+    </message>
+<message>
+        <source>The list of devices could not be read.</source>
+        <translation>Nie udało się odczytać listy urządzeń.</translation>
+    </message>
+    <message>
+        <source>No pedals were found.</source>
+        <translation>Nie znaleziono pedałów.</translation>
     </message>
 </context>
 <context>
@@ -6333,6 +6381,10 @@
     <message>
         <source>Showing a signature</source>
         <translation>Pokazywanie podpisu</translation>
+    </message>
+<message>
+        <source>These names belong to the study %1.</source>
+        <translation>Te nazwiska należą do badania %1.</translation>
     </message>
 </context>
 <context>
@@ -8217,6 +8269,697 @@
     <message>
         <source>What happened</source>
         <translation>Co się stało</translation>
+    </message>
+</context>
+<context>
+    <name>Messages</name>
+    <message>
+        <source>Nothing was changed. Try again; if it happens again, the details tell an administrator where to look.</source>
+        <translation>Nic nie zostało zmienione. Spróbuj ponownie; jeśli się powtórzy, szczegóły powiedzą administratorowi, gdzie szukać.</translation>
+    </message>
+    <message>
+        <source>The disk is full: make room, then try again.</source>
+        <translation>Dysk jest pełny: zwolnij miejsce i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>You may not write there: choose another folder, or ask an administrator.</source>
+        <translation>Nie wolno tam zapisywać: wybierz inny folder albo zapytaj administratora.</translation>
+    </message>
+    <message>
+        <source>The file or folder is not there any more: choose another one.</source>
+        <translation>Tego pliku lub folderu już nie ma: wybierz inny.</translation>
+    </message>
+    <message>
+        <source>The store is locked by another program.</source>
+        <translation>Magazyn danych jest zablokowany przez inny program.</translation>
+    </message>
+    <message>
+        <source>Close the other program, or wait and try again.</source>
+        <translation>Zamknij ten program albo poczekaj i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>A file is damaged and was left as it is.</source>
+        <translation>Plik jest uszkodzony i pozostał bez zmian.</translation>
+    </message>
+    <message>
+        <source>Restore a backup; nothing has been overwritten.</source>
+        <translation>Przywróć kopię zapasową; nic nie zostało nadpisane.</translation>
+    </message>
+    <message>
+        <source>This file was written by a newer Placode.</source>
+        <translation>Ten plik zapisała nowsza wersja Placode.</translation>
+    </message>
+    <message>
+        <source>Update Placode on this machine.</source>
+        <translation>Zaktualizuj Placode na tym komputerze.</translation>
+    </message>
+    <message>
+        <source>The store cannot be reached.</source>
+        <translation>Nie ma dostępu do magazynu danych.</translation>
+    </message>
+    <message>
+        <source>Is its disk or its server there? Then try again; else tell an administrator.</source>
+        <translation>Czy jego dysk lub serwer jest dostępny? Jeśli tak, spróbuj ponownie; jeśli nie, powiadom administratora.</translation>
+    </message>
+    <message>
+        <source>This was refused.</source>
+        <translation>Odmówiono.</translation>
+    </message>
+    <message>
+        <source>This is taken, or was done already.</source>
+        <translation>To jest zajęte albo już zrobione.</translation>
+    </message>
+    <message>
+        <source>Look at the page again, then choose another name or number.</source>
+        <translation>Obejrzyj stronę ponownie i wybierz inną nazwę lub numer.</translation>
+    </message>
+    <message>
+        <source>This is not there any more.</source>
+        <translation>Tego już nie ma.</translation>
+    </message>
+    <message>
+        <source>Open the page again.</source>
+        <translation>Otwórz stronę ponownie.</translation>
+    </message>
+    <message>
+        <source>%1 did not work.</source>
+        <translation>Nie udało się: %1.</translation>
+    </message>
+    <message>
+        <source>One is still running: close its window first.</source>
+        <translation>Jedna próba jeszcze trwa: najpierw zamknij jej okno.</translation>
+    </message>
+    <message>
+        <source>A part of Placode is missing on this computer: install Placode again, or tell an administrator.</source>
+        <translation>Na tym komputerze brakuje części Placode: zainstaluj Placode ponownie albo powiadom administratora.</translation>
+    </message>
+    <message>
+        <source>Restart the computer and try again, or tell an administrator.</source>
+        <translation>Uruchom komputer ponownie i spróbuj jeszcze raz albo powiadom administratora.</translation>
+    </message>
+    <message>
+        <source>Switch the SpaceMouse on. Its driver, spacenavd, has to be installed and running.</source>
+        <translation>Włącz SpaceMouse. Jej sterownik, spacenavd, musi być zainstalowany i uruchomiony.</translation>
+    </message>
+    <message>
+        <source>Plug the arm in and switch it on. OpenHaptics and the Touch driver of 3D Systems have to be installed.</source>
+        <translation>Podłącz ramię i włącz je. Muszą być zainstalowane OpenHaptics i sterownik Touch firmy 3D Systems.</translation>
+    </message>
+    <message>
+        <source>Plug the Inverse3 in and switch it on. The Haply Inverse service has to be running.</source>
+        <translation>Podłącz Inverse3 i włącz je. Usługa Haply Inverse musi działać.</translation>
+    </message>
+    <message>
+        <source>Plug the Haptic Avatar in and switch it on. Your account has to belong to the group dialout.</source>
+        <translation>Podłącz Haptic Avatar i włącz go. Twoje konto musi należeć do grupy dialout.</translation>
+    </message>
+    <message>
+        <source>Plug the device in and switch it on. The libraries of the Force Dimension SDK have to be installed.</source>
+        <translation>Podłącz urządzenie i włącz je. Muszą być zainstalowane biblioteki Force Dimension SDK.</translation>
+    </message>
+    <message>
+        <source>Plug a gamepad in, or switch it on and pair it.</source>
+        <translation>Podłącz pad albo włącz go i sparuj.</translation>
+    </message>
+    <message>
+        <source>Plug the pedals in. Your account has to belong to the group input.</source>
+        <translation>Podłącz pedały. Twoje konto musi należeć do grupy input.</translation>
+    </message>
+    <message>
+        <source>Choose another device, or connect it and try again.</source>
+        <translation>Wybierz inne urządzenie albo podłącz to i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>It found no screen to open its window on: start Placode from the desktop of this computer.</source>
+        <translation>Nie znalazł ekranu, na którym mógłby otworzyć okno: uruchom Placode z pulpitu tego komputera.</translation>
+    </message>
+    <message>
+        <source>The graphics of this computer are too old or have no driver: install the graphics driver.</source>
+        <translation>Grafika tego komputera jest za stara albo nie ma sterownika: zainstaluj sterownik graficzny.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory: close other programs, then try again.</source>
+        <translation>Brakuje pamięci: zamknij inne programy i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>A font is missing: install the package fonts-dejavu-core.</source>
+        <translation>Brakuje czcionki: zainstaluj pakiet fonts-dejavu-core.</translation>
+    </message>
+    <message>
+        <source>A definition file cannot be used.</source>
+        <translation>Nie można użyć pliku definicji.</translation>
+    </message>
+    <message>
+        <source>Correct the file at the place named, then try again.</source>
+        <translation>Popraw plik we wskazanym miejscu i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The simulator could not be started.</source>
+        <translation>Nie udało się uruchomić symulatora.</translation>
+    </message>
+    <message>
+        <source>Choose another folder or file name, then try again.</source>
+        <translation>Wybierz inny folder lub inną nazwę pliku i spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The device cannot be used.</source>
+        <translation>Nie można użyć urządzenia.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be used here.</source>
+        <translation>Tutaj nie można użyć: %1.</translation>
+    </message>
+    <message>
+        <source>The attempt could not be started.</source>
+        <translation>Nie udało się rozpocząć próby.</translation>
+    </message>
+    <message>
+        <source>The replay ended with a problem.</source>
+        <translation>Odtwarzanie zakończyło się błędem.</translation>
+    </message>
+    <message>
+        <source>The recording and its score are untouched.</source>
+        <translation>Zapis i jego wynik pozostają nienaruszone.</translation>
+    </message>
+    <message>
+        <source>Choose another device or try again.</source>
+        <translation>Wybierz inne urządzenie albo spróbuj ponownie.</translation>
+    </message>
+    <message>
+        <source>The simulator ended unexpectedly.</source>
+        <translation>Symulator zakończył się nieoczekiwanie.</translation>
+    </message>
+    <message>
+        <source>What was recorded is kept and can be saved as interrupted.</source>
+        <translation>To, co zapisano, pozostaje i można to zachować jako próbę przerwaną.</translation>
+    </message>
+    <message>
+        <source>A part of the recording is damaged; what is whole can be saved.</source>
+        <translation>Część zapisu jest uszkodzona; to, co jest całe, można zachować.</translation>
+    </message>
+    <message>
+        <source>The recording is damaged and cannot be scored.</source>
+        <translation>Zapis jest uszkodzony i nie można go ocenić.</translation>
+    </message>
+    <message>
+        <source>The recording of attempt %1 is damaged.</source>
+        <translation>Zapis próby %1 jest uszkodzony.</translation>
+    </message>
+    <message>
+        <source>Its score stays; it cannot be watched. A backup may hold it whole.</source>
+        <translation>Wynik pozostaje; próby nie można obejrzeć. Kopia zapasowa może zawierać cały zapis.</translation>
+    </message>
+    <message>
+        <source>The audit list was changed from outside, near entry %1.</source>
+        <translation>Dziennik zdarzeń został zmieniony z zewnątrz, w pobliżu wpisu %1.</translation>
+    </message>
+    <message>
+        <source>Ask who had access to the file or the server, and compare with a backup.</source>
+        <translation>Zapytaj, kto miał dostęp do pliku lub serwera, i porównaj z kopią zapasową.</translation>
+    </message>
+    <message>
+        <source>The file of the store is damaged.</source>
+        <translation>Plik magazynu danych jest uszkodzony.</translation>
+    </message>
+    <message>
+        <source>Make a copy of it now, then restore the last backup that is sound.</source>
+        <translation>Zrób teraz jego kopię, a potem przywróć ostatnią sprawną kopię zapasową.</translation>
+    </message>
+</context>
+<context>
+    <name>Rights</name>
+    <message>
+        <source>perform an attempt</source>
+        <translation>wykonać próby</translation>
+    </message>
+    <message>
+        <source>see other people's attempts</source>
+        <translation>oglądać prób innych osób</translation>
+    </message>
+    <message>
+        <source>see other people's personal data</source>
+        <translation>oglądać danych osobowych innych osób</translation>
+    </message>
+    <message>
+        <source>manage accounts</source>
+        <translation>zarządzać kontami</translation>
+    </message>
+    <message>
+        <source>have a questionnaire answered</source>
+        <translation>przeprowadzać ankiet</translation>
+    </message>
+    <message>
+        <source>export the data of a study</source>
+        <translation>eksportować danych badania</translation>
+    </message>
+    <message>
+        <source>back up, restore or check the store</source>
+        <translation>tworzyć kopii, przywracać ani sprawdzać magazynu danych</translation>
+    </message>
+    <message>
+        <source>see the audit trail</source>
+        <translation>oglądać dziennika zdarzeń</translation>
+    </message>
+    <message>
+        <source>publish courses</source>
+        <translation>publikować kursów</translation>
+    </message>
+    <message>
+        <source>assign courses to this person or group</source>
+        <translation>przydzielać kursów tej osobie lub grupie</translation>
+    </message>
+    <message>
+        <source>change groups</source>
+        <translation>zmieniać grup</translation>
+    </message>
+    <message>
+        <source>issue this person's certificate</source>
+        <translation>wystawić certyfikatu tej osoby</translation>
+    </message>
+    <message>
+        <source>review this person's attempts</source>
+        <translation>oceniać prób tej osoby</translation>
+    </message>
+    <message>
+        <source>set standards or rescore</source>
+        <translation>ustalać standardów ani oceniać ponownie</translation>
+    </message>
+    <message>
+        <source>export another person's data</source>
+        <translation>eksportować danych innej osoby</translation>
+    </message>
+    <message>
+        <source>ask for another person's erasure</source>
+        <translation>prosić o usunięcie innej osoby</translation>
+    </message>
+    <message>
+        <source>erase a person</source>
+        <translation>usunąć osoby</translation>
+    </message>
+    <message>
+        <source>everybody, in their own name</source>
+        <translation>każdy, we własnym imieniu</translation>
+    </message>
+    <message>
+        <source>an educator</source>
+        <translation>nauczyciel</translation>
+    </message>
+    <message>
+        <source>an educator or an administrator</source>
+        <translation>nauczyciel lub administrator</translation>
+    </message>
+    <message>
+        <source>an administrator</source>
+        <translation>administrator</translation>
+    </message>
+    <message>
+        <source>a coordinator</source>
+        <translation>koordynator</translation>
+    </message>
+    <message>
+        <source>an educator of the group</source>
+        <translation>nauczyciel tej grupy</translation>
+    </message>
+    <message>
+        <source>an educator of the group or an administrator</source>
+        <translation>nauczyciel tej grupy lub administrator</translation>
+    </message>
+    <message>
+        <source>the person, or an educator of the group,</source>
+        <translation>ta osoba lub nauczyciel grupy</translation>
+    </message>
+    <message>
+        <source>an educator of the group, not the person,</source>
+        <translation>nauczyciel grupy, nie ta osoba</translation>
+    </message>
+    <message>
+        <source>the person</source>
+        <translation>ta osoba</translation>
+    </message>
+    <message>
+        <source>an administrator, not the person,</source>
+        <translation>administrator, nie ta osoba</translation>
+    </message>
+    <message>
+        <source>You may not %1; %2 can.</source>
+        <translation>Nie możesz %1; może to zrobić %2.</translation>
+    </message>
+</context>
+<context>
+    <name>StoreWords</name>
+    <message>
+        <source>the login is taken; choose another one</source>
+        <translation>nazwa logowania jest zajęta; wybierz inną</translation>
+    </message>
+    <message>
+        <source>the login is empty</source>
+        <translation>nazwa logowania jest pusta</translation>
+    </message>
+    <message>
+        <source>the name is empty</source>
+        <translation>nazwa jest pusta</translation>
+    </message>
+    <message>
+        <source>the user has no role</source>
+        <translation>ta osoba nie ma żadnej roli</translation>
+    </message>
+    <message>
+        <source>the password has %1 characters; it needs at least %2</source>
+        <translation>hasło ma %1 znaków; potrzeba co najmniej %2</translation>
+    </message>
+    <message>
+        <source>the password is longer than %1 characters</source>
+        <translation>hasło ma więcej niż %1 znaków</translation>
+    </message>
+    <message>
+        <source>the password is the login; choose another one</source>
+        <translation>hasło jest takie samo jak nazwa logowania; wybierz inne</translation>
+    </message>
+    <message>
+        <source>a PIN has four to twelve digits</source>
+        <translation>PIN ma od czterech do dwunastu cyfr</translation>
+    </message>
+    <message>
+        <source>all digits the same, or in a row, is the first that somebody tries</source>
+        <translation>same jednakowe cyfry albo cyfry po kolei to pierwsze, czego ktoś spróbuje</translation>
+    </message>
+    <message>
+        <source>"%1" is the last active administrator; make another one first</source>
+        <translation>"%1" to ostatni aktywny administrator; najpierw ustanów innego</translation>
+    </message>
+    <message>
+        <source>the code is wrong or was used; ask for another one</source>
+        <translation>kod jest błędny lub już użyty; poproś o inny</translation>
+    </message>
+    <message>
+        <source>the invitation ended on %1; ask for another one</source>
+        <translation>zaproszenie wygasło %1; poproś o inne</translation>
+    </message>
+    <message>
+        <source>the invitation has no role</source>
+        <translation>zaproszenie nie zawiera roli</translation>
+    </message>
+    <message>
+        <source>found the date "%1"; an invitation needs a last day, such as %2</source>
+        <translation>podano datę "%1"; zaproszenie wymaga ostatniego dnia, na przykład %2</translation>
+    </message>
+    <message>
+        <source>erasure was asked for already</source>
+        <translation>o usunięcie już poproszono</translation>
+    </message>
+    <message>
+        <source>there is a group of this name; choose another one</source>
+        <translation>grupa o tej nazwie już istnieje; wybierz inną</translation>
+    </message>
+    <message>
+        <source>found the date "%1"; expected a day such as %2</source>
+        <translation>podano datę "%1"; oczekiwano dnia, na przykład %2</translation>
+    </message>
+    <message>
+        <source>the course is due before it begins</source>
+        <translation>termin kursu wypada przed jego początkiem</translation>
+    </message>
+    <message>
+        <source>a course is assigned to a person or to a group</source>
+        <translation>kurs przydziela się osobie albo grupie</translation>
+    </message>
+    <message>
+        <source>version %1 is not published; publish it first</source>
+        <translation>wersja %1 nie jest opublikowana; najpierw ją opublikuj</translation>
+    </message>
+    <message>
+        <source>it is assigned already (assignment %1); end that one first</source>
+        <translation>kurs jest już przydzielony (przydział %1); najpierw zakończ tamten</translation>
+    </message>
+    <message>
+        <source>it ended at %1</source>
+        <translation>zakończono to %1</translation>
+    </message>
+    <message>
+        <source>found %1; expected 1 to 1000</source>
+        <translation>podano %1; oczekiwano od 1 do 1000</translation>
+    </message>
+    <message>
+        <source>a grant needs a reason</source>
+        <translation>dodatkowe próby wymagają uzasadnienia</translation>
+    </message>
+    <message>
+        <source>the course has no such exam stage</source>
+        <translation>kurs nie ma takiego etapu egzaminacyjnego</translation>
+    </message>
+    <message>
+        <source>the course is not assigned to this person</source>
+        <translation>kurs nie jest przydzielony tej osobie</translation>
+    </message>
+    <message>
+        <source>locked; to be mastered first: %1</source>
+        <translation>zablokowane; najpierw trzeba opanować: %1</translation>
+    </message>
+    <message>
+        <source>all attempts are used</source>
+        <translation>wszystkie próby zostały wykorzystane</translation>
+    </message>
+    <message>
+        <source>the proctor's name is missing</source>
+        <translation>brakuje nazwiska osoby nadzorującej</translation>
+    </message>
+    <message>
+        <source>the device has no haptic certificate</source>
+        <translation>urządzenie nie ma certyfikatu haptycznego</translation>
+    </message>
+    <message>
+        <source>not mastered yet. %1</source>
+        <translation>jeszcze nieopanowane. %1</translation>
+    </message>
+    <message>
+        <source>%1 is published with another text, which is never changed; give your text the next version</source>
+        <translation>%1 jest opublikowane z innym tekstem, którego się nie zmienia; nadaj swojemu tekstowi następną wersję</translation>
+    </message>
+    <message>
+        <source>version %1 is published already; give your text a higher version</source>
+        <translation>wersja %1 jest już opublikowana; nadaj swojemu tekstowi wyższą wersję</translation>
+    </message>
+    <message>
+        <source>an amendment needs a reason</source>
+        <translation>zmiana wymaga uzasadnienia</translation>
+    </message>
+    <message>
+        <source>only questionnaires, studies, courses, rubrics, standards and seals of consents are published</source>
+        <translation>publikuje się tylko ankiety, badania, kursy, kryteria, standardy i pieczęcie zgód</translation>
+    </message>
+    <message>
+        <source>rubric %1 version %2 is known with another text; give the rubric the next version</source>
+        <translation>kryteria %1 w wersji %2 są znane z innym tekstem; nadaj im następną wersję</translation>
+    </message>
+    <message>
+        <source>the study "%1" has no participant "%2"; check the code</source>
+        <translation>badanie "%1" nie ma uczestnika "%2"; sprawdź kod</translation>
+    </message>
+    <message>
+        <source>there is no such participant; check the code</source>
+        <translation>nie ma takiego uczestnika; sprawdź kod</translation>
+    </message>
+    <message>
+        <source>%1 has withdrawn (%2); nothing more is recorded</source>
+        <translation>%1 wycofał się (%2); nic więcej nie jest zapisywane</translation>
+    </message>
+    <message>
+        <source>%1 has not consented; record the step "%2" first</source>
+        <translation>%1 nie wyraził zgody; najpierw zapisz krok "%2"</translation>
+    </message>
+    <message>
+        <source>the participant has withdrawn already (%1)</source>
+        <translation>uczestnik już się wycofał (%1)</translation>
+    </message>
+    <message>
+        <source>a withdrawal needs a reason; "not given" is one</source>
+        <translation>wycofanie wymaga powodu; "nie podano" też nim jest</translation>
+    </message>
+    <message>
+        <source>the step has no id</source>
+        <translation>krok nie ma identyfikatora</translation>
+    </message>
+    <message>
+        <source>the study has no id</source>
+        <translation>badanie nie ma identyfikatora</translation>
+    </message>
+    <message>
+        <source>the study has no published protocol that asks for one</source>
+        <translation>badanie nie ma opublikowanego protokołu, który wymaga zgody</translation>
+    </message>
+    <message>
+        <source>the statement "%1" is required and was not agreed to</source>
+        <translation>oświadczenie "%1" jest wymagane i nie zostało zaakceptowane</translation>
+    </message>
+    <message>
+        <source>the record of %1 is locked; unlock it with a reason first, which cancels its signature</source>
+        <translation>dokumentacja %1 jest zamknięta; najpierw otwórz ją z uzasadnieniem, co unieważni podpis</translation>
+    </message>
+    <message>
+        <source>it is locked already</source>
+        <translation>już zamknięte</translation>
+    </message>
+    <message>
+        <source>it is not locked</source>
+        <translation>nie jest zamknięte</translation>
+    </message>
+    <message>
+        <source>it is signed already, by %1</source>
+        <translation>już podpisane przez: %1</translation>
+    </message>
+    <message>
+        <source>a signature needs its meaning, such as "%1"</source>
+        <translation>podpis wymaga znaczenia, na przykład "%1"</translation>
+    </message>
+    <message>
+        <source>too many wrong passwords; try again in %1 s</source>
+        <translation>za dużo błędnych haseł; spróbuj ponownie za %1 s</translation>
+    </message>
+    <message>
+        <source>login or password is wrong; nothing was signed</source>
+        <translation>nazwa logowania lub hasło są błędne; nic nie podpisano</translation>
+    </message>
+    <message>
+        <source>lock the record first: what is signed must not change</source>
+        <translation>najpierw zamknij dokumentację: to, co podpisane, nie może się zmieniać</translation>
+    </message>
+    <message>
+        <source>unlocking needs a reason</source>
+        <translation>otwarcie wymaga uzasadnienia</translation>
+    </message>
+    <message>
+        <source>nothing was signed</source>
+        <translation>nic nie podpisano</translation>
+    </message>
+    <message>
+        <source>the consent was signed at %1</source>
+        <translation>zgodę podpisano %1</translation>
+    </message>
+    <message>
+        <source>the questionnaire %1 is not published, so that nothing says which answers are possible</source>
+        <translation>ankieta %1 nie jest opublikowana, więc nie wiadomo, jakie odpowiedzi są możliwe</translation>
+    </message>
+    <message>
+        <source>a correction needs a reason</source>
+        <translation>poprawka wymaga uzasadnienia</translation>
+    </message>
+    <message>
+        <source>nothing would change</source>
+        <translation>nic by się nie zmieniło</translation>
+    </message>
+    <message>
+        <source>these answers have no second entry</source>
+        <translation>te odpowiedzi nie mają drugiego wpisu</translation>
+    </message>
+    <message>
+        <source>these answers have a second entry, by %1</source>
+        <translation>te odpowiedzi mają już drugi wpis, wpisał(a): %1</translation>
+    </message>
+    <message>
+        <source>the passphrase is too short; expected at least %1 characters, four words are good</source>
+        <translation>hasło do pliku jest za krótkie; potrzeba co najmniej %1 znaków, dobre są cztery słowa</translation>
+    </message>
+    <message>
+        <source>the passphrase is wrong, or the file was changed</source>
+        <translation>hasło do pliku jest błędne albo plik został zmieniony</translation>
+    </message>
+    <message>
+        <source>"%1" is no participant's code</source>
+        <translation>"%1" nie jest kodem uczestnika</translation>
+    </message>
+    <message>
+        <source>the name is missing</source>
+        <translation>brakuje nazwiska</translation>
+    </message>
+    <message>
+        <source>is there already; open it, or choose another place</source>
+        <translation>plik już istnieje; otwórz go albo wybierz inne miejsce</translation>
+    </message>
+    <message>
+        <source>there is no such file; create the key first</source>
+        <translation>nie ma takiego pliku; najpierw utwórz klucz</translation>
+    </message>
+    <message>
+        <source>the time is not within the attempt of %1 s</source>
+        <translation>ta chwila nie mieści się w próbie trwającej %1 s</translation>
+    </message>
+    <message>
+        <source>a remark needs a text or a time</source>
+        <translation>uwaga wymaga tekstu albo chwili</translation>
+    </message>
+    <message>
+        <source>nobody rates an attempt of their own</source>
+        <translation>nikt nie ocenia własnej próby</translation>
+    </message>
+    <message>
+        <source>this rater has rated the attempt already</source>
+        <translation>ta osoba już oceniła tę próbę</translation>
+    </message>
+    <message>
+        <source>the centre has no name yet; give it with the first norm pack</source>
+        <translation>ośrodek nie ma jeszcze nazwy; podaj ją przy pierwszym pakiecie norm</translation>
+    </message>
+    <message>
+        <source>its signature is wrong: the pack was changed after it was signed</source>
+        <translation>podpis jest błędny: pakiet zmieniono po podpisaniu</translation>
+    </message>
+    <message>
+        <source>its centre "%1" with the key %2 is not trusted here</source>
+        <translation>ośrodek "%1" z kluczem %2 nie jest tu zaufany</translation>
+    </message>
+    <message>
+        <source>a PostgreSQL store is backed up on its server, with pg_dump</source>
+        <translation>kopię magazynu PostgreSQL robi się na jego serwerze, programem pg_dump</translation>
+    </message>
+    <message>
+        <source>%1 exists and is not overwritten; give another name</source>
+        <translation>%1 już istnieje i nie zostanie nadpisane; podaj inną nazwę</translation>
+    </message>
+    <message>
+        <source>the attempt has no recording</source>
+        <translation>próba nie ma zapisu</translation>
+    </message>
+    <message>
+        <source>the file is empty: the attempt never began; it can be removed</source>
+        <translation>plik jest pusty: próba się nie rozpoczęła; można go usunąć</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::Details</name>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiuj</translation>
+    </message>
+    <message>
+        <source>Copy the details</source>
+        <translation>Kopiuj szczegóły</translation>
+    </message>
+    <message>
+        <source>Copied</source>
+        <translation>Skopiowano</translation>
+    </message>
+    <message>
+        <source>Hide details</source>
+        <translation>Ukryj szczegóły</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Szczegóły</translation>
+    </message>
+    <message>
+        <source>Shows the exact message.</source>
+        <translation>Pokazuje dokładną treść komunikatu.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::Notices</name>
+    <message>
+        <source>Work in progress</source>
+        <translation>Praca w toku</translation>
+    </message>
+    <message>
+        <source>More messages: %1</source>
+        <translation>Więcej wiadomości: %1</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,221 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Forms: Enter does what the primary button does, a form begins anew for the next person, and the
+// log-in page proposes only people of the store that is open.
+
+#include <QApplication>
+#include <QCheckBox>
+
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+class ShellFormsTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase() { shell_ = std::make_unique<ShellHarness>(); }
+    void cleanupTestCase() { shell_.reset(); }
+
+    void enterSubmitsTheSetUpPageOrSaysWhatIsMissing();
+    void enterSignsIn();
+    void theNextPersonIsATraineeAgain();
+    void whoIsMoreThanATraineeIsSaidBefore();
+    void enterAddsAPerson();
+    void enterChangesThePassword();
+    void enterMakesAnAccountByInvitation();
+    void onlyPeopleOfThisStoreAreProposed();
+    void whoIsDeactivatedIsNotProposed();
+
+ private:
+    [[nodiscard]] QAbstractButton* role(int bit) const {
+        return shell_->find<QAbstractButton>(QString("role_%1").arg(bit));
+    }
+    void enter(const char* field) {
+        QTest::keyClick(shell_->find<QLineEdit>(field), Qt::Key_Return);
+        QCoreApplication::processEvents();
+    }
+    [[nodiscard]] bool fill(const char* name, const char* login) {
+        return shell_->type("new_name", name) && shell_->type("new_login", login) &&
+               shell_->type("new_password", "first password");
+    }
+    [[nodiscard]] int rolesOf(const char* login) const {
+        const auto user = shell_->context().store().user_by_login(login);
+        return user ? static_cast<int>(user->roles) : -1;
+    }
+
+    std::unique_ptr<ShellHarness> shell_;
+};
+
+void ShellFormsTest::enterSubmitsTheSetUpPageOrSaysWhatIsMissing() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.arrives(PageId::kSetup));
+    QTest::qWait(50);  // a page puts the focus where typing begins, when it is there
+    QVERIFY(shell.type("display_name", "Ada Admin"));
+    enter("display_name");
+    QVERIFY(shell.find<QLabel>("setup_message")->isVisible());
+    QVERIFY(shell.focusIsIn("login"));
+    QVERIFY(shell.type("login", "ada"));
+    QVERIFY(shell.type("password", "short"));
+    enter("password");
+    QVERIFY(shell.text("setup_message").contains("too short"));
+    QVERIFY(shell.focusIsIn("password"));
+    QVERIFY(shell.type("password", "correct horse"));
+    enter("password");
+    QVERIFY(shell.focusIsIn("password_again"));
+    shell.shot("60_setup_incomplete");
+    QVERIFY(shell.type("password", "correct horse"));  // never kept over a change of theme
+    QVERIFY(shell.type("password_again", "correct horse"));
+    QCOMPARE(shell.context().store().users().size(), size_t{0});
+    enter("password_again");
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QCOMPARE(shell.context().store().users().size(), size_t{1});
+}
+
+void ShellFormsTest::enterSignsIn() {
+    ShellHarness& shell = *shell_;
+    QTest::qWait(50);
+    QVERIFY(shell.type("login", "ada"));
+    enter("login");
+    QVERIFY(shell.focusIsIn("password"));
+    QVERIFY(shell.find<QLabel>("login_message")->isVisible());
+    QVERIFY(shell.type("password", "correct horse"));
+    enter("password");
+    QVERIFY(shell.context().signedIn());
+    QVERIFY(shell.arrives(PageId::kPeople));
+}
+
+void ShellFormsTest::theNextPersonIsATraineeAgain() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(fill("Eva Educator", "eva"));
+    role(1)->setChecked(false);
+    role(2)->setChecked(true);
+    role(4)->setChecked(true);
+    QVERIFY(shell.click("add_person"));
+    QVERIFY(shell.bannerSays("Eva Educator was added: Educator, Coordinator"));
+    QCOMPARE(rolesOf("eva"), 2 + 4);
+    QVERIFY(role(1)->isChecked());
+    for (const int bit : {2, 4, 8}) QVERIFY(!role(bit)->isChecked());
+    QVERIFY(shell.focusIsIn("new_name"));
+    QVERIFY(fill("Tom Trainee", "tom"));
+    QVERIFY(shell.click("add_person"));
+    QVERIFY(shell.bannerSays("Tom Trainee was added: Trainee"));
+    QCOMPARE(rolesOf("tom"), 1);
+    shell.shot("61_person_added");
+}
+
+void ShellFormsTest::whoIsMoreThanATraineeIsSaidBefore() {
+    ShellHarness& shell = *shell_;
+    QCOMPARE(shell.text("role_summary"), QString("Will be: Trainee"));
+    role(8)->setChecked(true);
+    QCOMPARE(shell.text("role_summary"), QString("Will be: Trainee, Administrator"));
+    QCOMPARE(shell.find<QLabel>("role_summary")->property("role").toString(), QString("warn"));
+    role(1)->setChecked(false);
+    role(8)->setChecked(false);
+    QVERIFY(fill("Nobody", "nobody"));
+    QVERIFY(shell.click("add_person"));
+    QVERIFY(shell.text("add_message").contains("at least one role"));
+    QCOMPARE(rolesOf("nobody"), -1);
+    role(1)->setChecked(true);
+}
+
+void ShellFormsTest::enterAddsAPerson() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.type("new_name", "Pia Person"));
+    QVERIFY(shell.type("new_login", ""));
+    enter("new_name");
+    QVERIFY(shell.text("add_message").contains("Log-in name"));
+    QVERIFY(shell.focusIsIn("new_login"));
+    QVERIFY(fill("Pia Person", "pia"));
+    enter("new_password");
+    QCOMPARE(rolesOf("pia"), 1);
+    QVERIFY(!shell.find<QLabel>("add_message")->isVisible());
+}
+
+void ShellFormsTest::enterChangesThePassword() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.signIn("tom", "first password"));
+    shell.window().open({PageId::kAccount, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kAccount));
+    QVERIFY(shell.type("new_password", "second password"));
+    enter("new_password");
+    QVERIFY(shell.focusIsIn("old_password"));
+    QVERIFY(shell.text("account_message").contains("Present password"));
+    QVERIFY(shell.type("old_password", "first password"));
+    QVERIFY(shell.type("again_password", "second password"));
+    enter("again_password");
+    QVERIFY(shell.bannerSays("password was changed"));
+    QVERIFY(shell.signIn("tom", "second password"));
+}
+
+void ShellFormsTest::enterMakesAnAccountByInvitation() {
+    ShellHarness& shell = *shell_;
+    db::InvitationRecord invitation;
+    invitation.roles = 1;
+    invitation.expires_utc = "2999-01-01";
+    const std::string code = shell.context().store().invite(invitation);
+    shell.context().signOut();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.click("open_join"));
+    QVERIFY(shell.arrives(PageId::kJoin));
+    QTest::qWait(50);
+    QVERIFY(shell.type("join_name", "I"));
+    enter("join_name");
+    QVERIFY(shell.focusIsIn("join_code"));
+    QVERIFY(shell.type("join_code", QString::fromStdString(code)));
+    QVERIFY(shell.type("join_name", "Ian Invited"));
+    QVERIFY(shell.type("join_login", "ian"));
+    QVERIFY(shell.type("join_password", "long enough 1"));
+    QVERIFY(shell.type("join_again", "long enough 1"));
+    enter("join_login");
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QCOMPARE(shell.find<QLineEdit>("login")->text(), QString("ian"));
+    QCOMPARE(rolesOf("ian"), 1);
+}
+
+void ShellFormsTest::onlyPeopleOfThisStoreAreProposed() {
+    ShellHarness& shell = *shell_;
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QPushButton>("person_tom") != nullptr);
+    QVERIFY(shell.find<QPushButton>("person_ada") != nullptr);
+    // Another store on the same computer: nobody of the first one, and no name in the field.
+    shell.start("second.db");
+    QVERIFY(shell.arrives(PageId::kSetup));
+    QVERIFY(shell.setUpWithDemonstration());
+    QCOMPARE(shell.find<QLineEdit>("login")->text(), QString("ada"));
+    QVERIFY(shell.find<QPushButton>("person_tom") == nullptr);
+    QVERIFY(shell.find<QPushButton>("person_ada") == nullptr);  // has not signed in here yet
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
+    shell.start("second.db");
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QPushButton>("person_demo.trainee") != nullptr);
+    shell.shot("62_login_of_this_store");
+    // And back: the first store has its own people still.
+    shell.start("placode.db");
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QPushButton>("person_tom") != nullptr);
+    QVERIFY(shell.find<QPushButton>("person_demo.trainee") == nullptr);
+}
+
+void ShellFormsTest::whoIsDeactivatedIsNotProposed() {
+    ShellHarness& shell = *shell_;
+    db::Store& store = shell.context().store();
+    store.set_active(shell.idOf("tom"), false);
+    shell.start();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QPushButton>("person_tom") == nullptr);
+    QVERIFY(shell.find<QPushButton>("person_ada") != nullptr);
+    QCOMPARE(shell.find<QLineEdit>("login")->text().contains("tom"), false);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellFormsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_forms_test.moc"

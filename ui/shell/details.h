@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The exact text of a part that failed, for whoever helps: folded away behind "Details", to be
+// copied.
+
+#include <QLabel>
+#include <QPushButton>
+
+#include "ui/shell/app_context.h"
+
+namespace placode::ui {
+
+class Details : public QWidget {
+    Q_OBJECT
+ public:
+    /// Empty text: nothing is shown.
+    explicit Details(AppContext& context, const QString& text = {}, bool open = false);
+    void setText(const QString& text, bool open = false);
+    [[nodiscard]] QString text() const { return property("said").toString(); }
+    [[nodiscard]] bool isOpen() const { return open_; }
+
+ Q_SIGNALS:
+    void folded();  ///< Opened or closed: it needs another height now.
+
+ private:
+    void fold(bool open);
+
+    QPushButton *toggle_ = nullptr, *copy_ = nullptr;
+    QLabel* text_ = nullptr;
+    bool open_ = false;
+};
+
+}  // namespace placode::ui

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/notices.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <algorithm>
+
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr int kMargin = 16;  ///< From the edges of the page [px].
+constexpr int kBusyAfterMs = 400;
+
+}  // namespace
+
+Notices::Notices(AppContext& context, QWidget* window) : QWidget(window), context_(context) {
+    setObjectName("notices");
+    column_ = new QVBoxLayout(this);
+    column_->setContentsMargins(0, 0, 0, 0);
+    column_->setSpacing(kSpace8);
+    busy_ = new QFrame;
+    busy_->setObjectName("busy");
+    busy_->setProperty("role", "banner");
+    auto* inside = new QVBoxLayout(busy_);
+    inside->setContentsMargins(kSpace16, kSpace8, kSpace16, kSpace12);
+    inside->setSpacing(kSpace4);
+    busy_text_ = make_label({}, "small");
+    auto* bar = new QProgressBar;
+    bar->setRange(0, 0);
+    bar->setTextVisible(false);
+    bar->setAccessibleName(tr("Work in progress"));
+    inside->addWidget(busy_text_);
+    inside->addWidget(bar);
+    column_->addWidget(busy_);
+    waiting_ = make_badge({});
+    waiting_->setObjectName("notices_waiting");
+    column_->addWidget(waiting_, 0, Qt::AlignRight);
+    busy_->hide();
+    waiting_->hide();
+    hide();
+    ticks_.setInterval(Banner::kTickMs);
+    connect(&ticks_, &QTimer::timeout, this, &Notices::tick);
+    busy_soon_.setSingleShot(true);
+    busy_soon_.setInterval(kBusyAfterMs);
+    connect(&busy_soon_, &QTimer::timeout, this, [this] {
+        busy_->show();
+        arrange();
+    });
+}
+
+Banner* Notices::add() {
+    auto* banner = new Banner(context_, this);
+    banners_.push_back(banner);
+    column_->insertWidget(0, banner);
+    connect(banner, &Banner::closed, this, [this, banner] { remove(banner); });
+    connect(banner, &Banner::resized, this, &Notices::arrange);
+    return banner;
+}
+
+void Notices::showProblem(const Problem& problem) {
+    Banner* banner = add();
+    banner->setProblem(problem);
+    // The same once more takes the place of the earlier one.
+    for (Banner* each : std::vector<Banner*>(banners_))
+        if (each != banner && each->text() == banner->text()) remove(each);
+    arrange();
+    banner->announce();
+}
+
+void Notices::showNotice(const QString& text, const Banner::Offer& offer) {
+    Banner* banner = add();
+    banner->setNotice(text, offer);
+    for (Banner* each : std::vector<Banner*>(banners_))
+        if (each != banner && each->text() == banner->text()) remove(each);
+    arrange();
+    banner->announce();
+}
+
+void Notices::showBusy(const QString& what) {
+    busy_text_->setText(what);
+    if (!what.isEmpty()) {
+        if (busy_->isHidden()) busy_soon_.start();
+        return;
+    }
+    busy_soon_.stop();
+    busy_->hide();
+    arrange();
+}
+
+void Notices::remove(Banner* banner) {
+    const auto found = std::find(banners_.begin(), banners_.end(), banner);
+    if (found == banners_.end()) return;
+    banners_.erase(found);
+    // Who closed it by a key goes on in the page, not in the next message.
+    const QWidget* focus = window()->focusWidget();
+    if (focus != nullptr && banner->isAncestorOf(focus)) window()->setFocus();
+    column_->removeWidget(banner);
+    banner->hide();
+    banner->deleteLater();
+    arrange();
+}
+
+void Notices::closeAll() {
+    while (!banners_.empty()) remove(banners_.back());
+}
+
+bool Notices::closeNewest() {
+    if (banners_.empty()) return false;
+    remove(banners_.back());
+    return true;
+}
+
+QString Notices::text() const {
+    QStringList all;
+    for (auto each = banners_.rbegin(); each != banners_.rend(); ++each) all << (*each)->text();
+    return all.join("\n");
+}
+
+void Notices::setArea(const QRect& area) {
+    area_ = area;
+    arrange();
+}
+
+void Notices::restyle() {
+    for (Banner* each : banners_) each->restyle();
+    arrange();
+}
+
+void Notices::arrange() {
+    const int shown = std::min<int>(kMostShown, count());
+    for (int i = 0; i < count(); ++i)
+        banners_[static_cast<size_t>(i)]->setVisible(i >= count() - shown);
+    waiting_->setText(tr("More messages: %1").arg(count() - shown));
+    waiting_->setVisible(count() > shown);
+    setVisible(count() > 0 || !busy_->isHidden());
+    count() > 0 ? ticks_.start() : ticks_.stop();
+    if (!isVisible() && isHidden()) return;
+    const int width = std::min(kWidth, std::max(240, area_.width() - 2 * kMargin));
+    setFixedWidth(width);
+    // What was folded or hidden just now tells its parents only later otherwise, inmost first.
+    const auto inside = findChildren<QWidget*>();
+    for (auto each = inside.rbegin(); each != inside.rend(); ++each)
+        QCoreApplication::sendPostedEvents(*each, QEvent::LayoutRequest);
+    column_->activate();
+    // Wrapped text has a height only for a width.
+    const int height = column_->hasHeightForWidth() ? column_->totalHeightForWidth(width)
+                                                    : column_->totalSizeHint().height();
+    resize(width, std::min(height, std::max(60, area_.height() - 2 * kMargin)));
+    move(freePlace(size()));
+    raise();
+}
+
+int Notices::covered(const QRect& place) const {
+    int area = 0;
+    const auto count_in = [&](const QWidget* widget, int weight) {
+        if (widget == nullptr || !widget->isVisible() || isAncestorOf(widget)) return;
+        // What has been scrolled out of sight is not in the way.
+        QRect there = widget->visibleRegion().boundingRect();
+        there.moveTopLeft(widget->mapTo(window(), there.topLeft()));
+        const QRect both = there.intersected(place);
+        area += weight * both.width() * both.height();
+    };
+    // Best over nothing that is used; never over the button that the page is there for.
+    for (const auto* button : window()->findChildren<QAbstractButton*>())
+        count_in(button, button->property("role") == "primary" && button->isEnabled() ? 100 : 1);
+    for (const auto* field : window()->findChildren<QLineEdit*>()) count_in(field, 1);
+    for (const auto* box : window()->findChildren<QComboBox*>()) count_in(box, 1);
+    count_in(window()->focusWidget(), 10);
+    return area;
+}
+
+QPoint Notices::freePlace(QSize size) const {
+    const int left = area_.left() + kMargin, right = area_.right() - kMargin - size.width() + 1;
+    const int top = area_.top() + kMargin, bottom = area_.bottom() - kMargin - size.height() + 1;
+    const int middle = area_.center().x() - size.width() / 2;
+    const QPoint places[]{{right, bottom}, {right, top}, {middle, top},
+                          {left, bottom},  {left, top},  {middle, bottom}};
+    QPoint best = places[0];
+    int least = covered({best, size});
+    for (const QPoint& place : places) {
+        const int area = covered({place, size});
+        if (area < least) {
+            least = area;
+            best = place;
+        }
+    }
+    return best;
+}
+
+void Notices::tick() {
+    for (Banner* each : std::vector<Banner*>(banners_)) each->tick();
+    // The page scrolled, or built itself meanwhile: out of the way of its button, unless somebody
+    // is about to press something here.
+    if (isVisible() && !underMouse() && covered(geometry()) > 0) {
+        const QPoint place = freePlace(size());
+        if (covered({place, size()}) < covered(geometry())) move(place);
+    }
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Messages float over the page and move nothing: the newest on top of the pile, three at most, the
+// others wait. They keep clear of the page's primary button. Esc or the cross closes the newest.
+
+#include <QPointer>
+#include <QWidget>
+#include <vector>
+
+#include "ui/shell/banner.h"
+
+class QProgressBar;
+class QVBoxLayout;
+
+namespace placode::ui {
+
+/// Main thread. A child of the main window, above its frame.
+class Notices : public QWidget {
+    Q_OBJECT
+ public:
+    Notices(AppContext& context, QWidget* window);
+
+    void showProblem(const Problem& problem);
+    void showNotice(const QString& text, const Banner::Offer& offer = {});
+    /// What is being worked on; empty: nothing. Short work is not worth a word.
+    void showBusy(const QString& what);
+    void closeAll();
+    /// True when there was one to close.
+    bool closeNewest();
+    /// Of all that is there, the newest first; details included.
+    [[nodiscard]] QString text() const;
+    [[nodiscard]] int count() const { return static_cast<int>(banners_.size()); }
+    [[nodiscard]] bool isShown() const { return !banners_.empty() && isVisible(); }
+    /// Where pages are, in the window; messages stay within it.
+    void setArea(const QRect& area);
+    void restyle();
+    static constexpr int kMostShown = 3, kWidth = 460;
+
+ private:
+    Banner* add();
+    void remove(Banner* banner);
+    void arrange();
+    [[nodiscard]] QPoint freePlace(QSize size) const;
+    [[nodiscard]] int covered(const QRect& place) const;
+    void tick();
+
+    AppContext& context_;
+    QRect area_;
+    QVBoxLayout* column_ = nullptr;
+    std::vector<Banner*> banners_;  ///< Oldest first.
+    QFrame* busy_ = nullptr;
+    QLabel *busy_text_ = nullptr, *waiting_ = nullptr;
+    QTimer ticks_, busy_soon_;
+};
+
+}  // namespace placode::ui
