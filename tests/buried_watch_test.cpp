@@ -161,7 +161,7 @@ TEST(BuriedWatch, PressingOnTheSurfaceIsNotBeingBelowIt) {
 TEST(BuriedWatch, ACutWithEnergyAndARestInItsKerfAreLegitimate) {
     Bench bench;
     bench.go(-0.0005, 0.02);
-    bench.go(0.0012, 0.003, sim::kPedalCut);
+    bench.go(0.0012, 0.0015, sim::kPedalCut);
     bench.stay(0.5);
     bench.go(-0.003, 0.01);
     bench.end();

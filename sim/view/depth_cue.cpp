@@ -16,18 +16,17 @@ using Eigen::Vector3f;
 constexpr double kShaftMm = 14, kHighestMm = 14;
 constexpr float kSpreadMm = 4.5F;
 
-struct Drop {
-    Vector3f tip;
-    TipFoot* foot = nullptr;
-};
-
 Vector3f corner(const DrawnTissue& tissue, unsigned index) {
     const float* p = &tissue.vertices[static_cast<size_t>(index) * kTissueVertexFloats];
     return {p[0], p[1], p[2]};
 }
 
+}  // namespace
+
+DepthCue::DepthCue() : program_("depth_shadow_vertex", "depth_shadow") { mesh_.create({3}); }
+
 /// The highest tissue on the vertical through the tip counts: what lies below it is hidden.
-void drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
+void DepthCue::drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
     const auto cross2 = [&](size_t i, size_t j) {
         const float ax = p[i].x() - drop.tip.x(), ay = p[i].y() - drop.tip.y();
         const float bx = p[j].x() - drop.tip.x(), by = p[j].y() - drop.tip.y();
@@ -45,45 +44,45 @@ void drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
     drop.foot->height_mm = static_cast<double>(drop.tip.z()) - z;
 }
 
-}  // namespace
-
-DepthCue::DepthCue() : program_("depth_shadow_vertex", "depth_shadow") { mesh_.create({3}); }
-
 void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
-                      const DrawnTissue& tissue) {
+                      std::span<const DrawnTissue> parts) {
     feet_.fill({});
     below_.clear();
-    std::vector<Reach> reaches;
-    std::vector<Drop> drops;
+    reaches_.clear();
+    drops_.clear();
     for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
         const ToolSnapshot& tool = snapshot.tools[i];
         if (tool.kind == ToolKind::kScope || tool.engaged == 0) continue;
         const Vec3 tip = 1000 * tool.pose.p;
         const Vec3 back = tip - kShaftMm * (tool.pose.q * Vec3::UnitZ());
         const Vector3f a = tip.cast<float>(), b = back.cast<float>();
-        reaches.push_back(
+        reaches_.push_back(
             {{std::min(a.x(), b.x()) - kSpreadMm, std::min(a.y(), b.y()) - kSpreadMm},
              {std::max(a.x(), b.x()) + kSpreadMm, std::max(a.y(), b.y()) + kSpreadMm}});
-        drops.push_back({a, &feet_[i]});
+        drops_.push_back({a, &feet_[i]});
     }
-    if (drops.empty()) return;
+    if (drops_.empty()) return;
+    for (const DrawnTissue& part : parts) collect(part);
+    // Nothing is darkened by an instrument that hangs high above the field.
+    const bool far = std::none_of(drops_.begin(), drops_.end(), [](const Drop& drop) {
+        return drop.foot->found && drop.foot->height_mm < kHighestMm;
+    });
+    if (far) below_.clear();
+}
+
+void DepthCue::collect(const DrawnTissue& tissue) {
     for (size_t k = 0; k + 2 < tissue.indices.size(); k += 3) {
         const Vector3f first = corner(tissue, tissue.indices[k]);
-        const bool near = std::any_of(reaches.begin(), reaches.end(), [&](const Reach& r) {
+        const bool near = std::any_of(reaches_.begin(), reaches_.end(), [&](const Reach& r) {
             return first.x() > r.low[0] && first.x() < r.high[0] && first.y() > r.low[1] &&
                    first.y() < r.high[1];
         });
         if (!near) continue;
         const std::array<Vector3f, 3> p{first, corner(tissue, tissue.indices[k + 1]),
                                         corner(tissue, tissue.indices[k + 2])};
-        for (const Drop& drop : drops) drop_on(drop, p);
+        for (const Drop& drop : drops_) drop_on(drop, p);
         for (const Vector3f& v : p) below_.insert(below_.end(), v.data(), v.data() + 3);
     }
-    // Nothing is darkened by an instrument that hangs high above the field.
-    const bool far = std::none_of(drops.begin(), drops.end(), [](const Drop& drop) {
-        return drop.foot->found && drop.foot->height_mm < kHighestMm;
-    });
-    if (far) below_.clear();
 }
 
 void DepthCue::draw() {

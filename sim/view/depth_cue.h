@@ -32,7 +32,7 @@ class DepthCue {
 
     /// Looks for feet and for the tissue below the instruments. Reads every triangle once.
     void update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
-                const DrawnTissue& tissue);
+                std::span<const DrawnTissue> parts);
     [[nodiscard]] const std::array<TipFoot, kMaxTools>& feet() const { return feet_; }
     /// Triangles in the shadow's reach.
     [[nodiscard]] size_t triangles() const { return below_.size() / 9; }
@@ -44,10 +44,18 @@ class DepthCue {
     struct Reach {
         float low[2], high[2];  // [mm], in the plane
     };
+    struct Drop {
+        Eigen::Vector3f tip;
+        TipFoot* foot = nullptr;
+    };
+    static void drop_on(const Drop& drop, const std::array<Eigen::Vector3f, 3>& p);
+    void collect(const DrawnTissue& tissue);
     GlProgram program_;
     GlMesh mesh_;
     std::array<TipFoot, kMaxTools> feet_;
     std::vector<float> below_;
+    std::vector<Reach> reaches_;
+    std::vector<Drop> drops_;
 };
 
 }  // namespace placode::sim

@@ -104,6 +104,7 @@ struct FetoscopeView::Impl {
     void draw_world(const Snapshot& snapshot, const OverlayState& overlay, int size);
     void light(GlProgram& program, const Snapshot& snapshot);
     void draw_smoke();
+    void draw_depth(const Snapshot& snapshot, const OverlayState& overlay);
     void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
     bool simplify();
@@ -244,15 +245,9 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     if (mesh.update(snapshot)) tissue_gl.indices(mesh.indices());
     tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
     tissue_gl.draw(GL_TRIANGLES);
-    if (overlay.depth_aid || !overlay.practice.steps.empty())
-        depth_cue.update(snapshot, tools, {mesh.vertices(), mesh.indices()});
-    if (overlay.depth_aid) {
-        light(depth_cue.program(), snapshot);
-        depth_cue.draw();
-        light(tissue, snapshot);
-    }
     skirt_gl.draw(GL_TRIANGLES);
     if (has_floor) floor_gl.draw(GL_TRIANGLES);
+    draw_depth(snapshot, overlay);
 
     light(wall, snapshot);
     wall_gl.draw(GL_TRIANGLES);
@@ -260,6 +255,17 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     light(smoke_program, snapshot);
     draw_smoke();
     picture.resolve();
+}
+
+// Onto field and back beyond it; feet are looked for even where only steps need them.
+void FetoscopeView::Impl::draw_depth(const Snapshot& snapshot, const OverlayState& overlay) {
+    if (!overlay.depth_aid && overlay.practice.steps.empty()) return;
+    const DrawnTissue parts[] = {{mesh.vertices(), mesh.indices()},
+                                 {mesh.skirt_vertices(), mesh.skirt_indices()}};
+    depth_cue.update(snapshot, tools, parts);
+    if (!overlay.depth_aid) return;
+    light(depth_cue.program(), snapshot);
+    depth_cue.draw();
 }
 
 void FetoscopeView::Impl::draw_smoke() {
