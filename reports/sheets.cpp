@@ -39,7 +39,7 @@ void Sheets::picture(double height, const std::function<void(QPainter&, double)>
 
 void Sheets::table(const QString& title, const QString& head, const std::vector<QString>& rows) {
     const auto framed = [&](const QString& caption, const QString& body) {
-        return QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='2' width='100%'>")
+        return QStringLiteral("<h3>%1</h3><table cellspacing='0' cellpadding='1' width='100%'>")
                    .arg(caption) +
                head + body + QStringLiteral("</table>");
     };

@@ -92,6 +92,8 @@ TEST(GamepadListing, TheListSaysWhatTheSearchFound) {
         if (listing.name != "gamepad") continue;
         EXPECT_EQ(listing.available, !here.found.empty());
         EXPECT_EQ(listing.found, here.found);
-        if (!listing.available) EXPECT_EQ(listing.detail, here.reason());
+        if (!listing.available) {
+            EXPECT_EQ(listing.detail, here.reason());
+        }
     }
 }

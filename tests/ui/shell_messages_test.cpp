@@ -408,7 +408,7 @@ void ShellMessagesTest::damagedLeftoversAreToldInWords() {
     QVERIFY(shell_->arrives(PageId::kRecovery));
     QTest::qWait(80);  // until the page is on the screen
     const QString seen = read_all(shell_->window().page());
-    QVERIFY2(seen.contains("cannot be scored"), qPrintable(seen));
+    QVERIFY2(seen.contains("cannot be scored") && seen.contains("A recording\n"), qPrintable(seen));
     QVERIFY2(!seen.contains("broken.placode") && !for_developers(seen), qPrintable(seen));
     QVERIFY(shell_->window().page()->findChild<Details*>()->text().contains("broken.placode"));
     shell_->shot("67_recovery_damaged");

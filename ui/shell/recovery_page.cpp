@@ -73,7 +73,8 @@ class RecoveryPage : public Page {
 
     [[nodiscard]] static QString headline(const Leftover& leftover) {
         const QString when = format_clock(leftover.started_utc);
-        if (!leftover.problem.isEmpty()) return tr("Recording of %1").arg(when);
+        if (!leftover.problem.isEmpty())
+            return when.isEmpty() ? tr("A recording") : tr("Recording of %1").arg(when);
         const QString length = format_duration(leftover.duration_s);
         return leftover.complete
                    ? tr("%1 of %2 (%3) was finished but could not be saved. Save it now?")
