@@ -8,6 +8,7 @@
 #include <iostream>
 #include <memory>
 
+#include "db/attempt_counting.h"
 #include "reports/cohort_report.h"
 #include "reports/export.h"
 #include "reports/report.h"
@@ -35,15 +36,16 @@ int report_attempt(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = session.store().attempt(id);
     const bool own = session.user() && session.user()->id == attempt.record.user_id;
-    session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
+    const bool study = !attempt.record.study.study.empty() &&
+                       session.may(Action::kRunQuestionnaire, Scope::kOther);
+    if (!study) session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
     const auto recording = reports::recordings_of(session.store())(id);
     if (!recording)
         throw InputError("report attempt: found " + options.id +
                          ", which has no recording; expected an attempt with one");
-    reports::write_attempt_pdf(
-        attempt, *recording,
-        session.store().attempts(attempt.record.user_id, attempt.record.task_id), options.out,
-        reports::centre_name(session.store()));
+    reports::write_attempt_pdf(attempt, *recording,
+                               db::attempts_beside(session.store(), attempt.record), options.out,
+                               reports::centre_name(session.store()));
     session.store().audit(session.actor(), "report.pdf", "attempt " + options.id, options.out);
     print(context, {{"attempt", id}, {"path", options.out}}, "wrote " + options.out);
     return 0;

@@ -180,7 +180,10 @@ class Bench {
         measure("History", "own attempts", kPageLimitMs,
                 [&] { return store_.attempts(user).size(); });
         measure("Result", "attempt with metrics, reasons, ledger", kPageLimitMs, [&] {
-            const auto page = store_.attempt_page({user, 0, {}, true, 1, 0});
+            db::AttemptFilter newest;
+            newest.user_id = user;
+            newest.limit = 1;
+            const auto page = store_.attempt_page(newest);
             return store_.attempt(page.rows.at(0).id).events.size();
         });
         measure("Result", "own metrics of the task", kPageLimitMs,
@@ -189,10 +192,14 @@ class Bench {
             measure("Attempts", query, kPageLimitMs,
                     [&] { return store_.attempt_page(filter).rows.size(); });
         };
-        page("first page of all", {});
-        page("last page of all", {0, 0, {}, true, 100, std::max<int64_t>(0, load.attempts - 100)});
-        page("first page of a task", {0, 0, task, true, 100, 0});
-        page("first page of a group", {0, group, {}, true, 100, 0});
+        db::AttemptFilter all, last, of_task, of_group;
+        last.offset = std::max<int64_t>(0, load.attempts - 100);
+        of_task.task_id = task;
+        of_group.group_id = group;
+        page("first page of all", all);
+        page("last page of all", last);
+        page("first page of a task", of_task);
+        page("first page of a group", of_group);
         measure("Cohort", "standing of a group", kPageLimitMs,
                 [&] { return store_.task_standings(group).size(); });
         measure("Cohort", "standing of everybody", kPageLimitMs,

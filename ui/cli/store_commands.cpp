@@ -75,7 +75,10 @@ int attempts(const Context& context, const std::string& login, const std::string
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
         {"id", "started (UTC)", "person", "task", "device", "time s", "points", "verdict", "end"}};
+    // Of studies with a participant's code, for who runs studies.
+    const bool studies = session.may(Action::kRunQuestionnaire, Scope::kOther);
     for (const auto& attempt : session.store().attempts(whose, task)) {
+        if (!attempt.study.study.empty() && !studies) continue;
         json.push_back({{"id", attempt.id},
                         {"user_id", attempt.user_id},
                         {"user_name", attempt.user_name},
@@ -88,6 +91,8 @@ int attempts(const Context& context, const std::string& login, const std::string
                         {"build", attempt.build},
                         {"end", end_name(attempt.end)},
                         {"demonstration", attempt.demonstration},
+                        {"study", attempt.study.study},
+                        {"void_reason", attempt.void_reason},
                         {"points", attempt.points},
                         {"verdict", assessment::verdict_name(attempt.verdict)},
                         {"rubric", attempt.rubric_id},
@@ -97,7 +102,10 @@ int attempts(const Context& context, const std::string& login, const std::string
                         attempt.task_id,
                         attempt.device + (attempt.demonstration ? " (demonstration)" : ""),
                         fixed(attempt.duration_s, 1), fixed(attempt.points, 1),
-                        assessment::verdict_name(attempt.verdict), end_name(attempt.end)});
+                        attempt.void_reason.empty()
+                            ? std::string(assessment::verdict_name(attempt.verdict))
+                            : "void",
+                        end_name(attempt.end)});
     }
     print(context, json, rows.size() == 1 ? "no attempts" : table(rows));
     return 0;

@@ -180,6 +180,7 @@ int study_demo(const Context& context) {
     definition.id = study.id;
     definition.version = study.version;
     definition.json = study.json;
+    definition.reason = study.reason;
     session.store().publish(definition);
     const std::string file =
         (curriculum::data_folder() / "studies" / "face_content_validity_simulated.csv").string();

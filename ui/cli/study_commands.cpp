@@ -83,6 +83,7 @@ int publish(const Context& context, const std::string& kind, const StudyOptions&
         definition.id = study.id;
         definition.version = study.version;
         definition.json = study.json;
+        if (definition.reason.empty()) definition.reason = study.reason;
         for (const auto& step : study.steps)
             if (!step.questionnaire.empty())
                 db::publish_on_first_use(session.store(),
@@ -152,11 +153,18 @@ int step(const Context& context, const StudyOptions& options) {
                    : options.state == "skipped" ? db::StepState::kSkipped
                                                 : db::StepState::kDone;
     record.attempt_id = options.attempt;
-    if (options.attempt != 0) (void)session.store().attempt(options.attempt);
-    as_input([&] { session.store().record_step(record); });
-    print(context,
-          {{"participant", options.code}, {"step", options.step}, {"state", options.state}},
-          options.code + ": " + options.step + " " + options.state);
+    // Whether an attempt does the step is not a matter of what was typed.
+    const bool judged = options.attempt != 0 && record.state == db::StepState::kDone;
+    as_input([&] {
+        judged ? db::record_attempt_step(session.store(), record)
+               : static_cast<void>(session.store().record_step(record));
+    });
+    std::string state = options.state, why;
+    for (const auto& each : session.store().steps(options.id))
+        if (judged && each.attempt_id == options.attempt && each.state == db::StepState::kStarted)
+            state = "started", why = ": " + each.detail;
+    print(context, {{"participant", options.code}, {"step", options.step}, {"state", state}},
+          options.code + ": " + options.step + " " + state + why);
     return 0;
 }
 
@@ -196,8 +204,11 @@ int status(const Context& context, const StudyOptions& options) {
                                         {"total", each.total},
                                         {"visit", each.visit},
                                         {"next", each.next},
+                                        {"device", who.device},
+                                        {"open_because", each.open_because},
                                         {"withdrawal", withdrawal_word(who)}});
         std::string remark = withdrawal_word(who);
+        if (remark.empty() && !each.open_because.empty()) remark = each.open_because;
         if (who.demonstration) remark += std::string(remark.empty() ? "" : "; ") + "DEMONSTRATION";
         rows.push_back({who.code, who.enrolled_utc, who.arm < 0 ? "" : std::to_string(who.arm + 1),
                         steps, who.withdrawal ? "" : each.next, each.last_utc, remark});
@@ -254,6 +265,7 @@ void add_study_commands(CLI::App& app, Context& context) {
     study->require_subcommand(1);
     add_definition_commands(*study, context, "study", options);
     add_study_record_commands(*study, context);
+    add_study_repeat_commands(*study, context);
     add_study_key_commands(*study, context);
     add_study_analysis_commands(*study, context);
     const auto add = [&](const char* name, const char* text,

@@ -9,6 +9,8 @@ namespace placode::cli {
 
 /// lock, sign, unlock, correct, second-entry, differences, decide
 void add_study_record_commands(CLI::App& study, Context& context);
+/// repeat, note, deviations
+void add_study_repeat_commands(CLI::App& study, Context& context);
 /// key-make, key-list, key-set, key-passphrase
 void add_study_key_commands(CLI::App& study, Context& context);
 /// construct, retest, learning, raters
