@@ -3745,6 +3745,10 @@
         <source>The attempt was saved.</source>
         <translation>Próba została zapisana.</translation>
     </message>
+    <message>
+        <source>A recording</source>
+        <translation>Zapis</translation>
+    </message>
 </context>
 <context>
     <name>ResultPage</name>
@@ -4765,6 +4769,18 @@
     <message>
         <source>%1: %2 earn all these points, less in proportion</source>
         <translation>%1: %2 daje wszystkie te punkty, mniej – proporcjonalnie</translation>
+    </message>
+    <message>
+        <source>Time limit %1.</source>
+        <translation>Limit czasu %1.</translation>
+    </message>
+    <message>
+        <source>No time limit.</source>
+        <translation>Bez limitu czasu.</translation>
+    </message>
+    <message>
+        <source>A window with the fetoscope&apos;s view opens.</source>
+        <translation>Otworzy się okno z widokiem z fetoskopu.</translation>
     </message>
 </context>
 <context>
