@@ -73,6 +73,13 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "the participant has withdrawn already (%1)"),
     QT_TRANSLATE_NOOP("StoreWords", "a withdrawal needs a reason; \"not given\" is one"),
     QT_TRANSLATE_NOOP("StoreWords", "the step has no id"),
+    QT_TRANSLATE_NOOP("StoreWords", "a repeat needs a reason"),
+    QT_TRANSLATE_NOOP(
+        "StoreWords",
+        "there is no attempt of this step that counts; only a procedure that was done "
+        "is done again"),
+    QT_TRANSLATE_NOOP("StoreWords", "the note is empty"),
+    QT_TRANSLATE_NOOP("StoreWords", "no device is named"),
     QT_TRANSLATE_NOOP("StoreWords", "the study has no id"),
     QT_TRANSLATE_NOOP("StoreWords", "the study has no published protocol that asks for one"),
     QT_TRANSLATE_NOOP("StoreWords", "the statement \"%1\" is required and was not agreed to"),

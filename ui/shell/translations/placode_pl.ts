@@ -8939,6 +8939,22 @@
         <source>the file is empty: the attempt never began; it can be removed</source>
         <translation>plik jest pusty: próba się nie rozpoczęła; można go usunąć</translation>
     </message>
+    <message>
+        <source>a repeat needs a reason</source>
+        <translation>powtórzenie wymaga uzasadnienia</translation>
+    </message>
+    <message>
+        <source>there is no attempt of this step that counts; only a procedure that was done is done again</source>
+        <translation>nie ma próby tego kroku, która się liczy; powtarza się tylko zabieg, który został wykonany</translation>
+    </message>
+    <message>
+        <source>the note is empty</source>
+        <translation>notatka jest pusta</translation>
+    </message>
+    <message>
+        <source>no device is named</source>
+        <translation>nie podano urządzenia</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
