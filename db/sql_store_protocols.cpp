@@ -209,6 +209,12 @@ int64_t SqlStore::record_step(const StepRecord& step) {
     if (step.step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
     UnitOfWork work(connection_);
     need_active_participant(step.study_id, step.participant, step.step);
+    Statement owner(connection_, "SELECT study, participant FROM attempts WHERE id = ?");
+    if (owner.run(step.attempt_id).next() && !owner.text(0).empty() &&
+        (owner.text(0) != step.study_id || owner.text(1) != step.participant))
+        connection_.fail(Kind::kRefused, "attempt " + std::to_string(step.attempt_id) +
+                                             " belongs to " + owner.text(1) + " of the study \"" +
+                                             owner.text(0) + "\"");
     const int64_t id = insert_step(step);
     append_audit(actor_, "study.step", step.study_id + " " + step.participant,
                  step.step + " " + kStates[static_cast<size_t>(step.state)] +

@@ -144,3 +144,48 @@ TEST_F(Programs, TheStudyOfThePaperRunsAndLeavesInEveryFormat) {
         {"id":"a","kind":"text","text":{"en":"x"}}]})");
     EXPECT_THAT(carl("questionnaire publish q.json").err, HasSubstr("next version"));
 }
+
+TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
+    add_user("carl", "coordinator");
+    const auto carl = [&](const std::string& arguments) {
+        return ctl("--as carl " + arguments, kRight);
+    };
+    ASSERT_EQ(carl("study demo").status, 0);
+    const std::string code = carl("study enrol face_content_validity --consented").out.substr(0, 6);
+    const std::string of_code = " face_content_validity " + code + " ";
+    for (const char* number : {"1", "2"}) {
+        const std::string name = std::string(number) + ".placode";
+        ASSERT_EQ(run("placode-sim",
+                      "--task diathermy_ring_small --headless --fast --duration 0.3 --study "
+                      "--aids '' --device script:expert --record " +
+                          name)
+                      .status,
+                  0);
+        ASSERT_EQ(carl("import " + name + " --user carl").status, 0);
+    }
+    EXPECT_THAT(carl("attempts").out, HasSubstr("carl")) << "nobody's study yet";
+    // The minute that the protocol asks for is not over: what was typed does not make it one.
+    const Outcome early = carl("study step" + of_code + "procedure_1 --attempt 1");
+    EXPECT_EQ(early.status, 0) << early.err;
+    EXPECT_THAT(early.out, HasSubstr("started: ended after 0 s"));
+    EXPECT_EQ(carl("study repeat" + of_code + "procedure_1 --reason x").status, 2)
+        << "it is to be done anyway";
+    EXPECT_EQ(carl("study step" + of_code + "familiarisation --attempt 2").status, 0);
+    EXPECT_THAT(carl("attempts").out, Not(HasSubstr("carl"))) << "they belong to the code now";
+    EXPECT_NE(carl("study repeat" + of_code + "familiarisation").status, 0) << "no reason";
+    const Outcome again =
+        carl("study repeat" + of_code + "familiarisation --reason 'the pedal was unplugged'");
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_EQ(carl("study note" + of_code + "familiarisation 'coughed twice'").status, 0);
+    EXPECT_EQ(carl("study note face_content_validity P099-X familiarisation x").status, 2);
+    const Outcome list = carl("--json study deviations face_content_validity");
+    EXPECT_THAT(list.out,
+                AllOf(HasSubstr("ended_early"), HasSubstr("repeated"), HasSubstr("coughed twice"),
+                      HasSubstr("the pedal was unplugged"), HasSubstr(code)));
+    EXPECT_THAT(carl("study deviations face_content_validity --participant P001-C").out,
+                HasSubstr("no deviations"));
+    ASSERT_EQ(carl("export csv --study face_content_validity --out csv").status, 0);
+    EXPECT_THAT(read_text(file("csv/face_content_validity_deviations.csv")),
+                HasSubstr("coughed twice"));
+    EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("study.repeat"), HasSubstr("study.note")));
+}

@@ -227,6 +227,13 @@ TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {
     run.attempt_id = named;
     store->record_step(run);
 
+    const std::string other_code = store->new_participant("pilot");
+    store->record_step(step(other_code, "consent"));
+    auto taken = step(other_code, "run");
+    taken.attempt_id = theirs;
+    EXPECT_EQ(failure_of([&] { store->record_step(taken); }).kind(), StoreError::Kind::kRefused)
+        << "it is somebody else's";
+
     const auto mine = store->attempts(carl);
     ASSERT_EQ(mine.size(), 1u);
     EXPECT_EQ(mine[0].id, own);

@@ -319,6 +319,10 @@ void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
             return now != nullptr && now->item(2, 4)->text().contains("the pedal was unplugged");
         },
         5000));
+    shell.context().setLanguage("pl");  // Its words are longer.
+    QVERIFY(shell.fitsInBothSizes("68_study_procedures_pl"));
+    shell.context().setLanguage("en");
+    shell.window().resize(1366, 768);
     shell.whole("68_study_procedures");
     QVERIFY(shell.fits());
     // The participant does it once more, and it counts instead.

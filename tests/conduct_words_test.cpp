@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the store says in English about an attempt is known again, whatever its numbers are.
+
+#include <gmock/gmock.h>
+
+#include <QCoreApplication>
+#include <QTranslator>
+
+#include "db/attempt_counting.h"
+#include "reports/words.h"
+
+using namespace placode;
+using namespace placode::reports;
+
+namespace {
+
+/// Says everything of the list with a mark before it: what has none was not recognised.
+class Marked : public QTranslator {
+ public:
+    QString translate(const char* context, const char* text, const char*, int) const override {
+        return std::string(context) == "Deviation" ? "~" + QString::fromUtf8(text) : QString();
+    }
+    bool isEmpty() const override { return false; }
+};
+
+class ConductWords : public testing::Test {
+ protected:
+    ConductWords() {
+        static int argc = 1;
+        static char name[] = "conduct_words_test";
+        static char* argv[] = {name, nullptr};
+        static QCoreApplication application(argc, argv);
+        QCoreApplication::installTranslator(&translator);
+    }
+    ~ConductWords() override { QCoreApplication::removeTranslator(&translator); }
+
+    Marked translator;
+};
+
+}  // namespace
+
+TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
+    for (const float pictures : {1.0F, 12.4F, 19.9F})
+        for (const float speed : {0.07F, 0.94F}) {
+            sim::Event event;
+            event.kind = sim::EventKind::kMachineSpeed;
+            event.value = speed;
+            event.value2 = pictures;
+            const QStringList parts =
+                void_words(db::slow_machine_reason({event})).split(QStringLiteral("; "));
+            ASSERT_EQ(parts.size(), 2);
+            for (const QString& part : parts) {
+                EXPECT_TRUE(part.startsWith('~')) << part.toStdString();
+                EXPECT_FALSE(part.contains("%1")) << part.toStdString();
+            }
+        }
+    EXPECT_EQ(void_words("40 drop-outs"), "40 drop-outs") << "figures for technicians stay";
+}
+
+TEST_F(ConductWords, WhyAStepIsStillToBeDone) {
+    EXPECT_EQ(not_done_words("interrupted"), "~broken off");
+    EXPECT_EQ(not_done_words("ended after 12 s, before the least duration of 60 s"),
+              "~it ended after 12 s, before 60 s were over");
+    EXPECT_TRUE(
+        not_done_words("void: The computer was too slow: 3 pictures a second, 20 are needed")
+            .startsWith("~The computer"));
+    EXPECT_EQ(not_done_words("the pedal was unplugged"), "the pedal was unplugged")
+        << "a coordinator's own words";
+}
+
+TEST_F(ConductWords, DeviationsAreSaidInTheProgramsLanguageAndInEnglishForFiles) {
+    db::Deviation one;
+    one.kind = db::DeviationKind::kPaused;
+    one.count = 2;
+    one.seconds = 12.4;
+    one.causes = {sim::PauseCause::kMenu, sim::PauseCause::kFocus};
+    EXPECT_EQ(deviation_words(one, Language::kEnglish),
+              "Stood still twice, 12 s in all (menu, another window in front).");
+    EXPECT_TRUE(deviation_words(one).startsWith("~Stood still ~twice"));
+    one.text = std::string(1, 'x');
+    for (int i = 0; i < db::kDeviationKinds; ++i) {
+        one.kind = static_cast<db::DeviationKind>(i);
+        EXPECT_FALSE(deviation_words(one, Language::kEnglish).isEmpty()) << i;
+        EXPECT_FALSE(deviation_title(one.kind, Language::kEnglish).startsWith('~')) << i;
+        EXPECT_TRUE(deviation_title(one.kind).startsWith('~')) << i;
+    }
+}
