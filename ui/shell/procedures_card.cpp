@@ -99,7 +99,8 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
         ++row;
     }
     fit_columns(table_, 4);
-    keep_within(table_, {.stretch = 4});
+    // When it was stands in the result, a click away.
+    keep_within(table_, {.stretch = 4, .least_px = 260, .keep_px = 260, .drop = {1}});
     table_->setMinimumHeight(std::min(6, row + 1) * kTouchTarget + 10);
     table_->selectRow(row - 1);
     layout->addWidget(table_);
