@@ -123,6 +123,7 @@ void ShellAttemptTest::stoppedAttemptIsScoredForWhatWasDone() {
     if (QTest::currentTestFailed()) return;
     QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 6; },
                             kPatienceMs));
+    shell.confirmNext();
     QVERIFY(shell.click("stop_and_score"));
     QVERIFY(shell.arrives(PageId::kResult, 60));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 30000));
@@ -214,6 +215,7 @@ void ShellAttemptTest::recordingStaysWhenTheStoreIsLocked() {
         QVERIFY(other.open());
         QSqlQuery lock(other);
         QVERIFY(lock.exec("BEGIN IMMEDIATE"));
+        shell.confirmNext();
         QVERIFY(shell.click("stop_and_score"));
         QVERIFY(shell.bannerSays("locked", 60));
         QVERIFY(shell.arrives(PageId::kRecovery));

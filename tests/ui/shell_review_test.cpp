@@ -76,6 +76,7 @@ void ShellReviewTest::attempt(const QString& device, double seconds) {
     QVERIFY(shell.arrives(PageId::kRunning));
     QVERIFY(QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > seconds; },
                             kPatienceMs));
+    shell.confirmNext();
     QVERIFY(shell.click("stop_and_score"));
     QVERIFY(shell.arrives(PageId::kResult, 60));
     QVERIFY(picturesAreThere());

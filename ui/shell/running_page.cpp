@@ -118,10 +118,15 @@ class RunningPage : public Page {
         return row;
     }
 
-    /// Where an attempt cannot be made again, ending it asks, and says what is lost.
+    /// One click in another window than the operation's ends nothing: it asks, and says what is
+    /// lost.
     [[nodiscard]] bool mayFinish() {
-        if (!curriculum::conduct_of(mode()).always_ask) return true;
         const double time_s = context_.launcher().status().time_s;
+        if (!curriculum::conduct_of(mode()).always_ask)
+            return confirm(window(), tr("End the attempt?"),
+                           tr("It ends here, after %1, and is scored for what was done.")
+                               .arg(format_duration(time_s)),
+                           tr("Stop and score"));
         const double min_s = context_.launcher().order().min_s;
         QString text = study()
                            ? tr("The procedure ends here for good, after %1. You cannot go on "

@@ -4064,6 +4064,14 @@
 <context>
     <name>RunningPage</name>
     <message>
+        <source>End the attempt?</source>
+        <translation>Zakończyć próbę?</translation>
+    </message>
+    <message>
+        <source>It ends here, after %1, and is scored for what was done.</source>
+        <translation>Kończy się tutaj, po %1, i zostanie oceniona za to, co zrobiono.</translation>
+    </message>
+    <message>
         <source>Stop and score ends the attempt here and scores what was done. Abort keeps it in the history as interrupted; it does not count for the course.</source>
         <translation>„Zakończ i oceń” kończy próbę w tym miejscu i ocenia wykonaną część. „Przerwij” zachowuje ją w historii jako przerwaną; nie liczy się do kursu.</translation>
     </message>
@@ -8075,6 +8083,10 @@
     <message>
         <source>broken off</source>
         <translation>przerwano</translation>
+    </message>
+    <message>
+        <source>nothing was done</source>
+        <translation>nic nie zrobiono</translation>
     </message>
     <message>
         <source>it ended after %1 s, before %2 s were over</source>
