@@ -11,7 +11,7 @@
 namespace placode::sim {
 namespace {
 
-constexpr double kLookBackM = 0.012;  // of the shaft behind the tip
+constexpr double kLookBackM = 0.040;  // of the shaft behind the tip: no hand reaches deeper
 constexpr double kBoxSlackM = 1e-3;   // boxes are those of a frame ago
 
 /// The shaft from a point at the tip towards the hand.

@@ -52,6 +52,19 @@ TEST(StepWatch, ATremorIsNoProgressAndANewStepBeginsAfresh) {
     EXPECT_FALSE(watch.fresh());
 }
 
+TEST(StepWatch, AnAnchorWaitsForTheInstrument) {
+    StepWatch watch;
+    watch.look(goal(PracticeKind::kMove, 0), 1.0, false, false);
+    watch.look(goal(PracticeKind::kMove, 0), 1.1, false, false);
+    EXPECT_TRUE(watch.fresh()) << "before the first motion it is nowhere";
+    watch.look(goal(PracticeKind::kMove, 0), 1.2, false, true);
+    EXPECT_TRUE(watch.fresh());
+    watch.look(goal(PracticeKind::kMove, 0), 1.3, false, true);
+    EXPECT_FALSE(watch.fresh());
+    watch.look(goal(PracticeKind::kMove, 0), 1.4, false, false);
+    EXPECT_FALSE(watch.fresh()) << "a hand that was away goes on";
+}
+
 TEST(StepWatch, TimeInMenuAndHelpDoesNotCount) {
     StepWatch watch;
     double clock_s = 0;

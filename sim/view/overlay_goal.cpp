@@ -38,10 +38,12 @@ int Overlay::tool_of(Hand hand) const {
 void Overlay::goals() {
     if (!practising()) return;
     const PracticeGoal& goal = state_->practice.goal;
-    watch_.look(goal, tips_->clock_s, state_->menu.shown || state_->show_help);
     const int tool = goal_tool();
+    const auto t = static_cast<size_t>(std::max(tool, 0));
+    // Before the first motion there is no instrument yet.
+    watch_.look(goal, tips_->clock_s, state_->menu.shown || state_->show_help,
+                tool >= 0 && snapshot_->tools[t].engaged != 0);
     if (goal.index >= goal.count || tool < 0) return;
-    const auto t = static_cast<size_t>(tool);
     const Pose& pose = snapshot_->tools[t].pose;
     const TipFoot& foot = tips_->feet[t];
     const bool scope = goal.step.hand == Hand::kCamera;
@@ -57,6 +59,7 @@ void Overlay::goals() {
             foot.found ? std::clamp(foot.height_mm - kAboveTissueMm, 1.0, kSwingMm) : kSwingMm;
         watch_.side = goal.step.kind == PracticeKind::kDepth ? -1 : 1;
     }
+    if (snapshot_->tools[t].buried_m > 0) return;  // that comes first
     switch (goal.step.kind) {
         case PracticeKind::kMove:
             if (scope)

@@ -13,15 +13,18 @@ constexpr double kLongestPictureS = 5;  // between two of them; more is a jump i
 
 }  // namespace
 
-void StepWatch::look(const PracticeGoal& goal, double clock_s, bool waits) {
+void StepWatch::look(const PracticeGoal& goal, double clock_s, bool waits, bool present) {
     const double passed_s = begun_ ? clock_s - last_s_ : 0;
     last_s_ = clock_s;
     begun_ = true;
-    fresh_ = goal.index != step_;
+    const bool first = goal.index != step_;
+    // A hand that comes back somewhere else goes on with its step.
+    fresh_ = first || !anchored_;
+    anchored_ = first ? present : anchored_ || present;
     const bool moved_on = goal.progress > progress_ + kSomeProgress;
     // What was held and let go again starts from its beginning.
-    if (fresh_ || moved_on || goal.progress < progress_) progress_ = goal.progress;
-    if (fresh_ || moved_on || passed_s < 0) {
+    if (first || moved_on || goal.progress < progress_) progress_ = goal.progress;
+    if (first || moved_on || passed_s < 0) {
         idle_s_ = 0;
     } else if (!waits) {
         idle_s_ += std::min(passed_s, kLongestPictureS);

@@ -12,10 +12,12 @@ inline constexpr double kStuckS = 8;  ///< Without progress: then the hint comes
 
 class StepWatch {
  public:
-    /// One picture. `clock_s` runs with the watcher; while `waits` (menu, help) nobody is stuck.
-    void look(const PracticeGoal& goal, double clock_s, bool waits);
+    /// One picture. `clock_s` runs with the watcher; while `waits` (menu, help) nobody is stuck;
+    /// `present` = the instrument of the step is in the field.
+    void look(const PracticeGoal& goal, double clock_s, bool waits, bool present = true);
     [[nodiscard]] bool stuck() const { return idle_s_ >= kStuckS; }
-    /// True in the first picture of a step: what is anchored is anchored now.
+    /// True from the first picture of a step until the instrument is there: what is anchored is
+    /// anchored now.
     [[nodiscard]] bool fresh() const { return fresh_; }
 
     Vec3 anchor_mm = Vec3::Zero();  ///< Of the step: the tip, or what the scope looked at.
@@ -27,7 +29,7 @@ class StepWatch {
  private:
     int step_ = -1;
     double progress_ = 0, idle_s_ = 0, last_s_ = 0;
-    bool fresh_ = false, begun_ = false;
+    bool fresh_ = false, begun_ = false, anchored_ = false;
 };
 
 /// "12 of 30 mm": how much of a step is done, and its unit; empty where only done counts.
