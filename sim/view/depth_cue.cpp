@@ -13,8 +13,8 @@ namespace {
 using Eigen::Vector3f;
 
 // Beyond these the shadow is too faint to be drawn; see depth_shadow.glsl.
-constexpr double kShaftMm = 14, kHighestMm = 14;
-constexpr float kSpreadMm = 4.5F;
+constexpr double kShaftMm = 11, kHighestMm = 12;
+constexpr float kSpreadMm = 3.5F;
 
 Vector3f corner(const DrawnTissue& tissue, unsigned index) {
     const float* p = &tissue.vertices[static_cast<size_t>(index) * kTissueVertexFloats];
@@ -44,11 +44,19 @@ void DepthCue::drop_on(const Drop& drop, const std::array<Vector3f, 3>& p) {
     drop.foot->height_mm = static_cast<double>(drop.tip.z()) - z;
 }
 
+bool DepthCue::Drop::reaches(const Vector3f& p) const {
+    if (p.x() < low[0] || p.x() > high[0] || p.y() < low[1] || p.y() > high[1]) return false;
+    const Eigen::Vector2f from = p.head<2>() - tip.head<2>();
+    const float length2 = std::max(shaft.squaredNorm(), 1e-6F);
+    const float along = std::clamp(from.dot(shaft) / length2, 0.0F, 1.0F);
+    return (from - along * shaft).squaredNorm() < kSpreadMm * kSpreadMm;
+}
+
 void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
                       std::span<const DrawnTissue> parts) {
+    before_ = feet_;
     feet_.fill({});
     below_.clear();
-    reaches_.clear();
     drops_.clear();
     for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
         const ToolSnapshot& tool = snapshot.tools[i];
@@ -56,31 +64,36 @@ void DepthCue::update(const Snapshot& snapshot, const std::vector<ToolSpec>& too
         const Vec3 tip = 1000 * tool.pose.p;
         const Vec3 back = tip - kShaftMm * (tool.pose.q * Vec3::UnitZ());
         const Vector3f a = tip.cast<float>(), b = back.cast<float>();
-        reaches_.push_back(
-            {{std::min(a.x(), b.x()) - kSpreadMm, std::min(a.y(), b.y()) - kSpreadMm},
-             {std::max(a.x(), b.x()) + kSpreadMm, std::max(a.y(), b.y()) + kSpreadMm}});
-        drops_.push_back({a, &feet_[i]});
+        Drop drop;
+        drop.tip = a;
+        drop.shaft = (b - a).head<2>();
+        for (int k = 0; k < 2; ++k) {
+            drop.low[k] = std::min(a[k], b[k]) - kSpreadMm;
+            drop.high[k] = std::max(a[k], b[k]) + kSpreadMm;
+        }
+        // What hung high above the field in the picture before throws no shadow in this one.
+        drop.shades = before_[i].found && before_[i].height_mm < kHighestMm;
+        drop.foot = &feet_[i];
+        drops_.push_back(drop);
     }
     if (drops_.empty()) return;
     for (const DrawnTissue& part : parts) collect(part);
-    // Nothing is darkened by an instrument that hangs high above the field.
-    const bool far = std::none_of(drops_.begin(), drops_.end(), [](const Drop& drop) {
-        return drop.foot->found && drop.foot->height_mm < kHighestMm;
-    });
-    if (far) below_.clear();
 }
 
 void DepthCue::collect(const DrawnTissue& tissue) {
     for (size_t k = 0; k + 2 < tissue.indices.size(); k += 3) {
         const Vector3f first = corner(tissue, tissue.indices[k]);
-        const bool near = std::any_of(reaches_.begin(), reaches_.end(), [&](const Reach& r) {
-            return first.x() > r.low[0] && first.x() < r.high[0] && first.y() > r.low[1] &&
-                   first.y() < r.high[1];
-        });
+        bool near = false, shaded = false;
+        for (const Drop& drop : drops_) {
+            if (!drop.reaches(first)) continue;
+            near = true;
+            shaded = shaded || drop.shades;
+        }
         if (!near) continue;
         const std::array<Vector3f, 3> p{first, corner(tissue, tissue.indices[k + 1]),
                                         corner(tissue, tissue.indices[k + 2])};
         for (const Drop& drop : drops_) drop_on(drop, p);
+        if (!shaded) continue;
         for (const Vector3f& v : p) below_.insert(below_.end(), v.data(), v.data() + 3);
     }
 }

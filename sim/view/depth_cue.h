@@ -41,20 +41,21 @@ class DepthCue {
     void draw();
 
  private:
-    struct Reach {
-        float low[2], high[2];  // [mm], in the plane
-    };
+    /// One instrument: where its tip drops to, and the tissue that its shadow may reach.
     struct Drop {
         Eigen::Vector3f tip;
+        Eigen::Vector2f shaft;  // from the tip along the shaft, in the plane [mm]
+        float low[2], high[2];  // box around both, with the shadow's border
+        bool shades = false;
         TipFoot* foot = nullptr;
+        [[nodiscard]] bool reaches(const Eigen::Vector3f& p) const;
     };
     static void drop_on(const Drop& drop, const std::array<Eigen::Vector3f, 3>& p);
     void collect(const DrawnTissue& tissue);
     GlProgram program_;
     GlMesh mesh_;
-    std::array<TipFoot, kMaxTools> feet_;
+    std::array<TipFoot, kMaxTools> feet_, before_;  // of this picture and the one before
     std::vector<float> below_;
-    std::vector<Reach> reaches_;
     std::vector<Drop> drops_;
 };
 
