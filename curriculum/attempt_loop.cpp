@@ -230,6 +230,7 @@ void AttemptLoop::publish() noexcept {
     out.paused = paused_.load(std::memory_order_relaxed) ? 1 : 0;
     out.message = warnings_.phrase();
     out.message_age_s = static_cast<float>(std::min(1e9, state_.time_s - warnings_.said_s()));
+    if (waiting_ && has_first_) show_hands(out);
     snapshots_.publish();
     practice_out_.publish(practice_.goal());
 }

@@ -67,6 +67,7 @@ class AttemptLoop {
     [[nodiscard]] bool rest() noexcept;
     void watch_pause(bool paused) noexcept;
     [[nodiscard]] bool hands_moved() noexcept;
+    void show_hands(sim::Snapshot& out) const noexcept;
     void gather_inputs() noexcept;
     void perceive() noexcept;
     void one_frame() noexcept;

@@ -58,6 +58,17 @@ void AttemptLoop::watch_pause(bool paused) noexcept {
     record(event);
 }
 
+/// Nothing has been simulated yet: the instruments stand where the hands are, or nobody would see
+/// with what to begin.
+void AttemptLoop::show_hands(sim::Snapshot& out) const noexcept {
+    for (size_t i = 0; i < scene_->tools.size(); ++i) {
+        if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
+        out.tools[i].pose = inputs_[i].pose();
+        out.tools[i].engaged = inputs_[i].engaged;
+        out.tools[i].jaw_rad = inputs_[i].jaw_rad;
+    }
+}
+
 /// Against where the hands stood when they first spoke.
 bool AttemptLoop::hands_moved() noexcept {
     if (!servo_->exchange().inputs.refresh()) return false;

@@ -197,6 +197,7 @@ TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     EXPECT_TRUE(runner.status().waiting);
     EXPECT_EQ(runner.snapshot().frame, 0);
+    until([&] { return runner.snapshot().tools[0].engaged != 0; });  // seen before it moves
     // What was looked at before the beginning is no pause.
     runner.set_paused(true, sim::PauseCause::kHelp);
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
