@@ -7,6 +7,8 @@
 #include <QApplication>
 #include <QEventLoop>
 #include <QFile>
+#include <QPointer>
+#include <QWindow>
 #include <random>
 
 #include "shell_harness.h"
@@ -26,11 +28,9 @@ const char* const kStandIn =
 class Monkey : public QObject {
     Q_OBJECT
  public:
-    Monkey(ShellHarness& shell, int events) : shell_(shell), left_(events) {
-        connect(&timer_, &QTimer::timeout, this, [this] { act(); });
-    }
+    Monkey(ShellHarness& shell, int events) : shell_(shell), left_(events) {}
     void run() {
-        timer_.start(0);
+        next();
         loop_.exec();
     }
     int confirmed = 0, ended_without = 0, dialogs = 0;
@@ -38,10 +38,29 @@ class Monkey : public QObject {
  private:
     int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
 
+    /// A timer does not fire again while its slot runs a dialog's loop: each is good for one event.
+    void next() {
+        QTimer::singleShot(1, this, [this] { act(); });
+    }
+
+    /// One event; within another one only in a dialog or menu which that has opened.
     void act() {
+        if (over_) return;
+        next();
+        QWidget* open = QApplication::activePopupWidget();
+        if (open == nullptr) open = QApplication::activeModalWidget();
+        if (busy_ && open == open_) return;
+        const bool busy = std::exchange(busy_, true);
+        QWidget* before = std::exchange(open_, open);
+        one_event();
+        busy_ = busy;
+        open_ = before;
+    }
+
+    void one_event() {
         watch();
         if (--left_ <= 0) {
-            timer_.stop();
+            over_ = true;
             // Whatever is open can be left.
             for (int i = 0; i < 10 && QApplication::activeModalWidget() != nullptr; ++i)
                 QTest::keyClick(QApplication::activeModalWidget(), Qt::Key_Escape);
@@ -58,7 +77,7 @@ class Monkey : public QObject {
     /// An end is right after a press on "confirm_yes" only; then another attempt begins.
     void watch() {
         if (shell_.context().launcher().running()) return;
-        if (started_ && !std::exchange(affirmed_, false)) ++ended_without;
+        if (std::exchange(started_, false) && !std::exchange(affirmed_, false)) ++ended_without;
         if (QApplication::activeModalWidget() != nullptr) return;
         affirmed_ = false;
         AttemptOrder order;
@@ -91,7 +110,11 @@ class Monkey : public QObject {
                                                   Qt::ControlModifier, Qt::AltModifier};
         QWidget* focus = target->focusWidget() != nullptr ? target->focusWidget() : target;
         if (key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Space) affirm(focus);
-        QTest::keyClick(focus, key, modifiers[below(5)]);
+        // To the window, as a keyboard does it: what a press closes is gone before it is let go.
+        const QPointer<QWindow> window = target->window()->windowHandle();
+        const Qt::KeyboardModifier modifier = modifiers[below(5)];
+        if (window) QTest::keyPress(window, key, modifier);
+        if (window) QTest::keyRelease(window, key, modifier);
     }
 
     void click(QWidget* target) {
@@ -104,15 +127,17 @@ class Monkey : public QObject {
         }
         if (child == nullptr || !child->isVisible() || !child->isEnabled()) return;
         affirm(child);
-        QTest::mouseClick(child, Qt::LeftButton);
+        const QPointer<QWidget> pressed = child;
+        QTest::mousePress(child, Qt::LeftButton);
+        if (pressed) QTest::mouseRelease(pressed, Qt::LeftButton);
     }
 
     ShellHarness& shell_;
     std::mt19937 random_{20261124};
-    QTimer timer_;
     QEventLoop loop_;
     int left_ = 0;
-    bool affirmed_ = false, started_ = false;
+    bool affirmed_ = false, started_ = false, over_ = false, busy_ = false;
+    QWidget* open_ = nullptr;  // compared only
 };
 
 }  // namespace
