@@ -51,10 +51,6 @@ std::string why_not_done(Store& store, const StepRecord& step, const AttemptReco
     const auto protocol = published_study(store, step.study_id, version);
     const auto* asked = protocol ? protocol->step(step.step) : nullptr;
     if (asked == nullptr) return {};
-    // Whoever only looks around has got used to the instruments, and has done no procedure.
-    if (asked->kind == curriculum::StepKind::kProcedure &&
-        attempt.verdict == assessment::Verdict::kNotAttempted)
-        return "nothing was done";
     if (attempt.duration_s >= asked->min_s) return {};
     const auto whole = [](double s) { return std::to_string(static_cast<int>(s)) + " s"; };
     return "ended after " + whole(attempt.duration_s) + ", before the least duration of " +

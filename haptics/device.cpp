@@ -136,7 +136,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Turn the instrument", "hold Shift and move sideways"},
                 {"Steer the scope", "hold the middle button and move; wheel for distance"},
                 {"Other hand, when there are two", "Tab"},
-                {"Finish the task", "Enter"}};
+                {"Finish the task", "hold Enter"}};
     if (device == "keyboard")
         return {{"Move the tip left, right, up, down in the picture", "A, D, W, S"},
                 {"Go deeper / come back", "F / R"},
@@ -147,7 +147,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Turn the instrument", "Q / E"},
                 {"Steer the scope", "arrow keys"},
                 {"Other hand, when there are two", "Tab"},
-                {"Finish the task", "Enter"}};
+                {"Finish the task", "hold Enter"}};
     if (device == "gamepad")
         return {{"Move the tip in the picture", "left stick"},
                 {"Go deeper / come back", "right trigger / left trigger"},
@@ -156,7 +156,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Precision (a tenth of the speed)", "hold the left bumper"},
                 {"Turn the instrument", "right stick sideways"},
                 {"Stop the hand", "hold Space on the keyboard"},
-                {"Finish the task", "Start, or Enter on the keyboard"}};
+                {"Finish the task", "Start for the menu, or hold Enter"}};
     if (device == "spacemouse")
         return {{"Move the tip in the picture", "push the cap sideways and up or down"},
                 {"Go deeper / come back", "push the cap away from you / pull it"},
@@ -165,7 +165,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Turn the instrument", "twist the cap"},
                 {"Stop the hand", "hold Space on the keyboard"},
                 {"Other hand, when there are two", "Tab"},
-                {"Finish the task", "Enter"}};
+                {"Finish the task", "hold Enter"}};
     if (device == "openhaptics" || device == "haply" || device == "forcedimension")
         return {{"Move the handle outside the body", "move the arm; the port inverts"},
                 {"Cut (yellow pedal)", "yellow pedal, or the first button"},
@@ -174,7 +174,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Turn the instrument", "turn the stylus"},
                 {"Clutch: move the arm, not the handle", "hold the second button"},
                 {"Other instrument", "tap the second button, or Tab"},
-                {"Finish the task", "Enter"}};
+                {"Finish the task", "hold Enter"}};
     if (device == "avatar")
         return {{"Move the instrument in its port", "move the handle; the port inverts"},
                 {"Cut (yellow pedal)", "yellow pedal"},
@@ -182,7 +182,7 @@ std::vector<ControlHelp> controls(std::string_view device) {
                 {"Close the jaws", "close the handle"},
                 {"Turn the instrument", "turn the handle"},
                 {"Other instrument", "Tab"},
-                {"Finish the task", "Enter"}};
+                {"Finish the task", "hold Enter"}};
     return {};
 }
 

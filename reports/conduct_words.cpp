@@ -92,8 +92,6 @@ QString not_done_words(const std::string& english) {
     const QString said = QString::fromStdString(english);
     if (said == QLatin1String("interrupted"))
         return QCoreApplication::translate("Deviation", "broken off");
-    if (said == QLatin1String("nothing was done"))
-        return QCoreApplication::translate("Deviation", "nothing was done");
     static const QString kVoid = QStringLiteral("void: ");
     if (said.startsWith(kVoid)) return void_words(said.mid(kVoid.size()).toStdString());
     static const QRegularExpression kEarly(

@@ -79,11 +79,8 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
             .arg(escaped(subject.centre), QString::number(record.id));
     if (record.demonstration)
         html += QStringLiteral(
-            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - simulated operator, "
-            "not a person's attempt.</p>");
-    if (!record.void_reason.empty())
-        html += QStringLiteral("<p style='background-color:#fff1d6'><b>&nbsp;VOID</b> - %1</p>")
-                    .arg(escaped(record.void_reason));
+            "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - made by a script or "
+            "with a demonstration account; proves nothing about a person.</p>");
     html += QStringLiteral(
                 "<p style='font-size:22px'><b><span style='color:%1'>%2</span> - %3 of 100 "
                 "points</b></p>")

@@ -60,7 +60,6 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
 
 TEST_F(ConductWords, WhyAStepIsStillToBeDone) {
     EXPECT_EQ(not_done_words("interrupted"), "~broken off");
-    EXPECT_EQ(not_done_words("nothing was done"), "~nothing was done");
     EXPECT_EQ(not_done_words("ended after 12 s, before the least duration of 60 s"),
               "~it ended after 12 s, before 60 s were over");
     EXPECT_TRUE(

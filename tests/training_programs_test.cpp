@@ -242,8 +242,12 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     EXPECT_NEAR(number_in(time.out, "mean_novice"), 310, 1e-9);
     EXPECT_EQ(number_in(time.out, "observed_false_positive"), 0) << "less time is better";
     EXPECT_THAT(
-        as("ewa", "norms standard diathermy_ring --novices N --experts E --metric none").err,
+        as("ewa", "norms standard diathermy_ring --novices N --experts E --metric traction_held_s")
+            .err,
         HasSubstr("0 novice and 0 expert"));
+    EXPECT_THAT(
+        as("ewa", "norms standard diathermy_ring --novices N --experts E --metric none").err,
+        HasSubstr("unknown metric \"none\""));
     const Outcome panel = as("ewa", "--json norms quality diathermy_ring --novices N --experts E");
     EXPECT_THAT(panel.out, AllOf(HasSubstr("hedges_g"), HasSubstr("\"evidence\": true")));
 

@@ -55,6 +55,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
      "Badanie wymaga co najmniej %1. Zakończona po %2 nie liczy się."},
     {"It usually takes %1; %2 are over.", "Zwykle trwa to %1; minęło %2."},
     {"This is an exam: an end is final.", "To jest egzamin: koniec jest ostateczny."},
+    {"A procedure that is broken off has to be done again from the start.",
+     "Przerwany zabieg trzeba powtórzyć od początku."},
     {"This procedure then is over for good.", "Ten zabieg zakończy się wtedy na dobre."},
     {"An attempt that is left is kept as interrupted and counts for nothing.",
      "Opuszczona próba zostaje zapisana jako przerwana i nie liczy się."},

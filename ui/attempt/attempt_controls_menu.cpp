@@ -133,9 +133,12 @@ std::vector<std::string> AttemptControls::warnings(Question question) const {
                              sim::clock_text(setup_.usual_s), sim::clock_text(attempt_s_)));
     if (setup_.mode == AttemptMode::kExam)
         lines.push_back(say("This is an exam: an end is final."));
-    if (setup_.mode == AttemptMode::kStudy)
+    const bool study = setup_.mode == AttemptMode::kStudy;
+    if (study && question != Question::kLeave && !too_short())
         lines.push_back(say("This procedure then is over for good."));
-    if (question != Question::kFinish)
+    if (study && (question != Question::kFinish || too_short()))
+        lines.push_back(say("A procedure that is broken off has to be done again from the start."));
+    if (!study && question != Question::kFinish)
         lines.push_back(
             say("An attempt that is left is kept as interrupted and counts for nothing."));
     return lines;

@@ -201,8 +201,9 @@ class WindowSession {
         // Beside arms and scripts nobody presses a key: the help goes by itself.
         const bool read = scripted_ ? status.time_s < kReadHelpS && overlay_.practice.steps.empty()
                                     : read_on_ && status.waiting;
+        overlay_.help_waits = controls_.screen() == Screen::kHelp;
         overlay_.show_help =
-            controls_.screen() == Screen::kHelp || (read && controls_.screen() == Screen::kOperate);
+            overlay_.help_waits || (read && controls_.screen() == Screen::kOperate);
         const bool noted = notice_until_ > Clock::now();
         overlay_.notice = noted ? notice_ : status.warning;
         tend_lens();

@@ -56,8 +56,7 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 return;
             }
             if (saved->outcome == Saving::kEmpty) {
-                context_.report({tr("The attempt ended before anything was recorded."),
-                                 tr("Try again."), ending.message});
+                notices_->showNotice(tr("The attempt was left before it began; nothing was kept."));
                 if (waiting) showPlace(placeOf(ending.order));
                 return;
             }

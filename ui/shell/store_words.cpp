@@ -73,6 +73,7 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "the participant has withdrawn already (%1)"),
     QT_TRANSLATE_NOOP("StoreWords", "a withdrawal needs a reason; \"not given\" is one"),
     QT_TRANSLATE_NOOP("StoreWords", "the step has no id"),
+    QT_TRANSLATE_NOOP("StoreWords", "attempt %1 belongs to %2 of the study \"%3\""),
     QT_TRANSLATE_NOOP("StoreWords", "a repeat needs a reason"),
     QT_TRANSLATE_NOOP(
         "StoreWords",

@@ -51,7 +51,6 @@ namespace {
     QT_TRANSLATE_NOOP("Deviation", "twice"),
     QT_TRANSLATE_NOOP("Deviation", "%1 times"),
     QT_TRANSLATE_NOOP("Deviation", "broken off"),
-    QT_TRANSLATE_NOOP("Deviation", "nothing was done"),
     QT_TRANSLATE_NOOP("Deviation", "it ended after %1 s, before %2 s were over"),
     QT_TRANSLATE_NOOP("Deviation",
                       "The computer was too slow: %1 pictures a second, 20 are needed"),

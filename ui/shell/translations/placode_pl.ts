@@ -912,6 +912,14 @@
 <context>
     <name>Controls</name>
     <message>
+        <source>Start for the menu, or hold Enter</source>
+        <translation>Start: menu, albo przytrzymaj Enter</translation>
+    </message>
+    <message>
+        <source>hold Enter</source>
+        <translation>przytrzymaj Enter</translation>
+    </message>
+    <message>
         <source>Move the tip in the picture</source>
         <translation>Ruch końcówki w obrazie</translation>
     </message>
@@ -5149,6 +5157,10 @@
 <context>
     <name>placode::ui::MainWindow</name>
     <message>
+        <source>The attempt was left before it began; nothing was kept.</source>
+        <translation>Próba została opuszczona, zanim się zaczęła; nic nie zapisano.</translation>
+    </message>
+    <message>
         <source>Reading the accounts</source>
         <translation>Odczyt kont</translation>
     </message>
@@ -8085,10 +8097,6 @@
         <translation>przerwano</translation>
     </message>
     <message>
-        <source>nothing was done</source>
-        <translation>nic nie zrobiono</translation>
-    </message>
-    <message>
         <source>it ended after %1 s, before %2 s were over</source>
         <translation>zakończono po %1 s, przed upływem %2 s</translation>
     </message>
@@ -8635,6 +8643,10 @@
 </context>
 <context>
     <name>StoreWords</name>
+    <message>
+        <source>attempt %1 belongs to %2 of the study &quot;%3&quot;</source>
+        <translation>próba %1 należy do %2 w badaniu „%3”</translation>
+    </message>
     <message>
         <source>the login is taken; choose another one</source>
         <translation>nazwa logowania jest zajęta; wybierz inną</translation>
