@@ -35,10 +35,10 @@ inline QString run_program(const QString& program, const QStringList& arguments)
 
 struct ScriptedParticipants {
     std::unique_ptr<ShellHarness> shell;
-    Rows answers;                    ///< One row a participant, of the shipped simulated answers.
-    size_t count = 14;               ///< As in the paper.
-    double seconds = 0.4;            ///< Of a procedure [s], when not `real`.
-    double real_seconds = 4;         ///< Of the last procedure of each level's first participant.
+    Rows answers;             ///< One row a participant, of the shipped simulated answers.
+    size_t count = 14;        ///< As in the paper.
+    double seconds = 4;       ///< Of a procedure [s]: something is done, or it would not count.
+    double real_seconds = 4;  ///< Of the last procedure of each level's first participant.
     std::vector<std::string> codes;  ///< Of those who consented, in order.
 
     [[nodiscard]] db::Store& store() const { return shell->context().store(); }

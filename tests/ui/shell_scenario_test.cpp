@@ -5,8 +5,8 @@
 // question; report and every export come out, are validated, and agree with each other and with
 // the store.
 //
-// Procedures are real attempts of placode-sim, cut short: 0.4 s, but the last one of the first
-// participant of each level 4 s. PLACODE_SCENARIO_PARTICIPANTS=4 is quicker,
+// Procedures are real attempts of placode-sim, cut short after 4 s: in less nothing is done, and
+// that counts in no analysis. PLACODE_SCENARIO_PARTICIPANTS=4 is quicker,
 // PLACODE_SCENARIO_SECONDS=600 lets every operator finish.
 
 #include <QFileInfo>
