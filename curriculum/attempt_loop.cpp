@@ -47,10 +47,7 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       sight_(*scene_),
       warnings_(*scene_),
       used_substeps_(state_.substeps) {
-    const auto before = Clock::now();
     sim::settle(*scene_, state_, task.settle_s);
-    const double took_s = std::chrono::duration<double>(Clock::now() - before).count();
-    settling_share_ = took_s > 0 ? task.settle_s / took_s : 0;
     waiting_ = options.wait_for_motion && !fast_ && !lock_step_;
     practice_ = PracticeGuide(options.steps, *scene_, state_);
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
@@ -219,7 +216,6 @@ void AttemptLoop::publish() noexcept {
     numbers_now_.pictures_now_hz = speed_.pictures_now_hz();
     numbers_now_.slow = speed_.slow();
     numbers_now_.counts_not = speed_.counts_for_nothing();
-    numbers_now_.settling_share = settling_share_;
     numbers_.publish(numbers_now_);
     sim::Snapshot& out = snapshots_.back();
     sim::fill_snapshot(*scene_, state_, out);

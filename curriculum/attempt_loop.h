@@ -33,7 +33,6 @@ struct LoopNumbers {
     double pictures_hz = 0;                         ///< In nine of ten seconds.
     bool slow = false;                              ///< Has not kept up for some seconds.
     bool counts_not = false;                        ///< As it is now, too slow to count.
-    double settling_share = 0;  ///< Simulated over wall-clock time before the first frame.
 };
 
 class AttemptLoop {
@@ -92,7 +91,6 @@ class AttemptLoop {
     AttemptRecorder& recorder_;
     double time_limit_s_, frame_s_;
     bool finish_when_cut_, fast_, lock_step_, preset_;
-    double settling_share_ = 0;
     int64_t frames_per_sample_, frames_per_look_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};

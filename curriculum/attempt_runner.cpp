@@ -164,7 +164,6 @@ AttemptStatus AttemptRunner::status() const {
     status.pictures_now_hz = numbers.pictures_now_hz;
     status.slow = numbers.slow;
     status.counts_not = numbers.counts_not;
-    status.settling_share = numbers.settling_share;
     status.warning = impl_->recorder->problem();
     return status;
 }

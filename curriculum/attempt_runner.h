@@ -47,7 +47,6 @@ struct AttemptStatus {
     double pictures_hz = 0;                         ///< In nine of ten seconds.
     bool slow = false;                              ///< Has not kept up for some seconds.
     bool counts_not = false;                        ///< As it is now, too slow to count.
-    double settling_share = 0;  ///< Simulated over wall-clock time before the first frame.
     std::string warning;        ///< e.g. why the recording stopped.
 };
 

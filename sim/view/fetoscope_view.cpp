@@ -446,7 +446,6 @@ int FetoscopeView::menu_item_under_pointer() const {
     impl_->context->pointer(x, y);
     return impl_->overlay_painter.menu_item_at(x, y);
 }
-std::string FetoscopeView::typed() { return impl_->context->typed(); }
 int FetoscopeView::tuning_item_under_pointer() const {
     double x = 0, y = 0;
     impl_->context->pointer(x, y);

@@ -61,8 +61,6 @@ class FetoscopeView {
     /// Pointer in the picture [px], y down; (-1, -1) off-screen.
     [[nodiscard]] std::pair<double, double> pointer() const;
     void capture_pointer(bool capture);
-    /// What was typed since the last call, UTF-8; backspace is "\b".
-    [[nodiscard]] std::string typed();
     /// Place of the tuning panel under the pointer, -1 = none (sim/view/tuning_view.h).
     [[nodiscard]] int tuning_item_under_pointer() const;
     /// Menu item under the pointer, -1 = none.

@@ -30,8 +30,6 @@ class GlContext {
     virtual void capture_pointer(bool) {}
     /// Pointer in framebuffer pixels, y down.
     virtual void pointer(double& x, double& y) const { x = y = -1; }
-    /// What was typed since the last call, UTF-8; backspace is "\b".
-    [[nodiscard]] virtual std::string typed() { return {}; }
     [[nodiscard]] virtual bool close_requested() const { return false; }
     /// What happened since the last call, in order; a window that is to close stays open.
     [[nodiscard]] virtual WindowEvents events() { return {}; }

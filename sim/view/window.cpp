@@ -154,8 +154,6 @@ class GlfwWindow final : public GlContext {
         input = state_;
     }
 
-    [[nodiscard]] std::string typed() override { return std::exchange(typed_, {}); }
-
     [[nodiscard]] WindowEvents events() override {
         glfwSetWindowShouldClose(window_, GLFW_FALSE);
         return std::exchange(events_, {});
@@ -201,17 +199,6 @@ class GlfwWindow final : public GlContext {
     void on_char(unsigned code) {
         if (code < 0x20 || code > 0xFFFF) return;
         happened({.kind = WindowEvent::Kind::kLetter, .letter = static_cast<char32_t>(code)});
-        if (typed_.size() > 256) return;
-        if (code < 0x80) {
-            typed_ += static_cast<char>(code);
-        } else if (code < 0x800) {
-            typed_ += static_cast<char>(0xC0 | (code >> 6));
-            typed_ += static_cast<char>(0x80 | (code & 0x3F));
-        } else {
-            typed_ += static_cast<char>(0xE0 | (code >> 12));
-            typed_ += static_cast<char>(0x80 | ((code >> 6) & 0x3F));
-            typed_ += static_cast<char>(0x80 | (code & 0x3F));
-        }
     }
     // With Ctrl held (precision) a key types no letter, but L must wipe the lens all the same.
     void on_letter(const char* name) {
@@ -221,7 +208,6 @@ class GlfwWindow final : public GlContext {
     void on_key(int key, int action) {
         if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE) {
             happened({.kind = WindowEvent::Kind::kLetter, .letter = U'\b'});
-            if (typed_.size() < 256) typed_ += '\b';
         }
         if (action == GLFW_REPEAT) return;
         for (const auto& [code, name] : kKeys) {
@@ -273,7 +259,6 @@ class GlfwWindow final : public GlContext {
     static constexpr uint16_t kStartButton = 1U << GLFW_GAMEPAD_BUTTON_START;
     WindowInput state_;
     WindowEvents events_;
-    std::string typed_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;
 };
