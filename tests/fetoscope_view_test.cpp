@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "sim/view/smoke.h"
 #include "sim/view/strings.h"
@@ -510,4 +511,36 @@ TEST(Strings, SpeakPolishAndFallBackToEnglish) {
     EXPECT_EQ(at, 2U);
     at = 0;
     EXPECT_EQ(next_code_point("\xC5", at), 0xFFFDU);
+}
+
+// One context after the other: a suite of its own.
+TEST(PlainPicture, ShowsTheSameInTheSamePlaces) {
+    Picture pictures[2];
+    for (const bool plain : {false, true}) {
+        ViewSettings settings;
+        settings.width = settings.height = kSize;
+        settings.offscreen = true;
+        settings.adaptive = false;
+        std::unique_ptr<FetoscopeView> view;
+        try {
+            view = std::make_unique<FetoscopeView>(field().view, settings);
+        } catch (const ViewError& error) {
+            GTEST_SKIP() << "no OpenGL here: " << error.what();
+        }
+        while (plain && view->simplify()) {
+        }
+        for (int i = 0; i < 3; ++i) view->draw(field().snapshot, quiet());  // the iris settles
+        EXPECT_EQ(view->gl_error(), 0U);
+        EXPECT_EQ(view->frame_times().plain, plain);
+        pictures[plain ? 1 : 0].rgb = view->pixels();
+    }
+    EXPECT_GT(difference(pictures[0], pictures[1]), 0.5) << "nothing was left out";
+    // Cells of 15 px, corners and rim too: a picture in another place, or mirrored, is 0.3 apart.
+    double worst = 0;
+    for (int y = 0; y < kSize; y += 15) {
+        for (int x = 0; x < kSize; x += 15)
+            worst = std::max(worst, std::abs(pictures[0].mean(x, y, x + 15, y + 15) -
+                                             pictures[1].mean(x, y, x + 15, y + 15)));
+    }
+    EXPECT_LT(worst, 0.08);
 }

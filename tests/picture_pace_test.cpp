@@ -77,6 +77,44 @@ TEST(PicturePace, WhatWillNotCountIsSaidOnceASpell) {
     EXPECT_THAT(pace.take_note(), HasSubstr("will not count"));
 }
 
+TEST(PicturePace, PicturesThatAreTooDearAreMadeSimplerBeforeTheAttemptBegins) {
+    Quality quality(true);
+    PicturePace pace(quality);
+    curriculum::AttemptStatus waiting = status(1, 0);
+    waiting.waiting = true;
+    waiting.time_s = 0;
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    const auto pictures = [&](int count, milliseconds cost) {
+        for (int i = 0; i < count; ++i) {
+            pace.drawn(now, now + cost);
+            while (!pace.due(now)) now += milliseconds(1);
+            pace.watch(waiting, now);
+        }
+    };
+    pictures(3, milliseconds(500));  // shaders are compiled
+    EXPECT_EQ(quality.steps, 3);
+    pictures(9, milliseconds(40));
+    EXPECT_EQ(quality.steps, 2);
+    EXPECT_THAT(pace.take_note(), HasSubstr("made simpler"));
+    pictures(100, milliseconds(30));
+    EXPECT_EQ(quality.steps, 2);
+}
+
+TEST(PicturePace, WhereTheProcessorDrawsThePhysicsGetsMoreOfItWhileItIsLate) {
+    Quality quality(true);
+    PicturePace pace(quality);
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    pace.watch(status(1.0, 30), now);
+    pace.drawn(now, now + milliseconds(30));
+    EXPECT_TRUE(pace.due(now + milliseconds(42)));
+    pace.watch(status(0.9, 30), now += milliseconds(600));
+    pace.drawn(now, now + milliseconds(30));
+    EXPECT_FALSE(pace.due(now + milliseconds(59)));
+    EXPECT_TRUE(pace.due(now + milliseconds(60)));
+}
+
 TEST(PicturePace, NothingHappensWhileNobodyHasBegun) {
     Quality quality(true);
     PicturePace pace(quality);

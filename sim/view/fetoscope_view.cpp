@@ -18,7 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kSlowMs = 75, kFastMs = 22;  // change of quality: 13 fps, 45 fps
-constexpr double kScales[] = {0.3, 0.45, 0.6, 0.8, 1.0, 1.25};
 
 double seconds_of(Clock::time_point time) {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
@@ -107,7 +106,6 @@ struct FetoscopeView::Impl {
     void draw_depth(const Snapshot& snapshot, const OverlayState& overlay);
     void draw_guide(const Snapshot& snapshot, int size, bool contour);
     void adapt(double ms);
-    bool simplify();
     void observe(const Snapshot& snapshot);
 
     ViewSettings settings;
@@ -165,10 +163,7 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
     // A software renderer starts low instead of stuttering through its first second.
     software = times.renderer.find("llvmpipe") != std::string::npos ||
                times.renderer.find("softpipe") != std::string::npos;
-    if (settings.adaptive && software) {
-        quality.samples = 0;
-        quality.render_scale = std::min(quality.render_scale, s.height > 800 ? 0.6 : 0.8);
-    }
+    if (settings.adaptive && software) quality = software_quality(quality, s.height);
 }
 
 void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
@@ -341,31 +336,13 @@ void FetoscopeView::Impl::adapt(double ms) {
     if (!settings.adaptive) return;
     slow = ms > kSlowMs ? slow + 1 : 0;
     fast = ms < kFastMs ? fast + 1 : 0;
-    const auto* at =
-        std::lower_bound(std::begin(kScales), std::end(kScales), quality.render_scale - 1e-6);
     if (slow >= 8) {
         slow = 0;
-        (void)simplify();
+        (void)make_simpler(quality);
     } else if (fast >= 90 && !stays_simple) {
         fast = 0;
-        if (at != std::end(kScales) && at + 1 != std::end(kScales)) {
-            quality.render_scale = *(at + 1);
-        } else {
-            quality.samples = 4;
-        }
+        (void)make_richer(quality);
     }
-}
-
-bool FetoscopeView::Impl::simplify() {
-    const auto* at =
-        std::lower_bound(std::begin(kScales), std::end(kScales), quality.render_scale - 1e-6);
-    if (quality.samples > 0) {
-        quality.samples = 0;
-        return true;
-    }
-    if (at == std::begin(kScales)) return false;
-    quality.render_scale = *(at - 1);
-    return true;
 }
 
 FetoscopeView::FetoscopeView(const ViewField& field, const ViewSettings& settings)
@@ -400,13 +377,12 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     post.noise_seed = ++s.frames;
     // Always through a target of our own: what a window shows cannot be read back reliably.
     s.output.allocate(width, height, GL_RGBA8, false);
-    s.output.begin();
-    GLint id = 0;
-    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &id);
-    post.output = static_cast<GLuint>(id);
+    post.output = s.output.framebuffer();
+    post.plain = s.quality.plain;
     s.post.run(s.picture.texture(), size, post);
     s.times.render_scale = s.quality.render_scale;
     s.times.samples = s.quality.samples;
+    s.times.plain = s.quality.plain;
     const double clock_s = s.settings.offscreen ? snapshot.time_s : seconds_of(start);
     s.overlay_painter.draw(s.painter, snapshot, overlay, post.circle, s.camera,
                            {&s.tools, s.depth_cue.feet(), clock_s}, s.times, width, height);
@@ -429,7 +405,7 @@ const Lens& FetoscopeView::lens() const { return impl_->lens; }
 bool FetoscopeView::simplify() {
     // Whatever else the processor does is short of time: no way back in this attempt.
     impl_->stays_simple = true;
-    return impl_->simplify();
+    return make_simpler(impl_->quality);
 }
 bool FetoscopeView::software() const { return impl_->software; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }

@@ -13,15 +13,10 @@
 #include "sim/view/gl_context.h"
 #include "sim/view/lens.h"
 #include "sim/view/overlay.h"
+#include "sim/view/picture_quality.h"
 #include "sim/view/view_field.h"
 
 namespace placode::sim {
-
-/// How much is computed per picture. Lowered by itself where pictures are slow.
-struct Quality {
-    double render_scale = 1;  ///< Pixels computed per pixel shown, along each side.
-    int samples = 0;          ///< Multisampling.
-};
 
 struct ViewSettings {
     int width = 1280, height = 800;  ///< [px]
@@ -49,8 +44,8 @@ class FetoscopeView {
     [[nodiscard]] const Lens& lens() const;
     /// True when the processor draws: leave some of it to the physics.
     [[nodiscard]] bool software() const;
-    /// One step simpler, and it stays so: fewer samples, then fewer pixels. False when it is as
-    /// simple as it gets.
+    /// One step simpler (sim/view/picture_quality.h), and it stays so. False when it is as simple
+    /// as it gets.
     bool simplify();
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     void poll(WindowInput& input);

@@ -7,10 +7,11 @@
 namespace placode::sim {
 namespace {
 
-GLuint compile(GLenum kind, std::string_view name) {
+GLuint compile(GLenum kind, std::string_view name, std::string_view option = {}) {
     const std::string_view body = shader_text(name);
     if (body.empty()) throw ViewError("no embedded shader \"" + std::string(name) + "\"");
     std::string source = "#version 330 core\n";
+    if (!option.empty()) source += "#define " + std::string(option) + '\n';
     if (kind == GL_FRAGMENT_SHADER) source += shader_text("shared");
     source += body;
     const GLuint shader = glCreateShader(kind);
@@ -32,9 +33,9 @@ GLuint compile(GLenum kind, std::string_view name) {
 
 }  // namespace
 
-GlProgram::GlProgram(std::string_view vertex, std::string_view fragment) {
+GlProgram::GlProgram(std::string_view vertex, std::string_view fragment, std::string_view option) {
     const GLuint v = compile(GL_VERTEX_SHADER, vertex);
-    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment);
+    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment, option);
     program_ = glCreateProgram();
     glAttachShader(program_, v);
     glAttachShader(program_, f);

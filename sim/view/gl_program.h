@@ -29,9 +29,9 @@ using Mat4f = Eigen::Matrix4f;
 /// A linked program. Main (GL) thread only, like everything here.
 class GlProgram {
  public:
-    /// Names of embedded shaders; `shared.glsl` is put before the fragment shader.
-    /// Throws ViewError with the driver's log.
-    GlProgram(std::string_view vertex, std::string_view fragment);
+    /// Names of embedded shaders; `shared.glsl` is put before the fragment shader, and before that
+    /// a line `#define OPTION` where an option is named. Throws ViewError with the driver's log.
+    GlProgram(std::string_view vertex, std::string_view fragment, std::string_view option = {});
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;
@@ -85,6 +85,7 @@ class GlTarget {
     void begin() const;    ///< Binds and sets the viewport.
     void resolve() const;  ///< Multisample to texture; nothing otherwise.
     [[nodiscard]] const GlTexture& texture() const { return texture_; }
+    [[nodiscard]] GLuint framebuffer() const { return framebuffer_; }  ///< Of the texture.
     [[nodiscard]] int width() const { return width_; }
     [[nodiscard]] int height() const { return height_; }
 

@@ -330,17 +330,17 @@ void Overlay::help() {
 }
 
 void Overlay::performance() {
-    const std::string lines[] = {"physics " + number(snapshot_->physics_hz, 0) + " Hz, " +
-                                     std::to_string(snapshot_->substeps) + " substeps",
-                                 "picture " +
-                                     number(times_->mean_ms > 0 ? 1000 / times_->mean_ms : 0, 0) +
-                                     " fps, p99 " + number(times_->p99_ms, 0) + " ms",
-                                 "scale " + number(times_->render_scale, 2) + ", " +
-                                     std::to_string(times_->samples) + " samples",
-                                 "servo p99.9 " + number(snapshot_->servo_p999_us, 0) + " us",
-                                 "placode " + number(snapshot_->placode_peak_c, 1) + " C, CEM43 " +
-                                     number(snapshot_->placode_peak_cem43_min, 2) + " min",
-                                 times_->renderer};
+    const std::string lines[] = {
+        "physics " + number(snapshot_->physics_hz, 0) + " Hz, " +
+            std::to_string(snapshot_->substeps) + " substeps",
+        "picture " + number(times_->mean_ms > 0 ? 1000 / times_->mean_ms : 0, 0) + " fps, p99 " +
+            number(times_->p99_ms, 0) + " ms",
+        "scale " + number(times_->render_scale, 2) + ", " + std::to_string(times_->samples) +
+            " samples" + (times_->plain ? ", plain" : ""),
+        "servo p99.9 " + number(snapshot_->servo_p999_us, 0) + " us",
+        "placode " + number(snapshot_->placode_peak_c, 1) + " C, CEM43 " +
+            number(snapshot_->placode_peak_cem43_min, 2) + " min",
+        times_->renderer};
     double y = 0.5 * height_ - 3 * unit_;
     for (const std::string& line : lines) {
         const double w = paint_->text_width(line, TextSize::kSmall);

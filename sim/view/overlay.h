@@ -71,6 +71,7 @@ struct FrameTimes {
     double mean_ms = 0, p99_ms = 0;
     double render_scale = 1;
     int samples = 0;
+    bool plain = false;
     std::string renderer;
 };
 

@@ -12,6 +12,15 @@ namespace {
 
 constexpr double kIrisS = 0.35;        // time constant of the automatic exposure
 constexpr float kMeanTarget = 0.125F;  // by eye: lit skin lands near 0.5 linear
+constexpr std::array<float, 3> kSurround{0.0045F, 0.0050F, 0.0058F};  // also in compose.glsl
+
+bool lies_on(const Lens* lens) {
+    return lens != nullptr && (!lens->drops().empty() || lens->fog() > 0 || lens->cloth() < 1.5);
+}
+
+float encoded(float linear) {
+    return linear < 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
+}
 
 }  // namespace
 
@@ -23,7 +32,9 @@ PostProcess::PostProcess()
     : bright_("screen_vertex", "bright"),
       meter_("screen_vertex", "meter"),
       blur_("screen_vertex", "blur"),
-      compose_("screen_vertex", "compose") {
+      compose_("screen_vertex", "compose"),
+      compose_wet_("screen_vertex", "compose", "WET"),
+      compose_plain_("screen_vertex", "compose", "PLAIN") {
     for (GlTarget& e : exposure_) {
         e.allocate(1, 1, GL_RGBA16F, false);
         e.begin();
@@ -35,11 +46,36 @@ PostProcess::PostProcess()
 void PostProcess::run(const GlTexture& picture, int size, const PostSettings& settings) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);
+    meter(picture, size, settings.dt_s);
+    const float dim = static_cast<float>(settings.dim);
+    glBindFramebuffer(GL_FRAMEBUFFER, settings.output);
+    glClearColor(encoded(kSurround[0]) * dim, encoded(kSurround[1]) * dim,
+                 encoded(kSurround[2]) * dim, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    if (settings.plain) {
+        plain_.allocate(size, size, GL_RGBA8, false);
+        PostSettings small = settings;
+        small.width = small.height = size;
+        small.circle = {0.5 * size, 0.5 * size, 0.5 * size};
+        small.output = plain_.framebuffer();
+        compose(picture, small);
+        stretch(settings);
+        return;
+    }
+    bloom(size).texture().bind(1);
+    // Nothing but the surround lies beyond the circle.
+    const Circle& c = settings.circle;
+    const auto low = [&](double middle) { return static_cast<int>(std::floor(middle - c.radius)); };
+    const int side = static_cast<int>(std::ceil(2 * c.radius)) + 1;
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(low(c.x), low(c.y), side, side);
+    compose(picture, settings);
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void PostProcess::meter(const GlTexture& picture, int size, double dt_s) {
     const int small = std::max(16, size / 4);
     quarter_.allocate(small, small, GL_RGBA16F, false);
-    ping_.allocate(small, small, GL_RGBA16F, false);
-    pong_.allocate(small, small, GL_RGBA16F, false);
-
     quarter_.begin();
     picture.bind(0);
     exposure_[static_cast<size_t>(current_)].texture().bind(1);
@@ -56,12 +92,17 @@ void PostProcess::run(const GlTexture& picture, int size, const PostSettings& se
     meter_.use();
     meter_.set("bright", 0);
     meter_.set("previous", 1);
-    meter_.set("adapt", first_ ? 1.0F : static_cast<float>(1 - std::exp(-settings.dt_s / kIrisS)));
+    meter_.set("adapt", first_ ? 1.0F : static_cast<float>(1 - std::exp(-dt_s / kIrisS)));
     meter_.set("target", kMeanTarget);
     draw_screen_triangle();
     current_ = next;
     first_ = false;
+}
 
+const GlTarget& PostProcess::bloom(int size) {
+    const int small = std::max(16, size / 4);
+    ping_.allocate(small, small, GL_RGBA16F, false);
+    pong_.allocate(small, small, GL_RGBA16F, false);
     blur_.use();
     blur_.set("picture", 0);
     const GlTarget* from = &quarter_;
@@ -74,29 +115,45 @@ void PostProcess::run(const GlTexture& picture, int size, const PostSettings& se
         draw_screen_triangle();
         from = &to;
     }
+    return *from;
+}
 
+void PostProcess::compose(const GlTexture& picture, const PostSettings& settings) {
     glBindFramebuffer(GL_FRAMEBUFFER, settings.output);
     glViewport(0, 0, settings.width, settings.height);
     picture.bind(0);
-    from->texture().bind(1);
     exposure_[static_cast<size_t>(current_)].texture().bind(2);
-    compose_.use();
-    compose_.set("picture", 0);
-    compose_.set("bloom", 1);
-    compose_.set("exposure_map", 2);
-    compose_.set("window_px", static_cast<float>(settings.width),
-                 static_cast<float>(settings.height));
-    compose_.set("circle_centre", static_cast<float>(settings.circle.x),
-                 static_cast<float>(settings.circle.y));
-    compose_.set("circle_radius", static_cast<float>(settings.circle.radius));
-    compose_.set("haze", static_cast<float>(settings.haze));
-    compose_.set("noise_seed", static_cast<float>(settings.noise_seed % 997U) * 0.37F);
-    compose_.set("dim", static_cast<float>(settings.dim));
-    set_lens(settings.lens);
+    GlProgram& program = settings.plain           ? compose_plain_
+                         : lies_on(settings.lens) ? compose_wet_
+                                                  : compose_;
+    program.use();
+    program.set("picture", 0);
+    program.set("bloom", 1);
+    program.set("exposure_map", 2);
+    program.set("window_px", static_cast<float>(settings.width),
+                static_cast<float>(settings.height));
+    program.set("circle_centre", static_cast<float>(settings.circle.x),
+                static_cast<float>(settings.circle.y));
+    program.set("circle_radius", static_cast<float>(settings.circle.radius));
+    program.set("haze", static_cast<float>(settings.haze));
+    program.set("noise_seed", static_cast<float>(settings.noise_seed % 997U) * 0.37F);
+    program.set("dim", static_cast<float>(settings.dim));
+    set_lens(program, settings.lens);
     draw_screen_triangle();
 }
 
-void PostProcess::set_lens(const Lens* lens) {
+void PostProcess::stretch(const PostSettings& settings) const {
+    const Circle& c = settings.circle;
+    const auto px = [](double at) { return static_cast<GLint>(std::lround(at)); };
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, plain_.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, settings.output);
+    glBlitFramebuffer(0, 0, plain_.width(), plain_.height(), px(c.x - c.radius), px(c.y - c.radius),
+                      px(c.x + c.radius), px(c.y + c.radius), GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, settings.output);
+    glViewport(0, 0, settings.width, settings.height);
+}
+
+void PostProcess::set_lens(GlProgram& program, const Lens* lens) {
     std::array<float, 4 * kMostDrops> drops{};
     int count = 0;
     if (lens != nullptr) {
@@ -109,10 +166,10 @@ void PostProcess::set_lens(const Lens* lens) {
             drops[i + 3] = static_cast<float>(drop.strength);
         }
     }
-    compose_.set_array("drops", drops.data(), kMostDrops);
-    compose_.set("drop_count", count);
-    compose_.set("lens_fog", lens != nullptr ? static_cast<float>(lens->fog()) : 0.0F);
-    compose_.set("cloth", lens != nullptr ? static_cast<float>(lens->cloth()) : 2.0F);
+    program.set_array("drops", drops.data(), kMostDrops);
+    program.set("drop_count", count);
+    program.set("lens_fog", lens != nullptr ? static_cast<float>(lens->fog()) : 0.0F);
+    program.set("cloth", lens != nullptr ? static_cast<float>(lens->cloth()) : 2.0F);
 }
 
 }  // namespace placode::sim

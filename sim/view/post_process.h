@@ -26,6 +26,7 @@ struct PostSettings {
     double haze = 0, dim = 1;
     const Lens* lens = nullptr;  ///< Fog and droplets on it; null = clean.
     uint32_t noise_seed = 0;
+    bool plain = false;  ///< At the picture's size and stretched; no bloom, grain, coloured rim.
 };
 
 class PostProcess {
@@ -34,9 +35,13 @@ class PostProcess {
     void run(const GlTexture& picture, int size, const PostSettings& settings);
 
  private:
-    void set_lens(const Lens* lens);
-    GlProgram bright_, meter_, blur_, compose_;
-    GlTarget quarter_, ping_, pong_;
+    void meter(const GlTexture& picture, int size, double dt_s);
+    const GlTarget& bloom(int size);
+    void compose(const GlTexture& picture, const PostSettings& settings);
+    void stretch(const PostSettings& settings) const;
+    static void set_lens(GlProgram& program, const Lens* lens);
+    GlProgram bright_, meter_, blur_, compose_, compose_wet_, compose_plain_;
+    GlTarget quarter_, ping_, pong_, plain_;
     std::array<GlTarget, 2> exposure_;
     int current_ = 0;
     bool first_ = true;

@@ -16,6 +16,12 @@ using std::chrono::milliseconds;
 constexpr auto kScreen = milliseconds(16);    // no screen shows more
 constexpr auto kSoftware = milliseconds(33);  // where the processor draws
 constexpr auto kLookEvery = milliseconds(500);
+// Where the processor draws, the physics shares it: it rests after a picture for that share of
+// what the picture took, longer while the physics is late.
+constexpr double kRest = 0.4, kLateRest = 1.0;
+// Gives the least pictures a second, with a tenth to spare.
+constexpr double kAffordableMs = 1000 / (1.1 * (1 + kRest) * curriculum::kLeastPicturesHz);
+constexpr int kSettlingPictures = 4;  // the first compile shaders and fill caches
 constexpr double kRoom = 1.02;  // of real time: below it the physics needs more of the processor
 
 }  // namespace
@@ -25,25 +31,38 @@ void PicturePace::drawn(Clock::time_point start, Clock::time_point end) {
         next_ = std::max(start + kScreen, end);
         return;
     }
-    // The physics shares the processor: a picture in 33 ms, and at most half of the time for them;
-    // where even that is slow, `watch` makes them simpler.
-    next_ = std::max(start + kSoftware, end + (end - start));
+    const std::chrono::duration<double, std::milli> cost = end - start;
+    if (++pictures_ > kSettlingPictures)
+        cost_ = pictures_ == kSettlingPictures + 1 ? cost : 0.7 * cost_ + 0.3 * cost;
+    // Where even that is slow, `watch` makes them simpler.
+    const double rest = late_ ? kLateRest : kRest;
+    next_ =
+        std::max(start + kSoftware, end + std::chrono::duration_cast<Clock::duration>(rest * cost));
 }
 
 void PicturePace::watch(const curriculum::AttemptStatus& status, Clock::time_point now) {
-    if (status.waiting || status.time_s <= 0 || now - looked_ < kLookEvery) return;
+    if (now - looked_ < kLookEvery) return;
     looked_ = now;
-    const bool late = status.physics_hz > 0 && status.real_time_now < 1 / kRoom;
+    const bool dear = quality_.software() && cost_.count() > kAffordableMs;
+    if (status.waiting || status.time_s <= 0) {
+        if (dear) simplify();
+        return;
+    }
+    late_ = status.physics_hz > 0 && status.real_time_now < 1 / kRoom;
     const bool few =
         status.pictures_now_hz > 0 && status.pictures_now_hz < 1.1 * curriculum::kLeastPicturesHz;
-    if ((late && quality_.software()) || few) {
-        simplest_ = !quality_.simplify();
-        if (!simplest_ && !std::exchange(told_simple_, true))
-            note_ = "This computer is slow: the picture was made simpler";
-    }
+    if ((late_ && quality_.software()) || few || dear) simplify();
     if (status.slow && status.counts_not && !std::exchange(told_slow_, true))
-        note_ = "This computer is too slow: the attempt will not count";
+        note_ = "This computer is too slow: the attempt will not count. Close other programs";
     if (!status.slow) told_slow_ = false;
+}
+
+void PicturePace::simplify() {
+    pictures_ = 0;
+    cost_ = {};
+    simplest_ = !quality_.simplify();
+    if (!simplest_ && !std::exchange(told_simple_, true))
+        note_ = "This computer is slow: the picture was made simpler";
 }
 
 std::string PicturePace::take_note() { return std::exchange(note_, {}); }

@@ -29,7 +29,8 @@ class PicturePace {
     [[nodiscard]] bool due(Clock::time_point now) const { return now >= next_; }
     /// A picture was drawn from `start` to `end`.
     void drawn(Clock::time_point start, Clock::time_point end);
-    /// Looks at what the attempt reaches; at most twice a second it does something.
+    /// Looks at what the attempt reaches; at most twice a second it does something. What a
+    /// picture costs is looked at before the attempt has begun too, so that it begins steadily.
     void watch(const curriculum::AttemptStatus& status, Clock::time_point now);
 
     /// Fewer substeps may be taken: the picture cannot give way any more, or never competes.
@@ -38,9 +39,13 @@ class PicturePace {
     [[nodiscard]] std::string take_note();
 
  private:
+    void simplify();
+
     PictureQuality& quality_;
     Clock::time_point next_{}, looked_{};
-    bool simplest_ = false, told_slow_ = false, told_simple_ = false;
+    std::chrono::duration<double, std::milli> cost_{};  ///< Of a picture, running mean.
+    int pictures_ = 0;                                  ///< In that mean.
+    bool late_ = false, simplest_ = false, told_slow_ = false, told_simple_ = false;
     std::string note_;
 };
 

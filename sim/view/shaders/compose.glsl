@@ -1,4 +1,6 @@
 // From the linear picture to what the camera's monitor shows: lens, haze, bloom, curve, sensor.
+// Three programs of one text, for a software renderer computes every branch of a shader for every
+// pixel: a clean lens; WET, with what can lie on the lens; PLAIN, the least that is needed.
 in vec2 v_uv;
 uniform sampler2D picture;
 uniform sampler2D bloom;
@@ -16,6 +18,7 @@ uniform float cloth;      // edge of the wiping cloth, 2 = none
 out vec4 colour;
 
 const float kBarrel1 = 0.20, kBarrel2 = 0.03, kRim = 1.0 + kBarrel1 + kBarrel2;
+const vec3 kSurround = vec3(0.0045, 0.0050, 0.0058);  // also in post_process.cpp
 
 vec2 undistort(vec2 p) {
     float r2 = dot(p, p);
@@ -30,15 +33,11 @@ void main() {
     vec2 px = v_uv * window_px;
     vec2 p = (px - circle_centre) / circle_radius;
     float r = length(p);
-    vec3 surround = vec3(0.0045, 0.0050, 0.0058);
     float inside = 1.0 - smoothstep(1.0 - 2.0 / circle_radius, 1.0, r);
-    if (inside <= 0.0) {
-        colour = vec4(encode(surround) * dim, 1.0);
-        return;
-    }
+    vec2 seen = p;
+#ifdef WET
     // Droplets are small lenses: they show the field small and upside down, bright at one rim.
     float glint = 0.0, wet = 0.0;
-    vec2 seen = p;
     for (int i = 0; i < drop_count; ++i) {
         vec2 d = p - drops[i].xy;
         float q = length(d) / drops[i].z;
@@ -48,15 +47,22 @@ void main() {
         glint += k * smoothstep(0.55, 0.95, q) * smoothstep(-0.2, 0.9, dot(d / drops[i].z, vec2(-0.5, 0.8)));
         wet = max(wet, k * smoothstep(0.6, 1.0, q));
     }
+#endif
+    vec2 u = undistort(seen);
+#ifdef PLAIN
+    vec3 c = texture(picture, 0.5 + 0.5 * u).rgb;
+#else
     // The colours part by about one pixel at the rim.
-    vec2 u = undistort(seen), shift = p * r * (1.0 / circle_radius);
+    vec2 shift = p * r * (1.0 / circle_radius);
     vec3 c;
     c.r = texture(picture, 0.5 + 0.5 * (u + shift)).r;
     c.g = texture(picture, 0.5 + 0.5 * u).g;
     c.b = texture(picture, 0.5 + 0.5 * (u - shift)).b;
+#endif
     // Fog: every point smears over its surroundings, and the light of the scope comes back white.
     bool wiped = cloth < 1.5 && p.x < cloth;
     float fogged = wiped ? 0.0 : lens_fog;
+#ifdef WET
     if (fogged > 0.01) {
         float reach = 0.012 + 0.05 * fogged;
         vec3 smear = vec3(0.0);
@@ -67,24 +73,35 @@ void main() {
         }
         c = mix(c, smear / 8.0, min(1.0, 1.6 * fogged));
     }
+#endif
     float exposure = texture(exposure_map, vec2(0.5)).r;
     c *= exposure;
+#ifndef PLAIN
     c += 0.38 * texture(bloom, 0.5 + 0.5 * u).rgb;
+#endif
     // Smoke that has gathered: light thrown back at the lens, brightest in the middle.
     vec3 fog = vec3(0.485, 0.456, 0.423) * mix(0.85, 0.55, r);
     c = mix(c, fog, haze);
+#ifndef PLAIN
     c = mix(c, vec3(0.34, 0.33, 0.32), 0.55 * fogged);
+#else
+    c = mix(c, vec3(0.34, 0.33, 0.32), 0.80 * fogged);  // no smear here: as much is lost
+#endif
+#ifdef WET
     c = c * (1.0 - 0.35 * wet) + 0.5 * glint;
     if (cloth < 1.5) {  // a strip of white gauze passes
         float strip = smoothstep(0.40, 0.30, abs(p.x - cloth - 0.2 + 0.03 * sin(11.0 * p.y)));
         float weave = 0.5 + 0.06 * sin(140.0 * p.x) * sin(140.0 * p.y);
         c = mix(c, vec3(weave), strip);
     }
+#endif
     c *= (1.0 - 0.38 * r * r) * (1.0 - smoothstep(0.93, 1.0, r));
     c = film(c * 0.95);
+#ifndef PLAIN
     float luminance = dot(c, vec3(0.2126, 0.7152, 0.0722));
     float grain = hash(px) + hash(px + 17.3) - 1.0;
     c += grain * mix(0.016, 0.004, sqrt(luminance)) * sqrt(luminance + 0.02);
+#endif
     c = encode(clamp(c, 0.0, 1.0));
-    colour = vec4(mix(encode(surround), c, inside) * dim, 1.0);
+    colour = vec4(mix(encode(kSurround), c, inside) * dim, 1.0);
 }

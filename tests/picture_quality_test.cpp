@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/view/picture_quality.h"
+
+#include <gtest/gtest.h>
+
+namespace placode::sim {
+namespace {
+
+// Pixels that are computed, relative: what the picture costs, roughly.
+double pixels(const Quality& q) { return q.render_scale * q.render_scale * (1 + q.samples); }
+
+TEST(PictureQuality, EveryStepDownIsCheaperAndTheLastIsPlain) {
+    Quality q{1.25, 4, false};
+    int steps = 0;
+    for (Quality before = q; make_simpler(q); before = q, ++steps) {
+        EXPECT_LT(pixels(q) + (q.plain ? 0 : 1), pixels(before) + (before.plain ? 0 : 1));
+        EXPECT_FALSE(before.plain && !q.plain);
+        ASSERT_LT(steps, 20);
+    }
+    EXPECT_TRUE(q.plain);
+    EXPECT_DOUBLE_EQ(q.render_scale, 0.3);
+    EXPECT_EQ(q.samples, 0);
+}
+
+TEST(PictureQuality, TheWayUpPassesTheSameStepsBackwards) {
+    Quality q{1.25, 4, false};
+    std::vector<Quality> down{q};
+    while (make_simpler(q)) down.push_back(q);
+    for (size_t i = down.size() - 1; i-- > 0;) {
+        ASSERT_TRUE(make_richer(q));
+        EXPECT_DOUBLE_EQ(q.render_scale, down[i].render_scale) << i;
+        EXPECT_EQ(q.samples, down[i].samples) << i;
+        EXPECT_EQ(q.plain, down[i].plain) << i;
+    }
+    EXPECT_FALSE(make_richer(q));
+}
+
+TEST(PictureQuality, ASoftwareRendererStartsLowButNeverAboveWhatIsWanted) {
+    EXPECT_DOUBLE_EQ(software_quality({1, 4, false}, 700).render_scale, 0.8);
+    EXPECT_DOUBLE_EQ(software_quality({1, 4, false}, 1080).render_scale, 0.6);
+    EXPECT_DOUBLE_EQ(software_quality({0.3, 0, true}, 1080).render_scale, 0.3);
+    EXPECT_EQ(software_quality({1, 4, false}, 700).samples, 0);
+}
+
+}  // namespace
+}  // namespace placode::sim
