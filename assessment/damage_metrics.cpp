@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Over-stretch and thermal spread: what the simulation summed up (sim/damage.h), as metrics.
+// Over-stretch and thermal spread: what the simulation summed up (sim/ledger/damage.h), as metrics.
 
-#include "sim/damage.h"
+#include "sim/ledger/damage.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 
 #include "assessment/statistics.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
 
 namespace placode::assessment {
 namespace {
@@ -69,11 +69,11 @@ void add_damage(const sim::Recording& recording, std::vector<Metric>& out) {
         if (event.kind == EventKind::kOverStretch) {
             ++count;
             stretch = std::max(stretch, value);
-        } else if (event.kind == sim::kStretchSum) {
+        } else if (event.kind == sim::EventKind::kStretchSum) {
             summed = true;
             volume_time += value;
             stretch = std::max(stretch, value2);
-        } else if (event.kind == sim::kThermalSpread && event.element >= 0) {
+        } else if (event.kind == sim::EventKind::kThermalSpread && event.element >= 0) {
             if (std::isfinite(value)) damage_m.push_back(value);
             if (std::isfinite(value2)) dose_m.push_back(value2);
         }
@@ -87,7 +87,7 @@ void add_damage(const sim::Recording& recording, std::vector<Metric>& out) {
 
 bool has_ledger(const sim::Recording& recording) noexcept {
     return std::any_of(recording.events.begin(), recording.events.end(), [](const Event& event) {
-        return event.kind == sim::kLedgerWritten && event.value >= sim::kLedgerVersion;
+        return event.kind == sim::EventKind::kLedgerWritten && event.value >= sim::kLedgerVersion;
     });
 }
 
@@ -97,12 +97,13 @@ std::vector<std::string_view> not_recorded(const sim::Recording& recording) {
         missing.insert(missing.end(), {"buried_s", "buried_count"});
         if (resects(recording.header)) missing.push_back("resected_percent");
     }
-    if (resects(recording.header) && !has(recording, sim::kMarkedLost))
+    if (resects(recording.header) && !has(recording, sim::EventKind::kMarkedLost))
         missing.insert(missing.end(), {"marked_lost_percent", "marked_gone_percent"});
-    if (!recording.header.geometry.planned_contour.empty() && !has(recording, sim::kRingGap))
+    if (!recording.header.geometry.planned_contour.empty() &&
+        !has(recording, sim::EventKind::kRingGap))
         missing.insert(missing.end(), {"largest_gap_mm", "gap_count"});
-    if (!has(recording, sim::kStretchSum)) missing.push_back(kVolumeTime);
-    if (cuts_by_heat(recording.header) && !has(recording, sim::kThermalSpread)) {
+    if (!has(recording, sim::EventKind::kStretchSum)) missing.push_back(kVolumeTime);
+    if (cuts_by_heat(recording.header) && !has(recording, sim::EventKind::kThermalSpread)) {
         missing.insert(missing.end(), kDamageIds.begin(), kDamageIds.end());
         missing.insert(missing.end(), kDoseIds.begin(), kDoseIds.end());
     }

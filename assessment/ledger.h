@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "assessment/metrics.h"
-#include "sim/geometry.h"
+#include "sim/core/geometry.h"
 
 namespace placode::assessment {
 

@@ -8,10 +8,10 @@
 
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/damage.h"
-#include "sim/pieces.h"
-#include "sim/practice.h"
-#include "sim/reached.h"
+#include "sim/core/practice.h"
+#include "sim/cutting/pieces.h"
+#include "sim/cutting/reached.h"
+#include "sim/ledger/damage.h"
 
 namespace placode::assessment {
 
@@ -46,23 +46,24 @@ constexpr EventSource kSources[]{
     {"buried_count", EventKind::kBuried, Show::kLongest, true},
     {"torn_volume_mm3", EventKind::kTorn, Show::kFirst, false},
     {"over_stretch_count", EventKind::kOverStretch, Show::kFirst, false},
-    {"over_stretch_mm3_s", sim::kStretchSum, Show::kLongest, false},
-    {"max_stretch", sim::kStretchSum, Show::kStrongest, false},
+    {"over_stretch_mm3_s", sim::EventKind::kStretchSum, Show::kLongest, false},
+    {"max_stretch", sim::EventKind::kStretchSum, Show::kStrongest, false},
     {"crush_count", EventKind::kCrushed, Show::kStrongest, false},
     {"slip_count", EventKind::kSlipped, Show::kStrongest, false},
     {"grasps", EventKind::kGrasped, Show::kLast, false},
     {"lift_hold_s", EventKind::kReleased, Show::kLast, false},
-    {"target_misses", sim::kTargetMissed, Show::kFirst, false},
-    {"target_error_mm", sim::kTargetTouched, Show::kStrongest, false},
-    {"steps_done_percent", sim::kStepDone, Show::kLast, false},
-    {"traction_held_s", sim::kTractionHeld, Show::kLast, false},
+    {"target_misses", sim::EventKind::kTargetMissed, Show::kFirst, false},
+    {"target_error_mm", sim::EventKind::kTargetTouched, Show::kStrongest, false},
+    {"steps_done_percent", sim::EventKind::kStepDone, Show::kLast, false},
+    {"traction_held_s", sim::EventKind::kTractionHeld, Show::kLast, false},
     {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
     {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
 };
 
 /// Events that happen nowhere on the tissue, or do not say where.
 bool has_place(const Event& event) {
-    if (event.kind == EventKind::kEnergyInAir || event.kind == sim::kStepDone) return false;
+    if (event.kind == EventKind::kEnergyInAir || event.kind == sim::EventKind::kStepDone)
+        return false;
     return event.rest_position_m[0] != 0 || event.rest_position_m[1] != 0;
 }
 
@@ -76,7 +77,8 @@ Locus locate_events(const EventSource& source, const sim::Recording& recording) 
     const Event* best = nullptr;
     for (const Event& event : recording.events) {
         if (event.kind != source.kind) continue;
-        if (event.kind == sim::kStretchSum && event.element < 0) continue;  // says "recorded" only
+        if (event.kind == sim::EventKind::kStretchSum && event.element < 0)
+            continue;  // says "recorded" only
         ++locus.count;
         const bool better = best == nullptr || source.show == Show::kLast ||
                             (source.show == Show::kLongest && event.value > best->value) ||
@@ -104,7 +106,7 @@ Locus locate_gap(const sim::Recording& recording) {
     const Event* longest = nullptr;
     bool told = false;
     for (const Event& event : recording.events) {
-        if (event.kind != sim::kRingGap) continue;
+        if (event.kind != sim::EventKind::kRingGap) continue;
         told = true;
         if (event.element < 0) continue;
         ++locus.count;
@@ -177,7 +179,7 @@ Locus locate_left(const sim::Recording& recording) {
             ++locus.count;
             locus.time_s = event.time_s;
         }
-        if (event.kind == sim::kTakenOut && has_place(event))
+        if (event.kind == sim::EventKind::kTakenOut && has_place(event))
             locus.at_m = Vec2(event.rest_position_m[0], event.rest_position_m[1]);
     }
     return locus;
@@ -190,7 +192,8 @@ Locus locate_trace(std::string_view metric, const sim::Recording& recording) {
     double worst = -1;
     int bin = -1;
     for (const Event& event : recording.events) {
-        if (event.kind != sim::kTraced || !(event.value >= 0 && event.value < sim::kTraceBins))
+        if (event.kind != sim::EventKind::kTraced ||
+            !(event.value >= 0 && event.value < sim::kTraceBins))
             continue;
         ++locus.count;
         if (event.value2 <= 0.001F) done[static_cast<size_t>(event.value)] = true;

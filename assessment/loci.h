@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "assessment/metrics.h"
-#include "sim/geometry.h"
+#include "sim/core/geometry.h"
 
 namespace placode::assessment {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::assessment {
 

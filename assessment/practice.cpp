@@ -73,7 +73,7 @@ void PracticeTracker::emit(sim::EventKind kind, double value, double value2, int
 }
 
 void PracticeTracker::advance(double time_s) noexcept {
-    emit(sim::kStepDone, index_, time_s - began_s_, -1, sim::Vec3::Zero());
+    emit(sim::EventKind::kStepDone, index_, time_s - began_s_, -1, sim::Vec3::Zero());
     ++index_;
     began_s_ = time_s;
     progress_ = amount_ = held_s_ = peak_n_ = 0;
@@ -99,7 +99,7 @@ std::span<const sim::Event> PracticeTracker::see(const PracticeSight& sight) noe
     event_count_ = 0;
     now_s_ = sight.sample.time_s;
     if (!started_) {
-        emit(sim::kPracticeSteps, count(), 0, -1, sim::Vec3::Zero());
+        emit(sim::EventKind::kPracticeSteps, count(), 0, -1, sim::Vec3::Zero());
         started_ = true;
         began_s_ = now_s_;
     }
@@ -138,8 +138,8 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
             if (sight.holds[i] && !open_) {  // one grasp is one event, at the target or beside it
                 const double way =
                     sight.targets.empty() ? 0 : (tip(tool) - sight.targets[0]).head<2>().norm();
-                emit(near ? sim::kTargetTouched : sim::kTargetMissed, index_, way, index,
-                     tip(tool));
+                emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_,
+                     way, index, tip(tool));
                 done = near;
             }
             open_ = sight.holds[i];
@@ -193,7 +193,8 @@ bool PracticeTracker::did_touch(const PracticeSight& sight, int index) noexcept 
     const bool touches = tool.in_contact != 0;
     // A touch counts when it begins; what slides onto the target afterwards has missed it.
     if (touches && !touched_)
-        emit(near ? sim::kTargetTouched : sim::kTargetMissed, index_, way, index, tip(tool));
+        emit(near ? sim::EventKind::kTargetTouched : sim::EventKind::kTargetMissed, index_, way,
+             index, tip(tool));
     touched_ = touches;
     const uint8_t pedal = step().kind == PracticeKind::kCut    ? sim::kPedalCut
                           : step().kind == PracticeKind::kCoag ? sim::kPedalCoag
@@ -208,7 +209,7 @@ bool PracticeTracker::did_touch(const PracticeSight& sight, int index) noexcept 
 void PracticeTracker::close_bin(int tool, double) noexcept {
     if (bin_ < 0 || bin_samples_ == 0) return;
     const double mean = bin_offset_ / bin_samples_;
-    emit(sim::kTraced, bin_, mean, tool, sim::Vec3::Zero());
+    emit(sim::EventKind::kTraced, bin_, mean, tool, sim::Vec3::Zero());
     if (mean <= step().tolerance_m && traced_[static_cast<size_t>(bin_)] == 0) {
         traced_[static_cast<size_t>(bin_)] = 1;
         ++bins_done_;
@@ -239,7 +240,7 @@ bool PracticeTracker::did_trace(const sim::ToolSample& tool, int index, double t
 }
 
 void PracticeTracker::close_traction(double) noexcept {
-    if (held_s_ > 0) emit(sim::kTractionHeld, held_s_, peak_n_, -1, sim::Vec3::Zero());
+    if (held_s_ > 0) emit(sim::EventKind::kTractionHeld, held_s_, peak_n_, -1, sim::Vec3::Zero());
     held_s_ = peak_n_ = 0;
 }
 
@@ -275,15 +276,15 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
     std::array<bool, sim::kTraceBins> traced{};
     double held = 0;
     for (const sim::Event& e : recording.events) {
-        if (e.kind == sim::kPracticeSteps) steps = static_cast<int>(e.value);
-        if (e.kind == sim::kStepDone) ++done;
-        if (e.kind == sim::kTargetTouched) errors.push_back(e.value2);
-        if (e.kind == sim::kTargetMissed) ++misses;
-        if (e.kind == sim::kTractionHeld) {
+        if (e.kind == sim::EventKind::kPracticeSteps) steps = static_cast<int>(e.value);
+        if (e.kind == sim::EventKind::kStepDone) ++done;
+        if (e.kind == sim::EventKind::kTargetTouched) errors.push_back(e.value2);
+        if (e.kind == sim::EventKind::kTargetMissed) ++misses;
+        if (e.kind == sim::EventKind::kTractionHeld) {
             held += e.value;
             pulls = true;
         }
-        if (e.kind == sim::kTraced) {
+        if (e.kind == sim::EventKind::kTraced) {
             traces = true;
             offsets.push_back(e.value2);
             const auto bin = static_cast<size_t>(std::max(0.0F, e.value));

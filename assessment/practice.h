@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "assessment/tissue_metrics.h"
-#include "sim/practice.h"
-#include "sim/recording.h"
+#include "sim/core/practice.h"
+#include "sim/step/recording.h"
 
 namespace placode::assessment {
 

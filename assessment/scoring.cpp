@@ -10,7 +10,7 @@
 
 #include "assessment/loci.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/retune.h"
+#include "sim/step/retune.h"
 
 namespace placode::assessment {
 
@@ -145,7 +145,7 @@ std::vector<Reason> judge_lines(const Sight& sight, bool& proven) {
 /// nothing.
 void add_tuned(const sim::Recording& recording, std::vector<Reason>& reasons) {
     for (const sim::Event& event : recording.events) {
-        if (event.kind != sim::kTuned) continue;
+        if (event.kind != sim::EventKind::kTuned) continue;
         reasons.insert(
             reasons.begin(),
             {"tuned", "Tissue or generator was tuned: this attempt is not scored as a pass.", 0,

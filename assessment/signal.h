@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry.h"
+#include "sim/core/geometry.h"
 
 namespace placode::assessment {
 

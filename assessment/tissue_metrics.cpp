@@ -9,7 +9,7 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
 #include "haptics/json_scan.h"
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
 
 namespace placode::assessment {
 
@@ -73,7 +73,7 @@ void add_ring(const sim::Recording& recording, std::vector<Metric>& out) {
     double longest = 0;
     int gaps = 0;
     for (const sim::Event& event : recording.events) {
-        if (event.kind != sim::kRingGap) continue;
+        if (event.kind != sim::EventKind::kRingGap) continue;
         told = true;
         if (event.element < 0) continue;
         ++gaps;
@@ -338,8 +338,8 @@ std::optional<double> marked_share(const sim::Recording& recording, sim::EventKi
 
 /// What became of the marked tissue: taken out, destroyed; the rest was left behind.
 void add_marked(const sim::Recording& recording, std::vector<Metric>& out) {
-    const auto taken = marked_share(recording, sim::kTakenOut);
-    const auto lost = marked_share(recording, sim::kMarkedLost);
+    const auto taken = marked_share(recording, sim::EventKind::kTakenOut);
+    const auto lost = marked_share(recording, sim::EventKind::kMarkedLost);
     if (taken) out.push_back({"resected_percent", *taken * 100});
     if (lost) out.push_back({"marked_lost_percent", *lost * 100});
     if (taken && lost) out.push_back({"marked_gone_percent", 100 * std::min(1.0, *taken + *lost)});
@@ -397,7 +397,8 @@ double ring_cut_share(const sim::Recording& recording) noexcept {
     double share = 0;
     // Frames after the last sample count as well.
     for (const sim::Event& event : recording.events)
-        if (event.kind == sim::kRingGap && event.element < 0 && std::isfinite(event.value2))
+        if (event.kind == sim::EventKind::kRingGap && event.element < 0 &&
+            std::isfinite(event.value2))
             share = std::max(share, static_cast<double>(event.value2));
     for (const sim::Sample& sample : recording.samples)
         if (std::isfinite(sample.cut_fraction))

@@ -61,7 +61,7 @@ std::vector<EmbeddedSql> embedded_migrations() {
 endfunction()
 
 # placode_embed_shaders(TARGET FOLDER): every .glsl becomes text of one generated source that defines
-# placode::sim::shader_text(name) (declared in sim/view/gl_program.h).
+# placode::sim::shader_text(name) (declared in ui/view/gl_program.h).
 function(placode_embed_shaders target folder)
   file(GLOB shader_files CONFIGURE_DEPENDS ${folder}/*.glsl)
   set(body)
@@ -74,7 +74,7 @@ function(placode_embed_shaders target folder)
   set(out ${CMAKE_CURRENT_BINARY_DIR}/embedded_shaders.cpp)
   file(CONFIGURE OUTPUT ${out} @ONLY CONTENT
 "// Generated from ${folder} by cmake/compiler.cmake.
-#include \"sim/view/gl_program.h\"
+#include \"ui/view/gl_program.h\"
 namespace placode::sim {
 std::string_view shader_text(std::string_view name) {
 @body@    return {};

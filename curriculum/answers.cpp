@@ -9,7 +9,7 @@
 #include <set>
 
 #include "curriculum/questionnaire.h"
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::curriculum {
 

@@ -10,8 +10,8 @@
 #include "curriculum/attempt_sample.h"
 #include "curriculum/preset.h"
 #include "haptics/real_time.h"
-#include "sim/damage.h"
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
+#include "sim/ledger/damage.h"
 
 namespace placode::curriculum {
 
@@ -179,7 +179,8 @@ void AttemptLoop::practise(const sim::Sample& sample) noexcept {
     for (const sim::Event& event :
          practice_.see(state_, {inputs_.data(), scene_->tools.size()}, sample)) {
         record(event);
-        if (event.kind == sim::kTargetMissed) warnings_.say("Beside the mark", state_.time_s);
+        if (event.kind == sim::EventKind::kTargetMissed)
+            warnings_.say("Beside the mark", state_.time_s);
     }
 }
 
@@ -265,7 +266,7 @@ void AttemptLoop::run() noexcept {
     costs_.start(next_);
     if (preset_) {
         sim::Event event;
-        event.kind = sim::kTuned;
+        event.kind = sim::EventKind::kTuned;
         event.element = static_cast<int32_t>(sim::TuneParameter::kPreset);
         record(event);
     }

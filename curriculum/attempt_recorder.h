@@ -11,8 +11,8 @@
 #include <string>
 #include <thread>
 
-#include "sim/exchange.h"
-#include "sim/recording.h"
+#include "sim/core/exchange.h"
+#include "sim/step/recording.h"
 
 namespace placode::curriculum {
 

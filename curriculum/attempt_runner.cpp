@@ -73,7 +73,7 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     for (size_t i = 0; i < task.scene.tools.size(); ++i)
         if (const double held = servo->stiffness_n_m(i); held > 0)
             task.scene.tools[i].grip_n_m = held;
-    // Built here and shared with nobody yet: the one scene that may be tuned (sim/retune.h).
+    // Built here and shared with nobody yet: the one scene that may be tuned (sim/step/retune.h).
     impl_->shown = sim::build_operative_field(task.scene);
     impl_->scene = std::const_pointer_cast<sim::Scene>(impl_->shown);
     impl_->recorder = std::make_unique<AttemptRecorder>(
@@ -107,7 +107,7 @@ void AttemptRunner::picture_drawn() noexcept { impl_->loop->picture_drawn(); }
 void AttemptRunner::may_save_substeps(bool may) noexcept { impl_->loop->may_save_substeps(may); }
 void AttemptRunner::tune(sim::TuneParameter parameter, sim::Tissue tissue, double value) noexcept {
     sim::Event wish;
-    wish.kind = sim::kTuned;
+    wish.kind = sim::EventKind::kTuned;
     wish.element = static_cast<int32_t>(parameter);
     wish.tissue = tissue;
     wish.value = static_cast<float>(value);

@@ -10,9 +10,9 @@
 #include "curriculum/conduct.h"
 #include "curriculum/task.h"
 #include "haptics/servo.h"
-#include "sim/recording.h"
-#include "sim/retune.h"
-#include "sim/snapshot.h"
+#include "sim/step/recording.h"
+#include "sim/step/retune.h"
+#include "sim/step/snapshot.h"
 
 namespace placode::curriculum {
 
@@ -47,7 +47,7 @@ struct AttemptStatus {
     double pictures_hz = 0;                         ///< In nine of ten seconds.
     bool slow = false;                              ///< Has not kept up for some seconds.
     bool counts_not = false;                        ///< As it is now, too slow to count.
-    std::string warning;        ///< e.g. why the recording stopped.
+    std::string warning;                            ///< e.g. why the recording stopped.
 };
 
 /// Runs one attempt on its own physics and recorder threads (or on the caller's in `run_fast`).

@@ -5,8 +5,8 @@
 
 #include <span>
 
-#include "sim/recording.h"
-#include "sim/step.h"
+#include "sim/step/recording.h"
+#include "sim/step/step.h"
 
 namespace placode::curriculum {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <span>
 
-#include "sim/burial.h"
+#include "sim/ledger/burial.h"
 
 namespace placode::curriculum {
 

@@ -7,7 +7,7 @@
 
 #include "curriculum/course.h"
 #include "curriculum/json_reader.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 
 namespace placode::curriculum {
 namespace {

@@ -16,8 +16,8 @@
 #include <valijson/validator.hpp>
 
 #include "curriculum/json_reader.h"
-#include "sim/near_word.h"
-#include "sim/number_text.h"
+#include "sim/core/near_word.h"
+#include "sim/core/number_text.h"
 
 namespace placode::curriculum {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "curriculum/attempt_sample.h"
-#include "sim/diathermy.h"
+#include "sim/cutting/diathermy.h"
 
 namespace placode::curriculum {
 

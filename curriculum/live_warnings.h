@@ -10,7 +10,7 @@
 
 #include "assessment/tissue_metrics.h"
 #include "curriculum/buried_watch.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace placode::curriculum {
 

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "sim/event.h"
+#include "sim/core/event.h"
 
 namespace placode::curriculum {
 

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "curriculum/utc_time.h"
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::curriculum {
 namespace {

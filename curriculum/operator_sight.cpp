@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/diathermy.h"
+#include "sim/cutting/diathermy.h"
 
 namespace placode::curriculum {
 

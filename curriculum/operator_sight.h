@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "haptics/device.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace placode::curriculum {
 

@@ -12,7 +12,7 @@
 
 #include "assessment/practice.h"
 #include "curriculum/task.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace placode::curriculum {
 

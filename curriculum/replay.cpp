@@ -7,7 +7,7 @@
 #include <charconv>
 
 #include "curriculum/attempt_runner.h"
-#include "sim/retune.h"
+#include "sim/step/retune.h"
 
 namespace placode::curriculum {
 
@@ -97,7 +97,7 @@ ReplayResult replay(const sim::Recording& recording, int threads,
     const auto tunable = std::const_pointer_cast<sim::Scene>(scene);
     std::vector<sim::Event> tunings;
     for (const sim::Event& event : recording.events)
-        if (event.kind == sim::kTuned) tunings.push_back(event);
+        if (event.kind == sim::EventKind::kTuned) tunings.push_back(event);
     size_t tuning = 0;
     sim::State state(*scene, threads);
     sim::settle(*scene, state, task.settle_s);

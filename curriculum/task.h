@@ -12,7 +12,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/definitions.h"
 #include "sim/anatomy/operative_field.h"
-#include "sim/practice.h"
+#include "sim/core/practice.h"
 
 namespace placode::curriculum {
 

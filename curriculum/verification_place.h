@@ -11,7 +11,7 @@
 #include <string>
 
 #include "curriculum/json_reader.h"
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/verify/verification_scene.h"
 
 namespace placode::curriculum {

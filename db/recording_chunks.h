@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "db/packing.h"
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::db {
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::db {
 

@@ -12,7 +12,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/norm_pack.h"
 #include "curriculum/questionnaire.h"
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::db {
 

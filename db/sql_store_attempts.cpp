@@ -12,7 +12,7 @@
 #include "db/packing.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
-#include "sim/event.h"
+#include "sim/core/event.h"
 
 namespace placode::db {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/grasp.h"
+#include "sim/cutting/grasp.h"
 
 namespace placode::haptics {
 

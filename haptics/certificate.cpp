@@ -7,7 +7,7 @@
 #include <string>
 
 #include "haptics/json_scan.h"
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::haptics {
 

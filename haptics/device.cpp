@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "haptics/gamepad_search.h"
-#include "haptics/operator_model.h"
-#include "sim/near_word.h"
+#include "haptics/operators/operator_model.h"
+#include "sim/core/near_word.h"
 
 namespace placode::haptics {
 

@@ -14,13 +14,13 @@
 #include <vector>
 
 #include "haptics/station.h"
-#include "sim/exchange.h"
-#include "sim/geometry.h"
-#include "sim/practice.h"
-#include "sim/scene.h"
-#include "sim/snapshot.h"
-#include "sim/tool.h"
-#include "sim/view/window_input.h"
+#include "haptics/window_input.h"
+#include "sim/core/exchange.h"
+#include "sim/core/geometry.h"
+#include "sim/core/practice.h"
+#include "sim/core/tool.h"
+#include "sim/step/snapshot.h"
+#include "sim/world/scene.h"
 
 namespace placode::haptics {
 

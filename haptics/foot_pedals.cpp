@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "sim/tool.h"
+#include "sim/core/tool.h"
 
 namespace placode::haptics {
 

@@ -5,7 +5,7 @@
 // speed, jaws that open and close at the speed of fingers, tremor of 8 to 12 Hz.
 
 #include "haptics/device.h"
-#include "haptics/operator_profile.h"
+#include "haptics/operators/operator_profile.h"
 
 namespace placode::haptics {
 

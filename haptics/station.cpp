@@ -8,7 +8,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::haptics {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reports/dataset.h"
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::reports {
 

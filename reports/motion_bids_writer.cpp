@@ -13,7 +13,7 @@
 #include "reports/csv_table.h"
 #include "reports/formats.h"
 #include "reports/report.h"
-#include "sim/event.h"
+#include "sim/core/event.h"
 
 namespace placode::reports {
 namespace {

@@ -99,7 +99,8 @@ TEST(Accuracy, FreeBodiesKeepMomentumAndAngularMomentum) {
         // Velocities are floats: measured 1e-9 to 3e-7, and 2e-6 of angular momentum with vbd at
         // 0.25 ms. Without the rigid modes one sweep of vbd loses 5 % of its momentum, and
         // implicit steps 1 % of their angular momentum.
-        EXPECT_LT(row.error, linear ? 1e-6 : 1e-5) << row.method << ", " << row.quantity << ", h " << row.h_s;
+        EXPECT_LT(row.error, linear ? 1e-6 : 1e-5)
+            << row.method << ", " << row.quantity << ", h " << row.h_s;
         ++kept;
     }
     EXPECT_EQ(kept, 12);

@@ -11,7 +11,7 @@
 
 #include "curriculum/attempt_runner.h"
 #include "curriculum/task.h"
-#include "sim/recording.h"
+#include "sim/step/recording.h"
 
 namespace placode::test {
 

@@ -12,7 +12,7 @@
 
 #include "assessment/practice.h"
 #include "curriculum/live_warnings.h"
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {

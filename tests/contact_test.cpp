@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Instruments on a block of tissue: balance of forces, friction, fast tips, hands that are lost.
 
-#include "sim/contact.h"
+#include "sim/contact/contact.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "sim/cutting.h"
-#include "sim/separation.h"
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/separation.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim::test {

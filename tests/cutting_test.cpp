@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tissue that goes: torn, vaporised, and counted as incision on the operative field.
 
-#include "sim/cutting.h"
+#include "sim/cutting/cutting.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "sim/anatomy/operative_field.h"
-#include "sim/cut_columns.h"
+#include "sim/world/cut_columns.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {

@@ -3,13 +3,13 @@
 // Over-stretch as volume x time, and how far heat went beyond the incision: against sums and places
 // that follow from the numbers put in.
 
-#include "sim/damage.h"
+#include "sim/ledger/damage.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/cutting.h"
+#include "sim/cutting/cutting.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {
@@ -83,7 +83,7 @@ TEST(OverStretch, ASimpleShearOfTwoFifthsIsSummedWithItsStretch) {
     Mat3 shear = Mat3::Identity();
     shear(0, 1) = 0.4;
     const Event sum = held(shear, 1.2);
-    EXPECT_EQ(sum.kind, kStretchSum);
+    EXPECT_EQ(sum.kind, EventKind::kStretchSum);
     // sigma_max of [[1, 0.4], [0, 1]] = 0.2 + sqrt(1.04); floats.
     EXPECT_NEAR(sum.value2, 0.2 + std::sqrt(1.04), 1e-4);
     // 200 frames hold three or four checks, 64 frames apart, of every tet: 128 to 192 ms of it.
@@ -223,7 +223,7 @@ TEST(ClosingEvents, BeginWithTheNumberOfRays) {
     const auto events = closing_events(scene, state);
     EXPECT_EQ(state_hash(state), before);
     ASSERT_EQ(events.size(), 129u);
-    EXPECT_EQ(events[0].kind, kThermalSpread);
+    EXPECT_EQ(events[0].kind, EventKind::kThermalSpread);
     EXPECT_EQ(events[0].element, -1);
     EXPECT_EQ(events[0].value, 128);
     EXPECT_EQ(events[1].element, 0);

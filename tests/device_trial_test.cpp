@@ -82,18 +82,16 @@ TEST(DeviceTrial, ShowsSignalsAndPushesFromTheFloorWithHalfANewtonAtMost) {
     EXPECT_LT(trial.report().arms[0].force_n.norm(), 0.1);
     // The floor is 10 mm below where the arm is now.
     trial.set_floor(true);
-    ASSERT_TRUE(until(trial, [](const TrialReport& r) {
-        return std::abs(r.arms[0].height_m - 0.010) < 1e-4;
-    }));
+    ASSERT_TRUE(until(
+        trial, [](const TrialReport& r) { return std::abs(r.arms[0].height_m - 0.010) < 1e-4; }));
     lower(service, trial, -0.016);
     // 2 mm into it at 100 N/m; after the ramp.
     ASSERT_TRUE(until(trial, [](const TrialReport& r) {
         return std::abs(r.arms[0].force_n.y() - 0.2) < 0.01;
     })) << trial.report().arms[0].force_n.transpose();
     lower(service, trial, -0.030);
-    ASSERT_TRUE(until(trial, [](const TrialReport& r) {
-        return std::abs(r.arms[0].force_n.y() - 0.5) < 1e-3;
-    }));
+    ASSERT_TRUE(until(
+        trial, [](const TrialReport& r) { return std::abs(r.arms[0].force_n.y() - 0.5) < 1e-3; }));
     // The service got it through the device's axes: our y is its z.
     EXPECT_NEAR(service.force(0)[2], 0.5, 0.01);
     EXPECT_LE(trial.report().certificate.peak_force_n, kFirstForceN + 1e-9);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture, judged by its pixels, on a small field made here: no physics needed.
 
-#include "sim/view/fetoscope_view.h"
+#include "ui/view/fetoscope_view.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -13,10 +13,10 @@
 #include <filesystem>
 #include <memory>
 
-#include "sim/view/smoke.h"
-#include "sim/view/strings.h"
-#include "sim/view/tissue_mesh.h"
-#include "sim/view/vessel_tree.h"
+#include "ui/view/smoke.h"
+#include "ui/view/strings.h"
+#include "ui/view/tissue_mesh.h"
+#include "ui/view/vessel_tree.h"
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC

@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "curriculum/task.h"
-#include "sim/damage.h"
-#include "sim/pieces.h"
-#include "sim/practice.h"
-#include "sim/reached.h"
-#include "sim/recording.h"
+#include "sim/core/practice.h"
+#include "sim/cutting/pieces.h"
+#include "sim/cutting/reached.h"
+#include "sim/ledger/damage.h"
+#include "sim/step/recording.h"
 
 namespace placode::test {
 
@@ -53,12 +53,13 @@ class AttemptMaker {
         recording.header.sample_s = 0.1;
         recording.end.reason = sim::EndReason::kFinished;
         recording.end.duration_s = 30;
-        put(recording, sim::kLedgerWritten, 0, sim::kLedgerVersion);
-        put(recording, sim::kStretchSum, 0, 0);
-        put(recording, sim::kTakenOut, 0, 0);
-        put(recording, sim::kMarkedLost, 30, 0);
+        put(recording, sim::EventKind::kLedgerWritten, 0, sim::kLedgerVersion);
+        put(recording, sim::EventKind::kStretchSum, 0, 0);
+        put(recording, sim::EventKind::kTakenOut, 0, 0);
+        put(recording, sim::EventKind::kMarkedLost, 30, 0);
         if (!task.steps.empty())
-            put(recording, sim::kPracticeSteps, 0, static_cast<double>(task.steps.size()));
+            put(recording, sim::EventKind::kPracticeSteps, 0,
+                static_cast<double>(task.steps.size()));
         return recording;
     }
 
@@ -68,7 +69,7 @@ class AttemptMaker {
         for (int s = 0; s < static_cast<int>(std::lround(share * sim::kSectors)); ++s)
             put(recording, EventKind::kSectorFree, 10, s, s + 1);
         if (share > 0) put(recording, EventKind::kPieceOut, 20, 3e-9, share);
-        put(recording, sim::kTakenOut, 20, 3e-9 * share, share, 0, 0.006);
+        put(recording, sim::EventKind::kTakenOut, 20, 3e-9 * share, share, 0, 0.006);
         practise(recording, share);
         const int grasps = static_cast<int>(std::lround(share * 3));
         for (int i = 0; i < grasps; ++i) {
@@ -141,13 +142,13 @@ class AttemptMaker {
     static void practise(sim::Recording& recording, double share) {
         int steps = 0;
         for (const Event& e : recording.events)
-            if (e.kind == sim::kPracticeSteps) steps = static_cast<int>(e.value);
+            if (e.kind == sim::EventKind::kPracticeSteps) steps = static_cast<int>(e.value);
         for (int s = 0; s < static_cast<int>(share * steps + 1e-9); ++s) {
-            put(recording, sim::kStepDone, 2 + s, s, 1);
-            put(recording, sim::kTargetTouched, 2 + s, s, 0.0002, 0.006, 0.001);
+            put(recording, sim::EventKind::kStepDone, 2 + s, s, 1);
+            put(recording, sim::EventKind::kTargetTouched, 2 + s, s, 0.0002, 0.006, 0.001);
         }
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
-            put(recording, sim::kTraced, 3 + 0.3 * bin, bin, 0.0001);
+            put(recording, sim::EventKind::kTraced, 3 + 0.3 * bin, bin, 0.0001);
     }
 
     /// An event anywhere on the lesion and at any time.
@@ -193,7 +194,7 @@ class AttemptMaker {
         anywhere(r, EventKind::kBuried, number(0.3, 6), number(0.0005, 0.004));
     }
     void stretch(sim::Recording& r) {
-        anywhere(r, sim::kStretchSum, number(1e-11, 2e-8), number(1.3, 2.5)).element = 5;
+        anywhere(r, sim::EventKind::kStretchSum, number(1e-11, 2e-8), number(1.3, 2.5)).element = 5;
     }
     void jaws(sim::Recording& r) {
         const std::vector<EventKind> all{EventKind::kCrushed, EventKind::kSlipped,
@@ -204,7 +205,7 @@ class AttemptMaker {
         anywhere(r, EventKind::kSnipped, number(1e-7, 6e-6), 0.001, sim::Tissue::kSkin);
     }
     void miss(sim::Recording& r) {
-        anywhere(r, sim::kTargetMissed, whole(0, 3), number(0.001, 0.01));
+        anywhere(r, sim::EventKind::kTargetMissed, whole(0, 3), number(0.001, 0.01));
     }
     /// Cut into healthy skin, or too near the placode.
     void cut_astray(sim::Recording& r) {

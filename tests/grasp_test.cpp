@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jaws on a block of tissue: what they hold, how it pulls, when it slips, is crushed, is let go.
 
-#include "sim/grasp.h"
+#include "sim/cutting/grasp.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Heat against closed forms: Green's functions, the error function, thermal dose, energy balance.
 
-#include "sim/heat.h"
+#include "sim/heat/heat.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scripted grasp and lift on a coarse field, as a whole attempt without a window.
 
-#include "haptics/lift_operator.h"
+#include "haptics/operators/lift_operator.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/event.h"
-#include "sim/low_parts.h"
+#include "sim/core/event.h"
+#include "sim/solver/low_parts.h"
 
 using namespace placode::sim;
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 
 #include <gtest/gtest.h>
 

@@ -15,7 +15,7 @@
 #include "assessment/ledger.h"
 #include "assessment/phases.h"
 #include "assessment/scoring.h"
-#include "sim/damage.h"
+#include "sim/ledger/damage.h"
 
 namespace placode::assessment {
 namespace {

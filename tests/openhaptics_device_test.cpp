@@ -13,7 +13,7 @@
 
 #include "haptics/openhaptics_library.h"
 #include "haptics/servo.h"
-#include "sim/grasp.h"
+#include "sim/cutting/grasp.h"
 #include "tests/count_allocations.h"
 #include "tests/device_session.h"
 #include "tests/stand_in/hd_stand_in.h"

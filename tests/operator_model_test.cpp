@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripted operators in a kinematic world: a flat ring that parts where an energised tip passes
 // slowly. No tissue mechanics, so that only behaviour is tested.
-#include "haptics/operator_model.h"
+#include "haptics/operators/operator_model.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "haptics/servo.h"
-#include "sim/pieces.h"
+#include "sim/cutting/pieces.h"
 
 namespace placode::haptics {
 namespace {

@@ -40,9 +40,8 @@ TEST(PedalWatch, ListsKeyboardsByTheNamesThatStay) {
     const Folder folder;
     for (const char* name : {"usb-b-event-kbd", "usb-a-event-kbd", "usb-a-event-mouse"})
         std::ofstream(folder.path + "/" + name) << "";
-    EXPECT_THAT(pedal_devices(folder.path),
-                testing::ElementsAre(folder.path + "/usb-a-event-kbd",
-                                     folder.path + "/usb-b-event-kbd"));
+    EXPECT_THAT(pedal_devices(folder.path), testing::ElementsAre(folder.path + "/usb-a-event-kbd",
+                                                                 folder.path + "/usb-b-event-kbd"));
     EXPECT_THAT(pedal_devices("/nowhere"), testing::IsEmpty());
 }
 

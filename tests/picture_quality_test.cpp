@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/view/picture_quality.h"
+#include "ui/view/picture_quality.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What hangs together: loose pieces, crumbs, the way out of the field, release by sectors.
 
-#include "sim/pieces.h"
+#include "sim/cutting/pieces.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <functional>
 #include <numbers>
 
-#include "sim/cutting.h"
-#include "sim/separation.h"
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/separation.h"
 #include "tests/cut_field.h"
 
 namespace placode::sim {

@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-#include "sim/mesh.h"
+#include "sim/mesh/mesh.h"
 
 namespace placode::sim {
 namespace {

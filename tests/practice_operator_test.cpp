@@ -4,7 +4,7 @@
 // leaves its faults in the ledger. (All three levels take a minute of computing; the order of their
 // scores on the published scenes stands in the README.)
 
-#include "haptics/practice_operator.h"
+#include "haptics/operators/practice_operator.h"
 
 #include <gtest/gtest.h>
 

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is cut and what is out: one number for picture and ledger.
 
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 #include "tests/cut_field.h"
 
 namespace placode::sim {
@@ -59,9 +59,10 @@ struct Field : test::CutField {
 TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     Field field;
     field.run(Vec3(0, 0, 0.01), 0.6, 5);
-    EXPECT_EQ(field.last(kTakenOut).kind, kTakenOut) << "said at the first frame";
-    EXPECT_EQ(field.last(kTakenOut).value2, 0);
-    EXPECT_EQ(field.last(kLedgerWritten).value, kLedgerVersion);
+    EXPECT_EQ(field.last(EventKind::kTakenOut).kind, EventKind::kTakenOut)
+        << "said at the first frame";
+    EXPECT_EQ(field.last(EventKind::kTakenOut).value2, 0);
+    EXPECT_EQ(field.last(EventKind::kLedgerWritten).value, kLedgerVersion);
     // A fifth of the patch tears before it is cut out.
     double patch = 0, torn = 0;
     for (int t = 0; t < field.scene.body.tet_count(); ++t) {
@@ -89,13 +90,13 @@ TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     fill_snapshot(field.scene, field.state, snapshot);
     EXPECT_NEAR(gone_share(field.scene, field.state), patch / marked, 1e-6);
     EXPECT_EQ(snapshot.resected_fraction, static_cast<float>(gone_share(field.scene, field.state)));
-    EXPECT_EQ(field.last(kTakenOut).value2, static_cast<float>(share));
+    EXPECT_EQ(field.last(EventKind::kTakenOut).value2, static_cast<float>(share));
     const auto closing = reached_events(field.scene, field.state);
     ASSERT_GE(closing.size(), 2U);
-    EXPECT_EQ(closing[0].kind, kTakenOut);
+    EXPECT_EQ(closing[0].kind, EventKind::kTakenOut);
     EXPECT_EQ(closing[0].value2, static_cast<float>(share));
     EXPECT_GT(closing[0].rest_position_m[1], 0.003F) << "where the rest hangs";
-    EXPECT_EQ(closing[1].kind, kMarkedLost);
+    EXPECT_EQ(closing[1].kind, EventKind::kMarkedLost);
     EXPECT_NEAR(closing[1].value2, torn / marked, 1e-6);
     EXPECT_NEAR(closing[0].value2 + closing[1].value2, snapshot.resected_fraction, 1e-6);
 }

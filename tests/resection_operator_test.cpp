@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scripted hand with grasper and scissors over tissue that gives way. No tissue mechanics, so
 // that only behaviour is tested.
-#include "haptics/resection_operator.h"
+#include "haptics/operators/resection_operator.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tissue changed between two frames.
 
-#include "sim/retune.h"
+#include "sim/step/retune.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ Task coarse(const char* id) {
 
 Event tuning(TuneParameter parameter, Tissue tissue, double value) {
     Event event;
-    event.kind = kTuned;
+    event.kind = EventKind::kTuned;
     event.element = static_cast<int32_t>(parameter);
     event.tissue = tissue;
     event.value = static_cast<float>(value);
@@ -101,7 +101,7 @@ TEST(Retune, ATunedAttemptIsReplayedExactlyAndNeverPasses) {
     runner.tune(TuneParameter::kDamping, Tissue::kZone, 30);
     runner.wait();
     int tuned = 0;
-    for (const Event& event : recording->events) tuned += event.kind == kTuned ? 1 : 0;
+    for (const Event& event : recording->events) tuned += event.kind == EventKind::kTuned ? 1 : 0;
     EXPECT_EQ(tuned, 3);
     const curriculum::ReplayResult result = curriculum::replay(*recording, 2);
     EXPECT_TRUE(result.identical) << result.message;
@@ -111,7 +111,7 @@ TEST(Retune, ATunedAttemptIsReplayedExactlyAndNeverPasses) {
     ASSERT_FALSE(score.reasons.empty());
     EXPECT_EQ(score.reasons.front().item, "tuned");
     // Without its tunings the same recording is not reproduced: they did change something.
-    std::erase_if(recording->events, [](const Event& e) { return e.kind == kTuned; });
+    std::erase_if(recording->events, [](const Event& e) { return e.kind == EventKind::kTuned; });
     EXPECT_FALSE(curriculum::replay(*recording, 2).identical);
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The fluid of a cystic lesion: pressure, leak, and a membrane that sinks onto the canal.
 
-#include "sim/sac.h"
+#include "sim/cutting/sac.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <cmath>
 
 #include "sim/anatomy/operative_field.h"
-#include "sim/cutting.h"
-#include "sim/packing.h"
-#include "sim/step.h"
+#include "sim/cutting/cutting.h"
+#include "sim/solver/packing.h"
+#include "sim/step/step.h"
 
 namespace placode::sim {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cuts by scissors: nothing is lost, nothing hangs by a point, nothing heals.
 
-#include "sim/scissors.h"
+#include "sim/cutting/scissors.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <random>
 #include <set>
 
-#include "sim/topology.h"
+#include "sim/solver/topology.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {

@@ -186,8 +186,8 @@ TEST_P(ScoringProperties, AMetricThatIsMissingNeverHelps) {
 TEST_P(ScoringProperties, WhatAnOlderProgramDidNotRecordIsNamedAndIsNoPass) {
     sim::Recording old = done(task, 1);
     std::erase_if(old.events, [](const sim::Event& e) {
-        return e.kind == sim::kLedgerWritten || e.kind == sim::kTakenOut ||
-               e.kind == sim::kMarkedLost || e.kind == sim::kStretchSum;
+        return e.kind == sim::EventKind::kLedgerWritten || e.kind == sim::EventKind::kTakenOut ||
+               e.kind == sim::EventKind::kMarkedLost || e.kind == sim::EventKind::kStretchSum;
     });
     const auto unknown = assessment::not_recorded(old);
     const Score score = score_of(task, old);
@@ -243,9 +243,10 @@ TEST_P(ScoringProperties, WhatDecidesInTheatreDecidesThePass) {
     };
     if (asks_for(task, "marked_gone_percent")) {
         EXPECT_EQ(spoiled([](sim::Recording& r) {
-                      std::erase_if(r.events,
-                                    [](const auto& e) { return e.kind == sim::kTakenOut; });
-                      AttemptMaker::put(r, sim::kTakenOut, 20, 3e-9, 0.77, 0.004, 0.002);
+                      std::erase_if(r.events, [](const auto& e) {
+                          return e.kind == sim::EventKind::kTakenOut;
+                      });
+                      AttemptMaker::put(r, sim::EventKind::kTakenOut, 20, 3e-9, 0.77, 0.004, 0.002);
                   }),
                   Verdict::kFailed)
             << "23 % of the marked tissue are left";
@@ -293,7 +294,7 @@ TEST_P(ScoringProperties, TornStretchedAndBuriedTissueCosts) {
         return 100 - score_of(task, recording).points;
     };
     EXPECT_GE(lost(sim::EventKind::kTorn, 5.9e-9, 7), 1);
-    EXPECT_GE(lost(sim::kStretchSum, 5e-8, 7), 1);
+    EXPECT_GE(lost(sim::EventKind::kStretchSum, 5e-8, 7), 1);
     EXPECT_GE(lost(sim::EventKind::kBuried, 2, -1), 2);
 }
 

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
 
 namespace placode::assessment {
 namespace {
@@ -243,9 +243,9 @@ TEST(Scoring, TheLedgersOwnGapComesFirst) {
     sim::Recording recording;
     recording.samples.resize(1);
     recording.header.geometry.planned_contour = {{0.006, 0, 0}, {0, 0.006, 0}, {-0.006, 0, 0}};
-    recording.events = {event(sim::kRingGap, 9, 2, 0.75F, 0, 0),
-                        event(sim::kRingGap, 9, 0.001F, 0, 0.006F, 0),
-                        event(sim::kRingGap, 9, 0.003F, 0, 0, 0.006F)};
+    recording.events = {event(sim::EventKind::kRingGap, 9, 2, 0.75F, 0, 0),
+                        event(sim::EventKind::kRingGap, 9, 0.001F, 0, 0.006F, 0),
+                        event(sim::EventKind::kRingGap, 9, 0.003F, 0, 0, 0.006F)};
     recording.events[1].element = 1;
     recording.events[2].element = 2;
     const MetricSet metrics = compute_metrics(recording);
@@ -273,7 +273,7 @@ TEST(Scoring, WhatStillHoldsAndWhatIsLeftAreShownWhereTheyAre) {
         if (s < 33 || s > 38)
             recording.events.push_back(
                 event(sim::EventKind::kSectorFree, s, static_cast<float>(s), 0, 0, 0));
-    recording.events.push_back(event(sim::kTakenOut, 80, 1e-9F, 0.625F, 0, -0.005F));
+    recording.events.push_back(event(sim::EventKind::kTakenOut, 80, 1e-9F, 0.625F, 0, -0.005F));
     const MetricSet metrics = compute_metrics(recording);
     EXPECT_NEAR(*metrics.find("resected_percent"), 62.5, 1e-4);
     const Score score = score_attempt(rubric, metrics, recording);

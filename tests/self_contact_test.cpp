@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tissue against tissue: a piece that is let go, a flap that is folded over.
 
-#include "sim/self_contact.h"
+#include "sim/contact/self_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "sim/cutting.h"
-#include "sim/separation.h"
-#include "sim/step_scratch.h"
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/separation.h"
+#include "sim/world/scratch.h"
 #include "tests/cut_field.h"
 
 namespace placode::sim {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Triangles against what needs no triangles: the three-dimensional energy with its thickness left
 // free, closed forms of homogeneous states, plate theory, and double-precision equilibria.
-#include "sim/sheet.h"
+#include "sim/solver/sheet.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "deformed.h"
-#include "sim/packing.h"
-#include "sim/reseed.h"
+#include "sim/solver/packing.h"
+#include "sim/solver/reseed.h"
 #include "sim/verify/newton.h"
 
 using namespace placode::sim;

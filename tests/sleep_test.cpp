@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sleeping tissue: it comes to rest, wakes for what matters, and nobody can see the difference.
 
-#include "sim/sleep.h"
+#include "sim/solver/sleep.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "sim/cutting.h"
-#include "sim/separation.h"
-#include "sim/space_order.h"
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/separation.h"
+#include "sim/mesh/space_order.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Closed forms and the checks of the constructor. Derivatives: vertex_system_test. Threads,
 // recovery, contact: substep_test.
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -81,8 +81,8 @@ TEST(Station, IsReadFromTheFileThatTheEnvironmentNames) {
 }
 
 TEST(Station, IsSavedWithTheCommentsOfWhoWroteTheFile) {
-    const auto folder = std::filesystem::temp_directory_path() /
-                        ("station_save_" + std::to_string(::getpid()));
+    const auto folder =
+        std::filesystem::temp_directory_path() / ("station_save_" + std::to_string(::getpid()));
     const std::string path = (folder / "deep" / "station.conf").string();
     Station station;
     station.set("haply.right", "04EA");

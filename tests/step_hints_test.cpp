@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "curriculum/definitions.h"
-#include "sim/view/practice_hint.h"
+#include "ui/view/practice_hint.h"
 
 namespace placode::curriculum {
 namespace {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The step as a whole: same bits, no allocation, and what it writes into the ledger.
 
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <new>
 #include <vector>
 
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 #include "tests/box_scene.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "sim/view/step_watch.h"
+#include "ui/view/step_watch.h"
 
 #include <gtest/gtest.h>
 

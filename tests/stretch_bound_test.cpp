@@ -3,7 +3,7 @@
 // The quick look at stretch never says "below" of a tet that is not, and nearly always of one that
 // is.
 
-#include "sim/stretch_bound.h"
+#include "sim/solver/stretch_bound.h"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "sim/cutting.h"
+#include "sim/cutting/cutting.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {

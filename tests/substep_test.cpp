@@ -8,9 +8,9 @@
 #include <limits>
 #include <random>
 
-#include "sim/event.h"
-#include "sim/reseed.h"
-#include "sim/soft_body.h"
+#include "sim/core/event.h"
+#include "sim/solver/reseed.h"
+#include "sim/solver/soft_body.h"
 
 using namespace placode::sim;
 

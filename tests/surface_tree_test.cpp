@@ -3,7 +3,7 @@
 // The tree of boxes gives the same answers as looking at every triangle, on a body that is bent and
 // has holes.
 
-#include "sim/surface_tree.h"
+#include "sim/mesh/surface_tree.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <random>
 #include <vector>
 
-#include "sim/surface.h"
-#include "sim/workers.h"
+#include "sim/core/workers.h"
+#include "sim/mesh/surface.h"
 
 namespace placode::sim {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/sweep_plan.h"
+#include "sim/solver/sweep_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "sim/mesh.h"
-#include "sim/packing.h"
+#include "sim/mesh/mesh.h"
+#include "sim/solver/packing.h"
 
 using namespace placode::sim;
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/damage.h"
-#include "sim/reached.h"
+#include "sim/cutting/reached.h"
+#include "sim/ledger/damage.h"
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
@@ -190,7 +190,7 @@ TEST(TissueMetrics, TheRingIsAsCompleteAsThePictureShowedIt) {
     EXPECT_FALSE(compute_metrics(recording).find("largest_gap_mm")) << "no ledger of gaps";
     // Frames after the last sample, from the same number.
     sim::Event end;
-    end.kind = sim::kRingGap;
+    end.kind = sim::EventKind::kRingGap;
     end.value2 = 0.9375F;
     recording.events.push_back(end);
     EXPECT_EQ(compute_metrics(recording).find("ring_completeness_percent"), 93.75);
@@ -213,12 +213,12 @@ TEST(TissueMetrics, ResectedIsWhatWasDrawnOutHoweverManyPiecesLeave) {
     EXPECT_FALSE(compute_metrics(recording).find("resected_percent"));
     const auto unknown = not_recorded(recording);
     EXPECT_NE(std::find(unknown.begin(), unknown.end(), "resected_percent"), unknown.end());
-    add(sim::kLedgerWritten, 1, 0);
-    add(sim::kTakenOut, 0, 0);
-    add(sim::kTakenOut, 1e-9F, 0.25F);
-    add(sim::kTakenOut, 3.5e-9F, 0.875F);
+    add(sim::EventKind::kLedgerWritten, 1, 0);
+    add(sim::EventKind::kTakenOut, 0, 0);
+    add(sim::EventKind::kTakenOut, 1e-9F, 0.25F);
+    add(sim::EventKind::kTakenOut, 3.5e-9F, 0.875F);
     EXPECT_FALSE(compute_metrics(recording).find("marked_gone_percent")) << "broken off";
-    add(sim::kMarkedLost, 0.5e-9F, 0.0625F);
+    add(sim::EventKind::kMarkedLost, 0.5e-9F, 0.0625F);
     const MetricSet m = compute_metrics(recording);
     EXPECT_EQ(m.find("resected_percent"), 87.5);
     EXPECT_EQ(m.find("marked_lost_percent"), 6.25);
@@ -231,7 +231,7 @@ TEST(TissueMetrics, ABuriedTipIsCountedWhereTheLedgerWouldTell) {
     sim::Recording recording = ring(0, 359, 0);
     EXPECT_FALSE(compute_metrics(recording).find("buried_s"));
     sim::Event event;
-    event.kind = sim::kLedgerWritten;
+    event.kind = sim::EventKind::kLedgerWritten;
     event.value = sim::kLedgerVersion;
     recording.events.push_back(event);
     EXPECT_EQ(compute_metrics(recording).find("buried_s"), 0);
@@ -367,7 +367,7 @@ TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
     add(1.4, EventKind::kPlacodeCut, 0, 0.5e-6F, 0.001F, sim::Tissue::kPlacode);
     add(1.5, EventKind::kCrushed, 1, 2e5F, 0.4F);
     add(2.0, EventKind::kPieceOut, 1, 3e-9F, 0.8F);
-    add(2.0, sim::kTakenOut, -1, 2.5e-9F, 0.75F);
+    add(2.0, sim::EventKind::kTakenOut, -1, 2.5e-9F, 0.75F);
     add(3.0, EventKind::kReleased, 1, 2, 0.025F);
     for (int i = 0; i < 400; ++i) {
         sim::Sample sample;
@@ -412,19 +412,19 @@ TEST(TissueMetrics, SpreadAndOverStretchAreSummedFromTheirEvents) {
         event.element = element;
         recording.events.push_back(event);
     };
-    add(sim::kStretchSum, 0, 0, -1);
-    add(sim::kLedgerWritten, sim::kLedgerVersion, 0, -1);
-    add(sim::kRingGap, 0, 1, -1);
-    add(sim::kThermalSpread, 4, 0, -1);  // says how many rays follow, and is none
+    add(sim::EventKind::kStretchSum, 0, 0, -1);
+    add(sim::EventKind::kLedgerWritten, sim::kLedgerVersion, 0, -1);
+    add(sim::EventKind::kRingGap, 0, 1, -1);
+    add(sim::EventKind::kThermalSpread, 4, 0, -1);  // says how many rays follow, and is none
     EXPECT_TRUE(not_recorded(recording).empty());
     EXPECT_EQ(compute_metrics(recording).find("over_stretch_mm3_s"), 0);
     EXPECT_FALSE(compute_metrics(recording).find("max_stretch"));
     EXPECT_FALSE(compute_metrics(recording).find("thermal_spread_mm")) << "no ray, no width";
     add(sim::EventKind::kOverStretch, 1.4f, 0, 5);
-    add(sim::kStretchSum, 2e-10f, 1.5f, 5);
-    add(sim::kStretchSum, 3e-10f, 1.7f, 6);
+    add(sim::EventKind::kStretchSum, 2e-10f, 1.5f, 5);
+    add(sim::EventKind::kStretchSum, 3e-10f, 1.7f, 6);
     for (int i = 1; i <= 4; ++i)
-        add(sim::kThermalSpread, 1e-4f * static_cast<float>(i), i == 4 ? NAN : 2e-4f, i);
+        add(sim::EventKind::kThermalSpread, 1e-4f * static_cast<float>(i), i == 4 ? NAN : 2e-4f, i);
     const MetricSet m = compute_metrics(recording);
     EXPECT_NEAR(*m.find("over_stretch_mm3_s"), 0.5, 1e-6);
     EXPECT_NEAR(*m.find("max_stretch"), 1.7, 1e-6);

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Instruments against each other, far from tissue.
-#include "sim/tool_contact.h"
+#include "sim/contact/tool_contact.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "box_scene.h"
-#include "sim/tool_shape.h"
+#include "sim/core/tool_shape.h"
 
 using namespace placode::sim;
 using namespace placode::sim::test;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances to instruments against brute force: a round cone is a union of spheres by definition.
 
-#include "sim/tool_shape.h"
+#include "sim/core/tool_shape.h"
 
 #include <gtest/gtest.h>
 

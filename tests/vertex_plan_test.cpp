@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/vertex_plan.h"
+#include "sim/solver/vertex_plan.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "sim/packing.h"
+#include "sim/solver/packing.h"
 
 using namespace placode::sim;
 

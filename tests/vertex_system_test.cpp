@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <random>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 
 using namespace placode::sim;
 

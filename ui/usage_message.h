@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 
 namespace placode::ui {
 

@@ -5,7 +5,7 @@
 // floor.
 
 #include "sim/anatomy/field_mesh.h"
-#include "sim/sac.h"
+#include "sim/cutting/sac.h"
 
 namespace placode::sim {
 

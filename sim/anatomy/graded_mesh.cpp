@@ -11,7 +11,7 @@
 #include <string>
 
 #include "sim/anatomy/planar_delaunay.h"
-#include "sim/mesh.h"
+#include "sim/mesh/mesh.h"
 
 namespace placode::sim {
 

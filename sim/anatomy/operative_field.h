@@ -4,14 +4,14 @@
 // The parametric operative field: a graded 2-D Delaunay triangulation of the lesion's surroundings,
 // extruded into four layers of prisms and split into tetrahedra, conforming and deterministic.
 // Flat variant (myeloschisis), or cystic (meningomyelocele): membrane and placode form a dome of
-// two layers over the canal, filled with fluid (sim/sac.h). Shapes and thicknesses:
+// two layers over the canal, filled with fluid (sim/cutting/sac.h). Shapes and thicknesses:
 // ARCHITECTURE.md, "Operative field".
 
 #include <array>
 #include <cstdint>
 #include <string>
 
-#include "sim/scene.h"
+#include "sim/world/scene.h"
 
 namespace placode::sim {
 

@@ -8,7 +8,7 @@
 #include <numeric>
 #include <string>
 
-#include "sim/mesh.h"
+#include "sim/mesh/mesh.h"
 
 namespace placode::sim {
 

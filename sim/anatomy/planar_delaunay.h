@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/geometry.h"
+#include "sim/core/geometry.h"
 
 namespace placode::sim {
 

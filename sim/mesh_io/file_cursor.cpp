@@ -9,7 +9,7 @@
 #include <fstream>
 #include <limits>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::sim {
 namespace {

@@ -8,9 +8,9 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/core/number_text.h"
 #include "sim/mesh_io/file_cursor.h"
 #include "sim/mesh_io/mesh_overlap.h"
-#include "sim/number_text.h"
 
 namespace placode::sim {
 namespace {

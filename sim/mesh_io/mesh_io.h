@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/mesh.h"
+#include "sim/mesh/mesh.h"
 
 namespace placode::sim {
 

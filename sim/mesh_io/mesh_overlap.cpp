@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "sim/bounds.h"
+#include "sim/core/bounds.h"
 
 namespace placode::sim {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::sim {
 namespace {

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "sim/fnv_hash.h"
-#include "sim/number_text.h"
+#include "sim/core/fnv_hash.h"
+#include "sim/core/number_text.h"
 #include "sim/verify/rest_watch.h"
 
 namespace placode::sim {

@@ -6,8 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "sim/core/workers.h"
 #include "sim/verify/reference_body.h"
-#include "sim/workers.h"
 
 namespace placode::sim {
 

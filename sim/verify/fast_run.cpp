@@ -3,18 +3,18 @@
 // xpbd, xpbd_pair and vbd on a verification scene: the kernels of the product, with held axes,
 // loads and spheres around them. Vertices that touch a sphere and those that only some axes hold
 // form the contact colour: they are left out of the sweep and take a Newton step of their own
-// (sim/contact.h). A projection onto the axis after an xpbd sweep would be cheaper, and wrong: the
-// tets see the vertex on its way off the axis (uniaxial, Co 0.14: 2.9 % of the stress).
+// (sim/contact/contact.h). A projection onto the axis after an xpbd sweep would be cheaper, and
+// wrong: the tets see the vertex on its way off the axis (uniaxial, Co 0.14: 2.9 % of the stress).
 // The kernels work in floats: they get the scene in units of its own (KernelUnits), so that it
 // moves in the same way whatever units it is written in.
 #include <algorithm>
 #include <cmath>
 
-#include "sim/event.h"
-#include "sim/low_parts.h"
-#include "sim/number_text.h"
-#include "sim/packing.h"
-#include "sim/reseed.h"
+#include "sim/core/event.h"
+#include "sim/core/number_text.h"
+#include "sim/solver/low_parts.h"
+#include "sim/solver/packing.h"
+#include "sim/solver/reseed.h"
 #include "sim/verify/method_checks.h"
 #include "sim/verify/rest_watch.h"
 #include "sim/verify/rigid_modes.h"
@@ -109,8 +109,8 @@ class FastRun {
         return spec;
     }
 
-    /// Gravity and loads enter the start guess where nothing holds against them (sim/soft_body.h).
-    /// Axes that are held count here, which the body does not know.
+    /// Gravity and loads enter the start guess where nothing holds against them
+    /// (sim/solver/soft_body.h). Axes that are held count here, which the body does not know.
     void find_free() {
         const Vec3 g = setup_.scene.gravity_m_s2;
         uint8_t against = 0;

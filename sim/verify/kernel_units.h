@@ -7,8 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/bounds.h"
-#include "sim/soft_body.h"
+#include "sim/core/bounds.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/verification_scene.h"
 
 namespace placode::sim {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 
 namespace placode::sim {
 namespace {

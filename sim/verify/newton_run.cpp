@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/bounds.h"
-#include "sim/fnv_hash.h"
-#include "sim/number_text.h"
+#include "sim/core/bounds.h"
+#include "sim/core/fnv_hash.h"
+#include "sim/core/number_text.h"
 #include "sim/verify/equilibrium.h"
 
 namespace placode::sim {

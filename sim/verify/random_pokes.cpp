@@ -7,7 +7,8 @@
 #include <cmath>
 #include <vector>
 
-#include "sim/step_scratch.h"
+#include "sim/world/scene.h"
+#include "sim/world/scratch.h"
 
 namespace placode::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "sim/step.h"
+#include "sim/step/step.h"
 
 namespace placode::sim {
 

@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/reference_sheet.h"
 
 namespace placode::sim {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <complex>
 
-#include "sim/dihedral.h"
-#include "sim/soft_body.h"
+#include "sim/mesh/dihedral.h"
+#include "sim/solver/soft_body.h"
 
 namespace placode::sim {
 namespace {

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sheets once more in double precision: the energy in the plane from the deformation gradient, with
-// its exact tangent. With the fast solver it shares the rest values of sim/sheet.h and the angle
-// of sim/dihedral.h, both of which are held against closed forms and finite differences.
+// its exact tangent. With the fast solver it shares the rest values of sim/solver/sheet.h and the
+// angle of sim/mesh/dihedral.h, both of which are held against closed forms and finite differences.
 
 #include <Eigen/Sparse>
 #include <vector>
 
-#include "sim/sheet.h"
+#include "sim/solver/sheet.h"
 
 namespace placode::sim {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 #include "sim/verify/equilibrium.h"
 
 namespace placode::sim {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "sim/low_parts.h"
+#include "sim/solver/low_parts.h"
 
 namespace placode::sim {
 namespace {

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/solve_setup.h"
 
 namespace placode::sim {

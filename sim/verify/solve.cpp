@@ -5,8 +5,8 @@
 #include <chrono>
 #include <ctime>
 
-#include "sim/courant.h"
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
+#include "sim/solver/courant.h"
 #include "sim/verify/solve_setup.h"
 
 namespace placode::sim {

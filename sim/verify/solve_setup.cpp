@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 
-#include "sim/bounds.h"
-#include "sim/number_text.h"
-#include "sim/surface.h"
+#include "sim/core/bounds.h"
+#include "sim/core/number_text.h"
+#include "sim/mesh/surface.h"
 
 namespace placode::sim {
 namespace {

@@ -7,15 +7,15 @@
 #include <cmath>
 #include <set>
 
-#include "sim/low_parts.h"
+#include "sim/solver/low_parts.h"
 
 namespace placode::sim {
 namespace {
 
 constexpr int kPasses = 2;  // over what is touched, for each sweep, as in sim/step
 // Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
-// and x what the touched vertices answer at once, as in sim/contact.cpp: more bursts on fine
-// patches.
+// and x what the touched vertices answer at once, as in sim/contact/contact.cpp: more bursts on
+// fine patches.
 constexpr double kContactStiffness = 300, kContactRatio = 6;
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
@@ -90,9 +90,9 @@ void SpecialVertices::find(const RigidModes* modes) {
     anchor_newcomers();
 }
 
-/// Between sphere and tissue a vertex starts from where it was, see sim/contact.cpp; and goes with
-/// the body as a whole, or a body that slides would be held back by it. Not into the sphere: what
-/// overlaps much at the start of an impact is pressed and rubbed too hard.
+/// Between sphere and tissue a vertex starts from where it was, see sim/contact/contact.cpp; and
+/// goes with the body as a whole, or a body that slides would be held back by it. Not into the
+/// sphere: what overlaps much at the start of an impact is pressed and rubbed too hard.
 void SpecialVertices::start_where_they_were(const RigidModes* modes) {
     for (size_t i = 0; i < special_.size(); ++i) {
         if (incidence_[i].empty()) continue;

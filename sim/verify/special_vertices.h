@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/kernel_units.h"
 #include "sim/verify/rigid_modes.h"
 #include "sim/verify/solve_setup.h"

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "sim/surface.h"
-#include "sim/tool_shape.h"
+#include "sim/core/tool_shape.h"
+#include "sim/mesh/surface.h"
 
 namespace placode::sim {
 namespace {
 
-constexpr double kFacing = 0.5;  // as in sim/contact.cpp
+constexpr double kFacing = 0.5;  // as in sim/contact/contact.cpp
 
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 

@@ -3,7 +3,7 @@
 #pragma once
 // Rigid spheres against the surface of a body, for verification scenes: the nearest point of every
 // boundary triangle is pushed out with f = k max(0, -gap). The same law as the instruments' contact
-// (sim/contact.h), without hands, tools and lists of bounded size.
+// (sim/contact/contact.h), without hands, tools and lists of bounded size.
 
 #include <array>
 #include <functional>

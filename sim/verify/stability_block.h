@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/stability_cases.h"
 
 namespace placode::sim {

@@ -8,12 +8,13 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/event.h"
-#include "sim/number_text.h"
-#include "sim/reseed.h"
-#include "sim/step.h"
+#include "sim/core/event.h"
+#include "sim/core/number_text.h"
+#include "sim/solver/reseed.h"
+#include "sim/step/step.h"
 #include "sim/verify/random_pokes.h"
 #include "sim/verify/stability_block.h"
+#include "sim/world/scene.h"
 
 namespace placode::sim {
 namespace {
@@ -145,8 +146,8 @@ void run_pokes(StabilityResult& result, Method method, const StabilityOptions& o
     result.verdict = sound ? StabilityVerdict::kHolds : StabilityVerdict::kFails;
     result.detail = std::to_string(report.touching) + " of " + std::to_string(report.frames) +
                     " frames in touch, penetration p50 " + length_text(report.median_m) + ", p99 " +
-                    length_text(report.p99_m) + ", max " + length_text(report.deepest_m) + ", peak force " +
-                    rounded_text(report.largest_force_n, 3) + " N";
+                    length_text(report.p99_m) + ", max " + length_text(report.deepest_m) +
+                    ", peak force " + rounded_text(report.largest_force_n, 3) + " N";
 }
 
 void run_rest(StabilityResult& result, Method method, double seconds) {

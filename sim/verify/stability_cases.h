@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 
 namespace placode::sim {
 

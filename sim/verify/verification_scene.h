@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "sim/verify/sphere_contact.h"
 
 namespace placode::sim {

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 
 using namespace placode::sim;
 

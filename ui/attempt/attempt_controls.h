@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "curriculum/conduct.h"
-#include "sim/event.h"
-#include "sim/recording.h"
-#include "sim/view/overlay.h"
-#include "sim/view/window_event.h"
+#include "sim/core/event.h"
+#include "sim/step/recording.h"
 #include "ui/attempt/tuning_panel.h"
+#include "ui/view/overlay.h"
+#include "ui/view/window_event.h"
 
 namespace placode::ui {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/view/strings.h"
 #include "ui/attempt/attempt_controls.h"
+#include "ui/view/strings.h"
 
 namespace placode::ui {
 

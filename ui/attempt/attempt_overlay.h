@@ -4,8 +4,8 @@
 // Overlay texts of one attempt: task, controls of the device at hand.
 
 #include "curriculum/task.h"
-#include "sim/view/fetoscope_view.h"
 #include "ui/attempt/arguments.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 

@@ -6,9 +6,9 @@
 #include <optional>
 #include <thread>
 
-#include "sim/view/fetoscope_view.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 

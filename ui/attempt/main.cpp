@@ -18,8 +18,8 @@
 #include "haptics/gamepad_search.h"
 #include "haptics/pedal_watch.h"
 #include "haptics/real_time.h"
-#include "sim/view/gl_program.h"
 #include "ui/attempt/sessions.h"
+#include "ui/view/gl_program.h"
 
 namespace placode::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/view/fetoscope_view.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 

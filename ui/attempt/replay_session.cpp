@@ -10,9 +10,9 @@
 #include <thread>
 
 #include "db/recording_file.h"
-#include "sim/view/fetoscope_view.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "sim/view/fetoscope_view.h"
 #include "ui/attempt/arguments.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 

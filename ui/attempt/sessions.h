@@ -4,8 +4,8 @@
 // The three ways to run: with a window, without one, and a recording again.
 
 #include "curriculum/attempt_runner.h"
-#include "sim/exchange.h"
-#include "sim/view/window_input.h"
+#include "haptics/window_input.h"
+#include "sim/core/exchange.h"
 #include "ui/attempt/arguments.h"
 #include "ui/attempt/screenshots.h"
 #include "ui/attempt/status_line.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/snapshot.h"
+#include "sim/step/snapshot.h"
 
 namespace placode::ui {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <ctime>
 
-#include "sim/view/strings.h"
+#include "ui/view/strings.h"
 
 namespace placode::ui {
 

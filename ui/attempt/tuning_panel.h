@@ -11,8 +11,8 @@
 #include <string>
 
 #include "curriculum/preset.h"
-#include "sim/view/overlay.h"
-#include "sim/view/window_input.h"
+#include "haptics/window_input.h"
+#include "ui/view/overlay.h"
 
 namespace placode::ui {
 

@@ -8,13 +8,13 @@
 #include <thread>
 
 #include "curriculum/usual_time.h"
-#include "sim/view/fetoscope_view.h"
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/picture_pace.h"
 #include "ui/attempt/sessions.h"
 #include "ui/attempt/sound.h"
 #include "ui/attempt/tuning_panel.h"
+#include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "curriculum/task.h"
 #include "sim/anatomy/operative_field.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 #include "ui/cli/bench_timing.h"
 #include "ui/cli/solver_commands.h"
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "sim/soft_body.h"
+#include "sim/solver/soft_body.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {

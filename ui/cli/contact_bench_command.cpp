@@ -18,7 +18,7 @@
 #include "haptics/trocar.h"
 #include "reports/report.h"
 #include "sim/anatomy/operative_field.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {

@@ -6,7 +6,7 @@
 
 #include "reports/export.h"
 #include "reports/report.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {

@@ -9,7 +9,7 @@
 
 #include "db/norms.h"
 #include "db/signature.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 #include "ui/cli/norms_quality.h"
 #include "ui/cli/people.h"
 

@@ -9,7 +9,7 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "sim/number_text.h"
+#include "sim/core/number_text.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {

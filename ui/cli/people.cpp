@@ -6,7 +6,7 @@
 #include <ctime>
 
 #include "curriculum/utc_time.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 
 namespace placode::cli {
 

@@ -13,7 +13,7 @@
 #include "reports/export.h"
 #include "reports/report.h"
 #include "reports/study_report.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {

@@ -15,7 +15,7 @@
 #include "curriculum/task.h"
 #include "reports/report.h"
 #include "sim/anatomy/operative_field.h"
-#include "sim/step.h"
+#include "sim/step/step.h"
 #include "ui/cli/bench_timing.h"
 
 namespace placode::cli {

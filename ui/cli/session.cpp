@@ -9,7 +9,7 @@
 #include <charconv>
 
 #include "db/store_url.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 
 namespace placode::cli {
 namespace {

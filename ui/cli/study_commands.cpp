@@ -9,7 +9,7 @@
 #include "curriculum/study.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_options.h"
 #include "ui/cli/study_records.h"

@@ -18,7 +18,7 @@
 #include "db/recording_file.h"
 #include "db/standards.h"
 #include "db/study_conduct.h"
-#include "sim/event.h"
+#include "sim/core/event.h"
 
 namespace placode::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include <QScreen>
 #include <cstdio>
 
-#include "sim/near_word.h"
+#include "sim/core/near_word.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
 

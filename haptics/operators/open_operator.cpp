@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/operators/open_operator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "haptics/operators/lift_operator.h"
+#include "haptics/operators/operator_model.h"
+#include "haptics/operators/practice_operator.h"
+#include "haptics/operators/resection_operator.h"
+
+namespace placode::haptics {
+
+namespace {
+
+/// The ring operator as one of several.
+class RingOperator final : public ScriptedOperator {
+ public:
+    RingOperator(OperatorLevel level, uint64_t seed, size_t tool, const Vec3& home_m)
+        : model_(operator_profile(level), seed, home_m), tool_(tool) {}
+    void see(const Perception& seen) override {
+        model_.see(seen, tool_ < seen.tools.size() ? seen.tools[tool_] : sim::ToolFeedback{});
+    }
+    [[nodiscard]] bool act(double dt_s, std::span<HandAction> hands) noexcept override {
+        const OperatorAction action = model_.act(dt_s);
+        hands[tool_].tip_m = action.tip_m;
+        hands[tool_].pedals = action.pedals;
+        hands[tool_].engaged = true;
+        return action.finish;
+    }
+
+ private:
+    OperatorModel model_;
+    size_t tool_;
+};
+
+}  // namespace
+
+std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, OperatorLevel level,
+                                                std::span<const Vec3> homes_m) {
+    ResectionTools tools;
+    int first = -1;  // the needle if there is one, else the first that is no scope
+    for (int i = static_cast<int>(config.tools.size()) - 1; i >= 0; --i) {
+        const sim::ToolKind kind = config.tools[static_cast<size_t>(i)].kind;
+        if (kind == sim::ToolKind::kNeedle) tools.needle = i;
+        if (kind == sim::ToolKind::kScissors) tools.scissors = i;
+        if (kind == sim::ToolKind::kGrasper) tools.grasper = i;
+        if (kind != sim::ToolKind::kScope) first = i;
+    }
+    if (tools.needle >= 0) first = tools.needle;
+    const auto hand = static_cast<size_t>(std::max(first, 0));
+    if (config.practice) {
+        return std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes_m);
+    }
+    if (tools.scissors >= 0 && tools.grasper >= 0) {
+        return std::make_unique<ResectionOperator>(level, config.seed, tools, config.tools,
+                                                   homes_m);
+    }
+    if (tools.grasper >= 0 && tools.needle < 0) {
+        const auto grasper = static_cast<size_t>(tools.grasper);
+        return std::make_unique<LiftOperator>(level, config.seed, grasper, homes_m[grasper]);
+    }
+    return std::make_unique<RingOperator>(level, config.seed, hand, homes_m[hand]);
+}
+
+double turn_to_open_along(const Vec3& opening, const sim::Pose& straight,
+                          double roll_rad) noexcept {
+    if (opening.norm() < 1e-6) return 0;
+    const Vec3 wanted = opening.normalized();
+    const double x = wanted.dot(straight.q * Vec3::UnitX()),
+                 y = wanted.dot(straight.q * Vec3::UnitY());
+    double turn = std::atan2(-x, y) - roll_rad;
+    constexpr double half = std::numbers::pi;
+    while (turn > half / 2) turn -= half;
+    while (turn < -half / 2) turn += half;
+    return turn;
+}
+
+}  // namespace placode::haptics

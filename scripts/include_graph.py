@@ -1,0 +1,43 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which room of sim/ includes which, and every include that points upwards:
+scripts/include_graph.py [--dot]. Exit status 1 when there is one. The order is that of
+tests/architecture_test.cpp."""
+import collections
+import pathlib
+import re
+import sys
+
+ROOMS = ["core", "mesh", "solver", "heat", "world", "contact", "cutting", "ledger", "step",
+         "anatomy", "mesh_io", "verify"]
+
+
+def main() -> int:
+    root = pathlib.Path(__file__).resolve().parent.parent
+    arrows, upwards = collections.Counter(), []
+    for path in sorted((root / "sim").rglob("*")):
+        if path.suffix not in (".h", ".cpp"):
+            continue
+        room = path.relative_to(root / "sim").parts[0]
+        for target in re.findall(r'^#include "sim/(\w+)/([^"]+)"', path.read_text(), re.M):
+            if target[0] == room:
+                continue
+            arrows[room, target[0]] += 1
+            if ROOMS.index(target[0]) > ROOMS.index(room):
+                upwards.append(f"{path.relative_to(root)} includes sim/{target[0]}/{target[1]}")
+    if "--dot" in sys.argv[1:]:
+        print("digraph sim {")
+        for (a, b), n in sorted(arrows.items()):
+            print(f'  "{a}" -> "{b}" [label={n}];')
+        print("}")
+    else:
+        for (a, b), n in sorted(arrows.items(), key=lambda x: (ROOMS.index(x[0][0]), x[0][1])):
+            print(f"{a:8} -> {b:8} {n:4}")
+        print(f"{sum(arrows.values())} includes between rooms, {len(upwards)} upwards")
+        print("\n".join(upwards))
+    return 1 if upwards else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/core/event.h"
+
+namespace placode::sim {
+
+std::string_view event_name(EventKind kind) noexcept {
+    switch (kind) {
+        case EventKind::kPhase:
+            return "phase";
+        case EventKind::kEnergyOn:
+            return "energy_on";
+        case EventKind::kEnergyOff:
+            return "energy_off";
+        case EventKind::kEnergyInAir:
+            return "energy_in_air";
+        case EventKind::kDwell:
+            return "dwell";
+        case EventKind::kVaporised:
+            return "vaporised";
+        case EventKind::kTorn:
+            return "torn";
+        case EventKind::kPlacodeContact:
+            return "placode_contact";
+        case EventKind::kPlacodeEnergised:
+            return "placode_energised";
+        case EventKind::kPlacodeOverheated:
+            return "placode_overheated";
+        case EventKind::kPlacodeBurned:
+            return "placode_burned";
+        case EventKind::kOverForce:
+            return "over_force";
+        case EventKind::kOverStretch:
+            return "over_stretch";
+        case EventKind::kTetherBroken:
+            return "tether_broken";
+        case EventKind::kSubsteps:
+            return "substeps";
+        case EventKind::kStateHash:
+            return "state_hash";
+        case EventKind::kReseeded:
+            return "reseeded";
+        case EventKind::kFinished:
+            return "finished";
+        case EventKind::kGrasped:
+            return "grasped";
+        case EventKind::kReleased:
+            return "released";
+        case EventKind::kSlipped:
+            return "slipped";
+        case EventKind::kCrushed:
+            return "crushed";
+        case EventKind::kOverTraction:
+            return "over_traction";
+        case EventKind::kSnipped:
+            return "snipped";
+        case EventKind::kPlacodeCut:
+            return "placode_cut";
+        case EventKind::kPieceFree:
+            return "piece_free";
+        case EventKind::kPieceOut:
+            return "piece_out";
+        case EventKind::kCrumb:
+            return "crumb";
+        case EventKind::kSectorFree:
+            return "sector_free";
+        case EventKind::kSacOpened:
+            return "sac_opened";
+        case EventKind::kBuried:
+            return "buried";
+        case EventKind::kPaused:
+            return "paused";
+        case EventKind::kMachineSpeed:
+            return "machine_speed";
+        case EventKind::kSlowSpell:
+            return "slow_spell";
+        case EventKind::kPracticeSteps:
+            return "practice_steps";
+        case EventKind::kStepDone:
+            return "step_done";
+        case EventKind::kTargetTouched:
+            return "target_touched";
+        case EventKind::kTargetMissed:
+            return "target_missed";
+        case EventKind::kTraced:
+            return "traced";
+        case EventKind::kTractionHeld:
+            return "traction_held";
+        case EventKind::kTuned:
+            return "tuned";
+        case EventKind::kStretchSum:
+            return "stretch_sum";
+        case EventKind::kThermalSpread:
+            return "thermal_spread";
+        case EventKind::kTakenOut:
+            return "taken_out";
+        case EventKind::kMarkedLost:
+            return "marked_lost";
+        case EventKind::kRingGap:
+            return "ring_gap";
+        case EventKind::kLedgerWritten:
+            return "ledger_written";
+    }
+    return "unknown";
+}
+
+std::string_view phase_name(Phase phase) noexcept {
+    switch (phase) {
+        case Phase::kInspect:
+            return "inspect";
+        case Phase::kIncise:
+            return "incise";
+        case Phase::kRelease:
+            return "release";
+        case Phase::kResect:
+            return "resect";
+        case Phase::kCheck:
+            return "check";
+    }
+    return "unknown";
+}
+
+bool only_in_recording(EventKind kind) noexcept {
+    return kind == EventKind::kVaporised || kind == EventKind::kStateHash ||
+           kind == EventKind::kStretchSum || kind == EventKind::kThermalSpread ||
+           kind == EventKind::kTakenOut || kind == EventKind::kMarkedLost ||
+           kind == EventKind::kRingGap || kind == EventKind::kLedgerWritten;
+}
+
+}  // namespace placode::sim

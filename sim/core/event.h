@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What happened: the damage ledger's entries, and bits that a step can raise.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/core/tissue.h"
+
+namespace placode::sim {
+
+/// Kinds are stored as numbers in recordings: append only, never renumber.
+enum class EventKind : uint16_t {
+    kPhase = 1,        ///< value = Phase
+    kEnergyOn = 2,     ///< value = nominal W
+    kEnergyOff = 3,    ///< value = seconds on, value2 = joules delivered
+    kEnergyInAir = 4,  ///< value = seconds (raised when it ends, over 1 s)
+    kDwell = 5,        ///< value = seconds with energy on one spot (raised when it ends, over 1 s)
+    kVaporised = 6,  ///< one tet removed by heat: value = rest volume [m^3], value2 = depth of its
+                     ///< centroid below the rest surface [m]
+    kTorn = 7,       ///< one tet torn: value = rest volume [m^3], value2 = stretch
+    kPlacodeContact = 8,  ///< raised when contact ends: value = seconds, value2 = peak force [N]
+    kPlacodeEnergised =
+        9,  ///< energised contact with the placode: value = seconds, value2 = peak T [C]
+    kPlacodeOverheated =
+        10,  ///< first vertex above the warning dose: value = CEM43 [min], value2 = T [C]
+    kPlacodeBurned =
+        11,  ///< first vertex above the injury dose, or 60 C: value = CEM43 [min], value2 = T [C]
+    kOverForce = 12,     ///< value = seconds, value2 = peak force [N]
+    kOverStretch = 13,   ///< value = stretch
+    kTetherBroken = 14,  ///< value = force [N]
+    kSubsteps = 15,      ///< value = new number of substeps (under load)
+    kStateHash = 16,     ///< hash = state_hash, once a second and at the end
+    kReseeded = 17,      ///< element recovered from its rest shape
+    kFinished = 18,      ///< the operator declared the task done
+    kGrasped = 19,       ///< jaws closed on tissue: value = vertices held, value2 = jaw force [N]
+    kReleased = 20,      ///< jaws let go: value = seconds held, value2 = peak traction [N]
+    kSlipped = 21,       ///< tissue slid in the jaws: value = way [m], value2 = peak traction [N]
+    kCrushed = 22,       ///< jaw pressure above the tissue's limit: value = Pa, value2 = N
+    kOverTraction = 23,  ///< pulled above the tissue's limit: value = seconds, value2 = peak [N]
+    kSnipped = 24,       ///< scissors closed: value = area parted [m^2], value2 = depth [m]
+    kPlacodeCut = 25,    ///< scissors parted placode from placode: value = area [m^2]
+    kPieceFree = 26,     ///< tissue came loose: value = volume [m^3]
+    kPieceOut = 27,    ///< a loose piece was taken out of the field: value = volume [m^3], value2 =
+                       ///< share of the marked tissue that is gone with it
+    kCrumb = 28,       ///< a loose crumb was washed away: value = volume [m^3]
+    kSectorFree = 29,  ///< a sector of 5 degrees came free: value = sector, value2 = free sectors
+    kSacOpened = 30,   ///< first hole in the wall of a sac: value = pressure [Pa]
+    kBuried = 31,      ///< a tip was below the surface: value = seconds (raised when it ends, over
+                       ///< 0.3 s), value2 = largest depth [m]
+    // About the attempt and not about tissue.
+    kPaused = 32,        ///< simulated time stood still: value = seconds of wall clock, value2 =
+                         ///< PauseCause
+    kMachineSpeed = 33,  ///< once, at the end: value = simulated over wall-clock time, value2 =
+                         ///< pictures a second (0 = nothing was drawn)
+    kSlowSpell = 34,     ///< the computer fell behind: value = seconds, value2 = as kMachineSpeed
+    // Practice (sim/core/practice.h).
+    kPracticeSteps = 60,  ///< value = number of steps, at the start
+    kStepDone = 61,       ///< value = step, value2 = seconds that it took
+    kTargetTouched = 62,  ///< value = step, value2 = distance from it [m]
+    kTargetMissed = 63,   ///< tissue touched beside it; as above
+    kTraced = 64,         ///< value = bin of the contour, value2 = mean offset [m]
+    kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
+    // Live tuning (sim/step/retune.h).
+    kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
+                  ///< frame before which it was done
+    // Sums, told now and then and after the last frame.
+    kStretchSum = 80,  ///< over-stretch of one tissue since the last such event: value = rest
+                       ///< volume x time [m^3 s], value2 = largest principal stretch, element and
+                       ///< place = where that was. An attempt has one at its first frame, so that
+                       ///< its absence says "not recorded"
+    kThermalSpread = 81,  ///< at the end, one for each ray that crosses an incision: value = how
+                          ///< far beyond the edge Omega is above 1 [m], value2 = the same for CEM43
+                          ///< above 240 min [m], rest_position = the edge, element = 2 * point of
+                          ///< the planned contour + side (0 towards the placode, 1 outwards). The
+                          ///< first has element -1 and value = number of rays: its absence says
+                          ///< "not recorded"
+    kTakenOut = 82,  ///< marked tissue drawn out of the field as pieces: value = its rest volume so
+                     ///< far [m^3], value2 = its share of all that is marked. One at the first
+                     ///< frame, one with every piece that goes, one after the last frame (value2 of
+                     ///< kPieceOut counts all that is gone). The last has where most of the rest
+                     ///< hangs in rest_position (0 0 0 = none)
+    kMarkedLost = 83,  ///< after the last frame: marked tissue that went otherwise (burned, torn,
+                       ///< washed away as crumbs), as above
+    kRingGap = 84,  ///< after the last frame, one for each stretch of the planned contour that is
+                    ///< not cut: value = its length [m], rest_position = its middle. The first has
+                    ///< element -1, value = their number, value2 = ring_share()
+    kLedgerWritten = 85,  ///< at the first frame: value = kLedgerVersion. What a ledger without it
+                          ///< lacks is not known
+};
+/// Why simulated time stood still.
+enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus };
+[[nodiscard]] std::string_view event_name(EventKind kind) noexcept;
+
+/// True for events that stand in hundreds in a recording and say nothing by themselves: lost
+/// elements, sums, hashes. Lists for people leave them out.
+[[nodiscard]] bool only_in_recording(EventKind kind) noexcept;
+
+enum class Phase : uint8_t { kInspect = 0, kIncise, kRelease, kResect, kCheck };
+[[nodiscard]] std::string_view phase_name(Phase phase) noexcept;
+
+/// One entry. Trivially copyable.
+struct Event {
+    double time_s = 0;
+    EventKind kind = EventKind::kPhase;
+    int8_t tool = -1;  ///< Index into Scene::tools, -1 = none.
+    Tissue tissue = Tissue::kSkin;
+    float value = 0, value2 = 0;             ///< See EventKind.
+    std::array<float, 3> rest_position_m{};  ///< Where, on the rest shape.
+    int32_t element = -1;                    ///< Tet or vertex.
+    uint64_t hash = 0;
+};
+
+/// Bits of StepReport::flags.
+enum StepFlag : uint32_t {
+    kNotFinite = 1u << 0,        ///< A vertex was not finite and was put back.
+    kStepLimited = 1u << 1,      ///< A vertex hit the step limit (1/4 of its shortest edge).
+    kContactsDropped = 1u << 2,  ///< More contacts than the scene's capacity.
+    kEventsDropped = 1u << 3,    ///< More events in one frame than State can hold.
+    kReseed = 1u << 4,           ///< A collapsed element was re-seeded from rest.
+    kCutRefused = 1u << 5,       ///< No room for a split: raise the scene's spare vertices.
+};
+
+}  // namespace placode::sim

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Steps of a practice task: what the trainee is to do next, where, and how exactly. The task's JSON
+// says them, assessment/practice.h watches them, the overlay and scripted operators see the goal.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "sim/core/event.h"
+#include "sim/core/geometry.h"
+#include "sim/core/tool.h"
+
+namespace placode::sim {
+
+enum class PracticeKind : uint8_t {
+    kMove,      ///< Move a tip across its shaft by `distance_m` in all.
+    kDepth,     ///< Move it along its shaft by that much.
+    kTurn,      ///< Turn it about its shaft by `turn_rad` in all.
+    kTouch,     ///< Touch the target.
+    kCut,       ///< Touch it and press the yellow pedal for `hold_s`.
+    kCoag,      ///< And the blue one.
+    kGrasp,     ///< Take hold of tissue at the target.
+    kRelease,   ///< Let it go.
+    kTrace,     ///< Follow the planned line with the tip at the surface, without energy.
+    kTraction,  ///< Both hands hold tissue and pull with `low_n` to `high_n` for `hold_s`.
+    kWithdraw   ///< Take the instrument `distance_m` away from the tissue.
+};
+inline constexpr int kPracticeKinds = 11;
+inline constexpr int kMaxPracticeSteps = 24;
+inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
+
+struct PracticeStep {
+    PracticeKind kind = PracticeKind::kMove;
+    Hand hand = Hand::kRight;    ///< Who does it; traction needs both.
+    double distance_m = 0.02;    ///< Move, depth, withdraw.
+    double turn_rad = 1;         ///< Turn.
+    double hold_s = 0;           ///< Touch, cut, coag, traction.
+    double hour = 12;            ///< Target on the clock of the planned contour, 12 = cranial.
+    double hour_left = 12;       ///< Traction: target of the left hand.
+    double outward_m = 0;        ///< Target this far outside the planned contour.
+    double tolerance_m = 0.001;  ///< Distance from the target (or line) that still counts.
+    double low_n = 0.01, high_n = 0.1;  ///< Traction of each hand.
+};
+
+/// Where practice stands: what a person sees in the overlay.
+struct PracticeGoal {
+    int count = 0, index = 0;                                  ///< index == count: all done.
+    PracticeStep step;                                         ///< The present one.
+    std::array<Vec3, 2> target_m{Vec3::Zero(), Vec3::Zero()};  ///< Where they lie now, in W.
+    int targets = 0;
+    double progress = 0;                       ///< Of the present step, 0..1.
+    std::array<uint8_t, kTraceBins> traced{};  ///< 1 = this stretch of the contour was followed.
+};
+
+[[nodiscard]] constexpr int targets_of(PracticeKind kind) noexcept {
+    switch (kind) {
+        case PracticeKind::kTouch:
+        case PracticeKind::kCut:
+        case PracticeKind::kCoag:
+        case PracticeKind::kGrasp:
+            return 1;
+        case PracticeKind::kTraction:
+            return 2;
+        default:
+            return 0;
+    }
+}
+
+/// What a hand moves, as far as hints differ.
+enum class HintDevice : uint8_t { kNone, kMouse, kKeyboard, kGamepad, kSpaceMouse, kArm };
+
+/// Of a device as on the command line; scripts and replays need no hints.
+[[nodiscard]] constexpr HintDevice hint_device(std::string_view name) noexcept {
+    name = name.substr(0, name.find(':'));
+    if (name == "mouse") return HintDevice::kMouse;
+    if (name == "keyboard") return HintDevice::kKeyboard;
+    if (name == "gamepad") return HintDevice::kGamepad;
+    if (name == "spacemouse") return HintDevice::kSpaceMouse;
+    for (const std::string_view arm : {"openhaptics", "haply", "avatar", "forcedimension"})
+        if (name == arm) return HintDevice::kArm;
+    return HintDevice::kNone;
+}
+
+}  // namespace placode::sim

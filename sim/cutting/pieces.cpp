@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/cutting/pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/linked_tets.h"
+#include "sim/cutting/reached.h"
+#include "sim/cutting/release.h"
+#include "sim/solver/topology.h"
+#include "sim/world/add_event.h"
+#include "sim/world/scene.h"
+#include "sim/world/scratch.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kFloodPerFrame = 2500;
+constexpr int kRemovedPerFrame = 8;
+constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
+constexpr double kOutShare = 0.62;      // of the way from lesion to port: the piece is out
+constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around the lesion
+constexpr double kGroundCell = 0.001;   // [m]
+constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]
+constexpr double kSunkenWall = 0.0005;  // thickness of a sac's wall that lies on the floor [m]
+constexpr float kCalmSpeed = 0.005F;    // of every vertex, where tissue lies on tissue [m/s]
+constexpr uint16_t kCalmFrames = 100;   // until it sticks
+constexpr float kLost = -0.004F;        // below that it lies in any case [m]
+
+int ground_cell(double x, double y) noexcept {
+    const auto cell = [](double c) {
+        return std::clamp(static_cast<int>(std::floor(c / kGroundCell)) + kGroundCells / 2, 0,
+                          kGroundCells - 1);
+    };
+    return cell(x) * kGroundCells + cell(y);
+}
+
+template <class Visit>
+void for_tets(const Scene& scene, const State& state, int piece, Visit&& visit) noexcept {
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        if (state.pieces.of[t] == piece && state.body.tet_alive[t]) visit(t);
+    }
+}
+
+/// Sticks where it is, or comes off.
+void rest(const Scene& scene, State& state, int piece, bool resting) noexcept {
+    Piece& p = state.pieces.list[piece];
+    p.resting = resting ? 1 : 0;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        for (const int32_t v : corners(scene.body, state.body, t)) {
+            if (state.held_by[v] >= 0) continue;
+            state.pieces.resting[v] = p.resting;
+            state.body.v[v] = {};
+            state.body.x[v].w = resting ? 0.0F : 1.0F / mass_of(scene.body, state.body, v);
+        }
+    });
+}
+
+/// Tool whose jaws hold the piece, -1 = none.
+int holder(const Scene& scene, const State& state, int piece) noexcept {
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        const Grasp& g = state.grasps[t];
+        for (int i = 0; i < g.count; ++i) {
+            for (const int32_t tet : tets_around(scene.body, state.body, g.held[i].vertex)) {
+                if (state.body.tet_alive[tet] && state.pieces.of[tet] == piece) return t;
+            }
+        }
+    }
+    return -1;
+}
+
+Event piece_event(const Scene& scene, const State& state, EventKind kind, const Piece& p) noexcept {
+    Event e = tissue_event(scene, state, kind, p.seed);
+    e.value = static_cast<float>(p.volume_m3);
+    e.tool = p.held_by;
+    return e;
+}
+
+/// Gathers a piece from one of its tets and decides what becomes of it.
+void found(const Scene& scene, State& state, int32_t seed) noexcept {
+    Pieces& pieces = state.pieces;
+    int slot = 0;
+    while (slot < kMostPieces && pieces.list[slot].tets > 0) ++slot;
+    if (slot == kMostPieces) return;  // found again by the next flood
+    std::vector<int32_t>& stack = state.scratch->sector_stack;
+    Piece& p = pieces.list[slot];
+    p = {};
+    p.seed = seed;
+    int32_t top = 0;
+    stack[top++] = seed;
+    pieces.of[seed] = static_cast<int8_t>(slot);
+    while (top > 0) {
+        const int32_t t = stack[--top];
+        ++p.tets;
+        p.volume_m3 += static_cast<double>(scene.body.volume_m3()[t]);
+        for_linked(
+            scene, state, t, [&](int32_t other) noexcept { return pieces.of[other] == slot; },
+            [&](int32_t other) noexcept {
+                pieces.of[other] = static_cast<int8_t>(slot);
+                stack[top++] = other;
+            });
+    }
+    p.held_by = static_cast<int8_t>(holder(scene, state, slot));
+    if (p.volume_m3 < kCrumb && p.held_by < 0) {
+        p.leaving = kWashedAway;
+        ++pieces.crumbs;
+        add_event(state, piece_event(scene, state, EventKind::kCrumb, p));
+        return;
+    }
+    add_event(state, piece_event(scene, state, EventKind::kPieceFree, p));
+    if (p.held_by < 0) rest(scene, state, slot, true);
+}
+
+/// A piece was cut in two: its parts are found anew.
+void forget_parted(const Scene& scene, State& state) noexcept {
+    Pieces& pieces = state.pieces;
+    for (int i = 0; i < kMostPieces; ++i) {
+        Piece& p = pieces.list[i];
+        if (p.tets == 0 || p.leaving) continue;
+        int32_t tets = 0;
+        double volume = 0;
+        for_tets(scene, state, i, [&](int32_t t) {
+            ++tets;
+            volume += static_cast<double>(scene.body.volume_m3()[t]);
+            p.seed = t;
+        });
+        p.tets = tets;
+        p.volume_m3 = volume;
+    }
+}
+
+/// What hangs on a living strand is not loose: roots hold the placode over an opened sac.
+void reach_tethered(const Scene& scene, State& state) noexcept {
+    PieceFlood& flood = state.flood;
+    const auto& tethers = scene.body.spec().tethers;
+    for (size_t i = 0; i < tethers.size(); ++i) {
+        if (!state.body.tether_alive[i]) continue;
+        for (const int32_t v : tethers[i].vertex) {
+            for (const int32_t t : tets_around(scene.body, state.body, v)) {
+                if (!state.body.tet_alive[t] || flood.reached[t] == flood.stamp) continue;
+                flood.reached[t] = flood.stamp;
+                flood.stack[flood.top++] = t;
+            }
+        }
+    }
+}
+
+/// Some frames' worth of flood from the bed; at its end what was not reached is loose.
+void flood_from_bed(const Scene& scene, State& state) noexcept {
+    PieceFlood& flood = state.flood;
+    Pieces& pieces = state.pieces;
+    if (!flood.running) {
+        if (pieces.searched == state.surface.version()) return;
+        pieces.searched = state.surface.version();
+        flood.running = 1;
+        flood.top = 0;
+        ++flood.stamp;
+        for (const int32_t t : state.scratch->pieces.anchored) {
+            if (!state.body.tet_alive[t]) continue;
+            flood.reached[t] = flood.stamp;
+            flood.stack[flood.top++] = t;
+        }
+        reach_tethered(scene, state);
+    }
+    for (int n = 0; n < kFloodPerFrame && flood.top > 0; ++n) {
+        const int32_t t = flood.stack[--flood.top];
+        for_linked(
+            scene, state, t,
+            [&](int32_t other) noexcept { return flood.reached[other] == flood.stamp; },
+            [&](int32_t other) noexcept {
+                flood.reached[other] = flood.stamp;
+                flood.stack[flood.top++] = other;
+            });
+    }
+    if (flood.top > 0) return;
+    flood.running = 0;
+    bool any = false;
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        if (!state.body.tet_alive[t] || flood.reached[t] == flood.stamp) continue;
+        if (pieces.of[t] >= 0) continue;
+        found(scene, state, t);
+        any = true;
+    }
+    forget_parted(scene, state);
+    if (any) update_free_vertices(scene.body, state.body);
+}
+
+/// True when a fallen piece has reached the field.
+bool lies(const Scene& scene, const State& state, int piece) noexcept {
+    bool down = false;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        const Float4& x = state.body.x[corners(scene.body, state.body, t)[0]];
+        const float ground = state.scratch->pieces.ground_m[ground_cell(x.x, x.y)];
+        down = down || x.z < ground + kLying || x.z < kLost;
+    });
+    return down;
+}
+
+/// True when a piece has lain still on other tissue for a while, or has fallen past everything.
+bool lies_on_tissue(const Scene& scene, State& state, int piece) noexcept {
+    float fastest2 = 0;
+    bool touches = false, lost = false;
+    for_tets(scene, state, piece, [&](int32_t t) {
+        for (const int32_t v : corners(scene.body, state.body, t)) {
+            const Float4& speed = state.body.v[static_cast<size_t>(v)];
+            fastest2 =
+                std::max(fastest2, speed.x * speed.x + speed.y * speed.y + speed.z * speed.z);
+            touches = touches || state.body.contact_vertex[static_cast<size_t>(v)] != 0;
+            lost = lost || state.body.x[static_cast<size_t>(v)].z < kLost;
+        }
+    });
+    Piece& p = state.pieces.list[piece];
+    p.calm = touches && fastest2 < kCalmSpeed * kCalmSpeed ? static_cast<uint16_t>(p.calm + 1)
+                                                           : uint16_t{0};
+    return lost || p.calm >= kCalmFrames;
+}
+
+void take_away(const Scene& scene, State& state, int piece) noexcept {
+    Piece& p = state.pieces.list[piece];
+    int removed = 0;
+    for (int32_t t = 0; t < scene.body.tet_count() && removed < kRemovedPerFrame; ++t) {
+        if (state.pieces.of[t] != piece || !state.body.tet_alive[t]) continue;
+        take_out(scene, state, t);
+        ++removed;
+    }
+    if (removed < kRemovedPerFrame) p = {};
+}
+
+void follow(const Scene& scene, State& state, int piece) noexcept {
+    Piece& p = state.pieces.list[piece];
+    if (p.leaving) {
+        take_away(scene, state, piece);
+        return;
+    }
+    const int before = p.held_by;
+    p.held_by = static_cast<int8_t>(holder(scene, state, piece));
+    if (p.held_by >= 0) {
+        if (p.resting) rest(scene, state, piece, false);
+        const Vec3 pivot = scene.tools[p.held_by].pivot_m;
+        const Vec3 tip = state.tools[p.held_by].proxy.p;
+        if ((tip - pivot).norm() < kOutShare * pivot.norm()) {
+            p.leaving = kDrawnOut;
+            ++state.pieces.out;
+            state.pieces.out_m3 += p.volume_m3;
+            Event e = piece_event(scene, state, EventKind::kPieceOut, p);
+            if (scene.marked_volume_m3 > 0) {
+                double marked = 0;
+                for_tets(scene, state, piece, [&](int32_t t) {
+                    if (scene.marked[t]) marked += static_cast<double>(scene.body.volume_m3()[t]);
+                });
+                state.pieces.marked_out_m3 += marked;
+                e.value2 = static_cast<float>((state.pieces.marked_gone_m3 + marked) /
+                                              scene.marked_volume_m3);
+                add_event(state, taken_out_event(scene, state));
+            }
+            add_event(state, e);
+        }
+    } else if (!p.resting) {
+        if (before >= 0) update_free_vertices(scene.body, state.body);
+        const bool down = state.self_contact.enabled() ? lies_on_tissue(scene, state, piece)
+                                                       : lies(scene, state, piece);
+        if (down) rest(scene, state, piece, true);
+    }
+}
+
+}  // namespace
+
+PieceSearch::PieceSearch(const Scene& scene)
+    : ground_m(static_cast<size_t>(kGroundCells) * kGroundCells, -1.0F),
+      sector_seen(scene.body.tet_count(), 0),
+      sector_of_tet(scene.body.tet_count(), 0),
+      path(kSectors),
+      reached_by(scene.body.tet_count(), -1) {
+    const TetMesh& mesh = scene.body.mesh();
+    std::vector<uint8_t> held(mesh.rest.size(), 0);
+    for (const int32_t v : scene.body.spec().fixed) held[v] = 1;
+    for (const int32_t v : scene.body.packed().spring_vertices) held[v] = 1;
+    std::array<std::vector<int32_t>, kSectors> sectors;
+    for (int32_t t = 0; t < scene.body.tet_count(); ++t) {
+        const auto& c = mesh.tets[t];
+        if (std::any_of(c.begin(), c.end(), [&](int32_t v) { return held[v] != 0; })) {
+            anchored.push_back(t);
+        }
+        sector_of_tet[t] = static_cast<int8_t>(sim::sector_of(rest_centroid(scene, t)));
+        if (mesh.tissue[t] == Tissue::kPlacode) sectors[sector_of_tet[t]].push_back(t);
+    }
+    for (const auto& list : sectors) {
+        sector_start.push_back(static_cast<int32_t>(sector_tets.size()));
+        sector_tets.insert(sector_tets.end(), list.begin(), list.end());
+    }
+    sector_start.push_back(static_cast<int32_t>(sector_tets.size()));
+    for (const Vec3& x : mesh.rest) {
+        float& height = ground_m[ground_cell(x.x(), x.y())];
+        // An opened sac does not stand: what falls lies on the canal's floor.
+        const double floor = scene.sac.present() ? scene.sac.floor.at(x.x(), x.y()) : -1;
+        const double z = floor > -0.1 ? floor + kSunkenWall : x.z();
+        height = std::max(height, static_cast<float>(z));
+    }
+}
+
+void update_pieces(const Scene& scene, State& state) noexcept {
+    if (!scene.geometry.planned_contour.empty()) update_release(scene, state);
+    update_outline(scene, state);
+    // Where nothing is held, nothing can come loose.
+    if (!state.body.topology || state.scratch->pieces.anchored.empty()) return;
+    flood_from_bed(scene, state);
+    for (int i = 0; i < kMostPieces; ++i) {
+        if (state.pieces.list[i].tets > 0) follow(scene, state, i);
+    }
+}
+
+}  // namespace placode::sim

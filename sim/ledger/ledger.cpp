@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/ledger/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/cutting/cutting.h"
+#include "sim/cutting/diathermy.h"
+#include "sim/cutting/reached.h"
+#include "sim/ledger/damage.h"
+#include "sim/world/add_event.h"
+#include "sim/world/scene.h"
+#include "sim/world/scratch.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr float kNoticeS = 1.0f;         // energy in air or on one spot counts from here on
+constexpr float kDebounceS = 0.05f;      // a contact ends when it has been away this long
+constexpr float kOverForceS = 0.05f;     // shorter peaks are not a way of working
+constexpr float kOverheatPauseS = 1.0f;  // between entries for one burn that grows
+constexpr float kCheckAfterS = 2.0f;     // hands off after the ring is complete: checking
+constexpr double kRingComplete = 0.99;
+constexpr double kResected = 0.9;  // of the marked volume: what is left is not worth a phase
+
+void end_dwell(State& state, int t) noexcept {
+    ToolState& tool = state.tools[t];
+    if (tool.dwell_s > kNoticeS) {
+        Event e = tool_event(state, EventKind::kDwell, t);
+        e.value = tool.dwell_s;
+        add_event(state, e);
+    }
+    tool.dwell_s = 0;
+}
+
+void end_air(State& state, int t) noexcept {
+    ToolState& tool = state.tools[t];
+    if (tool.air_s > kNoticeS) {
+        Event e = tool_event(state, EventKind::kEnergyInAir, t);
+        e.value = tool.air_s;
+        add_event(state, e);
+    }
+    tool.air_s = 0;
+}
+
+void end_placode_energised(State& state, int t) noexcept {
+    ToolState& tool = state.tools[t];
+    if (tool.placode_energised_s > 0) {
+        Event e = tool_event(state, EventKind::kPlacodeEnergised, t);
+        e.tissue = Tissue::kPlacode;
+        e.value = tool.placode_energised_s;
+        e.value2 = tool.energised_peak_c;
+        add_event(state, e);
+    }
+    tool.placode_energised_s = 0;
+    tool.energised_peak_c = 0;
+}
+
+/// Activation of one instrument: on, off, in air, dwelling, on the placode.
+void ledger_energy(const Scene& scene, State& state, int t, bool active, double dt) noexcept {
+    ToolState& tool = state.tools[t];
+    const ToolSpec& spec = scene.tools[t];
+    const auto seconds = static_cast<float>(dt);
+    if (active && !tool.energised) {
+        Event e = tool_event(state, EventKind::kEnergyOn, t);
+        e.value = static_cast<float>(spec.cut_power_w);
+        if (tool.coagulating) e.value = static_cast<float>(spec.coag_power_w);
+        add_event(state, e);
+        tool.energy_on_s = tool.energy_j = 0;
+    }
+    if (active) {
+        tool.energy_on_s += seconds;
+        tool.energy_j += static_cast<float>(tool.power_in_tissue_w * dt);
+        const bool in_tissue = tool.power_in_tissue_w > 0;
+        if (in_tissue) {
+            end_air(state, t);
+            if (tool.dwell_s == 0 ||
+                (tool.spot - tool.dwell_centre).norm() > scene.heat->settings().dwell_radius_m) {
+                end_dwell(state, t);
+                tool.dwell_centre = tool.spot;
+            }
+            tool.dwell_s += seconds;
+        } else {
+            end_dwell(state, t);
+            tool.air_s += seconds;
+        }
+        if (in_tissue && tool.touched == Tissue::kPlacode) {
+            tool.placode_energised_s += seconds;
+            tool.energised_peak_c = std::max(tool.energised_peak_c, state.placode_now_c);
+        } else {
+            end_placode_energised(state, t);
+        }
+    } else if (tool.energised) {
+        end_air(state, t);
+        end_dwell(state, t);
+        end_placode_energised(state, t);
+        Event e = tool_event(state, EventKind::kEnergyOff, t);
+        e.value = tool.energy_on_s;
+        e.value2 = tool.energy_j;
+        add_event(state, e);
+    }
+    tool.energised = active ? 1 : 0;
+}
+
+/// Contact with the placode and too much force.
+void ledger_force(const Scene& scene, State& state, int t, double dt) noexcept {
+    ToolState& tool = state.tools[t];
+    const auto seconds = static_cast<float>(dt);
+    if (tool.placode_force_n > scene.contact.placode_warn_force_n) {
+        tool.contact_s += seconds;
+        tool.quiet_s = 0;
+        tool.peak_force_n = std::max(tool.peak_force_n, static_cast<float>(tool.placode_force_n));
+    } else if (tool.contact_s > 0) {
+        tool.quiet_s += seconds;
+        if (tool.quiet_s >= kDebounceS || !tool.engaged) {
+            Event e = tool_event(state, EventKind::kPlacodeContact, t);
+            e.tissue = Tissue::kPlacode;
+            e.value = tool.contact_s;
+            e.value2 = tool.peak_force_n;
+            add_event(state, e);
+            tool.contact_s = tool.peak_force_n = tool.quiet_s = 0;
+        }
+    }
+    const double force = tool.force_n.norm();
+    if (force > scene.contact.over_force_n) {
+        tool.over_force_s += seconds;
+        tool.over_force_peak_n = std::max(tool.over_force_peak_n, static_cast<float>(force));
+    } else if (tool.over_force_s > 0) {
+        if (tool.over_force_s >= kOverForceS) {
+            Event e = tool_event(state, EventKind::kOverForce, t);
+            e.value = tool.over_force_s;
+            e.value2 = tool.over_force_peak_n;
+            add_event(state, e);
+        }
+        tool.over_force_s = tool.over_force_peak_n = 0;
+    }
+}
+
+Event dose_event(const Scene& scene, const State& state, EventKind kind, int v) noexcept {
+    const HeatState& heat = state.heat[0];
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = kind;
+    e.tissue = Tissue::kPlacode;
+    e.element = v;
+    e.value = heat.cem43_min[v];
+    e.value2 = heat.temperature_c[v];
+    for (int i = 0; i < 3; ++i) {
+        e.rest_position_m[i] = static_cast<float>(scene.body.mesh().rest[v][i]);
+    }
+    return e;
+}
+
+/// Thermal dose of the placode. Every vertex counts once per limit; the ledger gets one entry for
+/// the first of them, and another when the burn is still growing a second later.
+void ledger_dose(const Scene& scene, State& state, double dt) noexcept {
+    if (state.heat.empty()) return;
+    const HeatState& heat = state.heat[0];
+    const ContactSettings& limit = scene.contact;
+    const auto& volume = state.scratch->placode_volume_m3;
+    state.overheat_pause_s = std::max(0.0f, state.overheat_pause_s - static_cast<float>(dt));
+    state.burn_pause_s = std::max(0.0f, state.burn_pause_s - static_cast<float>(dt));
+    if (!state.scratch->heat_stepped) return;
+    float now = static_cast<float>(scene.heat->settings().body_temperature_c);
+    for (int n = 0; n < heat.warm_count; ++n) {
+        const int v = heat.warm_list[n];
+        if (volume[v] <= 0) continue;
+        const float t = heat.temperature_c[v], dose = heat.cem43_min[v];
+        now = std::max(now, t);
+        state.placode_peak_cem43_min = std::max(state.placode_peak_cem43_min, dose);
+        uint8_t& reported = state.dose_reported[v];
+        if (dose >= limit.warn_dose_cem43_min && !(reported & 1)) {
+            reported |= 1;
+            if (state.overheat_pause_s <= 0) {
+                add_event(state, dose_event(scene, state, EventKind::kPlacodeOverheated, v));
+                state.overheat_pause_s = kOverheatPauseS;
+            }
+        }
+        if ((dose >= limit.injury_dose_cem43_min || t >= limit.injury_temperature_c) &&
+            !(reported & 2)) {
+            reported |= 2;
+            state.placode_burned_m3 += volume[v];
+            if (state.burn_pause_s <= 0) {
+                add_event(state, dose_event(scene, state, EventKind::kPlacodeBurned, v));
+                state.burn_pause_s = kOverheatPauseS;
+            }
+        }
+    }
+    state.placode_now_c = now;
+    state.placode_peak_c = std::max(state.placode_peak_c, now);
+}
+
+void enter_phase(State& state, Phase phase) noexcept {
+    state.phase = phase;
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = EventKind::kPhase;
+    e.value = static_cast<float>(phase);
+    add_event(state, e);
+}
+
+/// Inspect until the first touch or current of a working instrument; incise (where an instrument
+/// carries current) until the ring is complete; release until every sector of the placode is free
+/// (or, where nothing is marked for resection, until the hands have been off for two seconds);
+/// resect until the marked tissue is out and the hands are off; then check. Back to release at the
+/// next current.
+void ledger_phase(const Scene& scene, State& state, double dt) noexcept {
+    bool busy = false, current = false, incises = false;
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        if (scene.tools[t].kind == ToolKind::kScope) continue;
+        incises = incises || conducts(scene.tools[t].kind);
+        current = current || state.tools[t].energised;
+        busy = busy || state.tools[t].energised || state.tools[t].in_contact;
+    }
+    state.idle_s = busy ? 0.0f : state.idle_s + static_cast<float>(dt);
+    const double points = static_cast<double>(state.progress.cut.size());
+    const bool marked = scene.marked_volume_m3 > 0;
+    if (state.phase == Phase::kInspect && busy) {
+        enter_phase(state, incises || !marked ? Phase::kIncise : Phase::kResect);
+    }
+    const bool free = points > 0 && state.release.free_count == kSectors;
+    if (state.phase == Phase::kIncise && points > 0 &&
+        (free || state.progress.cut_count >= kRingComplete * points)) {
+        enter_phase(state, Phase::kRelease);
+    }
+    if (state.phase == Phase::kRelease && free && marked) enter_phase(state, Phase::kResect);
+    const bool resected =
+        state.pieces.marked_gone_m3 >= kResected * scene.marked_volume_m3 && state.pieces.out > 0;
+    if (state.phase == Phase::kResect && resected && state.idle_s >= kCheckAfterS) {
+        enter_phase(state, Phase::kCheck);
+    } else if (state.phase == Phase::kRelease && !marked && state.idle_s >= kCheckAfterS) {
+        enter_phase(state, Phase::kCheck);
+    } else if (state.phase == Phase::kCheck && current) {
+        enter_phase(state, Phase::kRelease);
+    }
+}
+
+/// Broken tethers, recovered elements, substeps.
+void ledger_body(const Scene& scene, State& state) noexcept {
+    const auto& tethers = scene.body.spec().tethers;
+    auto& before = state.tether_known;
+    for (size_t i = 0; i < tethers.size(); ++i) {
+        if (before[i] && !state.body.tether_alive[i]) {
+            Event e;
+            e.time_s = state.time_s;
+            e.kind = EventKind::kTetherBroken;
+            e.value = state.body.tether_lambda_n[i];
+            e.element = static_cast<int32_t>(i);
+            const Vec3& at = scene.body.mesh().rest[tethers[i].vertex[0]];
+            for (int k = 0; k < 3; ++k) e.rest_position_m[k] = static_cast<float>(at[k]);
+            add_event(state, e);
+        }
+        before[i] = state.body.tether_alive[i];
+    }
+    if (state.substeps != state.last_substeps) {
+        state.last_substeps = state.substeps;
+        Event e;
+        e.time_s = state.time_s;
+        e.kind = EventKind::kSubsteps;
+        e.value = static_cast<float>(state.substeps);
+        add_event(state, e);
+    }
+    if (state.flags & kReseed) {
+        Event e;
+        e.time_s = state.time_s;
+        e.kind = EventKind::kReseeded;
+        add_event(state, e);
+    }
+}
+
+/// Says what this ledger has, also where that is nothing: sums of over-stretch, tissue taken out.
+void begin_ledger(const Scene& scene, State& state) noexcept {
+    Event e;
+    e.time_s = state.time_s;
+    e.kind = EventKind::kStretchSum;
+    add_event(state, e);
+    e.kind = EventKind::kLedgerWritten;
+    e.value = kLedgerVersion;
+    add_event(state, e);
+    if (scene.marked_volume_m3 > 0) add_event(state, taken_out_event(scene, state));
+}
+
+}  // namespace
+
+void update_ledger(const Scene& scene, State& state, std::span<const uint8_t> active,
+                   double dt) noexcept {
+    ledger_dose(scene, state, dt);
+    for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
+        if (scene.heat) ledger_energy(scene, state, t, active[t] != 0, dt);
+        ledger_force(scene, state, t, dt);
+    }
+    for (float& pause : state.over_stretch_pause_s) {
+        pause = std::max(0.0f, pause - static_cast<float>(dt));
+    }
+    ledger_phase(scene, state, dt);
+    ledger_body(scene, state);
+    const auto per_second = static_cast<int64_t>(std::lround(1 / dt));
+    if (state.frame == 1) begin_ledger(scene, state);
+    if (per_second > 0 && state.frame % per_second == 0) {
+        ledger_stretch(scene, state);
+        Event e;
+        e.time_s = state.time_s;
+        e.kind = EventKind::kStateHash;
+        e.hash = state_hash(state);
+        add_event(state, e);
+    }
+}
+
+}  // namespace placode::sim

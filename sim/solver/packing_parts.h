@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Parts of packing: the batches of VBD and of XPBD, and what is also needed when a tet is removed.
+// Internal to the solver.
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "sim/solver/packing.h"
+
+namespace placode::sim {
+
+/// Local number of vertex `v` in a tet; 4 = it is no corner of it.
+[[nodiscard]] inline size_t corner_of(const std::array<int32_t, 4>& tet, int32_t v) noexcept {
+    return static_cast<size_t>(std::find(tet.begin(), tet.end(), v) - tet.begin());
+}
+
+/// Throws MeshError when two vertices of one batch are too far apart for 16-bit offsets.
+void check_span(int32_t first, int32_t last);
+
+/// Writes the mu weights of vertex `v` from its living tets, so that removal leaves no residue.
+void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
+                        std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
+
+/// Makes constants, links and batches of vertices for VBD.
+void pack_vertices(const SoftBody& body, PackedElements& packed);
+
+/// Appends batches of disjoint tets for XPBD.
+void pack_tets(const SoftBody& body, PackedElements& packed);
+
+}  // namespace placode::sim

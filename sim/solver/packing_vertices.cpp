@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "sim/mesh/space_order.h"
+#include "sim/solver/link_strip.h"
+#include "sim/solver/packing_parts.h"
+#include "sim/solver/sweep_plan.h"
+#include "sim/solver/vertex_plan.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+constexpr int32_t kFarthest = 16384;    // numbers of the vertices of a batch: offsets have 16 bits
+constexpr size_t kClass = 32;           // vertices of a colour, see add_colour
+constexpr int32_t kStepsOfAVertex = 4;  // what a vertex costs beside the steps of its strip
+
+/// Builds the VBD part.
+class VertexPacker {
+ public:
+    VertexPacker(const SoftBody& body, PackedElements& out)
+        : body_(body), out_(out), place_(hilbert_keys(body.mesh().rest)) {}
+
+    void run() {
+        make_constants();
+        make_tethers();
+        make_sheet();
+        make_springs();
+        make_strips();
+        make_plan();
+        out_.slot.resize(at(body_.vertex_count()));
+        if (packs_strips_) {
+            out_.corner_lane.resize(4 * at(body_.tet_count()));
+            out_.corner_sign.assign(at(body_.tet_count()), 0);
+        }
+        const int jobs = out_.phase_start.back();
+        const auto groups = by_job_and_colour();
+        for (int j = 0; j < jobs; ++j) {
+            out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
+            for (const auto& members : groups[at(j)]) add_colour(members);
+            add_rest();
+        }
+        out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
+        for (const auto& members : groups[at(jobs)]) add_colour(members);
+        add_rest();
+    }
+
+ private:
+    void make_constants() {
+        const int tets = body_.tet_count();
+        out_.edge_weight_n_m.resize(6 * at(tets));
+        for (int t = 0; t < tets; ++t) {
+            const TetConstants k = tet_constants(body_.spec(), t);
+            for (size_t e = 0; e < 6; ++e) {
+                out_.edge_weight_n_m[6 * at(t) + e] =
+                    static_cast<float>(k.material.mu_pa * k.volume_m3 * k.a[e]);
+            }
+        }
+        out_.damping_per_s.assign(at(body_.vertex_count()), 0.0F);
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            double damping = 0, mass = 0;
+            for (const int32_t t : body_.tets_of(v)) {
+                const auto& m =
+                    body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
+                const double share = m.density_kg_m3 * body_.volume_m3()[at(t)];
+                damping += share * m.damping_per_s;
+                mass += share;
+            }
+            out_.damping_per_s[at(v)] = static_cast<float>(damping / mass);
+        }
+        if (!body_.spec().sheet.empty()) add_sheet_damping();
+    }
+
+    /// The same mean with the sheet's mass; vertices without tets have no other.
+    void add_sheet_damping() {
+        std::vector<double> damping(at(body_.vertex_count()), 0.0);
+        for (int t = 0; t < body_.tet_count(); ++t) {
+            const auto& m =
+                body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
+            for (const int32_t v : body_.mesh().tets[at(t)])
+                damping[at(v)] += m.density_kg_m3 * body_.volume_m3()[at(t)] / 4 * m.damping_per_s;
+        }
+        for (const SheetTriangle& t : body_.spec().sheet) {
+            const auto& m = body_.spec().materials[at(static_cast<int>(t.tissue))];
+            const double mass = m.density_kg_m3 * area_of(body_.mesh().rest, t) * t.thickness_m / 3;
+            for (const int32_t v : t.vertex) damping[at(v)] += mass * m.damping_per_s;
+        }
+        for (const SheetTriangle& t : body_.spec().sheet) {
+            for (const int32_t v : t.vertex)
+                out_.damping_per_s[at(v)] =
+                    static_cast<float>(damping[at(v)] / body_.mass_kg()[at(v)]);
+        }
+    }
+
+    void make_tethers() {
+        const auto& tethers = body_.spec().tethers;
+        std::vector<std::vector<int32_t>> of(at(body_.vertex_count()));
+        for (size_t i = 0; i < tethers.size(); ++i) {
+            for (const int32_t v : tethers[i].vertex) of[at(v)].push_back(static_cast<int32_t>(i));
+        }
+        out_.tether_start.push_back(0);
+        for (size_t v = 0; v < of.size(); ++v) {
+            out_.tether_of.insert(out_.tether_of.end(), of[v].begin(), of[v].end());
+            out_.tether_start.push_back(static_cast<int32_t>(out_.tether_of.size()));
+            if (!of[v].empty()) out_.single_vertices.push_back(static_cast<int32_t>(v));
+        }
+    }
+
+    void make_sheet() {
+        if (body_.spec().sheet.empty()) return;
+        out_.sheet = sheet_elements(body_.spec());
+        auto& single = out_.single_vertices;
+        for (const SheetTriangle& t : body_.spec().sheet)
+            single.insert(single.end(), t.vertex.begin(), t.vertex.end());
+        std::sort(single.begin(), single.end());
+        single.erase(std::unique(single.begin(), single.end()), single.end());
+    }
+
+    /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
+    void make_springs() {
+        spring_of_.assign(at(body_.vertex_count()), -1);
+        for (const AnchorSpring& s : body_.spec().springs) {
+            int32_t& slot = spring_of_[at(s.vertex)];
+            if (slot < 0) {
+                slot = static_cast<int32_t>(spring_k_.size());
+                spring_k_.push_back(Mat3::Zero());
+                spring_f_.push_back(Vec3::Zero());
+            }
+            const Vec3 n = s.normal.normalized();
+            const Mat3 k = s.tangent_n_m * Mat3::Identity() +
+                           (s.normal_n_m - s.tangent_n_m) * n * n.transpose();
+            // The kernels measure from the float image of the rest position.
+            const Vec3 rest = body_.mesh().rest[at(s.vertex)].cast<float>().cast<double>();
+            spring_k_[at(slot)] += k;
+            spring_f_[at(slot)] += k * (rest - s.anchor);
+        }
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            const int32_t slot = spring_of_[at(v)];
+            if (slot >= 0 && !spring_k_[at(slot)].isZero(0)) out_.spring_vertices.push_back(v);
+        }
+    }
+
+    void make_strips() {
+        strips_.resize(at(body_.vertex_count()));
+        std::vector<LinkTriangle> link;
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            link.clear();
+            for (const int32_t t : body_.tets_of(v)) {
+                const auto& tet = body_.mesh().tets[at(t)];
+                const size_t k = corner_of(tet, v);
+                const auto& o = kOpposite[k];
+                link.push_back({{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, t});
+            }
+            strips_[at(v)] = link_strip(link);
+        }
+    }
+
+    /// Fixed vertices do not move; tethered ones and those of sheets are solved one by one.
+    [[nodiscard]] std::vector<uint8_t> left_out() const {
+        std::vector<uint8_t> skip(at(body_.vertex_count()), 0);
+        for (const int32_t v : body_.spec().fixed) skip[at(v)] = 1;
+        for (const int32_t v : out_.single_vertices) skip[at(v)] = 1;
+        return skip;
+    }
+
+    [[nodiscard]] int64_t steps(int32_t v) const {
+        return static_cast<int64_t>(strips_[at(v)].size());
+    }
+
+    void make_plan() {
+        const std::vector<uint8_t> skip = left_out();
+        std::vector<int32_t> work(at(body_.vertex_count()), 0);
+        for (int v = 0; v < body_.vertex_count(); ++v) {
+            if (skip[at(v)] == 0) work[at(v)] = static_cast<int32_t>(steps(v)) + kStepsOfAVertex;
+        }
+        const int domains =
+            std::max(domains_for(body_.tet_count()), 1 + body_.vertex_count() / kFarthest);
+        VertexPlan plan = plan_vertices(body_.mesh(), skip, work, domains);
+        out_.job = std::move(plan.job);
+        out_.colour = std::move(plan.colour);
+        out_.phase_start = std::move(plan.phase_start);
+    }
+
+    /// Vertices of each colour of each job; behind the last job those that are left out.
+    [[nodiscard]] std::vector<std::vector<std::vector<int32_t>>> by_job_and_colour() const {
+        const int32_t jobs = out_.phase_start.back();
+        std::vector<std::vector<std::vector<int32_t>>> out(at(jobs + 1));
+        for (int32_t v = 0; v < body_.vertex_count(); ++v) {
+            const bool swept = out_.job[at(v)] >= 0;
+            auto& colours = out[at(swept ? out_.job[at(v)] : jobs)];
+            const size_t colour = swept ? at(out_.colour[at(v)]) : 0;
+            if (colours.size() <= colour) colours.resize(colour + 1);
+            colours[colour].push_back(v);
+        }
+        return out;
+    }
+
+    /// Sorts a colour by strip length into classes, and these along a curve through space: large
+    /// classes make batches that stay in one place, so that the others can sleep; small ones waste
+    /// fewer steps on lanes that are done (classes of 32 take 6 % more steps on the default field
+    /// than sorting by length alone, classes of 64 take 11 %).
+    void add_colour(std::vector<int32_t> members) {
+        std::stable_sort(members.begin(), members.end(), [&](int32_t a, int32_t b) {
+            const bool sa = spring_of_[at(a)] >= 0, sb = spring_of_[at(b)] >= 0;
+            return sa != sb ? sa : steps(a) > steps(b);
+        });
+        for (size_t i = 0; i < members.size(); i += kClass) {
+            const size_t n = std::min(kClass, members.size() - i);
+            add_class({members.begin() + static_cast<int64_t>(i),
+                       members.begin() + static_cast<int64_t>(i + n)});
+        }
+    }
+
+    void add_class(std::vector<int32_t> members) {
+        std::stable_sort(members.begin(), members.end(), by_place());
+        for (size_t i = 0; i < members.size(); i += kLanes) {
+            const size_t n = std::min<size_t>(kLanes, members.size() - i);
+            const std::vector<int32_t> batch{members.begin() + static_cast<int64_t>(i),
+                                             members.begin() + static_cast<int64_t>(i + n)};
+            if (n == kLanes && fits(batch))
+                add_batch(batch);
+            else
+                rest_.insert(rest_.end(), batch.begin(), batch.end());
+        }
+    }
+
+    /// What the colours of a job left over, filled into batches of any independent vertices.
+    void add_rest() {
+        std::stable_sort(rest_.begin(), rest_.end(), by_place());
+        while (!rest_.empty()) {
+            std::vector<int32_t> batch, later;
+            for (const int32_t v : rest_) {
+                batch.push_back(v);
+                if (batch.size() <= kLanes && independent(batch) && fits(batch)) continue;
+                batch.pop_back();
+                later.push_back(v);
+            }
+            add_batch(batch);
+            rest_ = std::move(later);
+        }
+    }
+
+    [[nodiscard]] std::function<bool(int32_t, int32_t)> by_place() const {
+        return [this](int32_t a, int32_t b) { return place_[at(a)] < place_[at(b)]; };
+    }
+
+    /// The last of `batch` is no neighbour of the others.
+    [[nodiscard]] bool independent(const std::vector<int32_t>& batch) const {
+        const auto& strip = strips_[at(batch.back())];
+        return std::none_of(batch.begin(), batch.end() - 1, [&](int32_t v) {
+            return std::any_of(strip.begin(), strip.end(),
+                               [v](const StripStep& s) { return s.vertex == v; });
+        });
+    }
+
+    [[nodiscard]] static bool fits(const std::vector<int32_t>& batch) {
+        const auto [low, high] = std::minmax_element(batch.begin(), batch.end());
+        return *high - *low < kFarthest;
+    }
+
+    void add_batch(const std::vector<int32_t>& members) {
+        VertexBatch b;
+        b.count = static_cast<int32_t>(members.size());
+        b.base = std::numeric_limits<int32_t>::max();
+        int32_t last = 0;
+        for (const int32_t v : members) {
+            if (packs_strips_) b.steps = std::max(b.steps, static_cast<int32_t>(steps(v)));
+            b.base = std::min(b.base, v);
+            last = std::max(last, v);
+            for (const StripStep& s : strips_[at(v)]) {
+                b.base = std::min(b.base, s.vertex);
+                last = std::max(last, s.vertex);
+            }
+        }
+        check_span(b.base, last);
+        b.step_start = static_cast<int64_t>(out_.keep.size());
+        b.lane_start = out_.lane_count;
+        out_.keep.resize(out_.keep.size() + at(b.steps), 0);
+        out_.strip.resize(out_.keep.size() * kLanes, 0);
+        out_.lane_count += kLanes * (1 + 3 * b.steps);
+        for (size_t lane = 0; lane < kLanes; ++lane) {
+            const bool used = lane < members.size();
+            const int32_t v = members[used ? lane : 0];
+            b.vertex[lane] = v;
+            b.self[lane] = static_cast<uint16_t>(2 * (v - b.base));
+            b.mass_kg[lane] = body_.mass_kg()[at(v)];
+            b.limit_m[lane] =
+                used ? body_.shortest_edge_m()[at(v)] / 4 : std::numeric_limits<float>::infinity();
+            for (int s = 0; s < b.steps; ++s) {
+                out_.strip[at(b.step_start + s) * kLanes + lane] = b.self[lane];
+            }
+            if (used) fill_lane(b, lane, v);
+        }
+        add_springs(b);
+        out_.batches.push_back(b);
+    }
+
+    void fill_lane(const VertexBatch& b, size_t lane, int32_t v) {
+        out_.slot[at(v)] = static_cast<int32_t>(out_.batches.size() * kLanes + lane);
+        if (!packs_strips_) return;
+        int64_t step = 0;
+        for (const StripStep& s : strips_[at(v)]) {
+            out_.strip[at(b.step_start + step) * kLanes + lane] =
+                static_cast<uint16_t>(2 * (s.vertex - b.base));
+            if (s.keep) out_.keep[at(b.step_start + step)] |= static_cast<uint16_t>(1U << lane);
+            const size_t row = at(b.lane_start) + kLanes * at(1 + 3 * step) + lane;
+            if (s.tet >= 0) {
+                const auto& tet = body_.mesh().tets[at(s.tet)];
+                const size_t corner = corner_of(tet, v);
+                out_.corner_lane[4 * at(s.tet) + corner] = static_cast<int32_t>(row + kLanes);
+                if (s.sign < 0) out_.corner_sign[at(s.tet)] |= static_cast<uint8_t>(1U << corner);
+            }
+            ++step;
+        }
+    }
+
+    void add_springs(VertexBatch& b) {
+        const bool any = std::any_of(b.vertex.begin(), b.vertex.begin() + b.count,
+                                     [&](int32_t v) { return spring_of_[at(v)] >= 0; });
+        if (!any) return;
+        b.spring_start = static_cast<int64_t>(out_.springs.size());
+        out_.springs.resize(out_.springs.size() + kSpringRows * kLanes, 0.0F);
+        for (size_t lane = 0; lane < at(b.count); ++lane) {
+            const int32_t slot = spring_of_[at(b.vertex[lane])];
+            if (slot < 0) continue;
+            const Mat3& k = spring_k_[at(slot)];
+            const Vec3& f = spring_f_[at(slot)];
+            const Vec3 rest = body_.mesh().rest[at(b.vertex[lane])];
+            // The mu part is isotropic, so m/h^2 + sum w + the least spring bounds every pivot.
+            const double least = std::max(0.0, k.selfadjointView<Eigen::Lower>().eigenvalues()[0]);
+            const std::array<double, kSpringRows> rows{
+                k(0, 0),  k(0, 1),  k(0, 2), k(1, 1), k(1, 2), k(2, 2), rest.x(),
+                rest.y(), rest.z(), f.x(),   f.y(),   f.z(),   least};
+            for (size_t r = 0; r < kSpringRows; ++r) {
+                out_.springs[at(b.spring_start) + kLanes * r + lane] = static_cast<float>(rows[r]);
+            }
+        }
+    }
+
+    const SoftBody& body_;
+    PackedElements& out_;
+    const bool packs_strips_ = body_.spec().solver.method == Method::kVbd;
+    std::vector<uint32_t> place_;  // (V) along a curve through space
+    std::vector<std::vector<StripStep>> strips_;
+    std::vector<int32_t> spring_of_;
+    std::vector<int32_t> rest_;  // of the job at work: not enough of one colour for a batch
+    std::vector<Mat3> spring_k_;
+    std::vector<Vec3> spring_f_;
+};
+
+}  // namespace
+
+void pack_vertices(const SoftBody& body, PackedElements& packed) {
+    VertexPacker(body, packed).run();
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "sim/core/fnv_hash.h"
+#include "sim/solver/packing_parts.h"
+#include "sim/solver/topology.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+}  // namespace
+
+SoftBodyState::SoftBodyState(const SoftBody& body) {
+    const size_t n = at(body.vertex_capacity()), used = at(body.vertex_count());
+    x.resize(n);
+    v.resize(n);
+    x_start.resize(n);
+    for (size_t i = 0; i < used; ++i) {
+        const Vec3f p = body.mesh().rest[i].cast<float>();
+        x[i] = {p.x(), p.y(), p.z(), 1.0F / body.mass_kg()[i]};
+    }
+    for (const int32_t i : body.spec().fixed) x[at(i)].w = 0;
+    x_start = x;
+    tet_alive.assign(at(body.tet_count()), 1);
+    contact_vertex.assign(n, 0);
+    free_vertex.assign(n, 0);
+    scratch.assign(n, 0);
+    seen_tet.assign(at(body.tet_count()), 0);
+    roused.assign(256, 0);
+    tether_alive.assign(body.spec().tethers.size(), 1);
+    tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
+    if (n > used) {
+        // Spares wait, held, where they disturb nothing.
+        for (size_t i = used; i < n; ++i) x[i] = {x[0].x, x[0].y, x[0].z, 0.0F};
+        x_start = x;
+        topology.create(body);
+    }
+    const PackedElements& packed = packed_of(body, *this);
+    lanes = initial_lanes(body, packed);
+    springs = packed.springs;
+    awake.batches.reserve(packed.batches.size());
+    awake.job_start.assign(packed.job_start.size(), 0);
+    awake.vertices.reserve(n / 16 + 1);
+    if (!packed.tet_batches.empty()) {
+        awake.tets.reserve(packed.tet_batches.size());
+        awake.tet_job_start.assign(packed.tet_job_start.size(), 0);
+        awake.held.reserve(used);
+        awake.held_w.reserve(used);
+    }
+    update_free_vertices(body, *this);
+}
+
+void rouse(SoftBodyState& state, int32_t vertex) noexcept {
+    const auto room = static_cast<int32_t>(state.roused.size());
+    if (state.roused_count < room) state.roused[at(state.roused_count)] = vertex;
+    state.roused_count = std::min(state.roused_count + 1, room + 1);
+}
+
+void rouse_all(SoftBodyState& state) noexcept {
+    state.roused_count = static_cast<int32_t>(state.roused.size()) + 1;
+}
+
+void hold_sleepers(SoftBodyState& state) noexcept {
+    AwakeRuns& awake = state.awake;
+    if (awake.holding || awake.all) return;
+    awake.held_w.clear();
+    for (const int32_t v : awake.held) {
+        awake.held_w.push_back(state.x[at(v)].w);
+        state.x[at(v)].w = 0;
+    }
+    awake.holding = true;
+}
+
+void release_sleepers(SoftBodyState& state) noexcept {
+    AwakeRuns& awake = state.awake;
+    if (!awake.holding) return;
+    for (size_t i = 0; i < awake.held.size(); ++i) state.x[at(awake.held[i])].w = awake.held_w[i];
+    awake.holding = false;
+}
+
+namespace {
+
+/// What is held, spreading: free_vertex has bit 0 set where nothing that holds has been reached.
+class Hold {
+ public:
+    Hold(const SoftBody& body, SoftBodyState& state) noexcept
+        : body_(body), state_(state), packed_(packed_of(body, state)) {
+        for (size_t t = 0; t < state.seen_tet.size(); ++t)
+            state.seen_tet[t] = state.tet_alive[t] == 0 ? 1 : 0;
+    }
+    bool reach(int32_t v) noexcept {
+        uint8_t& free = state_.free_vertex[at(v)];
+        const bool is_new = (free & 1) != 0;
+        free &= 2;
+        return is_new;
+    }
+    /// Over all tets there and back until nothing new is reached. In RCM order two rounds are
+    /// nearly always enough, and memory is read in order.
+    void spread() noexcept {
+        bool more = true;
+        while (more) {
+            more = false;
+            const int32_t tets = body_.tet_count();
+            for (int32_t t = 0; t < tets; ++t) more = visit(t) || more;
+            for (int32_t t = tets - 1; t >= 0; --t) more = visit(t) || more;
+            more = links() || more;
+        }
+    }
+
+ private:
+    [[nodiscard]] bool reached(int32_t v) const noexcept {
+        return (state_.free_vertex[at(v)] & 1) == 0;
+    }
+    bool visit(int32_t t) noexcept {
+        if (state_.seen_tet[at(t)] != 0) return false;
+        return visit_all(corners(body_, state_, t), state_.seen_tet[at(t)]);
+    }
+    /// All corners once one of them is reached; sets `done`. True when that was new.
+    template <class Corners>
+    bool visit_all(const Corners& vertices, uint8_t& done) noexcept {
+        bool any = false, more = false;
+        for (const int32_t v : vertices) any = any || reached(v);
+        if (!any) return false;
+        done = 1;
+        for (const int32_t v : vertices) more = reach(v) || more;
+        return more;
+    }
+    bool links() noexcept {
+        bool more = false;
+        uint8_t done = 0;
+        const auto& tethers = body_.spec().tethers;
+        for (size_t i = 0; i < tethers.size(); ++i) {
+            if (state_.tether_alive[i] != 0) more = visit_all(tethers[i].vertex, done) || more;
+        }
+        for (const auto& triangle : packed_.sheet.triangles)
+            more = visit_all(triangle.v, done) || more;
+        return more;
+    }
+
+    const SoftBody& body_;
+    SoftBodyState& state_;
+    const PackedElements& packed_;
+};
+
+}  // namespace
+
+void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
+    // Until the end bit 1 remembers what was free before.
+    auto& free = state.free_vertex;
+    for (uint8_t& f : free) f = static_cast<uint8_t>(f << 1 | 1);
+    Hold hold(body, state);
+    for (size_t v = 0; v < free.size(); ++v) {
+        if (state.x[v].w == 0) hold.reach(static_cast<int32_t>(v));
+    }
+    for (const int32_t v : body.packed().spring_vertices) hold.reach(v);
+    hold.spread();
+    for (size_t v = 0; v < free.size(); ++v) {
+        if (free[v] == 1 || free[v] == 2) rouse(state, static_cast<int32_t>(v));
+        free[v] &= 1;
+    }
+}
+
+void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
+    const PackedElements& packed = packed_of(body, state);
+    if (state.tet_alive[at(tet)] == 0) return;
+    state.tet_alive[at(tet)] = 0;
+    for (size_t k = 0; k < 4; ++k) {
+        if (has_strips(packed)) state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
+        const int32_t v = corners(body, state, tet)[k];
+        rouse(state, v);
+        if (state.topology) {
+            reweigh(state, v);
+        } else {
+            set_vertex_weights(body, packed, state.tet_alive, v, state.lanes.data());
+        }
+    }
+    if (!packed.tet_slot.empty()) {
+        state.lanes[at(packed.tet_lane_start + packed.tet_slot[at(tet)])] = 0;
+    }
+}
+
+void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
+              const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
+    const PackedElements& packed = packed_of(body, state);
+    const int32_t slot = packed.slot[at(vertex)];
+    float* row =
+        state.springs.data() + packed.batches[at(slot / kLanes)].spring_start + slot % kLanes;
+    const auto set = [row](int r, float value) { row[r * kLanes] = value; };
+    set(0, k_n_m.x());
+    set(3, k_n_m.y());
+    set(5, k_n_m.z());
+    for (int i = 0; i < 3; ++i) {
+        set(6 + i, anchor_m[i]);
+        set(9 + i, -load_n[i]);
+    }
+    set(12, k_n_m.minCoeff());
+}
+
+uint64_t state_hash(const SoftBodyState& state) noexcept {
+    FnvHash hash;
+    for (size_t i = 0; i < state.x.size(); ++i) {
+        hash.bytes(&state.x[i], sizeof(Float4));
+        hash.bytes(&state.v[i], 3 * sizeof(float));
+    }
+    hash.bytes(state.tet_alive.data(), state.tet_alive.size());
+    hash.bytes(state.tether_alive.data(), state.tether_alive.size());
+    return hash.value();
+}
+
+}  // namespace placode::sim

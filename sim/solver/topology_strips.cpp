@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The strips of VBD over the links of vertices whose surroundings were cut.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "sim/core/event.h"
+#include "sim/solver/bounded_strip.h"
+#include "sim/solver/packing_parts.h"
+#include "sim/solver/topology.h"
+
+namespace placode::sim {
+namespace {
+
+size_t at(int64_t i) { return static_cast<size_t>(i); }
+
+/// lambda V r^2 and 6 V gamma of the tets around v, as its lane has them.
+struct CornerConstants {
+    float stiffness = 0, rest = 0;
+};
+
+/// Writes strip and constants of a vertex into its lane.
+void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
+    PackedElements& packed = topology.packed;
+    std::array<LinkTriangle, kMostAround> link;
+    std::array<CornerConstants, kMostAround> constants;
+    size_t n = 0;
+    for (int i = 0; i < topology.count[at(v)]; ++i) {
+        const int32_t t = topology.around[at(topology.first[at(v)] + i)];
+        if (state.tet_alive[at(t)] == 0) continue;
+        const auto& tet = topology.tets[at(t)];
+        const size_t k = corner_of(tet, v);
+        const auto& o = kOpposite[k];
+        link[n] = {{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, static_cast<int32_t>(n)};
+        const int64_t lane = packed.corner_lane[4 * at(t) + k];
+        constants[n] = {state.lanes[at(lane)], std::abs(state.lanes[at(lane + kLanes)])};
+        ++n;
+    }
+    BoundedStrip strip;
+    strip.build({link.data(), n});
+    const int32_t slot = packed.slot[at(v)];
+    VertexBatch& b = packed.batches[at(slot / kLanes)];
+    const size_t lane = at(slot % kLanes);
+    if (strip.size() > topology.capacity[at(slot / kLanes)]) {
+        ++topology.refused;  // the vertex keeps what fits; tests show that this does not happen
+        state.flags |= kCutRefused;
+    }
+    const auto nowhere = static_cast<int32_t>(state.lanes.size()) - 2 * kLanes;
+    const int32_t steps =
+        std::min<int32_t>(static_cast<int32_t>(strip.size()), topology.capacity[at(slot / kLanes)]);
+    b.steps = std::max(b.steps, steps);
+    float* row = state.lanes.data() + b.lane_start + lane;
+    const auto bit = static_cast<uint16_t>(1U << lane);
+    const auto self = static_cast<uint16_t>(2 * (v - b.base));
+    for (int32_t s = 0; s < topology.capacity[at(slot / kLanes)]; ++s) {
+        uint16_t& entry = packed.strip[at(b.step_start + s) * kLanes + lane];
+        uint16_t& keep = packed.keep[at(b.step_start + s)];
+        float* values = row + kLanes * (1 + 3 * s);
+        values[0] = values[kLanes] = values[2 * kLanes] = 0;
+        keep = static_cast<uint16_t>(keep & ~bit);
+        entry = self;
+        if (s >= steps) continue;
+        const StripStep& step = strip[s];
+        entry = static_cast<uint16_t>(2 * (step.vertex - b.base));
+        if (step.keep) keep = static_cast<uint16_t>(keep | bit);
+        if (step.tet < 0) continue;
+        // Step.tet counts living tets around v: find which one this is.
+        const CornerConstants& c = constants[at(step.tet)];
+        values[kLanes] = c.stiffness;
+        values[2 * kLanes] = static_cast<float>(step.sign) * c.rest;
+    }
+    // Where each corner now lies.
+    n = 0;
+    for (int i = 0; i < topology.count[at(v)]; ++i) {
+        const int32_t t = topology.around[at(topology.first[at(v)] + i)];
+        if (state.tet_alive[at(t)] == 0) continue;
+        const size_t k = corner_of(topology.tets[at(t)], v);
+        const int64_t step = strip.step_of(n);
+        packed.corner_lane[4 * at(t) + k] =
+            step < steps ? static_cast<int32_t>(b.lane_start + static_cast<int64_t>(lane) +
+                                                kLanes * (2 + 3 * step))
+                         : nowhere;
+        ++n;
+    }
+}
+
+}  // namespace
+
+void repack(SoftBodyState& state) noexcept {
+    if (!state.topology || state.topology->dirty_count == 0) return;
+    Topology& top = *state.topology;
+    // A copy reads its constants where the old vertex had them: copies, the later ones, go first.
+    std::sort(top.dirty.begin(), top.dirty.begin() + top.dirty_count, std::greater<>());
+    for (int32_t i = 0; i < top.dirty_count; ++i) {
+        const int32_t v = top.dirty[at(i)];
+        if (has_strips(top.packed)) rebuild(state, top, v);
+        top.is_dirty[at(v)] = 0;
+    }
+    for (int32_t i = 0; i < top.dirty_count; ++i) reweigh(state, top.dirty[at(i)]);
+    top.dirty_count = 0;
+}
+
+void reweigh(SoftBodyState& state, int vertex) noexcept {
+    const Topology& top = *state.topology;
+    const PackedElements& packed = top.packed;
+    const auto v = at(vertex);
+    const VertexBatch& b = packed.batches[at(packed.slot[v] / kLanes)];
+    const size_t lane = at(packed.slot[v] % kLanes);
+    float* rows = state.lanes.data() + b.lane_start + lane;
+    const auto entry = [&](int32_t s) {
+        return packed.strip[at(b.step_start + s) * kLanes + lane];
+    };
+    double total = 0;
+    for (int32_t s = 0; s < b.steps; ++s) {
+        float& weight = rows[kLanes * (1 + 3 * s)];
+        weight = 0;
+        const int32_t other = b.base + entry(s) / 2;
+        if (other == vertex) continue;
+        bool seen = false;
+        for (int32_t p = 0; p < s && !seen; ++p) seen = entry(p) == entry(s);
+        if (seen) continue;
+        double sum = 0;
+        for (int32_t i = 0; i < top.count[v]; ++i) {
+            const int32_t t = top.around[at(top.first[v] + i)];
+            if (state.tet_alive[at(t)] == 0) continue;
+            const auto& tet = top.tets[at(t)];
+            const size_t it = corner_of(tet, other);
+            if (it < 4) {
+                sum += static_cast<double>(
+                    packed.edge_weight_n_m[6 * at(t) + at(kEdge[corner_of(tet, vertex)][it])]);
+            }
+        }
+        weight = static_cast<float>(sum);
+        total += sum;
+    }
+    rows[0] = static_cast<float>(std::max(total, 0.0));
+}
+
+}  // namespace placode::sim

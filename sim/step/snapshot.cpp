@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "sim/step/snapshot.h"
+
+#include <algorithm>
+
+#include "sim/cutting/reached.h"
+#include "sim/ledger/burial.h"
+#include "sim/world/scene.h"
+#include "sim/world/state.h"
+
+namespace placode::sim {
+namespace {
+
+ToolSnapshot tool_snapshot(const ToolSpec& spec, const ToolState& tool) {
+    ToolSnapshot s;
+    s.kind = spec.kind;
+    s.pose = tool.proxy;
+    for (int i = 0; i < 3; ++i) s.force_n[i] = static_cast<float>(tool.force_n[i]);
+    s.jaw_rad = tool.jaw_rad;
+    s.tip_gap_m = static_cast<float>(tool.tip_gap_m);
+    s.pedals = tool.pedals;
+    s.energised = tool.energised;
+    s.in_contact = tool.in_contact;
+    s.engaged = tool.engaged;
+    s.touched = tool.touched;
+    return s;
+}
+
+}  // namespace
+
+void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
+    out.frame = state.frame;
+    out.time_s = state.time_s;
+    const size_t vertices = state.body.x.size();
+    out.x.resize(vertices);
+    out.damage.resize(vertices);
+    const HeatState* heat = state.heat.empty() ? nullptr : &state.heat[0];
+    const auto whole = static_cast<size_t>(scene.body.vertex_count());
+    out.origin.resize(vertices - whole);
+    for (size_t v = 0; v < vertices; ++v) {
+        const Float4& x = state.body.x[v];
+        out.x[v] = {x.x, x.y, x.z};
+        const auto o = static_cast<size_t>(origin_of(state.body, static_cast<int>(v)));
+        if (v >= whole) out.origin[v - whole] = static_cast<int32_t>(o);
+        if (heat) {
+            out.damage[v] = {std::min(1.0f, heat->arrhenius[o]), heat->dried[o], heat->charred[o],
+                             heat->temperature_c[o]};
+        } else {
+            out.damage[v] = {0, 0, 0, 37};
+        }
+    }
+    // The list is copied only when it changed since this buffer was last filled.
+    if (out.triangles.empty() || out.surface_version != state.surface.version()) {
+        const auto triangles = state.surface.triangles();
+        out.triangles.assign(triangles.begin(), triangles.end());
+        out.surface_version = state.surface.version();
+    }
+    out.tool_count = static_cast<int>(std::min(scene.tools.size(), out.tools.size()));
+    for (int t = 0; t < out.tool_count; ++t) {
+        out.tools[t] = tool_snapshot(scene.tools[t], state.tools[t]);
+        const Burial burial = burial_of(scene, state, t);
+        out.tools[t].buried_m = static_cast<float>(burial.depth_m);
+        out.tools[t].buried_length_m = static_cast<float>(burial.length_m);
+    }
+    out.contour_cut.assign(state.progress.cut.begin(), state.progress.cut.end());
+    out.contour.resize(scene.contour_anchors.size());
+    for (size_t i = 0; i < out.contour.size(); ++i) {
+        const ContourAnchor& a = scene.contour_anchors[i];
+        out.contour[i] = {};
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                out.contour[i][axis] += a.weight[k] * out.x[a.vertex[k]][axis];
+            }
+        }
+    }
+    out.resected_fraction = static_cast<float>(gone_share(scene, state));
+    out.resect_cut.assign(state.resection.cut.begin(), state.resection.cut.end());
+    out.resect_line.resize(scene.resection.anchors.size());
+    for (size_t i = 0; i < out.resect_line.size(); ++i) {
+        const ContourAnchor& a = scene.resection.anchors[i];
+        out.resect_line[i] = {};
+        for (int k = 0; k < 3; ++k) {
+            for (int axis = 0; axis < 3; ++axis) {
+                out.resect_line[i][axis] += a.weight[k] * out.x[a.vertex[k]][axis];
+            }
+        }
+    }
+    out.free_sectors = state.release.free_count;
+    out.pieces_out = state.pieces.out;
+    out.phase = state.phase;
+    out.cut_fraction = static_cast<float>(ring_share(state));
+    out.vapour_rate_m3_s = state.vapour_rate_m3_s;
+    out.placode_peak_cem43_min = state.placode_peak_cem43_min;
+    out.placode_peak_c = state.placode_peak_c;
+    out.step_flags = state.flags;
+    out.substeps = state.substeps;
+}
+
+}  // namespace placode::sim

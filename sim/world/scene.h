@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Scene: everything about an attempt that never changes while it runs.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/core/tool.h"
+#include "sim/heat/heat.h"
+#include "sim/mesh/surface.h"
+#include "sim/solver/soft_body.h"
+#include "sim/world/sac_state.h"
+
+namespace placode::sim {
+
+/// Landmarks of the operative field at rest, in W [m]. Stored in every recording, so that an
+/// attempt can be assessed without rebuilding the scene.
+struct FieldGeometry {
+    std::vector<Vec3>
+        planned_contour;  ///< Closed polyline of the incision on the surface (last != first).
+    std::vector<Vec3> placode_edge;  ///< Closed polyline.
+    std::vector<Vec3> skin_edge;     ///< Closed polyline.
+    double target_depth_m = 0.0005;  ///< Depth at which the ring counts as cut through.
+    double placode_volume_m3 = 0;
+};
+
+/// Per-vertex knowledge that only the operative field has.
+struct FieldVertexData {
+    std::vector<float>
+        to_placode_m;  ///< d_p: signed distance to the placode edge (V), negative inside.
+    std::vector<float>
+        to_skin_m;  ///< d_s: signed distance to the skin edge (V), negative inside the lesion.
+    std::vector<float> depth_m;  ///< Below the rest surface (V), 0 on top.
+};
+
+/// A planned-contour point tied to a surface triangle, so that it moves with the tissue.
+struct ContourAnchor {
+    std::array<int32_t, 3> vertex{};
+    std::array<float, 3> weight{};  ///< Barycentric.
+};
+
+/// Tissue that the operator shall take out: outlined on the surface, closed.
+struct Resection {
+    std::vector<Vec3> line;              ///< At rest [m], last != first.
+    std::vector<ContourAnchor> anchors;  ///< One per point.
+    /// Tets of the top layer just inside and just outside of each point: parted there when no path
+    /// leads from one to the other any more.
+    std::vector<std::array<int32_t, 2>> across;
+    Vec3 grasp_m = Vec3::Zero();  ///< A good place to take hold, at rest.
+    ContourAnchor grasp_anchor;
+};
+
+struct ContactSettings {
+    double stiffness_n_m = 3000;          ///< k of the contact colour [N/m].
+    double margin_m = 0.0002;             ///< Contact starts this far out, for time continuity.
+    bool self_contact = false;            ///< Tissue meets tissue: sim/contact/self_contact.h.
+    double placode_warn_force_n = 0.005;  ///< Contact of the placode counts above.
+    double over_force_n = 0.4;            ///< Force on any tissue that counts as too much.
+    double warn_dose_cem43_min = 5, injury_dose_cem43_min = 20, injury_temperature_c = 60;
+};
+
+/// Built once (sim/anatomy), then shared as `shared_ptr<const Scene>`.
+struct Scene {
+    /// @throws MeshError for a body with a sheet: instruments, heat and cutting do not know it.
+    explicit Scene(SoftBody tissue);
+
+    std::string id;  ///< Scene file and preset, for messages.
+    SoftBody body;
+    Surface surface;
+    std::optional<HeatModel> heat;  ///< Absent = costs nothing.
+    Sac sac;                        ///< Of the cystic variant; absent otherwise.
+    ContactSettings contact;
+    std::vector<uint8_t> marked;  ///< (T) 1 = to be resected; empty = nothing is marked.
+    double marked_volume_m3 = 0;
+    Resection resection;
+    std::vector<ToolSpec> tools;  ///< At most kMaxTools.
+    FieldGeometry geometry;
+    FieldVertexData field;
+    std::vector<ContourAnchor> contour_anchors;  ///< One per planned_contour point.
+    std::array<std::array<float, 3>, kTissueCount>
+        colour_linear{};  ///< Base albedo by tissue, linear RGB.
+    std::vector<std::string>
+        notes;  ///< What the loader found: Courant numbers, qualities, choices.
+};
+
+}  // namespace placode::sim

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a pair of blades is about to cut, and the snip so far.
+#include <array>
+#include <cstdint>
+#include "sim/core/fields.h"
+#include "sim/core/geometry.h"
+#include "sim/core/tissue.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+inline constexpr float kBladesOpen = 0.08F;  ///< Blades nearer than this count as closed [rad].
+inline constexpr int32_t kMetNothing = -1;   ///< planned_count of blades that closed on nothing.
+inline constexpr int kMostPlanned = 1024;
+
+/// One face that the blades are about to part.
+struct PlannedFace {
+    int32_t face = -1;  ///< 4 tet + local vertex opposite
+    float z_m = 0;      ///< Along the blades, 0 at the tips.
+};
+template <class Visit>
+void fields(Of<PlannedFace> auto& s, Visit&& visit) {
+    auto& [face, z_m] = s;
+    visit.state(face, z_m);
+}
+
+/// One pair of blades.
+struct Scissors {
+    std::array<PlannedFace, kMostPlanned> planned{};
+    int32_t planned_count = 0, next = 0;
+    float jaw_rad = 0;    ///< Opening in the last frame.
+    float start_rad = 0;  ///< Opening from which they close.
+    uint8_t closing = 0;
+    // The current snip, for the ledger.
+    float area_m2 = 0, placode_m2 = 0, depth_m = 0;
+    std::array<float, kTissueCount> area_of{};  ///< By tissue, where it was cut.
+    Vec3 rest_sum = Vec3::Zero();
+    int32_t faces = 0, tet = -1;
+};
+template <class Visit>
+void fields(Of<Scissors> auto& s, Visit&& visit) {
+    auto& [planned, planned_count, next, jaw_rad, start_rad, closing, area_m2, placode_m2, depth_m,
+           area_of, rest_sum, faces, tet] = s;
+    visit.state(planned, planned_count, next, jaw_rad, start_rad, closing, area_m2, placode_m2,
+                depth_m, area_of, rest_sum, faces, tet);
+}
+
+/// Blades that stand open are thin edges: they pass beside tissue instead of pushing it.
+[[nodiscard]] bool blades_open(const Scene& scene, const State& state, int tool) noexcept;
+
+/// Closed blades that lie in the gap of their own snip, as far as they know: they do not burst it.
+[[nodiscard]] bool blades_in_cut(const Scene& scene, const State& state, int tool) noexcept;
+
+}  // namespace placode::sim

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Working memory of step(): sized once, reused every frame. Nothing in it decides the future: it
+// may be built anew between any two frames (tests/whole_state_test.cpp).
+
+#include <array>
+#include <vector>
+
+#include "sim/world/contact_state.h"
+#include "sim/world/cut_state.h"
+#include "sim/world/pieces_state.h"
+#include "sim/world/state.h"
+
+namespace placode::sim {
+
+struct State::Scratch {
+    explicit Scratch(const Scene& scene);
+    ContactSet contacts;
+    CutTables cut;
+    std::vector<int32_t> vaporised;        // room for one heat step
+    std::vector<int32_t> candidates;       // (V) vertices near a current
+    std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
+    PieceSearch pieces;
+    std::vector<Vec3> sac_thirds;       // (triangles of the sac) of this frame
+    std::vector<int32_t> sector_stack;  // (T)
+    std::vector<uint32_t> tet_seen;     // (T) stamps of a search
+    uint32_t stamp = 0;
+    std::array<int32_t, kMaxTools> tip_triangle{-1, -1, -1, -1};  // next to each tip, a frame ago
+    double longest_edge_m = 0;                                    // at rest, constant
+    bool heat_stepped = false;                                    // in this frame
+};
+
+}  // namespace placode::sim

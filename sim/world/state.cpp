@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an attempt starts with.
+
+#include <algorithm>
+
+#include "sim/world/cut_columns.h"
+#include "sim/world/scene.h"
+#include "sim/world/scratch.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr int kVaporisedPerStep = 64;
+
+}  // namespace
+
+State::Scratch::Scratch(const Scene& scene)
+    : contacts(scene),
+      vaporised(kVaporisedPerStep),
+      candidates(scene.body.vertex_count()),
+      placode_volume_m3(scene.body.vertex_count(), 0.0f),
+      pieces(scene),
+      sac_thirds(scene.sac.triangles.size()),
+      sector_stack(scene.body.tet_count()),
+      tet_seen(scene.body.tet_count(), 0) {
+    CutProgress untouched;
+    cut = make_cut_tables(scene, untouched);
+    const TetMesh& mesh = scene.body.mesh();
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
+        for (int i = 1; i < 4; ++i) {
+            const Vec3 edge = mesh.rest[mesh.tets[t][i]] - mesh.rest[mesh.tets[t][i - 1]];
+            longest_edge_m = std::max(longest_edge_m, edge.norm());
+        }
+        if (mesh.tissue[t] != Tissue::kPlacode) continue;
+        for (const int32_t v : mesh.tets[t]) placode_volume_m3[v] += scene.body.volume_m3()[t] / 4;
+    }
+}
+
+State::State(const Scene& scene, int threads)
+    : substeps(scene.body.spec().solver.substeps),
+      body(scene.body),
+      sleep(scene.body),
+      surface(scene.surface, scene.body.mesh(), scene.body.spec().spare_vertices > 0),
+      self_contact(scene),
+      held_by(scene.body.vertex_capacity(), -1),
+      separation(scene),
+      over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),
+      gone_by_heat(scene.body.tet_count(), 0),
+      tether_known(scene.body.spec().tethers.size(), 1),
+      friction(scene.body.vertex_capacity()),
+      stretch_count(scene.body.tet_count(), 0),
+      stretch_reported(scene.body.tet_count(), 0),
+      dose_reported(scene.body.vertex_count(), 0),
+      last_substeps(substeps),
+      workers(std::make_unique<Workers>(threads)),
+      scratch(std::make_unique<Scratch>(scene)) {
+    sleep.follow_leaves(surface.tree(), scene.body.mesh());
+    for (auto& row : tool_side) row.fill(Vec3::Zero());
+    (void)make_cut_tables(scene, progress);
+    colour.vertex.assign(kMostContactVertices, -1);
+    flood.reached.assign(scene.body.tet_count(), 0);
+    flood.stack.assign(scene.body.tet_count(), -1);
+    pieces.of.assign(scene.body.tet_count(), -1);
+    pieces.resting.assign(scene.body.vertex_capacity(), 0);
+    pieces.searched = surface.version();
+    release.checked.fill(~surface.version());  // every sector is looked at once before any cut
+    resection.cut.assign(scene.resection.line.size(), 0);
+    resection.checked.assign(scene.resection.line.size(), 0);
+    if (scene.heat) {
+        heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
+        const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);
+        placode_peak_c = placode_now_c = start;
+    }
+}
+
+State::~State() = default;
+
+}  // namespace placode::sim

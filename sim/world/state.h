@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// All that changes while an attempt runs, composed of one state per subsystem.
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+#include "sim/core/event.h"
+#include "sim/core/tool.h"
+#include "sim/core/workers.h"
+#include "sim/heat/heat.h"
+#include "sim/mesh/surface.h"
+#include "sim/solver/sleep.h"
+#include "sim/solver/soft_body.h"
+#include "sim/world/contact_state.h"
+#include "sim/world/cut_state.h"
+#include "sim/world/grasp_state.h"
+#include "sim/world/ledger_state.h"
+#include "sim/world/pieces_state.h"
+#include "sim/world/sac_state.h"
+#include "sim/world/scissors_state.h"
+#include "sim/world/separation_state.h"
+#include "sim/world/tool_state.h"
+
+namespace placode::sim {
+
+struct Scene;
+
+inline constexpr int kMaxEventsPerFrame = 256;
+
+/// All that changes. Built once per attempt.
+struct State {
+    State(const Scene& scene, int threads);
+
+    int64_t frame = 0;
+    double time_s = 0;
+    int substeps = 4;  ///< Used by the next frame (adapts under load, recorded).
+    Phase phase = Phase::kInspect;
+    SoftBodyState body;
+    Sleep sleep;
+    SurfaceState surface;
+    SelfContact self_contact;
+    SacState sac;
+    std::vector<HeatState> heat;  ///< Empty or one.
+    std::array<ToolState, kMaxTools> tools{};
+    /// From tool a to tool b > a while they touch or nearly do, else zero:
+    /// sim/contact/tool_contact.h.
+    std::array<std::array<Vec3, kMaxTools>, kMaxTools> tool_side;
+    std::array<Grasp, kMaxTools> grasps{};
+    std::array<Scissors, kMaxTools> scissors{};
+    ReleaseProgress release;
+    ResectionProgress resection;
+    Pieces pieces;
+    int32_t splits = 0;           ///< Vertices that cutting has split.
+    std::vector<int8_t> held_by;  ///< (V) Tool whose jaws hold the vertex, -1 = none.
+    CutProgress progress;
+    float placode_peak_cem43_min = 0, placode_peak_c = 37, placode_burned_m3 = 0;
+    float removed_m3 = 0, vapour_rate_m3_s = 0;
+    ContactColour colour;
+    SeparationQueue separation;
+    PieceFlood flood;
+    OverStretch over_stretch;
+    std::vector<uint8_t> gone_by_heat;      ///< (T) 1 = vaporised.
+    std::vector<uint8_t> tether_known;      ///< Alive, as far as the ledger knows.
+    std::vector<FrictionAnchor> friction;   ///< (V)
+    std::vector<uint8_t> stretch_count;     ///< (T) Checks in a row above the tear limit.
+    std::vector<uint8_t> stretch_reported;  ///< (T) 1 = over-stretch is in the ledger.
+    std::vector<uint8_t> dose_reported;  ///< (V) bit 0 warning dose, bit 1 injury is in the ledger.
+    std::array<float, kTissueCount> over_stretch_pause_s{};
+    float overheat_pause_s = 0, burn_pause_s = 0, idle_s = 0;
+    float placode_now_c = 37;  ///< Hottest vertex of the placode in this frame.
+    int last_substeps = 4;
+    uint32_t loose_version = 0;  ///< Surface version at the last search for loose tissue.
+    std::array<Event, kMaxEventsPerFrame> events{};  ///< Of the last frame.
+    int event_count = 0;
+    uint32_t flags = 0;  ///< StepFlag bits of this frame.
+    std::unique_ptr<Workers> workers;
+    struct Scratch;  ///< Lists of one frame: sim/world/scratch.h.
+    std::unique_ptr<Scratch> scratch;
+    ~State();
+};
+
+// The order is that of the declaration.
+template <class Visit>
+void fields(Of<State> auto& s, Visit&& visit) {
+    auto& [frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat, tools,
+           tool_side, grasps, scissors, release, resection, pieces, splits, held_by, progress,
+           placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3, vapour_rate_m3_s,
+           colour, separation, flood, over_stretch, gone_by_heat, tether_known, friction,
+           stretch_count, stretch_reported, dose_reported, over_stretch_pause_s, overheat_pause_s,
+           burn_pause_s, idle_s, placode_now_c, last_substeps, loose_version, events, event_count,
+           flags, workers, scratch] = s;
+    visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
+                tools, tool_side, grasps, scissors, release, resection, pieces, splits, held_by,
+                progress, placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
+                vapour_rate_m3_s, colour, separation, flood, over_stretch, gone_by_heat,
+                tether_known, friction, stretch_count, stretch_reported, dose_reported,
+                over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s, placode_now_c,
+                last_substeps, loose_version);
+    // Of one frame; threads; lists of one frame.
+    visit.constant(events, event_count, flags, workers, scratch);
+}
+
+/// Hash over everything that decides the future: body, heat, tools, surface, phase.
+[[nodiscard]] uint64_t state_hash(const State& state) noexcept;
+
+}  // namespace placode::sim

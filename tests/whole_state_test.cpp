@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The state is whole: what is saved goes on as if nothing had happened, scratch may be lost between
+// any two frames, and the hash sees all that decides.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "sim/anatomy/operative_field.h"
+#include "sim/step/step.h"
+#include "sim/world/saved_state.h"
+#include "sim/world/scratch.h"
+#include "tests/attempt_fixture.h"
+
+namespace placode {
+namespace {
+
+struct Case {
+    const char* task;
+    double begin_s, end_s;  ///< The state is saved at `begin_s`, both go on to `end_s`.
+};
+
+// Long enough for the instrument to be at work where it is saved. PLACODE_LONG_TESTS goes on for
+// ten seconds in every task.
+std::vector<Case> cases() {
+    if (std::getenv("PLACODE_LONG_TESTS") == nullptr)
+        return {{"diathermy_ring_small", 4, 5}, {"scissors_resection", 6, 7}};
+    std::vector<Case> all;
+    for (const char* task : {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
+                             "two_handed_traction", "diathermy_ring_small", "diathermy_ring",
+                             "scissors_resection", "sb_dissection", "sb_dissection_cystic"})
+        all.push_back({task, 6, 16});
+    return all;
+}
+
+/// A recorded attempt to be simulated again, frame by frame.
+class Rerun {
+ public:
+    explicit Rerun(const Case& what) {
+        curriculum::Task task = curriculum::load_task(what.task);
+        task.time_limit_s = what.end_s;
+        recording_ = test::scripted_attempt(task, "expert");
+        task.scene.seed = recording_.header.seed;
+        settle_s_ = task.settle_s;
+        scene = sim::build_operative_field(task.scene);
+    }
+    [[nodiscard]] sim::State start(int threads = 1) const {
+        sim::State state(*scene, threads);
+        sim::settle(*scene, state, settle_s_);
+        return state;
+    }
+    [[nodiscard]] int64_t frames() const { return std::ssize(recording_.inputs); }
+    void step(sim::State& state) const {
+        const sim::Input& input = recording_.inputs.at(static_cast<size_t>(state.frame));
+        state.substeps = input.substeps;
+        std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+        const size_t tools = scene->tools.size();
+        (void)sim::step(*scene, state, {input.tools, tools}, {feedback.data(), tools});
+    }
+    void step_to(sim::State& state, int64_t frame) const {
+        while (state.frame < std::min(frame, frames())) step(state);
+    }
+    std::shared_ptr<const sim::Scene> scene;
+
+ private:
+    sim::Recording recording_;
+    double settle_s_ = 0;
+};
+
+TEST(WholeState, WhatIsSavedGoesOnAsIfNothingHadHappened) {
+    for (const Case& what : cases()) {
+        SCOPED_TRACE(what.task);
+        const Rerun rerun(what);
+        sim::State state = rerun.start();
+        rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
+        const auto saved = sim::save_state(*rerun.scene, state);
+        sim::State copy(*rerun.scene, 2);
+        ASSERT_NE(sim::whole_hash(copy), sim::whole_hash(state));
+        sim::load_state(*rerun.scene, copy, saved);
+        ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(state));
+        EXPECT_GT(state.removed_m3 + static_cast<float>(state.splits), 0.0F)
+            << "nothing was cut yet: the test would see little";
+        while (state.frame < rerun.frames()) {
+            rerun.step(state);
+            rerun.step(copy);
+            ASSERT_EQ(copy.event_count, state.event_count) << state.frame;
+            if (state.frame % 20 == 0)
+                ASSERT_EQ(sim::whole_hash(copy), sim::whole_hash(state)) << state.frame;
+        }
+        EXPECT_EQ(sim::state_hash(copy), sim::state_hash(state));
+        EXPECT_EQ(sim::save_state(*rerun.scene, copy).size(), saved.size());
+    }
+}
+
+TEST(WholeState, ScratchMayBeLostBetweenAnyTwoFrames) {
+    const Case what = {"scissors_resection", 6, 6.3};
+    const Rerun rerun(what);
+    sim::State state = rerun.start();
+    rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
+    sim::State forgetful(*rerun.scene, 1);
+    sim::load_state(*rerun.scene, forgetful, sim::save_state(*rerun.scene, state));
+    while (state.frame < rerun.frames()) {
+        rerun.step(state);
+        forgetful.scratch = std::make_unique<sim::State::Scratch>(*rerun.scene);
+        rerun.step(forgetful);
+        ASSERT_EQ(sim::whole_hash(forgetful), sim::whole_hash(state)) << state.frame;
+    }
+}
+
+TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
+    const Rerun rerun({"diathermy_ring_small", 0, 0.1});
+    sim::State state = rerun.start();
+    const uint64_t before = sim::whole_hash(state);
+    const auto changes = [&](auto&& change, auto&& back) {
+        change();
+        const bool seen = sim::whole_hash(state) != before;
+        back();
+        EXPECT_EQ(sim::whole_hash(state), before);
+        return seen;
+    };
+    EXPECT_TRUE(changes([&] { ++state.separation.count; }, [&] { --state.separation.count; }));
+    EXPECT_TRUE(changes([&] { state.flood.running = 1; }, [&] { state.flood.running = 0; }));
+    EXPECT_TRUE(
+        changes([&] { state.tools[0].dwell_s += 1; }, [&] { state.tools[0].dwell_s -= 1; }));
+    EXPECT_TRUE(changes([&] { state.gone_by_heat[5] = 1; }, [&] { state.gone_by_heat[5] = 0; }));
+    EXPECT_TRUE(
+        changes([&] { state.friction[7].slipping = 3; }, [&] { state.friction[7].slipping = 0; }));
+    EXPECT_TRUE(
+        changes([&] { state.heat[0].energy_in_j += 1; }, [&] { state.heat[0].energy_in_j -= 1; }));
+}
+
+TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
+    const Rerun rerun({"diathermy_ring_small", 0, 0.1});
+    sim::State state = rerun.start();
+    const auto saved = sim::save_state(*rerun.scene, state);
+    rerun.step(state);
+    const uint64_t before = sim::whole_hash(state);
+    const auto refused = [&](std::vector<uint8_t> bytes, const char* why) {
+        try {
+            sim::load_state(*rerun.scene, state, bytes);
+            ADD_FAILURE() << "accepted: " << why;
+        } catch (const sim::StateError& error) {
+            EXPECT_THAT(error.what(), testing::HasSubstr(why));
+        }
+        EXPECT_EQ(sim::whole_hash(state), before);
+    };
+    refused({}, "cut off");
+    refused({saved.begin(), saved.begin() + 40}, "cut off or damaged");
+    auto damaged = saved;
+    damaged[saved.size() / 2] ^= 1;
+    refused(damaged, "damaged");
+    auto other = saved;
+    other[0] ^= 1;
+    refused(other, "another format");
+    const Rerun larger({"scissors_resection", 0, 0.05});
+    refused(sim::save_state(*larger.scene, larger.start()), "another scene");
+}
+
+}  // namespace
+}  // namespace placode

@@ -1,0 +1,454 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/fetoscope_view.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+#include "ui/view/png.h"
+#include "ui/view/smoke.h"
+#include "ui/view/tissue_maps.h"
+#include "ui/view/tissue_mesh.h"
+#include "ui/view/tool_renderer.h"
+
+namespace placode::sim {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr double kSlowMs = 75, kFastMs = 22;  // change of quality: 13 fps, 45 fps
+
+double seconds_of(Clock::time_point time) {
+    return std::chrono::duration<double>(time.time_since_epoch()).count();
+}
+
+// The inside of the uterus: an ellipsoid of gas around the fetal back.
+void build_wall(GlMesh& mesh) {
+    const Vec3 centre(0, 0, 25), half(100, 72, 66);
+    constexpr int kAround = 48, kUp = 24;
+    std::vector<float> vertices;
+    std::vector<unsigned> indices;
+    for (int j = 0; j <= kUp; ++j) {
+        for (int i = 0; i <= kAround; ++i) {
+            const double a = 2 * 3.14159265358979 * i / kAround,
+                         b = 3.14159265358979 * (j / double{kUp} - 0.5);
+            const Vec3 unit(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
+            const Eigen::Vector3f p = (centre + half.cwiseProduct(unit)).cast<float>();
+            const Eigen::Vector3f n = (-unit.cwiseQuotient(half)).normalized().cast<float>();
+            const float row[kTissueVertexFloats] = {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(),
+                                                    p.x(), p.y(), p.z(), 0,     0,     0,
+                                                    0,     37,    0,     0};
+            vertices.insert(vertices.end(), std::begin(row), std::end(row));
+        }
+    }
+    for (unsigned j = 0; j < kUp; ++j) {
+        for (unsigned i = 0; i < kAround; ++i) {
+            const unsigned p = j * (kAround + 1) + i, q = p + kAround + 1;
+            for (const unsigned v : {p, p + 1, q, q, p + 1, q + 1}) indices.push_back(v);
+        }
+    }
+    mesh.create({3, 3, 4, 4, 2});
+    mesh.vertices(vertices.data(), vertices.size(), false);
+    mesh.indices(indices);
+}
+
+// What is seen through an opened sac: the floor of the canal under a film of fluid.
+bool build_floor(const CanalFloor& floor, GlMesh& mesh) {
+    constexpr double kLowest = -0.02, kBelow = 1e-4;  // [m] none there; under what lies on it
+    constexpr float kDepthMm = 1.33F, kHollow = 0.35F, kBodyC = 37;
+    std::vector<float> vertices;
+    std::vector<unsigned> indices;
+    const auto height = [&](int i, int j) {
+        return static_cast<double>(floor.height_m[static_cast<size_t>(j * floor.columns + i)]);
+    };
+    const auto slope = [&](int i, int j, int di, int dj) {
+        const int a = std::clamp(i + di, 0, floor.columns - 1),
+                  b = std::clamp(i - di, 0, floor.columns - 1);
+        const int c = std::clamp(j + dj, 0, floor.rows - 1),
+                  d = std::clamp(j - dj, 0, floor.rows - 1);
+        const double up = std::max(height(a, c), kLowest), down = std::max(height(b, d), kLowest);
+        return (up - down) / (2 * floor.cell_m);
+    };
+    for (int j = 0; j < floor.rows; ++j) {
+        for (int i = 0; i < floor.columns; ++i) {
+            const Vec3 p(floor.x_m + i * floor.cell_m, floor.y_m + j * floor.cell_m,
+                         height(i, j) - kBelow);
+            const Eigen::Vector3f mm = (1000 * p).cast<float>();
+            const Eigen::Vector3f n =
+                Vec3(-slope(i, j, 1, 0), -slope(i, j, 0, 1), 1).normalized().cast<float>();
+            const float row[kTissueVertexFloats] = {mm.x(), mm.y(), mm.z(),  n.x(),    n.y(), n.z(),
+                                                    mm.x(), mm.y(), mm.z(),  kDepthMm, 0,     0,
+                                                    0,      kBodyC, kHollow, 0};
+            vertices.insert(vertices.end(), std::begin(row), std::end(row));
+            if (i + 1 == floor.columns || j + 1 == floor.rows) continue;
+            const std::array<double, 4> corners{height(i, j), height(i + 1, j), height(i, j + 1),
+                                                height(i + 1, j + 1)};
+            if (*std::min_element(corners.begin(), corners.end()) < kLowest) continue;
+            const auto a = static_cast<unsigned>(j * floor.columns + i);
+            const unsigned b = a + static_cast<unsigned>(floor.columns);
+            for (const unsigned v : {a, a + 1, b, b, a + 1, b + 1}) indices.push_back(v);
+        }
+    }
+    if (indices.empty()) return false;
+    mesh.vertices(vertices.data(), vertices.size(), false);
+    mesh.indices(indices);
+    return true;
+}
+
+}  // namespace
+
+struct FetoscopeView::Impl {
+    Impl(const ViewField& field, const ViewSettings& s);
+    void draw_world(const Snapshot& snapshot, const OverlayState& overlay, int size);
+    void light(GlProgram& program, const Snapshot& snapshot);
+    void draw_smoke();
+    void draw_depth(const Snapshot& snapshot, const OverlayState& overlay);
+    void draw_guide(const Snapshot& snapshot, int size, bool contour);
+    void adapt(double ms);
+    void observe(const Snapshot& snapshot);
+
+    ViewSettings settings;
+    std::unique_ptr<GlContext> context;  // before everything that lives in it
+    std::vector<ToolSpec> tools;
+    TissueMesh mesh;
+    TissueMaps maps;
+    GlProgram tissue{"tissue_vertex", "tissue"}, wall{"tissue_vertex", "wall"},
+        tool{"tissue_vertex", "tool"};
+    GlProgram smoke_program{"smoke_vertex", "smoke"}, guide{"guide_vertex", "guide"},
+        mask{"screen_vertex", "mask"};
+    GlMesh tissue_gl, skirt_gl, floor_gl, wall_gl, smoke_gl, guide_gl;
+    ToolRenderer instruments;
+    DepthCue depth_cue;
+    PostProcess post;
+    TextPainter painter;
+    Overlay overlay_painter;
+    Smoke smoke;
+    Lens lens;
+    GlTarget picture, output;
+    Camera camera;
+    Quality quality;
+    FrameTimes times;
+    std::vector<double> frame_ms;
+    int slow = 0, fast = 0;
+    uint32_t frames = 0;
+    double last_time_s = -1;
+    Clock::time_point last_picture{};
+    unsigned error = 0;
+    bool software = false, has_floor = false, stays_simple = false;
+};
+
+FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
+    : settings(s),
+      context(s.offscreen ? open_offscreen({s.width, s.height, false, s.title, {}})
+                          : open_window({s.width, s.height, s.fullscreen, s.title, s.place})),
+      tools(field.tools),
+      mesh(field),
+      maps(bake_maps(field)),
+      instruments(field.tools),
+      quality(s.quality) {
+    const std::vector<int> layout{3, 3, 4, 4, 2};
+    tissue_gl.create(layout);
+    skirt_gl.create(layout);
+    if (!mesh.skirt_indices().empty()) {
+        skirt_gl.vertices(mesh.skirt_vertices().data(), mesh.skirt_vertices().size(), false);
+        skirt_gl.indices(mesh.skirt_indices());
+    }
+    floor_gl.create(layout);
+    has_floor = build_floor(field.floor, floor_gl);
+    build_wall(wall_gl);
+    smoke_gl.create({4, 2});
+    guide_gl.create({4});
+    times.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+    // A software renderer starts low instead of stuttering through its first second.
+    software = times.renderer.find("llvmpipe") != std::string::npos ||
+               times.renderer.find("softpipe") != std::string::npos;
+    if (settings.adaptive && software) quality = software_quality(quality, s.height);
+}
+
+void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
+    smoke.update(snapshot);
+    Vec3 tip(-0.022, 0, 0.038);
+    bool touches = false;
+    for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
+        if (tools[i].kind != ToolKind::kScope) continue;
+        tip = snapshot.tools[i].pose.p;
+        touches = snapshot.tools[i].in_contact != 0;
+    }
+    lens.update(snapshot, tip, touches);
+}
+
+void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
+    program.use();
+    program.set("view_projection", camera.view_projection());
+    program.set("eye", camera.position_mm);
+    program.set("view_axis", camera.forward);
+    program.set("light_a", Vec3(camera.position_mm + 2.6 * camera.up - 2.0 * camera.right));
+    program.set("light_b", Vec3(camera.position_mm - 2.0 * camera.up + 1.5 * camera.right));
+    program.set("cone_cos", static_cast<float>(std::cos(camera.half_angle_rad + 0.03)));
+    program.set("time_s", static_cast<float>(snapshot.time_s));
+    std::vector<ShadowCapsule> capsules;
+    for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
+        for (const ShadowCapsule& c : shadow_capsules(tools[i], snapshot.tools[i].pose))
+            capsules.push_back(c);
+    }
+    const int count = static_cast<int>(std::min<size_t>(capsules.size(), 6));
+    std::array<float, 24> a{}, b{};
+    for (int i = 0; i < count; ++i) {
+        for (int k = 0; k < 3; ++k) {
+            a[static_cast<size_t>(4 * i + k)] =
+                static_cast<float>(capsules[static_cast<size_t>(i)].a[k]);
+            b[static_cast<size_t>(4 * i + k)] =
+                static_cast<float>(capsules[static_cast<size_t>(i)].b[k]);
+        }
+        a[static_cast<size_t>(4 * i + 3)] =
+            static_cast<float>(capsules[static_cast<size_t>(i)].radius);
+    }
+    program.set_array("capsule_a", a.data(), 6);
+    program.set_array("capsule_b", b.data(), 6);
+    program.set("capsule_count", count);
+    program.set("border_map", 0);
+    program.set("vessel_map", 1);
+    program.set("skin_map", 2);
+    program.set("noise_map", 3);
+}
+
+void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayState& overlay,
+                                     int size) {
+    picture.allocate(size, size, GL_RGBA16F, true, quality.samples);
+    picture.begin();
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LEQUAL);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    mask.use();
+    mask.set("depth", -1.0F);
+    draw_screen_triangle();
+
+    maps.bind();
+    light(tool, snapshot);
+    tool.set("tissue_bounce", Vec3(0.20, 0.082, 0.072));
+    instruments.draw(snapshot, tool);
+
+    light(tissue, snapshot);
+    tissue.set("map_low", static_cast<float>(maps.low_mm.x()), static_cast<float>(maps.low_mm.y()));
+    tissue.set("map_high", static_cast<float>(maps.high_mm.x()),
+               static_cast<float>(maps.high_mm.y()));
+    tissue.set("skin_tile", static_cast<float>(kSkinTileMm));
+    if (mesh.update(snapshot)) tissue_gl.indices(mesh.indices());
+    tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
+    tissue_gl.draw(GL_TRIANGLES);
+    skirt_gl.draw(GL_TRIANGLES);
+    if (has_floor) floor_gl.draw(GL_TRIANGLES);
+    draw_depth(snapshot, overlay);
+
+    light(wall, snapshot);
+    wall_gl.draw(GL_TRIANGLES);
+    draw_guide(snapshot, size, overlay.show_guide);
+    light(smoke_program, snapshot);
+    draw_smoke();
+    picture.resolve();
+}
+
+// Onto field and back beyond it; feet are looked for even where only steps need them.
+void FetoscopeView::Impl::draw_depth(const Snapshot& snapshot, const OverlayState& overlay) {
+    if (!overlay.depth_aid && overlay.practice.steps.empty()) return;
+    const DrawnTissue parts[] = {{mesh.vertices(), mesh.indices()},
+                                 {mesh.skirt_vertices(), mesh.skirt_indices()}};
+    depth_cue.update(snapshot, tools, parts);
+    if (!overlay.depth_aid) return;
+    light(depth_cue.program(), snapshot);
+    depth_cue.draw();
+}
+
+void FetoscopeView::Impl::draw_smoke() {
+    if (smoke.puffs().empty()) return;
+    std::vector<const Puff*> order;
+    for (const Puff& p : smoke.puffs()) order.push_back(&p);
+    std::sort(order.begin(), order.end(), [&](const Puff* a, const Puff* b) {
+        return (a->position_mm - camera.position_mm).squaredNorm() >
+               (b->position_mm - camera.position_mm).squaredNorm();
+    });
+    std::vector<float> data;
+    for (const Puff* p : order) {
+        const double age = p->age_s / p->life_s,
+                     near = (p->position_mm - camera.position_mm).norm();
+        // Thin out with age, and where a puff would stick to the lens.
+        const double opacity =
+            p->opacity * std::min(1.0, 6 * age) * (1 - age) * std::clamp((near - 4) / 6, 0.0, 1.0);
+        for (int corner = 0; corner < 6; ++corner) {
+            for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(p->position_mm[k]));
+            data.push_back(static_cast<float>(p->radius_mm));
+            data.push_back(static_cast<float>(opacity));
+            data.push_back(p->seed);
+        }
+    }
+    smoke_program.set("camera_right", camera.right);
+    smoke_program.set("camera_up", camera.up);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    smoke_gl.vertices(data.data(), data.size(), true);
+    smoke_gl.draw(GL_TRIANGLES, static_cast<int>(data.size() / 6));
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+// The planned incision where the trainee wants help; the marked tissue's outline always: it is ink.
+void FetoscopeView::Impl::draw_guide(const Snapshot& snapshot, int size, bool contour) {
+    std::vector<float> data;
+    const auto add = [&](const std::array<float, 3>& p, float kind) {
+        const Vec3 mm = 1000 * Vec3(p[0], p[1], p[2]);
+        const Vec3 lifted = mm + 0.15 * (camera.position_mm - mm).normalized();
+        for (int k = 0; k < 3; ++k) data.push_back(static_cast<float>(lifted[k]));
+        data.push_back(kind);
+    };
+    for (size_t i = 0; contour && i < snapshot.contour.size(); ++i) {
+        const bool cut = i < snapshot.contour_cut.size() && snapshot.contour_cut[i] != 0;
+        add(snapshot.contour[i], cut ? 1.0F : 0.0F);
+    }
+    for (size_t i = 0; i < snapshot.resect_line.size(); ++i) {
+        const bool cut = i < snapshot.resect_cut.size() && snapshot.resect_cut[i] != 0;
+        add(snapshot.resect_line[i], cut ? 1.0F : 2.0F);
+    }
+    if (data.empty()) return;
+    light(guide, snapshot);
+    guide.set("point_size", std::max(2.0F, static_cast<float>(size) / 220.0F));
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    guide_gl.vertices(data.data(), data.size(), true);
+    guide_gl.draw(GL_POINTS, static_cast<int>(data.size() / 4));
+    glDisable(GL_BLEND);
+}
+
+// Steps the size of the computed picture, never the window. Needs a run of slow (or fast) pictures,
+// so that one hiccup changes nothing.
+void FetoscopeView::Impl::adapt(double ms) {
+    frame_ms.push_back(ms);
+    if (frame_ms.size() > 200) frame_ms.erase(frame_ms.begin(), frame_ms.begin() + 100);
+    std::vector<double> sorted = frame_ms;
+    std::sort(sorted.begin(), sorted.end());
+    times.p99_ms = sorted[std::min(sorted.size() - 1, sorted.size() * 99 / 100)];
+    times.mean_ms += (ms - times.mean_ms) * (times.mean_ms > 0 ? 0.1 : 1.0);
+    if (!settings.adaptive) return;
+    slow = ms > kSlowMs ? slow + 1 : 0;
+    fast = ms < kFastMs ? fast + 1 : 0;
+    if (slow >= 8) {
+        slow = 0;
+        (void)make_simpler(quality);
+    } else if (fast >= 90 && !stays_simple) {
+        fast = 0;
+        (void)make_richer(quality);
+    }
+}
+
+FetoscopeView::FetoscopeView(const ViewField& field, const ViewSettings& settings)
+    : impl_(std::make_unique<Impl>(field, settings)) {}
+FetoscopeView::~FetoscopeView() = default;
+
+void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) {
+    Impl& s = *impl_;
+    const int width = s.context->width(), height = s.context->height();
+    if (width < 16 || height < 16 || snapshot.x.empty()) return;  // minimised, or nothing yet
+    const auto start = Clock::now();
+    s.camera = camera_of(snapshot, s.tools);
+    s.observe(snapshot);
+    PostSettings post;
+    post.circle = picture_circle(width, height);
+    const int size = std::max(
+        64, static_cast<int>(std::lround(2 * post.circle.radius * s.quality.render_scale / 8)) * 8);
+    s.draw_world(snapshot, overlay, size);
+
+    post.width = width;
+    post.height = height;
+    post.dt_s = s.last_time_s < 0 ? 0 : std::clamp(snapshot.time_s - s.last_time_s, 0.0, 1.0);
+    // In a window the iris follows the watcher's clock: the simulation may be paused or slow.
+    if (!s.settings.offscreen && s.frames > 0) {
+        post.dt_s = std::chrono::duration<double>(start - s.last_picture).count();
+    }
+    s.last_picture = start;
+    s.last_time_s = snapshot.time_s;
+    post.haze = s.smoke.haze();
+    post.lens = &s.lens;
+    post.dim = overlay.menu.shown ? 0.45 : 1.0;
+    post.noise_seed = ++s.frames;
+    // Always through a target of our own: what a window shows cannot be read back reliably.
+    s.output.allocate(width, height, GL_RGBA8, false);
+    post.output = s.output.framebuffer();
+    post.plain = s.quality.plain;
+    s.post.run(s.picture.texture(), size, post);
+    s.times.render_scale = s.quality.render_scale;
+    s.times.samples = s.quality.samples;
+    s.times.plain = s.quality.plain;
+    const double clock_s = s.settings.offscreen ? snapshot.time_s : seconds_of(start);
+    s.overlay_painter.draw(s.painter, snapshot, overlay, post.circle, s.camera,
+                           {&s.tools, s.depth_cue.feet(), clock_s}, s.times, width, height);
+    if (!s.settings.offscreen) {
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, post.output);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+        glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                          GL_NEAREST);
+    }
+    const GLenum error = glGetError();
+    if (s.error == 0) s.error = error;
+    glFinish();  // the time of this picture, not of the queue
+    s.adapt(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+    s.context->swap();
+}
+
+void FetoscopeView::observe(const Snapshot& snapshot) { impl_->observe(snapshot); }
+void FetoscopeView::wipe_lens() { impl_->lens.wipe(); }
+const Lens& FetoscopeView::lens() const { return impl_->lens; }
+bool FetoscopeView::simplify() {
+    // Whatever else the processor does is short of time: no way back in this attempt.
+    impl_->stays_simple = true;
+    return make_simpler(impl_->quality);
+}
+bool FetoscopeView::software() const { return impl_->software; }
+void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
+bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
+WindowEvents FetoscopeView::events() { return impl_->context->events(); }
+std::pair<double, double> FetoscopeView::pointer() const {
+    double x = -1, y = -1;
+    impl_->context->pointer(x, y);
+    return {x, y};
+}
+void FetoscopeView::capture_pointer(bool capture) { impl_->context->capture_pointer(capture); }
+int FetoscopeView::menu_item_under_pointer() const {
+    double x = 0, y = 0;
+    impl_->context->pointer(x, y);
+    return impl_->overlay_painter.menu_item_at(x, y);
+}
+int FetoscopeView::tuning_item_under_pointer() const {
+    double x = 0, y = 0;
+    impl_->context->pointer(x, y);
+    return impl_->overlay_painter.tuning_item_at(x, y);
+}
+int FetoscopeView::width() const { return impl_->context->width(); }
+int FetoscopeView::height() const { return impl_->context->height(); }
+FrameTimes FetoscopeView::frame_times() const { return impl_->times; }
+unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
+
+std::vector<uint8_t> FetoscopeView::pixels() {
+    const int w = width(), h = height();
+    const size_t row = static_cast<size_t>(w) * 3;
+    std::vector<uint8_t> bottom_up(row * static_cast<size_t>(h)), top_down(bottom_up.size());
+    impl_->output.allocate(w, h, GL_RGBA8, false);
+    impl_->output.begin();
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, w, h, GL_RGB, GL_UNSIGNED_BYTE, bottom_up.data());
+    for (int y = 0; y < h; ++y) {
+        std::copy_n(bottom_up.begin() + static_cast<std::ptrdiff_t>(row) * (h - 1 - y), row,
+                    top_down.begin() + static_cast<std::ptrdiff_t>(row) * y);
+    }
+    return top_down;
+}
+
+void FetoscopeView::save_png(const std::string& path) {
+    write_png(path, width(), height(), pixels());
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Where OpenGL draws: a window, or nowhere (off-screen, needs no display). Main thread only.
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ui/view/window_event.h"
+
+namespace placode::sim {
+
+struct ContextSettings {
+    int width = 1280, height = 800;  ///< [px]
+    bool fullscreen = false;
+    std::string title = "Placode";
+    std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
+};
+
+class GlContext {
+ public:
+    virtual ~GlContext() = default;
+    [[nodiscard]] virtual int width() const = 0;   ///< Of the framebuffer [px].
+    [[nodiscard]] virtual int height() const = 0;  ///< Of the framebuffer [px].
+    virtual void swap() {}
+    /// Handles events and brings `input` up to date; its totals only grow.
+    virtual void poll(WindowInput&) {}
+    /// Hides and holds the pointer, so that motion has no end (off while a menu is open).
+    virtual void capture_pointer(bool) {}
+    /// Pointer in framebuffer pixels, y down.
+    virtual void pointer(double& x, double& y) const { x = y = -1; }
+    [[nodiscard]] virtual bool close_requested() const { return false; }
+    /// What happened since the last call, in order; a window that is to close stays open.
+    [[nodiscard]] virtual WindowEvents events() { return {}; }
+};
+
+/// GLFW window with an OpenGL 3.3 core context, current on this thread. Throws ViewError.
+[[nodiscard]] std::unique_ptr<GlContext> open_window(const ContextSettings& settings);
+/// EGL without a surface: works with no display at all. Throws ViewError.
+[[nodiscard]] std::unique_ptr<GlContext> open_offscreen(const ContextSettings& settings);
+
+}  // namespace placode::sim

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// EGL on Mesa's surfaceless platform: no X, no Wayland, no window.
+
+#include <epoxy/egl.h>
+
+#include "ui/view/gl_context.h"
+#include "ui/view/gl_program.h"
+
+namespace placode::sim {
+namespace {
+
+class OffscreenContext final : public GlContext {
+ public:
+    explicit OffscreenContext(const ContextSettings& settings)
+        : width_(settings.width), height_(settings.height) {
+        if (!epoxy_has_egl()) fail("libEGL is not installed");
+        display_ =
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+        if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {
+            display_ = EGL_NO_DISPLAY;
+            fail("EGL offers no surfaceless display");
+        }
+        if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE) fail("EGL offers no desktop OpenGL");
+        const EGLint wanted[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
+                                 EGL_OPENGL_BIT, EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (eglChooseConfig(display_, wanted, &config, 1, &count) == EGL_FALSE || count == 0) {
+            const EGLint any[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                  EGL_NONE};
+            if (eglChooseConfig(display_, any, &config, 1, &count) == EGL_FALSE || count == 0) {
+                fail("EGL offers no configuration for OpenGL");
+            }
+        }
+        const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                  3,
+                                  EGL_CONTEXT_MINOR_VERSION,
+                                  3,
+                                  EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                  EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                  EGL_NONE};
+        context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, version);
+        if (context_ == EGL_NO_CONTEXT) fail("OpenGL 3.3 is not available");
+        if (eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE) {
+            fail("the OpenGL context cannot be made current");
+        }
+    }
+    ~OffscreenContext() override { release(); }
+    [[nodiscard]] int width() const override { return width_; }
+    [[nodiscard]] int height() const override { return height_; }
+
+ private:
+    void release() {
+        if (display_ == EGL_NO_DISPLAY) return;
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+        eglTerminate(display_);
+        display_ = EGL_NO_DISPLAY;
+    }
+    [[noreturn]] void fail(const std::string& what) {
+        release();
+        throw ViewError("cannot draw off-screen: " + what +
+                        "; install libegl1 and libgl1-mesa-dri, or leave out --screenshots");
+    }
+    EGLDisplay display_ = EGL_NO_DISPLAY;
+    EGLContext context_ = EGL_NO_CONTEXT;
+    int width_, height_;
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> open_offscreen(const ContextSettings& settings) {
+    return std::make_unique<OffscreenContext>(settings);
+}
+
+}  // namespace placode::sim

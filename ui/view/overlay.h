@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What stands around the picture: time, phase, goal, energy, force, ring, one warning; help,
+// performance and the pause menu over it.
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/core/practice.h"
+#include "sim/step/snapshot.h"
+#include "ui/view/camera.h"
+#include "ui/view/depth_cue.h"
+#include "ui/view/post_process.h"
+#include "ui/view/step_watch.h"
+#include "ui/view/text.h"
+#include "ui/view/tuning_view.h"
+
+namespace placode::sim {
+
+/// Steps of a practice task, in the user's language: what to do, and how with the device at hand.
+struct PracticeOverlay {
+    struct Step {
+        std::string text, hint;
+        bool changes_hand = false;  ///< The step before was for the other hand.
+    };
+    std::vector<Step> steps;                ///< Empty = the task has none.
+    HintDevice device = HintDevice::kNone;  ///< Whose keys and buttons the hints show.
+    PracticeGoal goal;                      ///< Where it stands.
+};
+
+/// The pause menu, or a question. Texts are already in the user's language.
+struct MenuOverlay {
+    bool shown = false;
+    std::string title;
+    std::vector<std::string> lines;  ///< What should be known before an item is chosen.
+    std::vector<std::string> items;
+    int selected = 0;
+};
+
+/// What the program wants said. Texts are already in the user's language unless noted.
+struct OverlayState {
+    std::string language = "en";
+    std::string title, goal;
+    std::vector<std::pair<std::string, std::string>>
+        help;                 ///< Control, what it does (English keys).
+    std::string banner;       ///< "DEMONSTRATION", "REPLAY" (English).
+    std::string notice;       ///< Short-lived note (English).
+    bool help_waits = false;  ///< The help stands until somebody presses something.
+    double time_limit_s = 0;  ///< 0 = none.
+    bool remaining = false;   ///< Show what is left of it, in every mode.
+    bool depth_aid = true;    ///< Shadow below the instruments and the gauge beside the tips.
+    bool motion = true;       ///< Hints move; false where the desktop asks for stillness.
+    double cut_power_w = 0, coag_power_w = 0;
+    double full_force_n = 0.4;  ///< Right end of the force bar.
+    bool exam = false;          ///< Time only.
+    bool warnings = true;       ///< Short phrases at the rim.
+    bool show_help = false, show_performance = false, show_guide = false;
+    bool waiting = false;  ///< The clock starts with the first motion.
+    MenuOverlay menu;
+    double holding = 0;  ///< How far Enter has been held, 0..1.
+    PracticeOverlay practice;
+    TuningOverlay tuning;
+};
+inline constexpr double kGaugeMm = 5;  ///< Height that the gauge beside a tip shows [mm].
+
+/// Times of the drawing itself, for the performance read-out.
+struct FrameTimes {
+    double mean_ms = 0, p99_ms = 0;
+    double render_scale = 1;
+    int samples = 0;
+    bool plain = false;
+    std::string renderer;
+};
+
+/// What the view knows about the instruments, and the watcher's clock.
+struct TipScene {
+    const std::vector<ToolSpec>* tools = nullptr;
+    std::array<TipFoot, kMaxTools> feet;
+    double clock_s = 0;
+};
+
+class Overlay {
+ public:
+    void draw(TextPainter& painter, const Snapshot& snapshot, const OverlayState& state,
+              const Circle& circle, const Camera& camera, const TipScene& tips,
+              const FrameTimes& times, int width, int height);
+    /// Menu item under a pointer [px], -1 = none.
+    [[nodiscard]] int menu_item_at(double x, double y) const;
+    /// Item of the tuning panel there, -1 = none.
+    [[nodiscard]] int tuning_item_at(double x, double y) const { return tuning_.item_at(x, y); }
+
+ private:
+    void read_outs();
+    void energy();
+    void force();
+    void ring();
+    /// A ring whose parts light up where they are done, with the share [0..1] in its middle.
+    void gauge(double share, const char* name, std::span<const uint8_t> done);
+    // overlay_practice.cpp: the list of steps.
+    [[nodiscard]] double practice_steps(double y, double room);
+    void practice_line();
+    void tick(double x, double y);
+    [[nodiscard]] std::string amount_text() const;
+    // overlay_goal.cpp, overlay_targets.cpp: what the present step is about, in the picture.
+    void goals();
+    void targets();
+    void target_text(int tool, const Vec2& px, double radius, const Vec3& away_mm, bool above);
+    void end_marks(int tool);
+    void scope_marks();
+    void shaft_scale(int tool, double low_mm, double high_mm, double now_mm, int next);
+    void turn_arc(int tool);
+    [[nodiscard]] int tool_of(Hand hand) const;  ///< -1 = none.
+    [[nodiscard]] int goal_tool() const { return tool_of(state_->practice.goal.step.hand); }
+    // overlay_depth.cpp: gauge beside the tips, what is below the surface.
+    void depth();
+    void depth_gauge(int tool, double gap_mm);
+    void buried(int tool);
+    [[nodiscard]] double gap_mm(int tool) const;
+    [[nodiscard]] Vec2 beside(int tool, const Vec2& tip_px) const;
+    void label(const Vec2& at, const std::string& text, const Colour& colour,
+               Align align = Align::kCentre);
+    // overlay_hint.cpp: the very key or button, when nothing comes of a step.
+    void hint();
+    /// %1 and %2 of a translated pattern replaced.
+    [[nodiscard]] std::string phrase(std::string_view english, const std::string& first,
+                                     const std::string& second = {}) const;
+    void warning();
+    void help();
+    void performance();
+    void menu();
+    void hold_ring();  ///< Fills while Enter is held.
+    void waiting();
+    /// Where a point of W [mm] stands in the window [px]; false behind the lens or off the picture.
+    [[nodiscard]] bool place_of(const Vec3& mm, Vec2& px) const;
+    [[nodiscard]] bool practising() const;
+    [[nodiscard]] bool energised_tools() const;  ///< One of the instruments can carry current.
+    [[nodiscard]] std::string say(std::string_view english) const;
+
+    // Of the picture being drawn.
+    TextPainter* paint_ = nullptr;
+    const Snapshot* snapshot_ = nullptr;
+    const OverlayState* state_ = nullptr;
+    const Camera* camera_ = nullptr;
+    const TipScene* tips_ = nullptr;
+    const FrameTimes* times_ = nullptr;
+    StepWatch watch_;
+    Circle circle_;
+    double width_ = 0, height_ = 0, unit_ = 16, margin_ = 16, column_ = 150;
+    double foot_top_ = 0;  // of what stands at the foot of a narrow window
+    double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
+    bool menu_shown_ = false;
+    int menu_count_ = 0;
+    TuningView tuning_;
+};
+
+/// "3:07".
+[[nodiscard]] std::string clock_text(double seconds);
+
+}  // namespace placode::sim

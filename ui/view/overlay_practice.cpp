@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of a practice task's steps: beside the picture where there is room, else the present one
+// at its foot.
+
+#include <algorithm>
+
+#include "ui/view/overlay.h"
+#include "ui/view/overlay_shapes.h"
+#include "ui/view/overlay_style.h"
+
+namespace placode::sim {
+
+using namespace style;
+
+bool Overlay::practising() const {
+    const PracticeOverlay& practice = state_->practice;
+    return !practice.steps.empty() && practice.goal.count > 0;
+}
+
+// Drawn: not every font has one.
+void Overlay::tick(double x, double y) {
+    const double u = 0.62 * unit_, width = 0.17 * unit_;
+    const Vec2 a(x, y), b(x + 0.38 * u, y + 0.38 * u), c(x + 1.1 * u, y - 0.62 * u);
+    shapes::stroke(*paint_, a, b, width, kGood);
+    shapes::stroke(*paint_, b, c, width, kGood);
+}
+
+/// How much of the present step is done, in its unit; empty where only done counts.
+std::string Overlay::amount_text() const {
+    const StepAmount amount = step_amount(state_->practice.goal);
+    if (amount.whole <= 0) return {};
+    if (state_->practice.goal.step.kind == PracticeKind::kTrace)
+        return number(amount.done, amount.digits) + amount.unit;
+    return number(amount.done, amount.digits) + " " + say("of") + " " +
+           number(amount.whole, amount.digits) + amount.unit;
+}
+
+// The whole list, each step ticked off when it is done; how to do it stands below the present one.
+double Overlay::practice_steps(double y, double room) {
+    const PracticeOverlay& practice = state_->practice;
+    const int now = practice.goal.index;
+    const double indent = 1.3 * unit_, row = paint_->line_height(TextSize::kSmall);
+    for (int i = 0; i < static_cast<int>(practice.steps.size()); ++i) {
+        const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(i)];
+        if (i < now) tick(margin_ + 0.1 * unit_, y - 0.35 * unit_);
+        if (i == now) paint_->box(margin_, y - 0.75 * unit_, 0.25 * unit_, unit_, kAccent);
+        const Colour& colour = i == now ? kText : kMuted;
+        for (const std::string& line :
+             paint_->wrapped(step.text, TextSize::kSmall, room - indent)) {
+            paint_->text(margin_ + indent, y, line, TextSize::kSmall, colour);
+            y += row;
+        }
+        if (i == now) {
+            for (const std::string& line :
+                 paint_->wrapped(step.hint, TextSize::kSmall, room - indent)) {
+                paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
+                y += row;
+            }
+            const std::string amount = amount_text();
+            const double text = paint_->text_width(amount, TextSize::kSmall);
+            const double w = room - indent - (text > 0 ? text + 0.6 * unit_ : 0);
+            paint_->box(margin_ + indent, y - 0.6 * unit_, w, 0.25 * unit_, kLine);
+            paint_->box(margin_ + indent, y - 0.6 * unit_,
+                        w * std::clamp(practice.goal.progress, 0.0, 1.0), 0.25 * unit_, kAccent);
+            paint_->text(margin_ + room, y - 0.2 * unit_, amount, TextSize::kSmall, kText,
+                         Align::kRight);
+            y += 0.9 * unit_;
+        }
+        y += 0.2 * unit_;
+    }
+    return y;
+}
+
+// No room beside the picture: the present step alone, at the foot.
+void Overlay::practice_line() {
+    const PracticeOverlay& practice = state_->practice;
+    const int now = practice.goal.index;
+    if (now >= static_cast<int>(practice.steps.size())) return;
+    const PracticeOverlay::Step& step = practice.steps[static_cast<size_t>(now)];
+    const std::string amount = amount_text();
+    const std::string text = std::to_string(now + 1) + "/" + std::to_string(practice.steps.size()) +
+                             "  " + step.text + (amount.empty() ? "" : "   " + amount);
+    const double most = width_ - 2 * margin_ - 1.6 * unit_;
+    std::vector<std::string> lines = paint_->wrapped(text, TextSize::kSmall, most);
+    const size_t first = lines.size();
+    for (std::string& line : paint_->wrapped(step.hint, TextSize::kSmall, most))
+        lines.push_back(std::move(line));
+    double widest = 0;
+    for (const std::string& line : lines)
+        widest = std::max(widest, paint_->text_width(line, TextSize::kSmall));
+    const double row = paint_->line_height(TextSize::kSmall), w = widest + 1.6 * unit_;
+    const double h = static_cast<double>(lines.size()) * row + 0.8 * unit_;
+    const double x = 0.5 * (width_ - w), y = height_ - h - 3.2 * unit_;
+    paint_->box(x, y, w, h, kRaised.faded(0.85F));
+    for (size_t i = 0; i < lines.size(); ++i)
+        paint_->text(0.5 * width_, y + 1.2 * unit_ + static_cast<double>(i) * row, lines[i],
+                     TextSize::kSmall, i < first ? kText : kAccent, Align::kCentre);
+    paint_->box(x, y + h - 0.2 * unit_, w * std::clamp(practice.goal.progress, 0.0, 1.0),
+                0.2 * unit_, kAccent);
+    foot_top_ = y;
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rings around the places of a practice step, and how far the tip is from them: first beside, then
+// above.
+
+#include <algorithm>
+
+#include "ui/view/overlay.h"
+#include "ui/view/overlay_shapes.h"
+#include "ui/view/overlay_style.h"
+
+namespace placode::sim {
+
+using namespace style;
+
+void Overlay::targets() {
+    const PracticeGoal& goal = state_->practice.goal;
+    const bool both = goal.step.kind == PracticeKind::kTraction;
+    for (int t = 0; t < goal.targets; ++t) {
+        const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
+        Vec2 px, side;
+        if (!place_of(mm, px)) continue;
+        const int tool = both ? tool_of(t == 0 ? Hand::kRight : Hand::kLeft) : goal_tool();
+        const Vec3 away =
+            tool < 0 ? Vec3(Vec3::Zero())
+                     : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
+        const bool above = tool >= 0 && away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
+        double radius = 0.7 * unit_;
+        if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
+            radius = std::max(radius, (side - px).norm());
+        paint_->ring(px.x(), px.y(), radius + 1.5, (radius - 2.5) / (radius + 1.5),
+                     kInk.faded(0.6F));
+        paint_->ring(px.x(), px.y(), radius, (radius - 2) / radius, above ? kGood : kText);
+        paint_->ring(px.x(), px.y(), 2.5, 0, above ? kGood : kText);
+        if (goal.progress > 0)
+            paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
+                         kAccent.faded(0.5F));
+        if (tool >= 0) target_text(tool, px, radius, away, above);
+    }
+}
+
+/// What is missing at a ring, as one short phrase below it.
+void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& away_mm,
+                          bool above) {
+    const PracticeStep& step = state_->practice.goal.step;
+    const ToolSnapshot& seen = snapshot_->tools[static_cast<size_t>(tool)];
+    const TipFoot& foot = tips_->feet[static_cast<size_t>(tool)];
+    const Vec2 place = px + Vec2(0, radius + 1.5 * unit_);
+    if (seen.buried_m > 0) return;  // that comes first
+    Vec2 below;
+    if (foot.found && foot.height_mm > 0.5 && place_of(foot.foot_mm, below)) {
+        // The spot right below the tip: it has to come into the ring.
+        paint_->ring(below.x(), below.y(), 0.42 * unit_, 0.55, above ? kGood : kAccent);
+        const Vec2 way = px - below;
+        if (!above && way.norm() > radius + 1.2 * unit_) {
+            const Vec2 unit = way.normalized();
+            shapes::arrow(*paint_, below + 0.6 * unit_ * unit, px - (radius + 4) * unit,
+                          0.4 * unit_, 0.11 * unit_, kAccent.faded(0.75F));
+        }
+    }
+    if (!above) {
+        label(place, phrase("%1 mm away", number(away_mm.head<2>().norm(), 1)), kText);
+        return;
+    }
+    const bool touches = seen.in_contact != 0;
+    const double gap = gap_mm(tool);
+    if (!touches && gap > 0.15) {
+        // The gauge beside the tip says how far.
+        const bool gauge = state_->depth_aid && gap < kGaugeMm;
+        label(place,
+              gauge ? say("straight down")
+                    : phrase("%1 mm above", number(std::min(gap, away_mm.z()), 1)),
+              kGood);
+        return;
+    }
+    const bool cut = step.kind == PracticeKind::kCut, coag = step.kind == PracticeKind::kCoag;
+    const uint8_t wanted = cut ? kPedalCut : coag ? kPedalCoag : uint8_t{0};
+    if (wanted != 0 && seen.pedals != wanted)
+        label(place, say(cut ? "now the yellow pedal" : "now the blue pedal"),
+              cut ? kYellow : kBlue);
+    else if (step.kind == PracticeKind::kGrasp)
+        label(place, say("now close the jaws"), kGood);
+    else if (const std::string amount = amount_text(); !amount.empty())
+        label(place, amount, kText);
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/practice_hint.h"
+
+namespace placode::sim {
+namespace {
+
+using Act = HintAct;
+using Thing = HintThing;
+using Symbols = std::vector<HintSymbol>;
+
+constexpr HintSymbol key(const char* name, bool together = false, Act act = Act::kPress) {
+    return {Thing::kKey, act, name, together};
+}
+
+Symbols with_mouse(PracticeKind kind, bool scope) {
+    const HintSymbol move{Thing::kMouse, Act::kSideways};
+    const HintSymbol down{Thing::kMouseWheel, Act::kIn}, left{Thing::kMouseLeft, Act::kPress};
+    switch (kind) {
+        case PracticeKind::kMove:
+            if (scope) return {{Thing::kMouseMiddle, Act::kSideways}};
+            return {move};
+        case PracticeKind::kDepth:
+            return {{Thing::kMouseWheel, Act::kInOut}};
+        case PracticeKind::kTurn:
+            return {key("Shift", true), move};
+        case PracticeKind::kTouch:
+            return {move, down};
+        case PracticeKind::kCut:
+            return {down, left};
+        case PracticeKind::kCoag:
+            return {down, {Thing::kMouseRight, Act::kPress}};
+        case PracticeKind::kGrasp:
+            return {down, left};
+        case PracticeKind::kRelease:
+            return {{Thing::kMouseLeft, Act::kRelease}};
+        case PracticeKind::kTrace:
+            return {down, move};
+        case PracticeKind::kTraction:
+            return {left, key("Tab"), left, move};
+        case PracticeKind::kWithdraw:
+            return {{Thing::kMouseWheel, Act::kOut}};
+    }
+    return {};
+}
+
+Symbols with_keyboard(PracticeKind kind, bool scope) {
+    const Symbols plane{key("W"), key("A"), key("S"), key("D")};
+    switch (kind) {
+        case PracticeKind::kMove:
+            if (scope)
+                return {key("\xE2\x86\x90"), key("\xE2\x86\x92"), key("\xE2\x86\x91"),
+                        key("\xE2\x86\x93")};
+            return plane;
+        case PracticeKind::kDepth:
+            return {key("F"), key("R")};
+        case PracticeKind::kTurn:
+            return {key("Q"), key("E")};
+        case PracticeKind::kTouch:
+            return {key("Ctrl", true), key("F")};
+        case PracticeKind::kCut:
+            return {key("F"), key("X")};
+        case PracticeKind::kCoag:
+            return {key("F"), key("C")};
+        case PracticeKind::kGrasp:
+            return {key("F"), key("X")};
+        case PracticeKind::kRelease:
+            return {key("X", false, Act::kRelease)};
+        case PracticeKind::kTrace: {
+            Symbols all{key("Ctrl", true)};
+            all.insert(all.end(), plane.begin(), plane.end());
+            return all;
+        }
+        case PracticeKind::kTraction:
+            return {key("X"), key("Tab"), key("X")};
+        case PracticeKind::kWithdraw:
+            return {key("R")};
+    }
+    return {};
+}
+
+Symbols with_gamepad(PracticeKind kind) {
+    const HintSymbol stick{Thing::kStick, Act::kSideways, "L"};
+    switch (kind) {
+        case PracticeKind::kMove:
+            return {stick};
+        case PracticeKind::kDepth:
+            return {key("RT"), key("LT")};
+        case PracticeKind::kTurn:
+            return {{Thing::kStick, Act::kSideways, "R"}};
+        case PracticeKind::kTouch:
+            return {stick, key("LB", true), key("RT")};
+        case PracticeKind::kCut:
+            return {key("RT"), key("A")};
+        case PracticeKind::kCoag:
+            return {key("RT"), key("B")};
+        case PracticeKind::kGrasp:
+            return {key("RT"), key("A")};
+        case PracticeKind::kRelease:
+            return {key("A", false, Act::kRelease)};
+        case PracticeKind::kTrace:
+            return {key("LB", true), stick};
+        case PracticeKind::kTraction:
+            return {key("A"), key("Tab"), key("A")};
+        case PracticeKind::kWithdraw:
+            return {key("LT")};
+    }
+    return {};
+}
+
+/// A SpaceMouse's cap and an arm's handle are moved alike.
+Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
+    const HintSymbol move{grip, Act::kSideways}, in{grip, Act::kIn};
+    switch (kind) {
+        case PracticeKind::kMove:
+            return {move};
+        case PracticeKind::kDepth:
+            return {{grip, Act::kInOut}};
+        case PracticeKind::kTurn:
+            return {{grip, Act::kTurn}};
+        case PracticeKind::kTouch:
+            return {move, in};
+        case PracticeKind::kCut:
+            return {in, {Thing::kYellowPedal, Act::kPress}};
+        case PracticeKind::kCoag:
+            return {in, {Thing::kBluePedal, Act::kPress}};
+        case PracticeKind::kGrasp:
+            return {in, close};
+        case PracticeKind::kRelease:
+            close.act = Act::kRelease;
+            return {close};
+        case PracticeKind::kTrace:
+            return {in, move};
+        case PracticeKind::kTraction:
+            if (grip == Thing::kCap) return {close, key("Tab"), close, move};
+            return {close, move};
+        case PracticeKind::kWithdraw:
+            return {{grip, Act::kOut}};
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<HintSymbol> hint_symbols(const PracticeStep& step, HintDevice device,
+                                     bool changes_hand) {
+    const bool scope = step.hand == Hand::kCamera;
+    Symbols symbols;
+    switch (device) {
+        case HintDevice::kNone:
+            return {};
+        case HintDevice::kMouse:
+            symbols = with_mouse(step.kind, scope);
+            break;
+        case HintDevice::kKeyboard:
+            symbols = with_keyboard(step.kind, scope);
+            break;
+        case HintDevice::kGamepad:
+            if (!scope) symbols = with_gamepad(step.kind);
+            break;
+        case HintDevice::kSpaceMouse:
+            if (!scope) symbols = with_grip(step.kind, HintThing::kCap, key("1"));
+            break;
+        case HintDevice::kArm:
+            if (!scope) symbols = with_grip(step.kind, HintThing::kHandle, key("1"));
+            break;
+    }
+    if (changes_hand && !scope && !symbols.empty())
+        symbols.insert(symbols.begin(), key(device == HintDevice::kArm ? "2" : "Tab"));
+    return symbols;
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Instruments as meshes in their own frame (tip at the origin, +z distal), posed every frame.
+
+#include <array>
+#include <vector>
+
+#include "sim/step/snapshot.h"
+#include "ui/view/gl_program.h"
+
+namespace placode::sim {
+
+enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2 };
+
+/// Triangles of one instrument in T [mm]; `jaw`: -1 and +1 turn about the hinge, 0 is fixed.
+struct ToolShape {
+    struct Vertex {
+        Eigen::Vector3f p, n;
+        float material = 0, along_mm = 0, around = 0;
+        int jaw = 0;
+    };
+    std::vector<Vertex> vertices;
+    std::vector<unsigned> indices;
+    float hinge_mm = 0;  ///< Distance of the hinge from the tip.
+};
+[[nodiscard]] ToolShape tool_shape(const ToolSpec& spec);
+
+/// Capsules (a, b, radius) [mm] that stand for a tool in shadows.
+struct ShadowCapsule {
+    Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+    double radius = 0;
+};
+[[nodiscard]] std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_WT);
+
+class ToolRenderer {
+ public:
+    explicit ToolRenderer(const std::vector<ToolSpec>& tools);
+    /// Draws all tools except the scope. The program is `tissue_vertex` + `tool`, in use.
+    void draw(const Snapshot& snapshot, GlProgram& program);
+
+ private:
+    std::vector<ToolSpec> specs_;
+    std::vector<ToolShape> shapes_;
+    std::array<GlMesh, kMaxTools> meshes_;
+    std::vector<float> staging_;
+};
+
+}  // namespace placode::sim

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Blood vessels by space colonisation: a seeded tree grows towards attraction points; radii follow
+// Murray's law. Source: Runions et al. 2005, "Modeling and visualization of leaf venation
+// patterns".
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "sim/core/geometry.h"
+
+namespace placode::sim {
+
+struct VesselSegment {
+    Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [mm]
+    double radius_a = 0, radius_b = 0;        ///< [mm]
+};
+
+struct VesselSpec {
+    std::vector<Vec2> roots;                       ///< Where trees start [mm].
+    std::function<bool(const Vec2&)> inside;       ///< Where they may grow.
+    Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< Box that holds `inside` [mm].
+    int attractors = 500;
+    double step_mm = 0.3, kill_mm = 0.55, reach_mm = 6;
+    double thinnest_mm = 0.012, murray = 2.6;
+    double wander = 0.35;  ///< Random share of every growth step.
+    uint64_t seed = 1;
+};
+
+[[nodiscard]] std::vector<VesselSegment> grow_vessels(const VesselSpec& spec);
+
+}  // namespace placode::sim

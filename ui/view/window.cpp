@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window, and what mouse, keyboard and gamepad say. The only file that knows GLFW.
+
+#include <epoxy/gl.h>
+// epoxy stands before GLFW, which would otherwise bring its own gl.h.
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "ui/view/gl_context.h"
+#include "ui/view/gl_program.h"
+
+namespace placode::sim {
+namespace {
+
+// Pedals appear as keyboards (F13, F14); 1 and 2 stand in for them.
+constexpr std::pair<int, Key> kKeys[] = {
+    {GLFW_KEY_W, Key::kW},
+    {GLFW_KEY_A, Key::kA},
+    {GLFW_KEY_S, Key::kS},
+    {GLFW_KEY_D, Key::kD},
+    {GLFW_KEY_Q, Key::kQ},
+    {GLFW_KEY_E, Key::kE},
+    {GLFW_KEY_R, Key::kR},
+    {GLFW_KEY_F, Key::kF},
+    {GLFW_KEY_X, Key::kX},
+    {GLFW_KEY_C, Key::kC},
+    {GLFW_KEY_V, Key::kV},
+    {GLFW_KEY_B, Key::kB},
+    {GLFW_KEY_SPACE, Key::kSpace},
+    {GLFW_KEY_TAB, Key::kTab},
+    {GLFW_KEY_LEFT_SHIFT, Key::kShift},
+    {GLFW_KEY_RIGHT_SHIFT, Key::kShift},
+    {GLFW_KEY_LEFT_CONTROL, Key::kControl},
+    {GLFW_KEY_RIGHT_CONTROL, Key::kControl},
+    {GLFW_KEY_ENTER, Key::kEnter},
+    {GLFW_KEY_KP_ENTER, Key::kEnter},
+    {GLFW_KEY_ESCAPE, Key::kEscape},
+    {GLFW_KEY_LEFT, Key::kLeft},
+    {GLFW_KEY_RIGHT, Key::kRight},
+    {GLFW_KEY_UP, Key::kUp},
+    {GLFW_KEY_DOWN, Key::kDown},
+    {GLFW_KEY_F1, Key::kF1},
+    {GLFW_KEY_F2, Key::kF2},
+    {GLFW_KEY_F3, Key::kF3},
+    {GLFW_KEY_F5, Key::kF5},
+    {GLFW_KEY_F12, Key::kF12},
+    {GLFW_KEY_F13, Key::kCut},
+    {GLFW_KEY_1, Key::kCut},
+    {GLFW_KEY_F14, Key::kCoag},
+    {GLFW_KEY_2, Key::kCoag},
+};
+
+std::string last_error() {
+    const char* text = nullptr;
+    glfwGetError(&text);
+    return text != nullptr ? text : "unknown reason";
+}
+
+/// A window higher than the screen would hide the forces at its lower edge, and the way out.
+void fit_to_screen(int& width, int& height) {
+    GLFWmonitor* screen = glfwGetPrimaryMonitor();
+    if (screen == nullptr) return;
+    int x = 0, y = 0, widest = 0, highest = 0;
+    glfwGetMonitorWorkarea(screen, &x, &y, &widest, &highest);
+    if (widest <= 0 || highest <= 0) return;
+    const double share =
+        std::min({1.0, static_cast<double>(widest) / width, static_cast<double>(highest) / height});
+    width = static_cast<int>(width * share);
+    height = static_cast<int>(height * share);
+}
+
+class GlfwWindow final : public GlContext {
+ public:
+    explicit GlfwWindow(const ContextSettings& settings) {
+        if (glfwInit() == GLFW_FALSE) {
+            throw ViewError("no display to open a window on (" + last_error() +
+                            "); start it from a desktop, under xvfb-run, or with --headless");
+        }
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+        glfwWindowHint(GLFW_DEPTH_BITS, 0);
+        GLFWmonitor* monitor = settings.fullscreen ? glfwGetPrimaryMonitor() : nullptr;
+        int width = settings.width, height = settings.height;
+        if (monitor != nullptr) {
+            const GLFWvidmode* mode = glfwGetVideoMode(monitor);
+            width = mode->width;
+            height = mode->height;
+        } else {
+            fit_to_screen(width, height);
+        }
+        window_ = glfwCreateWindow(width, height, settings.title.c_str(), monitor, nullptr);
+        if (window_ == nullptr) {
+            const std::string reason = last_error();
+            glfwTerminate();
+            throw ViewError("OpenGL 3.3 is not available here (" + reason +
+                            "); install the graphics driver or libgl1-mesa-dri, or use --headless");
+        }
+        // A desktop that places windows by itself (Wayland) refuses; nothing is lost then.
+        if (settings.place && monitor == nullptr)
+            glfwSetWindowPos(window_, settings.place->first, settings.place->second);
+        glfwMakeContextCurrent(window_);
+        glfwSwapInterval(1);
+        glfwSetWindowUserPointer(window_, this);
+        // A click that begins and ends between two polls (a slow picture) still counts.
+        glfwSetInputMode(window_, GLFW_STICKY_MOUSE_BUTTONS, GLFW_TRUE);
+        glfwSetKeyCallback(window_, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+            self(w).on_key(key, action);
+            if (action == GLFW_PRESS && (mods & GLFW_MOD_CONTROL) != 0)
+                self(w).on_letter(glfwGetKeyName(key, scancode));
+        });
+        glfwSetCharCallback(window_, [](GLFWwindow* w, unsigned code) { self(w).on_char(code); });
+        glfwSetScrollCallback(window_,
+                              [](GLFWwindow* w, double, double y) { self(w).state_.wheel += y; });
+        glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int) {
+            self(w).on_button(button, action == GLFW_PRESS);
+        });
+        glfwSetWindowCloseCallback(
+            window_, [](GLFWwindow* w) { self(w).happened({.kind = WindowEvent::Kind::kClose}); });
+        glfwSetCursorPosCallback(
+            window_, [](GLFWwindow* w, double x, double y) { self(w).on_motion(x, y); });
+        glfwSetWindowFocusCallback(
+            window_, [](GLFWwindow* w, int focused) { self(w).on_focus(focused == GLFW_TRUE); });
+    }
+    ~GlfwWindow() override {
+        glfwDestroyWindow(window_);
+        glfwTerminate();
+    }
+
+    [[nodiscard]] int width() const override { return framebuffer().first; }
+    [[nodiscard]] int height() const override { return framebuffer().second; }
+    void swap() override { glfwSwapBuffers(window_); }
+    [[nodiscard]] bool close_requested() const override {
+        return glfwWindowShouldClose(window_) == GLFW_TRUE;
+    }
+
+    void poll(WindowInput& input) override {
+        glfwPollEvents();
+        const auto button = [&](int b) {
+            return state_.focused && glfwGetMouseButton(window_, b) == GLFW_PRESS;
+        };
+        state_.left = button(GLFW_MOUSE_BUTTON_LEFT);
+        state_.right = button(GLFW_MOUSE_BUTTON_RIGHT);
+        state_.middle = button(GLFW_MOUSE_BUTTON_MIDDLE);
+        poll_gamepad();
+        state_.t_ns = std::chrono::duration_cast<std::chrono::nanoseconds>(
+                          std::chrono::steady_clock::now().time_since_epoch())
+                          .count();
+        input = state_;
+    }
+
+    [[nodiscard]] WindowEvents events() override {
+        glfwSetWindowShouldClose(window_, GLFW_FALSE);
+        return std::exchange(events_, {});
+    }
+
+    void capture_pointer(bool capture) override {
+        if (capture == captured_) return;
+        captured_ = capture;
+        has_last_ = false;  // the pointer jumps when the mode changes
+        glfwSetInputMode(window_, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        if (glfwRawMouseMotionSupported() == GLFW_TRUE) {
+            glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, capture ? GLFW_TRUE : GLFW_FALSE);
+        }
+    }
+
+    void pointer(double& x, double& y) const override {
+        int w = 1, h = 1;
+        glfwGetWindowSize(window_, &w, &h);
+        glfwGetCursorPos(window_, &x, &y);
+        x *= static_cast<double>(width()) / std::max(w, 1);
+        y *= static_cast<double>(height()) / std::max(h, 1);
+    }
+
+ private:
+    static GlfwWindow& self(GLFWwindow* window) {
+        return *static_cast<GlfwWindow*>(glfwGetWindowUserPointer(window));
+    }
+    [[nodiscard]] std::pair<int, int> framebuffer() const {
+        int w = 0, h = 0;
+        glfwGetFramebufferSize(window_, &w, &h);
+        return {w, h};
+    }
+    // A reader that never asks (a replay) must not make the list grow.
+    void happened(const WindowEvent& event) {
+        if (events_.size() < 1024) events_.push_back(event);
+    }
+    void on_button(int button, bool down) {
+        if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+        happened({.kind = WindowEvent::Kind::kButton,
+                  .button = static_cast<uint8_t>(button),
+                  .down = down});
+    }
+    void on_char(unsigned code) {
+        if (code < 0x20 || code > 0xFFFF) return;
+        happened({.kind = WindowEvent::Kind::kLetter, .letter = static_cast<char32_t>(code)});
+    }
+    // With Ctrl held (precision) a key types no letter, but L must wipe the lens all the same.
+    void on_letter(const char* name) {
+        if (name != nullptr && name[0] != '\0' && name[1] == '\0')
+            on_char(static_cast<unsigned char>(name[0]));
+    }
+    void on_key(int key, int action) {
+        if (key == GLFW_KEY_BACKSPACE && action != GLFW_RELEASE) {
+            happened({.kind = WindowEvent::Kind::kLetter, .letter = U'\b'});
+        }
+        if (action == GLFW_REPEAT) return;
+        for (const auto& [code, name] : kKeys) {
+            if (code != key) continue;
+            const auto i = static_cast<size_t>(name);
+            state_.down[i] = action == GLFW_PRESS;
+            if (action == GLFW_PRESS) ++state_.presses[i];
+            happened({.kind = WindowEvent::Kind::kKey, .key = name, .down = action == GLFW_PRESS});
+        }
+    }
+    void on_motion(double x, double y) {
+        if (has_last_ && captured_) {
+            state_.mouse_x += x - last_x_;
+            state_.mouse_y += y - last_y_;
+        }
+        last_x_ = x;
+        last_y_ = y;
+        has_last_ = true;
+    }
+    // A key that is let go while another window has the focus is never reported: pedals must stop.
+    void on_focus(bool focused) {
+        state_.focused = focused;
+        if (!focused) state_.down.reset();
+        happened({.kind = WindowEvent::Kind::kFocus, .down = focused});
+        has_last_ = false;
+    }
+    void poll_gamepad() {
+        GLFWgamepadstate pad;
+        state_.gamepad = false;
+        for (int id = GLFW_JOYSTICK_1; id <= GLFW_JOYSTICK_LAST && !state_.gamepad; ++id) {
+            if (glfwJoystickIsGamepad(id) == GLFW_FALSE ||
+                glfwGetGamepadState(id, &pad) == GLFW_FALSE)
+                continue;
+            state_.gamepad = true;
+            for (size_t a = 0; a < state_.gamepad_axis.size(); ++a)
+                state_.gamepad_axis[a] = pad.axes[a];
+            const bool start_before = (state_.gamepad_buttons & kStartButton) != 0;
+            state_.gamepad_buttons = 0;
+            for (unsigned b = 0; b < 15; ++b) {
+                if (pad.buttons[b] == GLFW_PRESS)
+                    state_.gamepad_buttons |= static_cast<uint16_t>(1U << b);
+            }
+            if (!start_before && (state_.gamepad_buttons & kStartButton) != 0)
+                happened({.kind = WindowEvent::Kind::kStart, .down = true});
+        }
+    }
+
+    GLFWwindow* window_ = nullptr;
+    static constexpr uint16_t kStartButton = 1U << GLFW_GAMEPAD_BUTTON_START;
+    WindowInput state_;
+    WindowEvents events_;
+    double last_x_ = 0, last_y_ = 0;
+    bool has_last_ = false, captured_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<GlContext> open_window(const ContextSettings& settings) {
+    return std::make_unique<GlfwWindow>(settings);
+}
+
+}  // namespace placode::sim
