@@ -130,7 +130,7 @@ class CoursePage : public Page {
             findChild<QLabel*>("certificate_code")
                 ->setText(tr("Certificate %1, mastered on %2")
                               .arg(qstr(issued.code), format_when(issued.mastered_utc)));
-            Q_EMIT notice(tr("Certificate written: %1").arg(path));
+            Q_EMIT written(tr("Certificate written: %1").arg(path), path);
         });
     }
 

@@ -55,7 +55,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
-    void announce(const QString& text);
+    void announce(const QString& text, const QString& written = {});
     void goBack();
     void onUserChanged();
     void onAttemptEnded(const AttemptEnding& ending);

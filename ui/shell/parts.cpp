@@ -168,13 +168,15 @@ void fit_columns(QTableWidget* table, int stretch) {
     }
 }
 
-bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb) {
+bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb,
+             const QString& stay) {
     QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, parent);
     box.setObjectName("confirm");
     QPushButton* yes = box.addButton(verb, QMessageBox::DestructiveRole);
     yes->setObjectName("confirm_yes");
     yes->setProperty("role", "danger");
-    QPushButton* no = box.addButton(Parts::tr("Keep"), QMessageBox::RejectRole);
+    QPushButton* no =
+        box.addButton(stay.isEmpty() ? Parts::tr("Keep") : stay, QMessageBox::RejectRole);
     no->setObjectName("confirm_no");
     no->setProperty("role", "secondary");
     box.setDefaultButton(no);

@@ -43,9 +43,10 @@ namespace placode::ui {
 /// Sizes columns to content and lets `stretch` take the rest.
 void fit_columns(QTableWidget* table, int stretch);
 
-/// Asks with verbs on the buttons; true when `verb` was chosen. Escape and Enter keep.
+/// Asks with verbs on the buttons; true when `verb` was chosen. Escape and Enter keep: `stay` is
+/// the word on that button, empty = "Keep".
 [[nodiscard]] bool confirm(QWidget* parent, const QString& title, const QString& text,
-                           const QString& verb);
+                           const QString& verb, const QString& stay = {});
 
 /// A picture drawn by a function, cached per size. `description` is read to those who cannot see.
 [[nodiscard]] QWidget* make_picture(std::function<void(QPainter&, const QRectF&)> draw, QSize least,

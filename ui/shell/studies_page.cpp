@@ -4,7 +4,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QStandardPaths>
 #include <algorithm>
 
 #include "assessment/statistics.h"
@@ -213,9 +212,7 @@ class StudiesPage : public Page {
     }
 
     void exportAs(const QString& format) {
-        const QString documents =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString folder = context_.askFolder(this, tr("Export into this folder"), documents);
+        const QString folder = context_.askFolder(this, tr("Export into this folder"));
         if (folder.isEmpty()) return;
         context_.guard(tr("Exporting the answers"), [&] {
             context_.require(db::Action::kExportStudy);
@@ -226,9 +223,10 @@ class StudiesPage : public Page {
             const auto files =
                 reports::export_dataset(source, format.toStdString(), folder.toStdString());
             context_.audit(("export." + format).toUtf8().constData(), "study " + chosen_, folder);
-            Q_EMIT notice(tr("%1 files, read back and compared with the store: %2")
-                              .arg(files.size())
-                              .arg(folder));
+            Q_EMIT written(tr("%n file(s), read back and compared with the store: %1", nullptr,
+                              static_cast<int>(files.size()))
+                               .arg(folder),
+                           folder);
         });
     }
 

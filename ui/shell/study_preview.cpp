@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "curriculum/draft_text.h"
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -101,6 +102,18 @@ void check_study_questionnaires(AppContext& context, const curriculum::StudyProt
                 "study " + study.id, pointer + (asks ? "/questionnaire" : "/task"), error.what());
         }
     }
+}
+
+bool confirm_draft(AppContext& context, QWidget* parent, const std::string& json) {
+    const auto draft = curriculum::draft_text(json);
+    if (!draft) return true;
+    return confirm(parent, StudyPreview::tr("Publish a draft?"),
+                   StudyPreview::tr(
+                       "This text still calls itself a draft:\n\n\"%1\"\n\nParticipants would read "
+                       "it like this, and a version that is published is never changed. Put in the "
+                       "approved text first: Protocols edits it.")
+                       .arg(context.in(*draft)),
+                   StudyPreview::tr("Publish the draft"), StudyPreview::tr("Do not publish"));
 }
 
 void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study) {

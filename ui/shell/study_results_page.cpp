@@ -6,7 +6,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QStandardPaths>
 #include <array>
 #include <memory>
 
@@ -218,9 +217,7 @@ class StudyResultsPage : public Page {
 
     /// Figures as SVG, PNG and data, numbers.csv, and every analysis that has a table.
     void save() {
-        const QString folder =
-            context_.askFolder(this, tr("Save into this folder"),
-                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        const QString folder = context_.askFolder(this, tr("Save into this folder"));
         if (folder.isEmpty()) return;
         auto count = std::make_shared<size_t>(0);
         AppContext* context = &context_;
@@ -246,7 +243,9 @@ class StudyResultsPage : public Page {
             [this, folder, count](bool done) {
                 if (!done) return;
                 context_.audit("report.figures", "study " + qstr(study_), folder);
-                Q_EMIT notice(tr("%1 files written: %2").arg(*count).arg(folder));
+                Q_EMIT written(
+                    tr("%n file(s) written: %1", nullptr, static_cast<int>(*count)).arg(folder),
+                    folder);
             });
     }
 
