@@ -181,9 +181,8 @@ void AppContext::installTranslators() {
     const QLocale locale(language_ == "pl" ? QLocale(QLocale::Polish, QLocale::Poland)
                                            : QLocale(QLocale::English, QLocale::UnitedKingdom));
     QLocale::setDefault(locale);
-    if (language_ == "en") return;  // English is the source language.
-    if (qt_strings_->load(locale, "qtbase", "_",
-                          QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (language_ != "en" && qt_strings_->load(locale, "qtbase", "_",
+                                               QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(qt_strings_.get());
     if (own_strings_->load(":/i18n/placode_" + language_ + ".qm"))
         QCoreApplication::installTranslator(own_strings_.get());

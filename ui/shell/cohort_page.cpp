@@ -327,7 +327,8 @@ class CohortPage : public Page {
         QWidget* picture = make_picture(
             [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
             QSize(480, static_cast<int>(figure.height)), tr("Scores of a task"),
-            tr("First, last and best score of %1 people.").arg(first.values.size()));
+            tr("First, last and best score of %n person(s).", nullptr,
+               static_cast<int>(first.values.size())));
         picture->setObjectName("distribution");
         picture->setFixedHeight(static_cast<int>(figure.height));
         pictures_->addWidget(picture);

@@ -251,6 +251,8 @@ QString format_clock(const QString& utc) {
 
 QString format_points(double points) { return format_number(points, 0); }
 
+int whole_points(double points) { return QString::number(points, 'f', 0).toInt(); }
+
 QString verdict_word(const db::AttemptRecord& attempt) {
     if (attempt.end == sim::EndReason::kInterrupted) return Parts::tr("Interrupted");
     if (!attempt.void_reason.empty()) return Parts::tr("Does not count");

@@ -62,6 +62,7 @@ void fit_columns(QTableWidget* table, int stretch);
 [[nodiscard]] QString format_when(const std::string& utc);  ///< Local date and time.
 [[nodiscard]] QString format_clock(const QString& utc);     ///< Local time only.
 [[nodiscard]] QString format_points(double points);         ///< "84"
+[[nodiscard]] int whole_points(double points);              ///< The number that it shows.
 [[nodiscard]] QString verdict_word(const db::AttemptRecord& attempt);
 [[nodiscard]] const char* verdict_tone(const db::AttemptRecord& attempt);
 [[nodiscard]] QString end_word(sim::EndReason reason);

@@ -55,7 +55,8 @@ class ResultPage : public Page {
         layout->setSpacing(kSpace8);
         auto* line = new QHBoxLayout;
         line->setSpacing(kSpace12);
-        QLabel* points = make_label(tr("%1 points").arg(format_points(record.points)), "display");
+        QLabel* points =
+            make_label(tr("%n point(s)", nullptr, whole_points(record.points)), "display");
         points->setObjectName("result_points");
         points->setWordWrap(false);
         line->addWidget(points);
