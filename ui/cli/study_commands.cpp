@@ -295,7 +295,7 @@ void add_study_commands(CLI::App& app, Context& context) {
             ->capture_default_str();
         return command;
     };
-    CLI::App* enrol_command = add("enrol", "Adds a participant and prints the code", enrol);
+    CLI::App* enrol_command = add("enrol", "Enrols a participant and prints the code", enrol);
     with_language(enrol_command);
     enrol_command->add_flag("--consented", options->consented,
                             "All required statements were agreed to");

@@ -85,7 +85,7 @@ class StudiesPage : public Page {
                "answers, reviews and submits."),
             "muted"));
         layout->addLayout(text, 1);
-        QPushButton* run = make_button(context_, tr("Start a participant"), "primary", "plus");
+        QPushButton* run = make_button(context_, tr("Enrol a participant"), "primary", "plus");
         run->setObjectName("new_participant");
         connect(run, &QPushButton::clicked, this, [this] {
             context_.guard(tr("Making a participant code"), [this] {
@@ -179,7 +179,7 @@ class StudiesPage : public Page {
         layout->addWidget(make_label(tr("Participants: %1").arg(answers_.size()), "heading"));
         if (answers_.empty()) {
             layout->addWidget(
-                make_label(tr("No answers yet. Start the first participant above."), "muted"));
+                make_label(tr("No answers yet. Enrol the first participant above."), "muted"));
             return make_card(layout);
         }
         QTableWidget* table =

@@ -9,6 +9,7 @@
 #include <array>
 #include <memory>
 
+#include "reports/attempt_counts.h"
 #include "reports/study_analysis.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -58,6 +59,15 @@ class StudyResultsPage : public Page {
             reports::read_study_report(context.store(), study_, context.language().toStdString());
         column->addWidget(make_label(study_title(context, study_), "heading"));
         if (report_.data.demonstration) column->addWidget(make_demonstration_badge());
+        const auto counts = reports::attempt_counts(report_.data);
+        if (counts.all > 0) {
+            const QString said = reports::uncounted_words(counts);
+            QLabel* uncounted =
+                make_label(said.isEmpty() ? tr("All attempts count: %1.").arg(counts.all) : said,
+                           said.isEmpty() ? "muted" : "warn");
+            uncounted->setObjectName("uncounted");
+            column->addWidget(uncounted);
+        }
         column->addLayout(views());
         if (view_ == "figures")
             addFigures(column);

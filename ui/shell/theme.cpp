@@ -109,6 +109,7 @@ QPushButton[role="secondary"]:focus { border: 2px solid @accent@; }
 QPushButton[role="danger"] { background: @raised@; border: 1px solid @critical@; color: @critical@; }
 QPushButton[role="danger"]:hover { background: @critical_soft@; }
 QPushButton[role="danger"]:focus { border: 2px solid @critical@; }
+QPushButton[role="secondary"]:disabled, QPushButton[role="danger"]:disabled { background: @hover@; border: 1px solid @line@; color: @muted@; }
 QPushButton[scale="large"] { min-height: 48px; font-size: 16px; }
 QPushButton[role="quiet"], QToolButton { background: transparent; }
 QPushButton[role="icon"] { background: transparent; padding: 0; }
