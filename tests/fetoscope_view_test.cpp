@@ -418,6 +418,9 @@ TEST_F(FetoscopeViewTest, WhoIsStuckIsShownTheVeryKey) {
     overlay.motion = false;
     const int still = lit(after(110.7));
     EXPECT_NEAR(lit(after(111.6)), still, 5) << "unless somebody wants stillness";
+    overlay.tuning.shown = true;
+    EXPECT_LT(lit(after(111.65)), still - 100) << "not over the tuning panel";
+    overlay.tuning.shown = false;
     overlay.practice.goal.progress = 0.5;
     EXPECT_LT(lit(after(111.7)), still - 100) << "gone with the first progress";
 }
