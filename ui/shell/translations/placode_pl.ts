@@ -7514,9 +7514,9 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message numerus="yes">
         <source>%1 · %2 · %n point(s)</source>
         <translation>
-            <numerusform>%1 · %2 · %n punkt</numerusform>
-            <numerusform>%1 · %2 · %n punkty</numerusform>
-            <numerusform>%1 · %2 · %n punktów</numerusform>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
         </translation>
     </message>
 </context>
