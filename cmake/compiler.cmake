@@ -110,6 +110,13 @@ function(placode_ui_programs)
   # Without line numbers, or every change of a page would touch thousands of its lines.
   qt_add_translations(placode_shell TS_FILES ui/shell/translations/placode_pl.ts RESOURCE_PREFIX /i18n
     LUPDATE_OPTIONS -locations none -no-obsolete)
+  # English is the source language: its file holds singular and plural of counted nouns (%n) only.
+  # Apart from the other: lupdate would fill it with every string.
+  set(english_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_en.ts)
+  set(english ${CMAKE_CURRENT_BINARY_DIR}/placode_en.qm)
+  add_custom_command(OUTPUT ${english} COMMAND Qt6::lrelease -silent ${english_ts} -qm ${english}
+    DEPENDS ${english_ts} VERBATIM)
+  qt_add_resources(placode_shell placode_english PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR} FILES ${english})
   placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
   # All but main stands in a library, so that tests can link it.
   file(GLOB attempt_sources CONFIGURE_DEPENDS ui/attempt/*.cpp ui/attempt/*.h)

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "curriculum/machine_speed.h"
+#include "sim/core/counted.h"
 
 namespace placode::db {
 
@@ -18,7 +19,8 @@ std::string slow_machine_reason(const std::vector<sim::Event>& events) {
     for (const sim::Event& event : events) {
         if (event.kind != sim::EventKind::kMachineSpeed) continue;
         if (event.value2 > 0 && event.value2 < curriculum::kLeastPicturesHz)
-            say("The computer was too slow: " + whole(event.value2) + " pictures a second, " +
+            say("The computer was too slow: " +
+                sim::counted(std::lround(std::floor(event.value2)), "picture") + " a second, " +
                 whole(curriculum::kLeastPicturesHz) + " are needed");
         // Not "less than" alone: a value that is no number is no proof of speed.
         if (!(event.value >= static_cast<float>(curriculum::kLeastRealTime)))

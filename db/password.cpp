@@ -52,7 +52,7 @@ std::string login_key(const std::string& login) {
 std::optional<std::string> password_problem(const std::string& login, const std::string& password) {
     const auto length = QString::fromStdString(password).toUcs4().size();
     if (length < kLeastPasswordLength)
-        return "the password has " + std::to_string(length) + " characters; it needs at least " +
+        return "the length of the password is " + std::to_string(length) + "; it needs at least " +
                std::to_string(kLeastPasswordLength);
     if (length > kMostPasswordLength)
         return "the password is longer than " + std::to_string(kMostPasswordLength) + " characters";

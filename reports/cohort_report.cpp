@@ -11,9 +11,16 @@
 #include "reports/paper.h"
 #include "reports/report.h"
 #include "reports/text.h"
+#include "sim/core/counted.h"
 
 namespace placode::reports {
 namespace {
+
+/// "2 attempts".
+template <typename Count>
+QString many(Count count, const char* noun, const char* plural = "") {
+    return QString::fromStdString(sim::counted(count, noun, plural));
+}
 
 using assessment::Standing;
 
@@ -183,8 +190,8 @@ void write_cohort_pdf(const CohortReport& report, const std::string& path) {
             "- attempts of "
             "simulated operators are among these.</p>");
     paper.html("<p style='font-size:22px'><b>" + safe(report.group) + "</b></p><p>" +
-               QString::number(persons.size()) + " people with attempts, " +
-               QString::number(attempts) + " finished attempts, " + safe(report.made_utc) +
+               many(persons.size(), "person with attempts", "people with attempts") + ", " +
+               many(attempts, "finished attempt") + ", " + safe(report.made_utc) +
                " UTC. Stuck: none of the last " + QString::number(assessment::kStuckTrials) +
                " attempts passed and no gain of " + number(assessment::kProgressPoints, 0) +
                " points. Regressed: passed before, but neither of the last two attempts.</p>");
@@ -259,7 +266,7 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
             "- a demonstration "
             "account.</p>");
     paper.html("<p style='font-size:22px'><b>" + name.toHtmlEscaped() + "</b></p><p>" +
-               QString::number(report.attempts.size()) + " attempts, " + safe(report.made_utc) +
+               many(report.attempts.size(), "attempt") + ", " + safe(report.made_utc) +
                " UTC.</p>");
     paper.heading("Courses");
     if (report.courses.empty()) paper.html("<p>No course is assigned.</p>");
@@ -269,7 +276,7 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
             mastered += stage.status == curriculum::StageStatus::kMastered ? 1 : 0;
         paper.html(
             "<p><b>" + safe(course.course.title.en) + "</b> - " + QString::number(mastered) +
-            " of " + QString::number(course.course.stages.size()) + " stages mastered" +
+            " of " + many(course.course.stages.size(), "stage") + " mastered" +
             (course.certificate ? ", certificate " + safe(course.certificate->code) : QString()) +
             ".<br/>Next: " + safe(course.next.reason.en) + "</p>");
     }

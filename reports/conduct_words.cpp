@@ -11,10 +11,11 @@
 namespace placode::reports {
 namespace {
 
-/// As slow_machine_reason() says them; %1 is a whole number.
+/// As slow_machine_reason() says them; %1 is a whole number, and of pictures there may be one.
 constexpr const char* kVoidPatterns[]{
-    "The computer was too slow: %1 pictures a second, 20 are needed",
     "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed"};
+constexpr const char* kPictures =
+    "The computer was too slow: %n picture(s) a second, 20 are needed";
 
 class Speaker {
  public:
@@ -76,6 +77,15 @@ QString void_words(const std::string& english) {
     QStringList parts;
     for (const QString& part : QString::fromStdString(english).split(QStringLiteral("; "))) {
         QString said = part;
+        // Stores hold "1 pictures" of earlier versions, too.
+        static const QRegularExpression kSlow(
+            "^The computer was too slow: (-?\\d+) pictures? a second, 20 are needed$");
+        if (const auto slow = kSlow.match(part); slow.hasMatch()) {
+            const int n = slow.captured(1).toInt();
+            const QString words = QCoreApplication::translate("Deviation", kPictures, nullptr, n);
+            // Without a translator (the programs) the noun is still undecided.
+            said = QString(words).replace("picture(s)", n == 1 ? "picture" : "pictures");
+        }
         for (const char* pattern : kVoidPatterns) {
             QString text = QRegularExpression::escape(QString::fromUtf8(pattern));
             text.replace(QStringLiteral("\\%1"), QStringLiteral("(-?\\d+)"));

@@ -11,9 +11,16 @@
 #include "reports/paper.h"
 #include "reports/study_report_parts.h"
 #include "reports/text.h"
+#include "sim/core/counted.h"
 
 namespace placode::reports {
 namespace {
+
+/// "2 attempts".
+template <typename Count>
+QString many(Count count, const char* noun, const char* plural = "") {
+    return QString::fromStdString(sim::counted(count, noun, plural));
+}
 
 QString safe(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
 
@@ -344,10 +351,10 @@ void write_versions(Paper& paper, const StudyReport& report) {
                 .left(16));
     };
     QString html = "<p>" + safe(data.software) + "; data read from the store at " +
-                   safe(data.created_utc) + ": " + QString::number(data.participants.size()) +
-                   " participants, " + QString::number(data.answers.size()) + " sets of answers, " +
-                   QString::number(data.attempts.size()) + " attempts, " +
-                   QString::number(cells_of(data).size()) + " values.</p><p>";
+                   safe(data.created_utc) + ": " + many(data.participants.size(), "participant") +
+                   ", " + many(data.answers.size(), "set of answers", "sets of answers") + ", " +
+                   many(data.attempts.size(), "attempt") + ", " +
+                   many(cells_of(data).size(), "value") + ".</p><p>";
     if (!data.definition_json.empty())
         html += "Protocol " + safe(data.id) + " version " + QString::number(data.version) +
                 ", SHA-256 " + checksum(data.definition_json) + "...<br/>";

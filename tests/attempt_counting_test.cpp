@@ -72,6 +72,7 @@ TEST(SlowMachine, IsSaidInPlainWordsWithTheFigureAndTheLimit) {
               "The computer was too slow: the simulation ran at 62 % of real time, 95 % are "
               "needed");
     EXPECT_THAT(db::slow_machine_reason({machine(0.5F, 3)}), HasSubstr("3 pictures a second"));
+    EXPECT_THAT(db::slow_machine_reason({machine(0.5F, 1)}), HasSubstr("1 picture a second"));
     EXPECT_THAT(db::slow_machine_reason({machine(0.5F, 3)}), HasSubstr("; The computer"));
     EXPECT_NE(db::slow_machine_reason({machine(std::numeric_limits<float>::quiet_NaN(), 60)}), "");
 }

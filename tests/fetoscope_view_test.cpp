@@ -419,6 +419,9 @@ TEST_F(FetoscopeViewTest, WhoIsStuckIsShownTheVeryKey) {
     overlay.motion = false;
     const int still = lit(after(110.7));
     EXPECT_NEAR(lit(after(111.6)), still, 5) << "unless somebody wants stillness";
+    overlay.tuning.shown = true;
+    EXPECT_LT(lit(after(111.65)), still - 100) << "not over the tuning panel";
+    overlay.tuning.shown = false;
     overlay.practice.goal.progress = 0.5;
     EXPECT_LT(lit(after(111.7)), still - 100) << "gone with the first progress";
 }
@@ -437,6 +440,85 @@ TEST_F(FetoscopeViewTest, EveryKindOfStepHasAGoalInThePicture) {
         const Picture nothing = draw(f.snapshot, done);
         EXPECT_GT(difference(nothing, draw(f.snapshot, overlay)), 0.3) << kind;
     }
+}
+
+// A window wide enough for the text at its sides, and a second instrument.
+class OverlayRimTest : public FetoscopeViewTest {
+ protected:
+    static constexpr int kWide = 1024, kHigh = 640;
+    void SetUp() override {
+        FetoscopeViewTest::SetUp();
+        if (IsSkipped()) return;
+        field_ = field();
+        ToolSpec grasper;
+        grasper.kind = ToolKind::kGrasper;
+        grasper.hand = Hand::kLeft;
+        field_.view.tools.push_back(grasper);
+        field_.snapshot.tool_count = 3;
+        field_.snapshot.tools[2] = field_.snapshot.tools[0];
+        field_.snapshot.tools[2].kind = ToolKind::kGrasper;
+        field_.snapshot.tools[0].engaged = field_.snapshot.tools[2].engaged = 1;
+        ViewSettings settings;
+        settings.width = kWide, settings.height = kHigh;
+        settings.offscreen = true, settings.adaptive = false;
+        wide_ = std::make_unique<FetoscopeView>(field_.view, settings);
+    }
+    std::vector<uint8_t> draw(const OverlayState& overlay) {
+        wide_->draw(field_.snapshot, overlay);
+        return wide_->pixels();
+    }
+    /// Pixels that differ, of the window's left column.
+    static std::vector<bool> changed(const std::vector<uint8_t>& a, const std::vector<uint8_t>& b) {
+        std::vector<bool> out;
+        for (size_t i = 0; i + 2 < a.size(); i += 3) {
+            int most = 0;
+            for (size_t k = 0; k < 3; ++k)
+                most = std::max(most, std::abs(int{a[i + k]} - b[i + k]));
+            const bool left = (i / 3) % kWide < kWide / 5;
+            out.push_back(left && most > 30);
+        }
+        return out;
+    }
+    static auto count(const std::vector<bool>& marks) {
+        return std::count(marks.begin(), marks.end(), true);
+    }
+    Field field_;
+    std::unique_ptr<FetoscopeView> wide_;
+};
+
+TEST_F(OverlayRimTest, ASingleHandHasOneBarOfForce) {
+    OverlayState overlay;
+    overlay.practice.device = HintDevice::kArm;
+    const auto both = draw(overlay);
+    overlay.practice.device = HintDevice::kMouse;
+    const auto one = draw(overlay);
+    const auto gone = count(changed(both, one));
+    EXPECT_GT(gone, 200) << "the instrument that is put aside has no bar";
+    field_.snapshot.tools[0].in_contact = field_.snapshot.tools[2].in_contact = 1;
+    EXPECT_LT(count(changed(both, draw(overlay))), 20) << "unless it touches";
+    overlay.practice.device = HintDevice::kArm;
+    field_.snapshot.tools[2].engaged = 0;
+    EXPECT_GT(count(changed(both, draw(overlay))), 200) << "a hand that is not there has none";
+}
+
+TEST_F(OverlayRimTest, ThePerformanceIsNotWrittenOverTheTask) {
+    OverlayState overlay;
+    const auto bare = draw(overlay);
+    overlay.title = "Diathermy ring, coarse field";
+    for (int i = 0; i < 12; ++i) overlay.goal += "Make a complete circumferential incision. ";
+    const auto task = draw(overlay);
+    const auto text = changed(bare, task);
+    ASSERT_GT(count(text), 2000);
+    overlay.show_performance = true;
+    const auto with = draw(overlay);
+    const auto written = changed(task, with);
+    size_t over = 0;
+    for (size_t i = 0; i < text.size(); ++i) over += text[i] && written[i] ? 1 : 0;
+    EXPECT_EQ(over, 0U);
+    overlay.goal.clear();
+    const auto without_goal = draw(overlay);
+    overlay.show_performance = false;
+    EXPECT_GT(count(changed(draw(overlay), without_goal)), 500) << "below the text where it fits";
 }
 
 TEST_F(FetoscopeViewTest, WritesAPngThatReadsBackTheSame) {

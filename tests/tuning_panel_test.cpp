@@ -80,6 +80,16 @@ TEST_F(TuningPanelTest, F2GoesFromThePointerToTheArrowsToClosed) {
     EXPECT_FALSE(panel.shown());
 }
 
+TEST_F(TuningPanelTest, ItSaysBeforeAChangeThatSuchAnAttemptDoesNotCount) {
+    TuningPanel panel = make();
+    panel.toggle();
+    EXPECT_THAT(panel.picture().note, HasSubstr("Once something is changed"));
+    EXPECT_FALSE(panel.tuned());
+    panel.click(sim::kTuningParts * 5 + sim::kTuningMore);
+    EXPECT_TRUE(panel.tuned());
+    EXPECT_THAT(panel.picture().note, HasSubstr("was tuned: it does not count"));
+}
+
 TEST_F(TuningPanelTest, AnExamHasNoPanel) {
     TuningPanel panel = make(false);
     panel.toggle();

@@ -256,6 +256,14 @@ void ShellDevicesTest::settingsAreCheckedAndSaved() {
     QVERIFY(shell_->bannerSays("Saved for this computer"));
     QCOMPARE(station().number("limit.force_n"), 2.0);
     QCOMPARE(station().text("arm.mapping"), std::string("tip"));
+    // User words in sight; the file and its keys stand behind "Details".
+    for (const QLabel* label : shell_->window().page()->findChildren<QLabel*>())
+        QVERIFY2(!label->text().contains("station.conf") && !label->text().contains("limit.force"),
+                 qPrintable(label->text()));
+    QCOMPARE(shell_->find<QLineEdit>("key_arm.mapping")->accessibleName(),
+             QString("What the arm stands for"));
+    const QString raw = shell_->find<Details>("station_details")->text();
+    QVERIFY2(raw.contains("station.conf") && raw.contains("limit.force_n = 2"), qPrintable(raw));
     QFile file(shell_->path("station.conf"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY2(file.readAll().startsWith("# bench 1\n"), "what somebody wrote stays");

@@ -14,6 +14,7 @@
 #include "curriculum/definitions.h"
 #include "curriculum/questionnaire.h"
 #include "haptics/device.h"
+#include "reports/words.h"
 #include "shell_harness.h"
 
 namespace placode::ui {
@@ -39,6 +40,7 @@ class ShellFlowTest : public QObject {
     void lockedStoreIsABannerAndNothingIsLost();
     void brokenTaskIsNamedAndTheRestGoesOn();
     void missingSimulatorIsABanner();
+    void countedNounsHaveTheirPlurals();
     void everyStringHasAPolishTranslation();
 
  private:
@@ -357,6 +359,48 @@ void ShellFlowTest::missingSimulatorIsABanner() {
     QVERIFY(QDir(shell.path("recordings")).entryList(QDir::Files).isEmpty());
 }
 
+// English is the language of the source, and needs a file for its plurals alone: where one is
+// missing, "(s)" is shown.
+void ShellFlowTest::countedNounsHaveTheirPlurals() {
+    const auto counted = [](const char* file) {
+        QFile ts(QString(PLACODE_SOURCE_DIR "/ui/shell/translations/") + file);
+        QSet<QString> found;
+        if (!ts.open(QIODevice::ReadOnly)) return found;
+        QXmlStreamReader xml(&ts);
+        QString context;
+        while (!xml.atEnd()) {
+            xml.readNext();
+            if (!xml.isStartElement()) continue;
+            if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+            if (xml.name() != QLatin1String("source")) continue;
+            const QString source = xml.readElementText();
+            if (source.contains("%n")) found << context + ": " + source;
+        }
+        return found;
+    };
+    const QSet<QString> english = counted("placode_en.ts"), polish = counted("placode_pl.ts");
+    QVERIFY(english.size() > 10);
+    QCOMPARE(english - polish, QSet<QString>());
+    QCOMPARE(polish - english, QSet<QString>());
+    AppContext& context = shell_->context();
+    const auto points = [](int n) {
+        return QCoreApplication::translate("ResultPage", "%n point(s)", nullptr, n);
+    };
+    QCOMPARE(points(1), QString("1 point"));
+    QCOMPARE(points(0), QString("0 points"));
+    QCOMPARE(points(22), QString("22 points"));
+    context.setLanguage("pl");
+    QCOMPARE(points(1), QString("1 punkt"));
+    QCOMPARE(points(22), QString("22 punkty"));
+    QCOMPARE(points(12), QString("12 punktów"));
+    QCOMPARE(points(100), QString("100 punktów"));
+    QCOMPARE(reports::void_words("The computer was too slow: 1 pictures a second, 20 are needed"),
+             QString("Komputer był za wolny: 1 obraz na sekundę, potrzeba 20"));
+    context.setLanguage("en");
+    QCOMPARE(reports::void_words("The computer was too slow: 1 pictures a second, 20 are needed"),
+             QString("The computer was too slow: 1 picture a second, 20 are needed"));
+}
+
 void ShellFlowTest::everyStringHasAPolishTranslation() {
     QFile file(PLACODE_SOURCE_DIR "/ui/shell/translations/placode_pl.ts");
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -370,10 +414,19 @@ void ShellFlowTest::everyStringHasAPolishTranslation() {
         if (xml.name() != QLatin1String("translation")) continue;
         ++messages;
         const QString type = xml.attributes().value("type").toString();
-        const QString translation = xml.readElementText();
-        QVERIFY2(type.isEmpty() && !translation.isEmpty(), qPrintable(source + ": " + type));
-        for (const char* mark : {"%1", "%2", "%3"})
-            QVERIFY2(source.contains(mark) == translation.contains(mark), qPrintable(source));
+        // A counted noun has three forms: 1 próba, 2 próby, 5 prób.
+        QStringList forms;
+        if (source.contains("%n")) {
+            while (xml.readNextStartElement()) forms << xml.readElementText();
+            QVERIFY2(forms.size() == 3, qPrintable(source));
+        } else {
+            forms << xml.readElementText();
+        }
+        for (const QString& translation : forms) {
+            QVERIFY2(type.isEmpty() && !translation.isEmpty(), qPrintable(source + ": " + type));
+            for (const char* mark : {"%1", "%2", "%3"})
+                QVERIFY2(source.contains(mark) == translation.contains(mark), qPrintable(source));
+        }
     }
     QVERIFY(!xml.hasError());
     QVERIFY(messages > 300);

@@ -47,12 +47,17 @@ class ShellHarness {
         options.launch.more_arguments << more_arguments;
         options.lock_after_s = lock_after_s;
         options.launch.replay_arguments = QStringList{"--headless"};
-        options.ask_save_file = [this](QWidget*, const QString&, const QString&, const QString&) {
+        options.ask_save_file = [this](QWidget*, const QString&, const QString& proposal,
+                                       const QString&) {
+            proposed = proposal;
             return save_as;
         };
-        options.ask_open_file = [this](QWidget*, const QString&, const QString&, const QString&) {
+        options.ask_open_file = [this](QWidget*, const QString&, const QString& folder,
+                                       const QString&) {
+            proposed = folder;
             return open_this;
         };
+        options.show_file = [this](const QString& path) { shown = path; };
         context_ = std::make_unique<AppContext>(options);
         window_ = std::make_unique<MainWindow>(*context_);
         window_->resize(1366, 768);
@@ -232,11 +237,13 @@ class ShellHarness {
     }
 
     QString save_as;             ///< Answer to the next file dialog.
+    QString proposed;            ///< Where the last file dialog began.
+    QString shown;               ///< What was last opened in a program of the desktop.
     QString hands;               ///< Of the next start(): who operates, whatever device is chosen.
     QStringList more_arguments;  ///< Of the next start(), for the simulator.
     QString simulator = PLACODE_BIN_DIR "/placode-sim";  ///< Of the next start().
-    int lock_after_s = 0;        ///< Of the next start().
-    QString open_this;           ///< Answer to the next dialog for a file to read.
+    int lock_after_s = 0;                                ///< Of the next start().
+    QString open_this;  ///< Answer to the next dialog for a file to read.
 
  private:
     void pressInDialog(const QString& name) {

@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QPlainTextEdit>
 #include <QRegularExpression>
 #include <filesystem>
 #include <new>
@@ -32,6 +33,8 @@ QString read_all(const QWidget* widget) {
     QStringList all;
     for (const auto* label : widget->findChildren<QLabel*>())
         if (label->isVisible()) all << label->text();
+    for (const auto* edit : widget->findChildren<QPlainTextEdit*>())
+        if (edit->isVisible()) all << edit->toPlainText();
     return all.join("\n");
 }
 
@@ -78,6 +81,9 @@ class ShellMessagesTest : public QObject {
     void theyKeepClearOfThePrimaryButton_data();
     void theyKeepClearOfThePrimaryButton();
     void theExactTextIsFoldedAwayAndCanBeCopied();
+    void aLongExactTextScrollsAndCanBeMarked();
+    void whatWasWrittenCanBeOpened();
+    void filesGoWhereTheLastOneWent();
     void languageAndThemeKeepThem();
     void everyTroubleHasUserWords_data();
     void everyTroubleHasUserWords();
@@ -224,7 +230,7 @@ void ShellMessagesTest::theExactTextIsFoldedAwayAndCanBeCopied() {
     QVERIFY(read_all(notices()).contains("Do this."));
     const QSize closed = notices()->size();
     QTest::mouseClick(notices()->findChild<QPushButton*>("details_toggle"), Qt::LeftButton);
-    auto* text = notices()->findChild<QLabel*>("details_text");
+    auto* text = notices()->findChild<QPlainTextEdit*>("details_text");
     QVERIFY(text->isVisible());
     QVERIFY(notices()->height() > closed.height());
     QVERIFY(shell_->window().rect().contains(notices()->geometry()));
@@ -234,6 +240,78 @@ void ShellMessagesTest::theExactTextIsFoldedAwayAndCanBeCopied() {
     QTest::mouseClick(notices()->findChild<QPushButton*>("details_toggle"), Qt::LeftButton);
     QVERIFY(!text->isVisible());
     QCOMPARE(notices()->size(), closed);
+}
+
+void ShellMessagesTest::aLongExactTextScrollsAndCanBeMarked() {
+    QStringList lines;
+    for (int i = 0; i < 60; ++i)
+        lines << QString("line %1 of /a/path/without/a/space/%2/end").arg(i).arg(QString(90, 'x'));
+    shell_->context().report({"Trouble.", "Do this.", lines.join('\n'), false});
+    QCoreApplication::processEvents();
+    QTest::mouseClick(notices()->findChild<QPushButton*>("details_toggle"), Qt::LeftButton);
+    QTest::qWait(50);
+    auto* text = notices()->findChild<QPlainTextEdit*>("details_text");
+    QVERIFY(text->isVisible());
+    QVERIFY2(shell_->window().rect().contains(notices()->geometry()), "cut off by the window");
+    QVERIFY(place(notices()).contains(place(text)));
+    QVERIFY2(text->verticalScrollBar()->maximum() > 0, "the rest scrolls");
+    QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
+    text->selectAll();
+    text->copy();
+    QCOMPARE(QGuiApplication::clipboard()->text(), lines.join('\n'));
+    shell_->window().grab().save(shell_->shotFile("65_message_long_details"));
+}
+
+void ShellMessagesTest::whatWasWrittenCanBeOpened() {
+    const auto press = [&](const QString& name) {
+        auto* button = notices()->findChild<QPushButton*>(name);
+        if (button == nullptr || !button->isVisible()) return false;
+        QTest::mouseClick(button, Qt::LeftButton);
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return true;
+    };
+    const QString pdf = shell_->path("a.pdf"), folder = QFileInfo(pdf).absolutePath();
+    Q_EMIT shell_->window().page()->written("Report written: " + pdf, pdf);
+    QVERIFY(shell_->bannerSays(pdf));
+    shell_->window().grab().save(shell_->shotFile("67_message_written"));
+    QVERIFY(press("banner_folder"));
+    QCOMPARE(shell_->shown, folder);
+    QVERIFY(press("banner_offer"));
+    QCOMPARE(shell_->shown, pdf);
+    QVERIFY(!notices()->text().contains(pdf));
+    // A folder is itself what is opened; a store is no file to look at.
+    Q_EMIT shell_->window().page()->written("Files written: 3", folder);
+    QVERIFY(shell_->bannerSays("Files written"));
+    QVERIFY(!press("banner_folder"));
+    QVERIFY(press("banner_offer"));
+    QCOMPARE(shell_->shown, folder);
+    Q_EMIT shell_->window().page()->written("Backup written", shell_->path("copy.db"));
+    QVERIFY(shell_->bannerSays("Backup"));
+    QVERIFY(!press("banner_offer"));
+    QVERIFY(press("banner_folder"));
+    QCOMPARE(notices()->findChild<Banner*>()->tone(), Banner::Tone::kGood);  // goes by itself
+}
+
+void ShellMessagesTest::filesGoWhereTheLastOneWent() {
+    AppContext& context = shell_->context();
+    const auto proposed = [&](const QString& answer) {
+        shell_->save_as = answer;
+        (void)context.askSaveFile(nullptr, "Save", "report.pdf", {});
+        return shell_->proposed;
+    };
+    QVERIFY(QDir(shell_->path("")).mkpath("there"));
+    const QString first = proposed(shell_->path("there/mine.pdf"));
+    QVERIFY2(QFileInfo(first).isAbsolute(), qPrintable(first));  // Not the program's own folder.
+    QVERIFY(QFileInfo(first).absolutePath() != QDir::currentPath());
+    QCOMPARE(QFileInfo(first).fileName(), QString("report.pdf"));
+    QCOMPARE(proposed({}), shell_->path("there/report.pdf"));
+    QCOMPARE(proposed({}), shell_->path("there/report.pdf"));  // Giving up changes nothing.
+    (void)context.askFolder(nullptr, "Into");
+    QCOMPARE(shell_->proposed, shell_->path("there"));
+    (void)context.askOpenFile(nullptr, "Open", {});
+    QCOMPARE(shell_->proposed, shell_->path("there"));
+    QVERIFY(QDir(shell_->path("there")).removeRecursively());
+    QCOMPARE(proposed({}), first);
 }
 
 void ShellMessagesTest::languageAndThemeKeepThem() {
@@ -355,6 +433,14 @@ void ShellMessagesTest::endingsOfTheSimulatorHaveUserWords() {
              qPrintable(crash));
     QVERIFY(simulator_problem({true, 11, true, "mouse", {}}).detail.contains("signal 11"));
     QVERIFY(said({false, 1, true, {}, "placode-sim: chunk 3"}).contains("score are untouched"));
+    // What sound libraries print at every start has nothing to do with it.
+    const Problem noisy = simulator_problem(
+        {false, 1, true, "mouse",
+         "ALSA lib confmisc.c:855:(parse_card) cannot find card '0'\n"
+         "ALSA lib pcm.c:2664:(snd_pcm_open_noupdate) Unknown PCM default\n"
+         "[ALSOFT] (EE) Failed to open device\nplacode-sim: write: No space left on device"});
+    QCOMPARE(noisy.detail,
+             QString("placode-sim: write: No space left on device\nplacode-sim: exit status 1"));
 }
 
 void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {

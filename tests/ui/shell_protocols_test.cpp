@@ -262,6 +262,15 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QVERIFY(press("definition_preview"));
     QVERIFY(shell_->find<QWidget>("study_preview") != nullptr);
     shell_->whole("75_study_built");
+    // What still calls itself a draft asks first.
+    const QString ready = json()->toPlainText();
+    json()->setPlainText(QString(ready).replace("I take part.", "DRAFT: I take part."));
+    QVERIFY(statusSays("is right"));
+    shell_->refuseNext();
+    QVERIFY(press("definition_publish"));
+    QVERIFY(!shell_->context().store().definition("study", "my_study").has_value());
+    json()->setPlainText(ready);
+    QVERIFY(statusSays("is right"));
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
     const auto first = shell_->context().store().definition("study", "my_study");

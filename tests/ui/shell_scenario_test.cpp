@@ -74,6 +74,7 @@ void ShellScenarioTest::initTestCase() {
     shell_->start("demo.db");
     QVERIFY(shell_->signIn("demo-coordinator", "placode-demo"));
     QVERIFY(shell_->arrives(PageId::kStudies));
+    shell_->confirmNext();  // The shipped consent text is a draft.
     QVERIFY(press("publish_study"));
     QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("enrol") != nullptr; }, 10000));
     // The minute that a procedure must last is too long for a test.

@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QFileInfo>
+#include <QMessageBox>
 #include <QRadioButton>
 #include <QSlider>
 
@@ -82,6 +83,19 @@ void ShellStudyTest::studyIsPublishedOnce() {
     ShellHarness& shell = *shell_;
     shell.shot("60_study_unpublished");
     QVERIFY(shell.find<QPushButton>("enrol") == nullptr);
+    // The shipped consent text calls itself a draft: one click must not make it final.
+    QString asked;
+    QTimer::singleShot(100, &shell.window(), [&] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            asked = box->text();
+            box->grab().save(shell.shotFile("60_draft_question"));
+            QTest::mouseClick(box->findChild<QPushButton*>("confirm_no"), Qt::LeftButton);
+        }
+    });
+    QVERIFY(shell.click("publish_study"));
+    QVERIFY2(asked.contains("DRAFT: your institution"), qPrintable(asked));
+    QVERIFY(!db::published_study(shell.context().store(), kStudy).has_value());
+    shell.confirmNext();
     QVERIFY(shell.click("publish_study"));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("enrol") != nullptr; }, 10000));
     QVERIFY(db::published_study(shell.context().store(), kStudy).has_value());

@@ -57,7 +57,7 @@ Help controls(const Arguments& arguments) {
     };
     add(true, "L", "Wipe the lens");
     add(true, "M  + -", "Sound off, louder, softer");
-    add(conduct.tuning, "F2", "Clinician's tuning");
+    add(conduct.tuning, "F2", "Clinician's tuning; does not count");
     add(arguments.aids.planned_line, "F5", "Planned line on, off");
     add(conduct.performance, "F3", "Performance");
     add(conduct.screenshots, "F12", "Screenshot");

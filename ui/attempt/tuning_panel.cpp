@@ -252,6 +252,8 @@ const sim::TuningOverlay& TuningPanel::picture() {
     if (!shown()) return picture_;
     picture_.pointer = takes_pointer();
     picture_.title = say("Tuning");
+    picture_.note = tuned_ ? say("This attempt was tuned: it does not count.")
+                           : say("Once something is changed, this attempt does not count.");
     picture_.selected = selected_;
     picture_.rows.assign(kRows, {});
     picture_.rows[kTissueRow] = {say("Tissue"), say(kTissues[static_cast<size_t>(tissue_)])};

@@ -15,7 +15,9 @@
 #include <thread>
 
 #include "curriculum/attempt_runner.h"
+#include "db/demonstration.h"
 #include "db/recording_file.h"
+#include "sim/core/counted.h"
 #include "ui/cli/save_recording.h"
 
 namespace placode::cli {
@@ -34,8 +36,6 @@ constexpr std::array kPeople{
     Person{"demo-coordinator", "Karol Demo", db::Role::kCoordinator},
     Person{"demo-admin", "Adam Demo", db::Role::kAdministrator},
 };
-/// Printed, and the same for all: these accounts are for looking around.
-constexpr const char* kDemoPassword = "placode-demo";
 
 struct Planned {
     const char *login, *device;
@@ -97,8 +97,8 @@ class ScratchFolder {
 void add_people(Session& session, std::vector<std::string>& created) {
     for (const Person& person : kPeople) {
         if (session.store().user_by_login(person.login)) continue;
-        session.store().create_user(
-            {person.login, person.name, kDemoPassword, static_cast<db::Roles>(person.role), true});
+        session.store().create_user({person.login, person.name, db::kDemonstrationPassword,
+                                     static_cast<db::Roles>(person.role), true});
         created.emplace_back(person.login);
     }
 }
@@ -177,7 +177,7 @@ int demo(const Context& context, const Options& options) {
     add_people(session, created);
     Json json{{"store", session.store().url()},
               {"created_users", created},
-              {"password", kDemoPassword},
+              {"password", db::kDemonstrationPassword},
               {"attempts", Json::array()}};
     int there = 0;
     const auto count = std::min<size_t>(kAttempts.size(), static_cast<size_t>(options.attempts));
@@ -195,9 +195,9 @@ int demo(const Context& context, const Options& options) {
     json["already_there"] = there;
     json["cancelled"] = cancelled.load();
     std::string text = "demonstration accounts in " + session.store().url() + ", password \"" +
-                       kDemoPassword + "\":\n";
+                       db::kDemonstrationPassword + "\":\n";
     for (const Person& person : kPeople) text += std::string("  ") + person.login + "\n";
-    text += std::to_string(json["attempts"].size()) + " attempts simulated, " +
+    text += sim::counted(json["attempts"].size(), "attempt") + " simulated, " +
             std::to_string(there) + " were there";
     if (cancelled) text += "; cancelled, what is complete is kept: run it again for the rest";
     print(context, json, text);

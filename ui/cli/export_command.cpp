@@ -6,6 +6,7 @@
 
 #include "reports/export.h"
 #include "reports/report.h"
+#include "sim/core/counted.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/session.h"
 
@@ -73,7 +74,7 @@ int run_export(const Context& context, const Options& options) {
         options.study.empty() ? "user " + options.user : "study " + options.study;
     session.store().audit(
         session.actor(), "export." + options.format, object,
-        std::to_string(files.size()) + " files" +
+        sim::counted(files.size(), "file") +
             (options.identifying.empty() ? ""
                                          : "; WITH IDENTIFYING FIELDS: " + options.identifying));
     size_t rows = 0;
@@ -92,7 +93,7 @@ int run_export(const Context& context, const Options& options) {
                                  {"sha256", file.sha256}});
         text += options.out + "/" + file.path + "\n";
     }
-    text += std::to_string(files.size()) + " files, read back and compared with the store" +
+    text += sim::counted(files.size(), "file") + ", read back and compared with the store" +
             (source.data.demonstration ? "; holds DEMONSTRATION data" : "");
     print(context, json, text);
     return 0;

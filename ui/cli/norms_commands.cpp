@@ -9,6 +9,7 @@
 
 #include "db/norms.h"
 #include "db/signature.h"
+#include "sim/core/counted.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/norms_quality.h"
 #include "ui/cli/people.h"
@@ -63,8 +64,8 @@ std::string band_table(const curriculum::NormGroup& group) {
         rows.push_back({metric.id, std::to_string(b.n), fixed(b.mean, 3), fixed(b.sd, 3),
                         b.log ? "ln" : "value", fixed(b.q25, 2), fixed(b.q50, 2), fixed(b.q75, 2)});
     }
-    return group.level + ": " + std::to_string(group.persons) + " persons, " +
-           std::to_string(group.attempts) + " attempts\n" + table(rows);
+    return group.level + ": " + sim::counted(group.persons, "person") + ", " +
+           sim::counted(group.attempts, "attempt") + "\n" + table(rows);
 }
 
 std::string pack_text(const db::NormPackRecord& record) {

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "reports/people_file.h"
+#include "sim/core/counted.h"
 #include "ui/cli/people.h"
 
 namespace placode::cli {
@@ -61,7 +62,7 @@ int import_people(const Context& context, const Options& options) {
                          "made for them");
     Json json{{"people", people.size()}, {"dry_run", options.dry_run}};
     if (options.dry_run) {
-        print(context, json, std::to_string(people.size()) + " people would be added");
+        print(context, json, sim::counted(people.size(), "person", "people") + " would be added");
         return 0;
     }
     // Written before the first account is made: a password that nobody knows helps nobody.
@@ -77,7 +78,7 @@ int import_people(const Context& context, const Options& options) {
         as_list([&] { return reports::make_accounts(session.store(), people, options.file); });
     json["added"] = added;
     print(context, json,
-          "added " + std::to_string(added) + " people" +
+          "added " + sim::counted(added, "person", "people") +
               (need_file ? "; passwords of those without one in " + options.out : ""));
     return 0;
 }
@@ -166,8 +167,8 @@ int data(const Context& context, const Options& options) {
     print(
         context,
         {{"path", options.out}, {"attempts", written.attempts}, {"recordings", written.recordings}},
-        "wrote " + options.out + "/my_data.json with " + std::to_string(written.attempts) +
-            " attempts and " + std::to_string(written.recordings) + " recordings");
+        "wrote " + options.out + "/my_data.json with " + sim::counted(written.attempts, "attempt") +
+            " and " + sim::counted(written.recordings, "recording"));
     return 0;
 }
 

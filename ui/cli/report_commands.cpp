@@ -13,6 +13,7 @@
 #include "reports/export.h"
 #include "reports/report.h"
 #include "reports/study_report.h"
+#include "sim/core/counted.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/people.h"
 
@@ -79,7 +80,7 @@ int report_study(const Context& context, const Options& options) {
            {"participants", report.data.participants.size()},
            {"participants_left_out", report.data.participants_left_out},
            {"demonstration", report.data.demonstration}},
-          "wrote " + options.out + " and " + std::to_string(files.size()) + " files in " +
+          "wrote " + options.out + " and " + sim::counted(files.size(), "file") + " in " +
               figures_folder(options) +
               (report.data.demonstration ? "; holds DEMONSTRATION data" : ""));
     return 0;
@@ -106,8 +107,8 @@ int report_cohort(const Context& context, const Options& options) {
              {"recent_points", one.standing_now.recent},
              {"standing", assessment::standing_name(one.standing_now.standing)}});
     print(context, json,
-          "wrote " + options.out + ": " + std::to_string(report.people.size()) +
-              " rows (person and task)");
+          "wrote " + options.out + ": " + sim::counted(report.people.size(), "row") +
+              " (person and task)");
     return 0;
 }
 

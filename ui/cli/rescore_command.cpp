@@ -14,6 +14,7 @@
 
 #include "assessment/signal.h"
 #include "db/rescore.h"
+#include "sim/core/counted.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -35,8 +36,8 @@ bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
 /// What old recordings cannot tell, once for all of them; --json says it for each.
 std::string lack_text(int attempts, const std::set<std::string>& metrics) {
     if (attempts == 0) return {};
-    std::string text = "\n" + std::to_string(attempts) +
-                       " recordings, older than these metrics or broken off, lack";
+    std::string text = "\n" + sim::counted(attempts, "recording") +
+                       ", older than these metrics or broken off, lack";
     const char* between = ": ";
     for (const std::string& metric : metrics) {
         text += between + metric;
@@ -85,9 +86,12 @@ int rescore(const Context& context, const Options& options) {
                    {"state", db::rescore_state_name(one.state)},
                    {"first_points", one.old_points},
                    {"first_verdict", assessment::verdict_name(one.old_verdict)}};
-        std::vector<std::string> row{
-            std::to_string(one.attempt_id), fixed(one.old_points, 2),         "-", "-",
-            assessment::verdict_name(one.old_verdict),  db::rescore_state_name(one.state)};
+        std::vector<std::string> row{std::to_string(one.attempt_id),
+                                     fixed(one.old_points, 2),
+                                     "-",
+                                     "-",
+                                     assessment::verdict_name(one.old_verdict),
+                                     db::rescore_state_name(one.state)};
         if (has_new_score(one, options.dry_run)) {
             ++scored;
             largest = std::max(largest, std::abs(one.new_points - one.old_points));

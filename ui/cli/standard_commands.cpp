@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "db/standards.h"
+#include "sim/core/counted.h"
 #include "ui/cli/people.h"
 #include "ui/cli/session.h"
 #include "ui/cli/stats_table.h"
@@ -53,12 +54,13 @@ Json json_of(const curriculum::PassStandard& standard) {
 std::string standard_text(const curriculum::PassStandard& standard) {
     if (standard.method == "angoff")
         return "pass mark " + fixed(standard.pass_points, 1) + " points (angoff, " +
-               std::to_string(standard.angoff.judges) + " judges, standard error " +
+               sim::counted(standard.angoff.judges, "judge") + ", standard error " +
                fixed(standard.angoff.se_points, 1) + ")";
     return "pass mark " + fixed(standard.pass_points, 1) + " points (" + standard.method + ", " +
-           std::to_string(standard.novice.n) + " novices, " + std::to_string(standard.expert.n) +
-           " experts); novices who pass " + fixed(100 * standard.novice.theoretical_wrong, 0) +
-           " % by the curves, " + fixed(100 * standard.novice.observed_wrong, 0) + " % observed";
+           sim::counted(standard.novice.n, "novice") + ", " +
+           sim::counted(standard.expert.n, "expert") + "); novices who pass " +
+           fixed(100 * standard.novice.theoretical_wrong, 0) + " % by the curves, " +
+           fixed(100 * standard.novice.observed_wrong, 0) + " % observed";
 }
 
 int show(const Context& context, const Options& options) {

@@ -98,14 +98,13 @@ int attempts(const Context& context, const std::string& login, const std::string
                         {"rubric", attempt.rubric_id},
                         {"rubric_version", attempt.rubric_version},
                         {"metric_set_version", attempt.metric_set_version}});
-        rows.push_back({std::to_string(attempt.id), attempt.started_utc, attempt.user_name,
-                        attempt.task_id,
-                        attempt.device + (attempt.demonstration ? " (demonstration)" : ""),
-                        fixed(attempt.duration_s, 1), fixed(attempt.points, 1),
-                        attempt.void_reason.empty()
-                            ? std::string(assessment::verdict_name(attempt.verdict))
-                            : "void",
-                        end_name(attempt.end)});
+        rows.push_back(
+            {std::to_string(attempt.id), attempt.started_utc, attempt.user_name, attempt.task_id,
+             attempt.device + (attempt.demonstration ? " (demonstration)" : ""),
+             fixed(attempt.duration_s, 1), fixed(attempt.points, 1),
+             attempt.void_reason.empty() ? std::string(assessment::verdict_name(attempt.verdict))
+                                         : "void",
+             end_name(attempt.end)});
     }
     print(context, json, rows.size() == 1 ? "no attempts" : table(rows));
     return 0;

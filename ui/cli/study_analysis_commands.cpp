@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "reports/study_analysis.h"
+#include "sim/core/counted.h"
 #include "ui/cli/session.h"
 #include "ui/cli/study_records.h"
 
@@ -69,7 +70,7 @@ int analyse(const Context& context, const Options& options, Work work) {
                        "\n" + table(rows) + "\n" + analysis.method;
     if (!options.out.empty()) {
         json["files"] = reports::write_analysis(analysis, options.out, report.data.demonstration);
-        text += "\nwrote " + std::to_string(json["files"].size()) + " files to " + options.out;
+        text += "\nwrote " + sim::counted(json["files"].size(), "file") + " to " + options.out;
         session.store().audit(session.actor(), "report." + analysis.id, "study " + options.study,
                               options.out);
     }

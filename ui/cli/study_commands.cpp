@@ -4,8 +4,10 @@
 // answered.
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
+#include "curriculum/draft_text.h"
 #include "curriculum/study.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
@@ -95,6 +97,12 @@ int publish(const Context& context, const std::string& kind, const StudyOptions&
         definition.json = read.json;
     }
     as_input([&] { session.store().publish(definition); });
+    if (const auto draft = curriculum::draft_text(definition.json))
+        std::fprintf(
+            stderr,
+            "placodectl: %s %s: its text calls itself a draft (\"%s\"); publish the approved "
+            "text as the next version before participants read it\n",
+            kind.c_str(), definition.id.c_str(), draft->in("en").c_str());
     const auto there = session.store().definition(kind, definition.id, definition.version);
     print(context,
           {{"kind", kind},
@@ -287,7 +295,7 @@ void add_study_commands(CLI::App& app, Context& context) {
             ->capture_default_str();
         return command;
     };
-    CLI::App* enrol_command = add("enrol", "Adds a participant and prints the code", enrol);
+    CLI::App* enrol_command = add("enrol", "Enrols a participant and prints the code", enrol);
     with_language(enrol_command);
     enrol_command->add_flag("--consented", options->consented,
                             "All required statements were agreed to");

@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QStandardPaths>
 
 #include "reports/people_file.h"
 #include "ui/shell/account_fields.h"
@@ -160,24 +159,23 @@ class AccountPage : public Page {
     }
 
     void saveData() {
-        const QString folder =
-            context_.askFolder(this, tr("Save my data"),
-                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        const QString folder = context_.askFolder(this, tr("Save my data"));
         if (folder.isEmpty()) return;
         context_.require(db::Action::kExportPersonalData);
-        const auto written = std::make_shared<reports::OwnData>();
+        const auto data = std::make_shared<reports::OwnData>();
         context_.background(
             this, tr("Saving my data"),
-            [written, folder, id = context_.user().id,
+            [data, folder, id = context_.user().id,
              recordings = recordings_->isChecked()](db::Store& store) {
-                *written = reports::write_own_data(store, id, folder.toStdString(), recordings);
+                *data = reports::write_own_data(store, id, folder.toStdString(), recordings);
             },
-            [this, written, folder](bool done) {
+            [this, data, folder](bool done) {
                 if (done)
-                    Q_EMIT notice(tr("Your data is in %1: attempts %2, recordings %3.")
-                                      .arg(folder)
-                                      .arg(written->attempts)
-                                      .arg(written->recordings));
+                    Q_EMIT written(tr("Your data is in %1: attempts %2, recordings %3.")
+                                       .arg(folder)
+                                       .arg(data->attempts)
+                                       .arg(data->recordings),
+                                   folder);
             });
     }
 

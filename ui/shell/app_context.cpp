@@ -4,15 +4,25 @@
 
 #include <QApplication>
 #include <QCryptographicHash>
+#include <QDesktopServices>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QPointer>
+#include <QStandardPaths>
 #include <QThreadPool>
 #include <QTranslator>
+#include <QUrl>
 
 namespace placode::ui {
+namespace {
+
+constexpr const char* kLastFolder = "last_folder";
+
+}  // namespace
+
 AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
     store_url_ = options.store_url.empty() ? db::default_store_url() : options.store_url;
     settings_ = options.settings_file.isEmpty()
@@ -26,6 +36,7 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
     theme_ = theme == "dark" ? ThemeKind::kDark : ThemeKind::kLight;
     ask_save_file_ = options.ask_save_file;
     ask_open_file_ = options.ask_open_file;
+    show_file_ = options.show_file;
     lock_after_s_ = options.lock_after_s;
     options.launch.language = language_;
     launcher_ = std::make_unique<AttemptLauncher>(options.launch);
@@ -121,22 +132,47 @@ void AppContext::setStoreSetting(const QString& key, const QVariant& value) {
     value.isValid() ? settings_->setValue(storeKey(key), value) : settings_->remove(storeKey(key));
 }
 
-QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& proposal,
-                                const QString& filter) const {
-    if (ask_save_file_) return ask_save_file_(parent, title, proposal, filter);
-    return QFileDialog::getSaveFileName(parent, title, proposal, filter);
+QString AppContext::lastFolder() const {
+    const QString last = settings_->value(kLastFolder).toString();
+    if (!last.isEmpty() && QFileInfo(last).isDir()) return last;
+    const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    return QFileInfo(documents).isDir() ? documents : QDir::homePath();
 }
 
-QString AppContext::askOpenFile(QWidget* parent, const QString& title,
-                                const QString& filter) const {
-    if (ask_open_file_) return ask_open_file_(parent, title, {}, filter);
-    return QFileDialog::getOpenFileName(parent, title, {}, filter);
+void AppContext::rememberFolder(const QString& folder) {
+    if (QFileInfo(folder).isDir()) settings_->setValue(kLastFolder, folder);
 }
 
-QString AppContext::askFolder(QWidget* parent, const QString& title,
-                              const QString& proposal) const {
-    if (ask_save_file_) return ask_save_file_(parent, title, proposal, {});
-    return QFileDialog::getExistingDirectory(parent, title, proposal);
+QString AppContext::askSaveFile(QWidget* parent, const QString& title, const QString& name,
+                                const QString& filter) {
+    const QString proposal = QDir(lastFolder()).filePath(name);
+    const QString path = ask_save_file_
+                             ? ask_save_file_(parent, title, proposal, filter)
+                             : QFileDialog::getSaveFileName(parent, title, proposal, filter);
+    if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
+    return path;
+}
+
+QString AppContext::askOpenFile(QWidget* parent, const QString& title, const QString& filter) {
+    const QString folder = lastFolder();
+    const QString path = ask_open_file_
+                             ? ask_open_file_(parent, title, folder, filter)
+                             : QFileDialog::getOpenFileName(parent, title, folder, filter);
+    if (!path.isEmpty()) rememberFolder(QFileInfo(path).absolutePath());
+    return path;
+}
+
+QString AppContext::askFolder(QWidget* parent, const QString& title) {
+    const QString last = lastFolder();
+    const QString folder = ask_save_file_ ? ask_save_file_(parent, title, last, {})
+                                          : QFileDialog::getExistingDirectory(parent, title, last);
+    if (!folder.isEmpty()) rememberFolder(QFileInfo(folder).absoluteFilePath());
+    return folder;
+}
+
+void AppContext::showFile(const QString& path) const {
+    if (show_file_) return show_file_(path);
+    QDesktopServices::openUrl(QUrl::fromLocalFile(path));
 }
 
 void AppContext::installTranslators() {
@@ -145,9 +181,8 @@ void AppContext::installTranslators() {
     const QLocale locale(language_ == "pl" ? QLocale(QLocale::Polish, QLocale::Poland)
                                            : QLocale(QLocale::English, QLocale::UnitedKingdom));
     QLocale::setDefault(locale);
-    if (language_ == "en") return;  // English is the source language.
-    if (qt_strings_->load(locale, "qtbase", "_",
-                          QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
+    if (language_ != "en" && qt_strings_->load(locale, "qtbase", "_",
+                                               QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(qt_strings_.get());
     if (own_strings_->load(":/i18n/placode_" + language_ + ".qm"))
         QCoreApplication::installTranslator(own_strings_.get());

@@ -37,6 +37,8 @@ struct ShellOptions {
     int lock_after_s = 600;  ///< Without a touch; 0 = never.
     AskFile ask_save_file;   ///< Empty: the desktop's file dialog.
     AskFile ask_open_file;   ///< The same for a file to read.
+    /// Opens a file or folder in its program; empty: the desktop's.
+    std::function<void(const QString&)> show_file;
 };
 
 /// Main thread. Outlives all pages.
@@ -81,14 +83,16 @@ class AppContext : public QObject {
     [[nodiscard]] QVariant storeSetting(const QString& key) const;
     void setStoreSetting(const QString& key, const QVariant& value);  ///< Not valid: removed.
 
-    [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title,
-                                      const QString& proposal, const QString& filter) const;
+    /// Where to put a file of this `name`; empty = cancelled. All three begin in the folder that
+    /// was chosen last, at first in the user's documents, and remember what is chosen.
+    [[nodiscard]] QString askSaveFile(QWidget* parent, const QString& title, const QString& name,
+                                      const QString& filter);
     /// A file to read; empty = cancelled.
-    [[nodiscard]] QString askOpenFile(QWidget* parent, const QString& title,
-                                      const QString& filter) const;
+    [[nodiscard]] QString askOpenFile(QWidget* parent, const QString& title, const QString& filter);
     /// A folder to put files into; empty = cancelled.
-    [[nodiscard]] QString askFolder(QWidget* parent, const QString& title,
-                                    const QString& proposal) const;
+    [[nodiscard]] QString askFolder(QWidget* parent, const QString& title);
+    /// Opens a file or folder in the program that the desktop has for it.
+    void showFile(const QString& path) const;
 
     [[nodiscard]] AttemptLauncher& launcher() { return *launcher_; }
 
@@ -111,9 +115,12 @@ class AppContext : public QObject {
  private:
     void installTranslators();
     [[nodiscard]] QString storeKey(const QString& key) const;
+    [[nodiscard]] QString lastFolder() const;
+    void rememberFolder(const QString& folder);
 
     std::string store_url_;
     AskFile ask_save_file_, ask_open_file_;
+    std::function<void(const QString&)> show_file_;
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
     std::optional<db::UserRecord> user_;

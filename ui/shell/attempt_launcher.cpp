@@ -62,7 +62,11 @@ AttemptLauncher::AttemptLauncher(LaunchOptions options, QObject* parent)
     connect(&process_, &QProcess::readyReadStandardOutput, this, &AttemptLauncher::readStatus);
     connect(&process_, &QProcess::readyReadStandardError, this, [this] {
         errors_ += process_.readAllStandardError();
-        errors_ = errors_.right(kKeptErrorBytes);
+        // From the beginning of a line: half a line says nothing.
+        if (errors_.size() > kKeptErrorBytes) {
+            errors_ = errors_.right(kKeptErrorBytes);
+            errors_ = errors_.mid(errors_.indexOf('\n') + 1);
+        }
     });
     connect(&process_, &QProcess::finished, this, &AttemptLauncher::onFinished);
     connect(&process_, &QProcess::started, this, &AttemptLauncher::started);

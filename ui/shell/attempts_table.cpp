@@ -100,6 +100,35 @@ QTableWidget* make_attempts_table(AppContext& context,
     return table;
 }
 
+QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
+    int slow = 0, broken_off = 0, idle = 0;
+    for (const db::AttemptRecord& each : attempts) {
+        if (!each.void_reason.empty())
+            ++slow;
+        else if (each.end == sim::EndReason::kInterrupted)
+            ++broken_off;
+        else if (each.verdict == assessment::Verdict::kNotAttempted)
+            ++idle;
+    }
+    QStringList why, what;
+    if (idle > 0) {
+        why << AttemptsTable::tr("nothing was done: %1").arg(idle);
+        what << AttemptsTable::tr("Begin the first step of the task and go on as far as you can.");
+    }
+    if (broken_off > 0) {
+        why << AttemptsTable::tr("broken off: %1").arg(broken_off);
+        what << AttemptsTable::tr("Let an attempt come to its end, or hold Enter to end it.");
+    }
+    if (slow > 0) {
+        why << AttemptsTable::tr("void, as the table says: %1").arg(slow);
+        what << AttemptsTable::tr(
+            "On a computer that is too slow close other programs, or use another one.");
+    }
+    return AttemptsTable::tr("There is no score to show: no attempt at this task counts yet (%1).")
+               .arg(why.join(", ")) +
+           " " + what.join(" ");
+}
+
 int64_t attempt_of_row(const QTableWidget* table, int row) {
     const QTableWidgetItem* item = table->item(row, 0);
     return item != nullptr ? item->data(kAttemptIdRole).toLongLong() : 0;

@@ -19,6 +19,9 @@ enum class AttemptColumns : uint8_t {
                                                 const std::vector<db::AttemptRecord>& attempts,
                                                 AttemptColumns columns);
 
+/// Where none of `attempts` (at one task) counts: why the chart is empty, and what to do.
+[[nodiscard]] QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts);
+
 /// Attempt id of a row, however the table is sorted.
 [[nodiscard]] int64_t attempt_of_row(const QTableWidget* table, int row);
 

@@ -4,6 +4,7 @@
 
 #include <QAccessible>
 #include <QAccessibleWidget>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QStyle>
 #include <utility>
@@ -15,6 +16,13 @@ namespace {
 
 /// Reading takes about 60 ms a letter; nobody looks at once.
 constexpr int kLeastMs = 6000, kLetterMs = 60;
+constexpr int kReachMs = 14000;  ///< More where there is something to press.
+
+/// What a desktop has a program for that shows it as people know it.
+bool opens_well(const QFileInfo& file) {
+    static const QStringList kSuffixes{"pdf", "csv", "svg", "png"};
+    return file.isDir() || kSuffixes.contains(file.suffix().toLower());
+}
 
 }  // namespace
 
@@ -48,17 +56,30 @@ Banner::Banner(AppContext& context, QWidget* parent) : QFrame(parent), context_(
     row->addLayout(text, 1);
     row->addWidget(makeClose(), 0, Qt::AlignTop);
     column->addLayout(row);
-    offer_button_ = make_button(context, {}, "secondary");
+    addOffers(column);
+    details_ = new Details(context);
+    connect(details_, &Details::folded, this, &Banner::resized);
+    column->addWidget(details_);
+}
+
+void Banner::addOffers(QVBoxLayout* column) {
+    auto* row = new QHBoxLayout;
+    row->setSpacing(kSpace8);
+    row->addStretch();
+    folder_button_ = make_button(context_, tr("Show folder"), "quiet");
+    folder_button_->setObjectName("banner_folder");
+    connect(folder_button_, &QPushButton::clicked, this,
+            [this] { context_.showFile(QFileInfo(path_).absolutePath()); });
+    row->addWidget(folder_button_);
+    offer_button_ = make_button(context_, {}, "secondary");
     offer_button_->setObjectName("banner_offer");
     connect(offer_button_, &QPushButton::clicked, this, [this] {
         const Offer offer = offer_;
         Q_EMIT closed();
         if (offer.act) offer.act();
     });
-    column->addWidget(offer_button_, 0, Qt::AlignRight);
-    details_ = new Details(context);
-    connect(details_, &Details::folded, this, &Banner::resized);
-    column->addWidget(details_);
+    row->addWidget(offer_button_);
+    column->addLayout(row);
 }
 
 QPushButton* Banner::makeClose() {
@@ -76,6 +97,7 @@ void Banner::setProblem(const Problem& problem) {
     advice_->setText(problem.way_out);
     details_->setText(problem.detail, problem.open_details);
     offer_ = {};
+    path_.clear();
     tone_ = Tone::kProblem;
     left_ms_ = -1;
     restyle();
@@ -86,8 +108,20 @@ void Banner::setNotice(const QString& text, const Offer& offer) {
     advice_->clear();
     details_->setText({});
     offer_ = offer;
+    path_.clear();
     tone_ = offer.act ? Tone::kOffer : Tone::kGood;
     left_ms_ = offer.act ? -1 : kLeastMs + kLetterMs * static_cast<int>(text.size());
+    restyle();
+}
+
+void Banner::setWritten(const QString& text, const QString& path) {
+    setNotice(text);
+    path_ = path;
+    const QFileInfo file(path);
+    if (opens_well(file))
+        offer_ = {file.isDir() ? tr("Open the folder") : tr("Open"),
+                  [&context = context_, path] { context.showFile(path); }};
+    left_ms_ += kReachMs;
     restyle();
 }
 
@@ -109,6 +143,7 @@ void Banner::restyle() {
     advice_->setVisible(!advice_->text().isEmpty());
     offer_button_->setVisible(static_cast<bool>(offer_.act));
     offer_button_->setText(offer_.text);
+    folder_button_->setVisible(!path_.isEmpty() && !QFileInfo(path_).isDir());
     setAccessibleName(title());
     setAccessibleDescription(details_->text());
 }

@@ -11,6 +11,7 @@
 #include "ui/shell/details.h"
 
 class QLabel;
+class QVBoxLayout;
 class QPushButton;
 
 namespace placode::ui {
@@ -31,6 +32,8 @@ class Banner : public QFrame {
     void setProblem(const Problem& problem);
     /// Good news goes by itself after a time to read it; a question (with an offer) stays.
     void setNotice(const QString& text, const Offer& offer = {});
+    /// A file or folder was written: good news with the ways to it; goes by itself, later.
+    void setWritten(const QString& text, const QString& path);
     [[nodiscard]] Tone tone() const { return tone_; }
     /// What stands in it, then the details.
     [[nodiscard]] QString text() const;
@@ -48,12 +51,14 @@ class Banner : public QFrame {
 
  private:
     [[nodiscard]] QPushButton* makeClose();
+    void addOffers(QVBoxLayout* column);
 
     AppContext& context_;
     QLabel *icon_ = nullptr, *title_ = nullptr, *advice_ = nullptr;
     Details* details_ = nullptr;
-    QPushButton* offer_button_ = nullptr;
+    QPushButton *offer_button_ = nullptr, *folder_button_ = nullptr;
     Offer offer_;
+    QString path_;  ///< Of what was written.
     Tone tone_ = Tone::kGood;
     int left_ms_ = -1;  ///< Until it goes by itself; -1 = it stays.
 };

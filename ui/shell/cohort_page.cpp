@@ -10,7 +10,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QPainter>
-#include <QStandardPaths>
 #include <QStyledItemDelegate>
 #include <algorithm>
 #include <map>
@@ -328,16 +327,16 @@ class CohortPage : public Page {
         QWidget* picture = make_picture(
             [figure](QPainter& painter, const QRectF& where) { figure.draw(painter, where); },
             QSize(480, static_cast<int>(figure.height)), tr("Scores of a task"),
-            tr("First, last and best score of %1 people.").arg(first.values.size()));
+            tr("First, last and best score of %n person(s).", nullptr,
+               static_cast<int>(first.values.size())));
         picture->setObjectName("distribution");
         picture->setFixedHeight(static_cast<int>(figure.height));
         pictures_->addWidget(picture);
     }
 
     void exportTable() {
-        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString path = context_.askSaveFile(
-            this, tr("Export the cohort"), folder + "/placode-cohort.csv", tr("CSV (*.csv)"));
+        const QString path = context_.askSaveFile(this, tr("Export the cohort"),
+                                                  "placode-cohort.csv", tr("CSV (*.csv)"));
         if (path.isEmpty()) return;
         context_.guard(tr("Exporting the cohort"), [&] {
             context_.require(db::Action::kViewPersonalData, db::Scope::kOther);
@@ -355,7 +354,7 @@ class CohortPage : public Page {
                                               std::to_string(cell.streak)});
             reports::save_file(path.toStdString(), csv);
             context_.audit("export.cohort", "cohort", path);
-            Q_EMIT notice(tr("Cohort written: %1").arg(path));
+            Q_EMIT written(tr("Cohort written: %1").arg(path), path);
         });
     }
 

@@ -104,8 +104,8 @@ class ComparePage : public Page {
     }
 
     [[nodiscard]] static QString nameOf(const db::AttemptRecord& each) {
-        return ComparePage::tr("%1 · %2 · %3 points")
-            .arg(qstr(each.user_name), format_when(each.started_utc), format_points(each.points));
+        return ComparePage::tr("%1 · %2 · %n point(s)", nullptr, whole_points(each.points))
+            .arg(qstr(each.user_name), format_when(each.started_utc));
     }
 
     /// The person's own best one: what one could do already.
@@ -149,8 +149,8 @@ class ComparePage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         auto* line = new QHBoxLayout;
-        QLabel* points =
-            make_label(tr("%1 points").arg(format_points(half.detail.record.points)), "title");
+        QLabel* points = make_label(
+            tr("%n point(s)", nullptr, whole_points(half.detail.record.points)), "title");
         points->setObjectName(QString("compare_points_%1").arg(i));
         line->addWidget(points);
         line->addWidget(

@@ -379,7 +379,7 @@ class CourseEditorPage : public Page {
         context_.guard(tr("Exporting the course"), [&] {
             reports::save_file(path.toStdString(), curriculum::course_json(course));
             saved_ = curriculum::course_json(course);
-            Q_EMIT notice(tr("Course written: %1").arg(path));
+            Q_EMIT written(tr("Course written: %1").arg(path), path);
         });
     }
 

@@ -130,7 +130,7 @@ class CoursePage : public Page {
             findChild<QLabel*>("certificate_code")
                 ->setText(tr("Certificate %1, mastered on %2")
                               .arg(qstr(issued.code), format_when(issued.mastered_utc)));
-            Q_EMIT notice(tr("Certificate written: %1").arg(path));
+            Q_EMIT written(tr("Certificate written: %1").arg(path), path);
         });
     }
 
@@ -211,7 +211,9 @@ class CoursePage : public Page {
             text->addWidget(make_label(stage.problem->title, "critical"));
             text->addWidget(make_label(stage.problem->detail, "small"));
         }
-        text->addWidget(make_label(standing(stage), "small"));
+        QLabel* where = make_label(standing(stage), "small");
+        where->setObjectName("standing_" + qstr(stage.rule.id));
+        text->addWidget(where);
         return text;
     }
 
@@ -229,14 +231,36 @@ class CoursePage : public Page {
         }
     }
 
+    /// "Title (Benchmark 70 points, once)".
+    [[nodiscard]] QString whatMasters(const std::string& task_id) const {
+        const QString title = training_.taskTitle(context_, task_id);
+        for (const TrainingStage& each : training_.stages)
+            if (each.task_id == task_id && each.progress.status != StageStatus::kMastered) {
+                curriculum::CourseStage rule = each.rule;
+                rule.max_attempts = rule.remind_after_days = 0;  // what opens it, no more
+                return title + " (" + stage_rule_words(rule) + ")";
+            }
+        return title;
+    }
+
+    /// A stage above this one is closed, so that an open one below it looks like a mistake.
+    [[nodiscard]] bool aboveIsLocked(const TrainingStage& stage) const {
+        for (const TrainingStage& each : training_.stages) {
+            if (&each == &stage) return false;
+            if (each.progress.status == StageStatus::kLocked) return true;
+        }
+        return false;
+    }
+
     [[nodiscard]] QString standing(const TrainingStage& stage) const {
         if (stage.progress.status == StageStatus::kLocked) {
             QStringList missing;
-            for (const std::string& id : stage.progress.missing)
-                missing << training_.taskTitle(context_, id);
-            return tr("Opens when mastered: %1").arg(missing.join(", "));
+            for (const std::string& id : stage.progress.missing) missing << whatMasters(id);
+            return tr("Locked. Opens when mastered: %1").arg(missing.join("; "));
         }
         QString rule = stage_rule_words(stage.rule);
+        if (stage.rule.requires_stages.empty() && aboveIsLocked(stage))
+            rule += tr(" · open to everybody: needs no stage before it");
         if (stage.progress.attempts_left >= 0)
             rule += tr(" · left: %1").arg(stage.progress.attempts_left);
         if (stage.progress.attempts == 0) return rule + tr(" · not tried yet");

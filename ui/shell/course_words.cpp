@@ -31,15 +31,17 @@ QString stage_rule_words(const curriculum::CourseStage& stage) {
     QStringList parts;
     parts << (stage.mode == curriculum::StageMode::kFamiliarisation && stage.benchmark_points <= 0
                   ? CourseWords::tr("Counts whatever the score")
-              : stage.consecutive == 1 ? CourseWords::tr("Benchmark %1 points, once")
-                                             .arg(format_points(stage.benchmark_points))
-                                       : CourseWords::tr("Benchmark %1 points, %2 times in a row")
-                                             .arg(format_points(stage.benchmark_points))
-                                             .arg(stage.consecutive));
+              : stage.consecutive == 1
+                  ? CourseWords::tr("Benchmark %n point(s), once", nullptr,
+                                    whole_points(stage.benchmark_points))
+                  : CourseWords::tr("Benchmark %n point(s), %1 times in a row", nullptr,
+                                    whole_points(stage.benchmark_points))
+                        .arg(stage.consecutive));
     if (stage.max_attempts > 0)
         parts << CourseWords::tr("attempts at most: %1").arg(stage.max_attempts);
     if (stage.remind_after_days > 0)
-        parts << CourseWords::tr("to be refreshed after %1 days").arg(stage.remind_after_days);
+        parts << CourseWords::tr("to be refreshed after %n day(s)", nullptr,
+                                 stage.remind_after_days);
     return parts.join(" · ");
 }
 
@@ -77,9 +79,9 @@ QString problem_words(const curriculum::CourseProblem& problem) {
             return CourseWords::tr("In a row: 1 to 20 times.");
         case CourseFault::kTooFewAttempts:
             return CourseWords::tr(
-                       "%1 attempts are fewer than what is wanted in a row: it could never be "
-                       "mastered.")
-                .arg(value);
+                "%n attempt(s) are fewer than what is wanted in a row: it could never be "
+                "mastered.",
+                nullptr, value.toInt());
         case CourseFault::kRemind:
             return CourseWords::tr("0 to 3650 days.");
         case CourseFault::kNoSeeds:

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The exact text of a part that failed, for whoever helps: folded away behind "Details", to be
-// copied.
+// marked and copied; a long one scrolls.
 
-#include <QLabel>
+#include <QPlainTextEdit>
 #include <QPushButton>
 
 #include "ui/shell/app_context.h"
@@ -23,11 +23,15 @@ class Details : public QWidget {
  Q_SIGNALS:
     void folded();  ///< Opened or closed: it needs another height now.
 
+ protected:
+    void resizeEvent(QResizeEvent* event) override;
+
  private:
     void fold(bool open);
+    bool fitHeight();
 
     QPushButton *toggle_ = nullptr, *copy_ = nullptr;
-    QLabel* text_ = nullptr;
+    QPlainTextEdit* text_ = nullptr;
     bool open_ = false;
 };
 

@@ -20,6 +20,45 @@ namespace {
 
 using haptics::Station;
 
+struct SettingName {
+    const char *key, *name;
+};
+/// What people call the settings of the station file.
+constexpr SettingName kSettingNames[] = {
+    {"arm.mapping", QT_TRANSLATE_NOOP("DevicesPage", "What the arm stands for")},
+    {"arm.scale", QT_TRANSLATE_NOOP("DevicesPage", "Scale of the motion")},
+    {"arm.one_hand", QT_TRANSLATE_NOOP("DevicesPage", "Hand of a single arm")},
+    {"limit.stiffness_n_m", QT_TRANSLATE_NOOP("DevicesPage", "Stiffness at most")},
+    {"limit.damping_ns_m", QT_TRANSLATE_NOOP("DevicesPage", "Damping at most")},
+    {"limit.force_n", QT_TRANSLATE_NOOP("DevicesPage", "Force at most")},
+    {"openhaptics.library", QT_TRANSLATE_NOOP("DevicesPage", "Program library of the vendor")},
+    {"openhaptics.right", QT_TRANSLATE_NOOP("DevicesPage", "Right arm")},
+    {"openhaptics.left", QT_TRANSLATE_NOOP("DevicesPage", "Left arm")},
+    {"haply.host", QT_TRANSLATE_NOOP("DevicesPage", "Computer of the vendor's service")},
+    {"haply.port", QT_TRANSLATE_NOOP("DevicesPage", "Its port")},
+    {"haply.right", QT_TRANSLATE_NOOP("DevicesPage", "Right arm")},
+    {"haply.left", QT_TRANSLATE_NOOP("DevicesPage", "Left arm")},
+    {"haply.axes", QT_TRANSLATE_NOOP("DevicesPage", "Directions of the arm")},
+    {"haply.force_n", QT_TRANSLATE_NOOP("DevicesPage", "Force that the arm can do")},
+    {"avatar.right", QT_TRANSLATE_NOOP("DevicesPage", "Right port device")},
+    {"avatar.left", QT_TRANSLATE_NOOP("DevicesPage", "Left port device")},
+    {"avatar.ibox", QT_TRANSLATE_NOOP("DevicesPage", "Handle and pedal box")},
+    {"avatar.signs", QT_TRANSLATE_NOOP("DevicesPage", "Directions of the axes")},
+    {"avatar.depth_zero_m", QT_TRANSLATE_NOOP("DevicesPage", "Depth at the port")},
+    {"avatar.settle_s", QT_TRANSLATE_NOOP("DevicesPage", "Wait after opening")},
+    {"forcedimension.library", QT_TRANSLATE_NOOP("DevicesPage", "Program library of the vendor")},
+    {"forcedimension.swap_hands", QT_TRANSLATE_NOOP("DevicesPage", "Right and left exchanged")},
+    {"spacemouse.socket", QT_TRANSLATE_NOOP("DevicesPage", "Connection to its service")},
+    {"spacemouse.speed_m_s", QT_TRANSLATE_NOOP("DevicesPage", "Speed at full deflection")},
+};
+
+QString setting_name(const QString& key) {
+    for (const SettingName& each : kSettingNames)
+        if (key == QLatin1String(each.key))
+            return QCoreApplication::translate("DevicesPage", each.name);
+    return key;
+}
+
 class DevicesPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(DevicesPage)
  public:
@@ -199,10 +238,10 @@ class DevicesPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         layout->addWidget(make_label(tr("Settings of this computer"), "heading"));
-        QLabel* path =
-            make_label(tr("Kept in %1").arg(qstr(Station::path_of_this_computer())), "small");
-        path->setObjectName("station_path");
-        layout->addWidget(path);
+        layout->addWidget(make_label(
+            tr("They hold for this computer, whoever is signed in. Change one only when a device "
+               "does not do what the hand does."),
+            "small"));
         const Station now = station();
         const double tested = now.number("tested.force_n");
         QLabel* passed = make_label(
@@ -225,6 +264,11 @@ class DevicesPage : public Page {
         save->setObjectName("save_station");
         connect(save, &QPushButton::clicked, this, [this] { saveSettings(); });
         layout->addWidget(save, 0, Qt::AlignLeft);
+        QStringList raw{qstr(Station::path_of_this_computer())};
+        for (const auto& [key, field] : edits_) raw << qstr(key + " = " + now.text(key));
+        auto* file = new Details(context_, raw.join("\n"));
+        file->setObjectName("station_details");
+        layout->addWidget(file);
         station_place_->addWidget(make_card(layout));
     }
 
@@ -236,12 +280,12 @@ class DevicesPage : public Page {
 
     void addSetting(QGridLayout* grid, const haptics::StationKey& key, const Station& now) {
         const int row = grid->rowCount();
-        const QString name = qstr(std::string(key.key));
-        QLabel* label = make_label(name);
+        const QString name = qstr(std::string(key.key)), words = setting_name(name);
+        QLabel* label = make_label(words);
         label->setWordWrap(false);
         auto* field = new QLineEdit(qstr(now.text(key.key)));
         field->setObjectName("key_" + name);
-        field->setAccessibleName(name);
+        field->setAccessibleName(words);
         field->setMinimumWidth(170);
         label->setBuddy(field);
         grid->addWidget(label, row, 0);
@@ -282,7 +326,7 @@ class DevicesPage : public Page {
         pedals_ = new QComboBox;
         pedals_->setObjectName("pedals");
         pedals_->setEditable(true);
-        layout->addLayout(make_field(tr("Event device"), pedals_));
+        layout->addLayout(make_field(tr("Which pedals"), pedals_));
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
         QPushButton* watch = make_button(context_, tr("Watch"), "secondary", "play");

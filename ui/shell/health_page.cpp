@@ -5,7 +5,6 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QStandardPaths>
 #include <memory>
 
 #include "ui/shell/details.h"
@@ -107,11 +106,10 @@ class HealthPage : public Page {
     }
 
     void backup() {
-        const QString proposal =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/placode-" +
-            QDateTime::currentDateTime().toString("yyyyMMdd-HHmm") + ".backup.db";
-        const QString path = context_.askSaveFile(this, tr("Back up the store"), proposal,
-                                                  tr("Placode store (*.db)"));
+        const QString name =
+            "placode-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmm") + ".backup.db";
+        const QString path =
+            context_.askSaveFile(this, tr("Back up the store"), name, tr("Placode store (*.db)"));
         if (path.isEmpty()) return;
         context_.background(
             this, tr("Backing up the store"),
@@ -124,7 +122,7 @@ class HealthPage : public Page {
                         ", " + path;
                     context_.setStoreSetting("last_backup", note);
                     last_->setText(tr("Last backup: %1").arg(note));
-                    Q_EMIT notice(tr("Backup written: %1").arg(path));
+                    Q_EMIT written(tr("Backup written: %1").arg(path), path);
                 });
             });
     }

@@ -91,15 +91,11 @@ class HistoryPage : public Page {
             [&] { pass = db::rubric_at(context_.store(), curriculum::load_task(id)).pass_points; });
         auto* layout = new QVBoxLayout;
         layout->addWidget(make_label(tr("Score over attempts"), "heading"));
-        const reports::ChartStyle style = chart_style(context_.theme());
-        QWidget* chart = make_picture(
-            [counted, pass, style](QPainter& painter, const QRectF& where) {
-                reports::draw_history(painter, where, counted, pass, style);
-            },
-            QSize(320, 260), tr("Score over attempts"),
-            tr("The same numbers stand in the table below."));
-        chart->setObjectName("history_chart");
-        layout->addWidget(chart);
+        if (counted.empty()) {
+            addNothingCounts(layout, shown, qstr(id));
+        } else {
+            addChart(layout, counted, pass);
+        }
         body_->addWidget(make_card(layout));
         if (counted.size() >= kCurveFrom) body_->addWidget(curveCard(counted, pass));
         QTableWidget* table = make_attempts_table(context_, shown, AttemptColumns::kOwn);
@@ -110,6 +106,32 @@ class HistoryPage : public Page {
         });
         body_->addWidget(table, 1);
         body_->addWidget(make_label(tr("Enter or double click opens the result."), "small"));
+    }
+
+    void addNothingCounts(QVBoxLayout* layout, const std::vector<db::AttemptRecord>& shown,
+                          const QString& task) {
+        layout->setSpacing(kSpace12);
+        QLabel* why = make_label(why_nothing_counts(shown), "muted");
+        why->setObjectName("history_empty");
+        layout->addWidget(why);
+        QPushButton* open = make_button(context_, tr("Open the task"), "primary", "play");
+        open->setObjectName("history_open_task");
+        connect(open, &QPushButton::clicked, this, [this, task] {
+            Q_EMIT go({PageId::kTask, 0, task, {}});
+        });
+        layout->addWidget(open, 0, Qt::AlignLeft);
+    }
+
+    void addChart(QVBoxLayout* layout, const std::vector<db::AttemptRecord>& counted, double pass) {
+        const reports::ChartStyle style = chart_style(context_.theme());
+        QWidget* chart = make_picture(
+            [counted, pass, style](QPainter& painter, const QRectF& where) {
+                reports::draw_history(painter, where, counted, pass, style);
+            },
+            QSize(320, 260), tr("Score over attempts"),
+            tr("The same numbers stand in the table below."));
+        chart->setObjectName("history_chart");
+        layout->addWidget(chart);
     }
 
     /// What the fitted curve says in words, and the CUSUM with its limits.

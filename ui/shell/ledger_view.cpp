@@ -20,8 +20,8 @@ LedgerView::LedgerView(const AppContext& context, reports::LedgerPicture picture
     setMinimumSize(480, static_cast<int>(reports::ledger_height(style_)) + 8);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Damage over time"));
-    setAccessibleDescription(
-        tr("%1 entries. Arrow keys go from one to the next.").arg(picture_.entries.size()));
+    setAccessibleDescription(tr("%n entry(s). Arrow keys go from one to the next.", nullptr,
+                                static_cast<int>(picture_.entries.size())));
     setToolTip(tr("Click an entry, or use the arrow keys"));
 }
 

@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "db/demonstration.h"
 #include "ui/shell/form_keys.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -64,6 +65,7 @@ class LoginPage : public Page {
         note_->setObjectName("login_note");
         layout->addWidget(note_);
         addPeople(layout);
+        addDemonstration(layout);
         login_ = new QLineEdit;
         login_->setObjectName("login");
         password_ = new QLineEdit;
@@ -112,6 +114,9 @@ class LoginPage : public Page {
 
     /// The people who signed in here last, as long as they still may.
     void addPeople(QVBoxLayout* layout) {
+        std::vector<db::UserRecord> users;
+        (void)context_.problemOf([&] { users = context_.store().users(); });
+        if (db::is_demonstration_store(users)) return;  // They all stand below.
         QStringList recent = context_.storeSetting("recent_logins").toStringList();
         recent.removeIf([this](const QString& login) { return !isHere(login); });
         if (recent.isEmpty()) return;
@@ -131,6 +136,47 @@ class LoginPage : public Page {
             ++count;
         }
         layout->addLayout(grid);
+    }
+
+    /// A store that was made to be looked at says who is in it, and lets everybody in.
+    void addDemonstration(QVBoxLayout* layout) {
+        std::vector<db::UserRecord> users;
+        (void)context_.problemOf([&] { users = context_.store().users(); });
+        if (!db::is_demonstration_store(users)) return;
+        auto* inside = new QVBoxLayout;
+        inside->setSpacing(kSpace8);
+        inside->addWidget(make_label(
+            tr("This is a demonstration: choose who you want to be. The password of all is "
+               "\"%1\".")
+                .arg(db::kDemonstrationPassword),
+            "small"));
+        auto* grid = new QGridLayout;
+        grid->setSpacing(kSpace8);
+        int count = 0;
+        for (const db::UserRecord& user : users) {
+            if (!user.active) continue;
+            const QString login = qstr(user.login);
+            QPushButton* person = make_button(context_, login, "secondary");
+            person->setProperty("scale", "small");
+            person->setObjectName("demonstration_" + login);
+            person->setAccessibleName(tr("Sign in as %1").arg(login));
+            person->setToolTip(qstr(user.display_name) + ", " + role_names(user.roles));
+            connect(person, &QPushButton::clicked, this, [this, login] {
+                login_->setText(login);
+                password_->setText(db::kDemonstrationPassword);
+                button_->setFocus();
+            });
+            auto* cell = new QVBoxLayout;
+            cell->setSpacing(0);
+            cell->addWidget(person);
+            cell->addWidget(make_label(role_names(user.roles), "small"));
+            grid->addLayout(cell, count / 2, count % 2);
+            ++count;
+        }
+        inside->addLayout(grid);
+        QFrame* card = make_card(inside);
+        card->setObjectName("demonstration_accounts");
+        layout->addWidget(card);
     }
 
     void signIn() {

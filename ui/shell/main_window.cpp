@@ -198,14 +198,17 @@ void MainWindow::showPlace(const Place& place) {
     // Queued: a page may ask to leave from inside one of its own handlers.
     connect(made, &Page::go, this, &MainWindow::open, Qt::QueuedConnection);
     connect(made, &Page::back, this, &MainWindow::goBack, Qt::QueuedConnection);
-    connect(made, &Page::notice, this, &MainWindow::announce);
+    connect(made, &Page::notice, this, [this](const QString& text) { announce(text); });
+    connect(made, &Page::written, this, &MainWindow::announce);
     rememberPlace();
     updateFrame();
 }
 
 // Twice queued: after the page change that often comes with it, before it or behind it.
-void MainWindow::announce(const QString& text) {
-    const auto show = [this, text] { notices_->showNotice(text); };
+void MainWindow::announce(const QString& text, const QString& written) {
+    const auto show = [this, text, written] {
+        written.isEmpty() ? notices_->showNotice(text) : notices_->showWritten(text, written);
+    };
     const auto queue = [this, show] {
         QMetaObject::invokeMethod(this, show, Qt::QueuedConnection);
     };

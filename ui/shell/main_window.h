@@ -48,6 +48,8 @@ class MainWindow : public QMainWindow {
     void addUserMenu(QHBoxLayout* bar);
     void addSwitch(QHBoxLayout* bar);
     void switchUser();
+    /// False: something would be lost, and who is asked stays.
+    [[nodiscard]] bool maySignOut();
     void rebuild();
     /// A participant is at the screen: no rail, no search, no other page without the password.
     [[nodiscard]] bool handedOver() const;
@@ -55,7 +57,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
-    void announce(const QString& text);
+    void announce(const QString& text, const QString& written = {});
     void goBack();
     void onUserChanged();
     void onAttemptEnded(const AttemptEnding& ending);

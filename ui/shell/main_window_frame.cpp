@@ -65,6 +65,8 @@ void MainWindow::narrowRail() {
     rail_->setFixedWidth(rail_width + (scrolls ? kScrollBar : 0));
     if (auto* search = bar_->findChild<QToolButton*>("search"))
         search->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+    if (auto* change = bar_->findChild<QToolButton*>("switch_user"))
+        change->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     if (auto* name = rail_->findChild<QLabel*>("rail_mark")) name->setVisible(!narrow);
     for (const auto& [button, page] : rail_buttons_) {
         button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
@@ -211,15 +213,27 @@ void MainWindow::addSwitch(QHBoxLayout* bar) {
     change->setObjectName("switch_user");
     change->setIcon(line_icon("switch", context_.colors().text));
     change->setIconSize(QSize(20, 20));
-    change->setToolTip(tr("Switch user"));
+    change->setText(tr("Switch user"));
+    change->setToolTip(tr("Signs you out, so that the next person can sign in"));
     change->setAccessibleName(tr("Switch user"));
     change->setFocusPolicy(Qt::StrongFocus);
     connect(change, &QToolButton::clicked, this, &MainWindow::switchUser);
     bar->addWidget(change);
 }
 
+// What is unsaved on the page asks by itself; an attempt goes on, but its owner must not lose sight
+// of it.
+bool MainWindow::maySignOut() {
+    if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return false;
+    return !context_.launcher().running() ||
+           confirm(this, tr("Sign out while your attempt is running?"),
+                   tr("The attempt goes on in its window and is saved under your name. You do not "
+                      "see its result until you sign in again."),
+                   tr("Sign out"), tr("Stay"));
+}
+
 void MainWindow::switchUser() {
-    if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return;
+    if (!maySignOut()) return;
     // Switching keeps nobody's name in the field; signing out proposes the same person again.
     context_.setStoreSetting("last_login", {});
     context_.signOut();
@@ -255,8 +269,7 @@ void MainWindow::addUserMenu(QHBoxLayout* bar) {
     connect(recovery, &QAction::triggered, this, [this] { open({PageId::kRecovery, 0, {}, {}}); });
     connect(change, &QAction::triggered, this, &MainWindow::switchUser);
     connect(out, &QAction::triggered, this, [this] {
-        if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return;
-        context_.signOut();
+        if (maySignOut()) context_.signOut();
     });
     user->setMenu(menu);
     bar->addWidget(user);

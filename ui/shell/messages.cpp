@@ -154,6 +154,19 @@ QString simulator_way_out(const QString& said) {
     return {};
 }
 
+/// What sound and graphics libraries print whether or not anything fails: it explains nothing.
+QString without_chatter(const QString& said) {
+    static const QRegularExpression kChatter(
+        "^\\s*(ALSA lib |AL lib: |\\[ALSOFT\\]|JackShm|jack server|Cannot connect to server|"
+        "Expression '.*' failed in|libEGL |libGL |MESA|Xlib: |Fontconfig |dbus\\[|"
+        "PulseAudio: |pw\\.|\\[[EW]\\]\\[[0-9:.]+\\] )");
+    QStringList kept;
+    for (const QString& line : said.split('\n'))
+        if (!kChatter.match(line).hasMatch() && (kept.isEmpty() || kept.last() != line))
+            kept << line;
+    return kept.join('\n').trimmed();
+}
+
 bool is_device_trouble(const ProgramEnd& end) {
     if (end.device.isEmpty() || end.exit_code != 2) return false;
     return says(end.said, {"device \"", "--list-devices", "unknown device"}) ||
@@ -220,7 +233,7 @@ Problem device_problem(const QString& device, const QString& said) {
     return {device.isEmpty()
                 ? Messages::tr("The device cannot be used.")
                 : Messages::tr("%1 cannot be used here.").arg(device_name(device.toStdString())),
-            device_way_out(device), said, false};
+            device_way_out(device), without_chatter(said), false};
 }
 
 Problem simulator_problem(const ProgramEnd& end) {
@@ -230,10 +243,10 @@ Problem simulator_problem(const ProgramEnd& end) {
         return problem;
     }
     Problem problem;
-    problem.detail = end.said;
+    problem.detail = without_chatter(end.said);
     if (end.crashed || end.exit_code != 0)
         problem.detail +=
-            (end.said.isEmpty() ? "" : "\n") +
+            (problem.detail.isEmpty() ? "" : "\n") +
             QString(end.crashed ? "placode-sim: ended by signal %1" : "placode-sim: exit status %1")
                 .arg(end.exit_code);
     problem.way_out = simulator_way_out(end.said);

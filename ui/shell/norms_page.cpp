@@ -141,7 +141,7 @@ class NormsPage : public Page {
         context_.guard(tr("Exporting the pack"), [&] {
             reports::save_file(path.toStdString(), curriculum::signed_norms_text(pack->norms));
             context_.audit("norms.export", QString("norm pack %1").arg(pack->id), path);
-            Q_EMIT notice(tr("Pack written: %1").arg(path));
+            Q_EMIT written(tr("Pack written: %1").arg(path), path);
         });
     }
 

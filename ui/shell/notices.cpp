@@ -66,6 +66,10 @@ Banner* Notices::add() {
 void Notices::showProblem(const Problem& problem) {
     Banner* banner = add();
     banner->setProblem(problem);
+    present(banner);
+}
+
+void Notices::present(Banner* banner) {
     // The same once more takes the place of the earlier one.
     for (Banner* each : std::vector<Banner*>(banners_))
         if (each != banner && each->text() == banner->text()) remove(each);
@@ -76,10 +80,13 @@ void Notices::showProblem(const Problem& problem) {
 void Notices::showNotice(const QString& text, const Banner::Offer& offer) {
     Banner* banner = add();
     banner->setNotice(text, offer);
-    for (Banner* each : std::vector<Banner*>(banners_))
-        if (each != banner && each->text() == banner->text()) remove(each);
-    arrange();
-    banner->announce();
+    present(banner);
+}
+
+void Notices::showWritten(const QString& text, const QString& path) {
+    Banner* banner = add();
+    banner->setWritten(text, path);
+    present(banner);
 }
 
 void Notices::showBusy(const QString& what) {

@@ -23,6 +23,7 @@ class Notices : public QWidget {
 
     void showProblem(const Problem& problem);
     void showNotice(const QString& text, const Banner::Offer& offer = {});
+    void showWritten(const QString& text, const QString& path);
     /// What is being worked on; empty: nothing. Short work is not worth a word.
     void showBusy(const QString& what);
     void closeAll();
@@ -39,6 +40,7 @@ class Notices : public QWidget {
 
  private:
     Banner* add();
+    void present(Banner* banner);
     void remove(Banner* banner);
     void arrange();
     [[nodiscard]] QPoint freePlace(QSize size) const;

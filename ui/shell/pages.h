@@ -69,6 +69,8 @@ class Page : public QWidget {
     void go(const placode::ui::Place& place);
     void back();
     void notice(const QString& text);
+    /// A file or folder was written: said with the way to open it.
+    void written(const QString& text, const QString& path);
 
  protected:
     AppContext& context_;

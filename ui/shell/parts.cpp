@@ -168,13 +168,15 @@ void fit_columns(QTableWidget* table, int stretch) {
     }
 }
 
-bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb) {
+bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb,
+             const QString& stay) {
     QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, parent);
     box.setObjectName("confirm");
     QPushButton* yes = box.addButton(verb, QMessageBox::DestructiveRole);
     yes->setObjectName("confirm_yes");
     yes->setProperty("role", "danger");
-    QPushButton* no = box.addButton(Parts::tr("Keep"), QMessageBox::RejectRole);
+    QPushButton* no =
+        box.addButton(stay.isEmpty() ? Parts::tr("Keep") : stay, QMessageBox::RejectRole);
     no->setObjectName("confirm_no");
     no->setProperty("role", "secondary");
     box.setDefaultButton(no);
@@ -248,6 +250,8 @@ QString format_clock(const QString& utc) {
 }
 
 QString format_points(double points) { return format_number(points, 0); }
+
+int whole_points(double points) { return QString::number(points, 'f', 0).toInt(); }
 
 QString verdict_word(const db::AttemptRecord& attempt) {
     if (attempt.end == sim::EndReason::kInterrupted) return Parts::tr("Interrupted");

@@ -43,9 +43,10 @@ namespace placode::ui {
 /// Sizes columns to content and lets `stretch` take the rest.
 void fit_columns(QTableWidget* table, int stretch);
 
-/// Asks with verbs on the buttons; true when `verb` was chosen. Escape and Enter keep.
+/// Asks with verbs on the buttons; true when `verb` was chosen. Escape and Enter keep: `stay` is
+/// the word on that button, empty = "Keep".
 [[nodiscard]] bool confirm(QWidget* parent, const QString& title, const QString& text,
-                           const QString& verb);
+                           const QString& verb, const QString& stay = {});
 
 /// A picture drawn by a function, cached per size. `description` is read to those who cannot see.
 [[nodiscard]] QWidget* make_picture(std::function<void(QPainter&, const QRectF&)> draw, QSize least,
@@ -61,6 +62,7 @@ void fit_columns(QTableWidget* table, int stretch);
 [[nodiscard]] QString format_when(const std::string& utc);  ///< Local date and time.
 [[nodiscard]] QString format_clock(const QString& utc);     ///< Local time only.
 [[nodiscard]] QString format_points(double points);         ///< "84"
+[[nodiscard]] int whole_points(double points);              ///< The number that it shows.
 [[nodiscard]] QString verdict_word(const db::AttemptRecord& attempt);
 [[nodiscard]] const char* verdict_tone(const db::AttemptRecord& attempt);
 [[nodiscard]] QString end_word(sim::EndReason reason);

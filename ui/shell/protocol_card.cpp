@@ -7,7 +7,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
-#include <QStandardPaths>
 #include <algorithm>
 #include <memory>
 
@@ -18,6 +17,7 @@
 #include "reports/words.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_preview.h"
 
 namespace placode::ui {
 namespace {
@@ -116,6 +116,7 @@ class ProtocolCard : public QFrame {
     }
 
     void publish(const curriculum::StudyProtocol& protocol) {
+        if (!confirm_draft(context_, window(), protocol.json)) return;
         context_.guard(tr("Publishing the study"), [&] {
             context_.require(db::Action::kRunQuestionnaire);
             for (const auto& step : protocol.steps)
@@ -347,9 +348,7 @@ class ProtocolCard : public QFrame {
     }
 
     void exportAs(const QString& format) {
-        const QString folder =
-            context_.askFolder(this, tr("Export into this folder"),
-                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        const QString folder = context_.askFolder(this, tr("Export into this folder"));
         if (folder.isEmpty()) return;
         const QString reason = identifying_->text().trimmed();
         if (!context_.guard(tr("Exporting the study"), [&] {
@@ -378,16 +377,16 @@ class ProtocolCard : public QFrame {
                 context_.audit(
                     ("export." + format).toUtf8().constData(), "study " + qstr(study_),
                     folder + (reason.isEmpty() ? "" : "; WITH IDENTIFYING FIELDS: " + reason));
-                Q_EMIT page_.notice(tr("%1 files, read back and compared with the store: %2")
-                                        .arg(*count)
-                                        .arg(folder));
+                Q_EMIT page_.written(tr("%n file(s), read back and compared with the store: %1",
+                                        nullptr, static_cast<int>(*count))
+                                         .arg(folder),
+                                     folder);
             });
     }
 
     void report() {
-        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString path = context_.askSaveFile(
-            this, tr("Save the report"), folder + "/" + qstr(study_) + ".pdf", tr("PDF (*.pdf)"));
+        const QString path = context_.askSaveFile(this, tr("Save the report"),
+                                                  qstr(study_) + ".pdf", tr("PDF (*.pdf)"));
         if (path.isEmpty()) return;
         if (!context_.guard(tr("Making the report"),
                             [&] { context_.require(db::Action::kExportStudy); }))
@@ -405,7 +404,7 @@ class ProtocolCard : public QFrame {
             [this, path](bool done) {
                 if (!done) return;
                 context_.audit("report.study", "study " + qstr(study_), path);
-                Q_EMIT page_.notice(tr("Report written: %1").arg(path));
+                Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
             });
     }
 

@@ -10,7 +10,6 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QStackedWidget>
-#include <QStandardPaths>
 #include <QTimer>
 
 #include "curriculum/study.h"
@@ -369,6 +368,7 @@ class ProtocolsPage : public Page {
             record.kind = kindText();
             record.json = json_->toPlainText().toStdString();
             record.reason = reason_->text().trimmed().toStdString();
+            if (!confirm_draft(context_, window(), record.json)) return;
             if (isStudy()) {
                 const auto study = curriculum::load_study_text(record.json, kindText());
                 if (record.reason.empty()) record.reason = study.reason;
@@ -401,16 +401,14 @@ class ProtocolsPage : public Page {
     }
 
     void exportFile() {
-        const QString proposal =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + "/" +
-            qstr(definition_.value("id", std::string("definition"))) + ".json";
+        const QString name = qstr(definition_.value("id", std::string("definition"))) + ".json";
         const QString path =
-            context_.askSaveFile(this, tr("Export the definition"), proposal, "JSON (*.json)");
+            context_.askSaveFile(this, tr("Export the definition"), name, "JSON (*.json)");
         if (path.isEmpty()) return;
         context_.guard(tr("Exporting the definition"), [&] {
             reports::save_file(path.toStdString(), json_->toPlainText().toStdString());
             unsaved_ = false;
-            Q_EMIT notice(tr("Written: %1").arg(path));
+            Q_EMIT written(tr("Written: %1").arg(path), path);
         });
     }
 

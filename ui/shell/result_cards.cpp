@@ -177,9 +177,21 @@ QWidget* make_themes_card(AppContext& context, const ResultData& data) {
         layout->addWidget(make_label(problem->detail, "small"));
     }
     for (const assessment::ThemeResult& result : results) layout->addLayout(theme_line(result));
+    if (results.empty() && !problem) {
+        QLabel* why = make_label(
+            data.detail.record.verdict == assessment::Verdict::kNotAttempted
+                ? Result::tr("Nothing was done that could be judged. Begin the first step of the "
+                             "task: from then on this card says what went well and what to "
+                             "practise.")
+                : Result::tr("The rubric of this task judges nothing that belongs here."),
+            "muted");
+        why->setObjectName("themes_empty");
+        layout->addWidget(why);
+    }
     if (!data.earlier.empty())
-        layout->addWidget(make_label(
-            Result::tr("before: mean of the last %1 attempts").arg(data.earlier.size()), "small"));
+        layout->addWidget(make_label(Result::tr("before: mean of the last %n attempt(s)", nullptr,
+                                                static_cast<int>(data.earlier.size())),
+                                     "small"));
     layout->addStretch();
     QFrame* card = make_card(layout);
     card->setObjectName("themes");

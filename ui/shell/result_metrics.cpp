@@ -167,11 +167,11 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
     head->addWidget(all);
     layout->addLayout(head);
     if (!data.earlier.empty())
-        layout->addWidget(
-            make_label(Metrics::tr("Own band: mean and standard deviation of your last %1 attempts "
-                                   "before this one; the dot is this attempt.")
-                           .arg(data.earlier.size()),
-                       "small"));
+        layout->addWidget(make_label(
+            Metrics::tr("Own band: mean and standard deviation of your last %n attempt(s) "
+                        "before this one; the dot is this attempt.",
+                        nullptr, static_cast<int>(data.earlier.size())),
+            "small"));
     if (data.norms)
         layout->addWidget(
             make_label(Metrics::tr("Bands of experts and novices: norm pack of %1, %2.")

@@ -7,7 +7,6 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <memory>
 
@@ -56,7 +55,8 @@ class ResultPage : public Page {
         layout->setSpacing(kSpace8);
         auto* line = new QHBoxLayout;
         line->setSpacing(kSpace12);
-        QLabel* points = make_label(tr("%1 points").arg(format_points(record.points)), "display");
+        QLabel* points =
+            make_label(tr("%n point(s)", nullptr, whole_points(record.points)), "display");
         points->setObjectName("result_points");
         points->setWordWrap(false);
         line->addWidget(points);
@@ -193,11 +193,9 @@ class ResultPage : public Page {
     }
 
     void writeReport() {
-        const QString folder = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString proposal =
-            QString("%1/placode-attempt-%2.pdf").arg(folder).arg(data_.detail.record.id);
+        const QString name = QString("placode-attempt-%1.pdf").arg(data_.detail.record.id);
         const QString path =
-            context_.askSaveFile(this, tr("Write the report"), proposal, tr("PDF (*.pdf)"));
+            context_.askSaveFile(this, tr("Write the report"), name, tr("PDF (*.pdf)"));
         if (path.isEmpty()) return;
         const auto detail = data_.detail;
         const auto history = data_.history;
@@ -211,7 +209,7 @@ class ResultPage : public Page {
                                            reports::centre_name(store));
             },
             [this, path](bool done) {
-                if (done) Q_EMIT notice(tr("Report written: %1").arg(path));
+                if (done) Q_EMIT written(tr("Report written: %1").arg(path), path);
             });
     }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Running: what the simulator reports while the attempt goes on, and the two ways to end it.
 
+#include <QElapsedTimer>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QProgressBar>
+#include <QTimer>
 
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -36,21 +38,27 @@ class RunningPage : public Page {
         column->addWidget(numbersCard());
         warning_ = make_label({}, "warn");
         column->addWidget(warning_);
+        column->addWidget(scoringCard());
         column->addLayout(buttons());
-        column->addWidget(make_label(
+        explained_ = make_label(
             study()
                 ? tr("The procedure ends in the fetoscope's window, by itself or from its menu. "
                      "What is ended here ends for good.")
                 : tr("Stop and score ends the attempt here and scores what was done. Abort keeps "
                      "it in the history as interrupted; it does not count for the course."),
-            "small"));
+            "small");
+        column->addWidget(explained_);
         column->addStretch();
+        scored_.setInterval(1000);
+        connect(&scored_, &QTimer::timeout, this, [this] { showScoring(); });
         connect(&context.launcher(), &AttemptLauncher::statusChanged, this, [this] { update(); });
         connect(&context.launcher(), &AttemptLauncher::ended, this, [this] { update(); });
         update();
     }
 
-    [[nodiscard]] QString title() const override { return tr("Attempt is running"); }
+    [[nodiscard]] QString title() const override {
+        return context_.launcher().running() ? tr("Attempt is running") : tr("Scoring the attempt");
+    }
 
  private:
     [[nodiscard]] curriculum::AttemptMode mode() const {
@@ -88,6 +96,35 @@ class RunningPage : public Page {
         bar_->setAccessibleName(tr("Ring cut"));
         layout->addWidget(bar_);
         return make_card(layout);
+    }
+
+    /// What happens after the end, which may take a while: the result opens by itself.
+    QWidget* scoringCard() {
+        auto* layout = new QVBoxLayout;
+        layout->setSpacing(kSpace12);
+        scoring_words_ = make_label({});
+        scoring_words_->setObjectName("scoring_words");
+        layout->addWidget(scoring_words_);
+        auto* busy = new QProgressBar;
+        busy->setRange(0, 0);  // How long it takes nobody knows: longer attempts take longer.
+        busy->setTextVisible(false);
+        busy->setAccessibleName(tr("Scoring the attempt"));
+        layout->addWidget(busy);
+        scoring_ = make_card(layout);
+        scoring_->setObjectName("scoring");
+        scoring_->hide();
+        return scoring_;
+    }
+
+    void showScoring() {
+        if (!since_end_.isValid()) since_end_.start();
+        const QString said =
+            study() ? tr("The procedure is over and is being saved.")
+                    : tr("The attempt is over. Its recording is measured and scored; the result "
+                         "opens by itself.");
+        const double seconds = static_cast<double>(since_end_.elapsed()) / 1000;
+        scoring_words_->setText(
+            seconds < 2 ? said : said + " " + tr("%1 so far.").arg(format_duration(seconds)));
     }
 
     QHBoxLayout* buttons() {
@@ -154,7 +191,7 @@ class RunningPage : public Page {
         const AttemptLauncher& launcher = context_.launcher();
         const LiveStatus& live = launcher.status();
         const bool begun = live.time_s > 0;
-        state_->setText(!launcher.running() ? tr("The attempt has ended; the score is computed.")
+        state_->setText(!launcher.running() ? tr("The attempt has ended.")
                         : begun             ? tr("Runs in the fetoscope's window: %1.")
                                       .arg(device_name(launcher.order().device.toStdString()))
                                 : tr("The fetoscope's window is opening."));
@@ -173,14 +210,27 @@ class RunningPage : public Page {
         if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
         warning_->setText(warnings.join(" "));
         warning_->setVisible(!warnings.isEmpty());
-        stop_->setEnabled(launcher.running());
-        abort_->setEnabled(launcher.running());
+        const bool running = launcher.running();
+        stop_->setEnabled(running);
+        abort_->setEnabled(running);
+        stop_->setVisible(running);
+        abort_->setVisible(running);
+        explained_->setVisible(running);
+        scoring_->setVisible(!running);
+        if (!running && !scored_.isActive()) {
+            scored_.start();
+            showScoring();
+        }
     }
 
     QList<QWidget*> read_outs_;  ///< All numbers but the time, with their names.
     QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
            *ring_ = nullptr, *warning_ = nullptr;
+    QLabel *explained_ = nullptr, *scoring_words_ = nullptr;
     QProgressBar* bar_ = nullptr;
+    QFrame* scoring_ = nullptr;
+    QTimer scored_;
+    QElapsedTimer since_end_;
     QPushButton *stop_ = nullptr, *abort_ = nullptr;
 };
 

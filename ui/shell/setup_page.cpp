@@ -6,14 +6,13 @@
 #include <QCheckBox>
 #include <QTimer>
 
+#include "db/demonstration.h"
 #include "ui/shell/account_fields.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
 namespace {
-
-constexpr const char* kDemonstrationPassword = "placode-demo";
 
 class SetupPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(SetupPage)
@@ -63,7 +62,7 @@ class SetupPage : public Page {
         layout->addWidget(
             make_label(tr("demo.trainee, demo.educator, demo.coordinator, each with the password "
                           "\"%1\"; their data is marked as demonstration everywhere.")
-                           .arg(kDemonstrationPassword),
+                           .arg(db::kDemonstrationPassword),
                        "small"));
     }
 
@@ -91,7 +90,7 @@ class SetupPage : public Page {
             db::NewUser user;
             user.login = login;
             user.display_name = name.toStdString();
-            user.password = kDemonstrationPassword;
+            user.password = db::kDemonstrationPassword;
             user.roles = static_cast<db::Roles>(role);
             user.demonstration = true;
             context_.store().create_user(user);

@@ -149,10 +149,10 @@ class StandardsPage : public Page {
     [[nodiscard]] static QString originOf(const db::StandardRecord& set) {
         const curriculum::PassStandard& standard = set.standard;
         if (standard.method == "angoff")
-            return tr("From the estimates of %1 judges, standard error %2 points. %3")
-                .arg(standard.angoff.judges)
+            return tr("From the estimates of %n judge(s), standard error %1 points. %2", nullptr,
+                      standard.angoff.judges)
                 .arg(format_number(standard.angoff.se_points, 1), qstr(set.reason));
-        return tr("From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 "
+        return tr("Novices: %1, experts: %2; novices who pass: %3 by the curves, %4 "
                   "observed. %5")
             .arg(standard.novice.n)
             .arg(standard.expert.n)

@@ -21,7 +21,7 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "the login is empty"),
     QT_TRANSLATE_NOOP("StoreWords", "the name is empty"),
     QT_TRANSLATE_NOOP("StoreWords", "the user has no role"),
-    QT_TRANSLATE_NOOP("StoreWords", "the password has %1 characters; it needs at least %2"),
+    QT_TRANSLATE_NOOP("StoreWords", "the length of the password is %1; it needs at least %2"),
     QT_TRANSLATE_NOOP("StoreWords", "the password is longer than %1 characters"),
     QT_TRANSLATE_NOOP("StoreWords", "the password is the login; choose another one"),
     QT_TRANSLATE_NOOP("StoreWords", "a PIN has four to twelve digits"),

@@ -4,7 +4,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QStandardPaths>
 #include <algorithm>
 
 #include "assessment/statistics.h"
@@ -86,7 +85,7 @@ class StudiesPage : public Page {
                "answers, reviews and submits."),
             "muted"));
         layout->addLayout(text, 1);
-        QPushButton* run = make_button(context_, tr("Start a participant"), "primary", "plus");
+        QPushButton* run = make_button(context_, tr("Enrol a participant"), "primary", "plus");
         run->setObjectName("new_participant");
         connect(run, &QPushButton::clicked, this, [this] {
             context_.guard(tr("Making a participant code"), [this] {
@@ -180,7 +179,7 @@ class StudiesPage : public Page {
         layout->addWidget(make_label(tr("Participants: %1").arg(answers_.size()), "heading"));
         if (answers_.empty()) {
             layout->addWidget(
-                make_label(tr("No answers yet. Start the first participant above."), "muted"));
+                make_label(tr("No answers yet. Enrol the first participant above."), "muted"));
             return make_card(layout);
         }
         QTableWidget* table =
@@ -213,9 +212,7 @@ class StudiesPage : public Page {
     }
 
     void exportAs(const QString& format) {
-        const QString documents =
-            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-        const QString folder = context_.askFolder(this, tr("Export into this folder"), documents);
+        const QString folder = context_.askFolder(this, tr("Export into this folder"));
         if (folder.isEmpty()) return;
         context_.guard(tr("Exporting the answers"), [&] {
             context_.require(db::Action::kExportStudy);
@@ -226,9 +223,10 @@ class StudiesPage : public Page {
             const auto files =
                 reports::export_dataset(source, format.toStdString(), folder.toStdString());
             context_.audit(("export." + format).toUtf8().constData(), "study " + chosen_, folder);
-            Q_EMIT notice(tr("%1 files, read back and compared with the store: %2")
-                              .arg(files.size())
-                              .arg(folder));
+            Q_EMIT written(tr("%n file(s), read back and compared with the store: %1", nullptr,
+                              static_cast<int>(files.size()))
+                               .arg(folder),
+                           folder);
         });
     }
 

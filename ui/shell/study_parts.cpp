@@ -51,6 +51,12 @@ QComboBox* make_study_chooser(AppContext& context, const std::vector<std::string
     return chooser;
 }
 
+double step_limit_s(const curriculum::StudyStep& step) {
+    const double asked = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
+    const curriculum::Task task = curriculum::load_task(step.task);
+    return asked > 0 || task.time_limit_s > 0 ? curriculum::limit_of(task, asked) : 0;
+}
+
 QLineEdit* make_line(const char* object_name, const QString& words, bool secret) {
     auto* edit = new QLineEdit;
     edit->setObjectName(object_name);

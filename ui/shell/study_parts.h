@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "curriculum/study.h"
 #include "ui/shell/app_context.h"
 
 namespace placode::ui {
@@ -26,6 +27,10 @@ namespace placode::ui {
 [[nodiscard]] QComboBox* make_study_chooser(AppContext& context,
                                             const std::vector<std::string>& ids,
                                             const std::string& chosen);
+
+/// When a step's attempt ends by itself [s], as the simulator is told: the step's limit and the
+/// task's own, whichever is less; 0 = neither has one. Throws DefinitionError for an unknown task.
+[[nodiscard]] double step_limit_s(const curriculum::StudyStep& step);
 
 /// A line without a label beside it: `words` stand in it and are its name for screen readers.
 [[nodiscard]] QLineEdit* make_line(const char* object_name, const QString& words,

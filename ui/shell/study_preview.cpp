@@ -5,8 +5,10 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "curriculum/draft_text.h"
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -103,6 +105,18 @@ void check_study_questionnaires(AppContext& context, const curriculum::StudyProt
     }
 }
 
+bool confirm_draft(AppContext& context, QWidget* parent, const std::string& json) {
+    const auto draft = curriculum::draft_text(json);
+    if (!draft) return true;
+    return confirm(parent, StudyPreview::tr("Publish a draft?"),
+                   StudyPreview::tr(
+                       "This text still calls itself a draft:\n\n\"%1\"\n\nParticipants would read "
+                       "it like this, and a version that is published is never changed. Put in the "
+                       "approved text first: Protocols edits it.")
+                       .arg(context.in(*draft)),
+                   StudyPreview::tr("Publish the draft"), StudyPreview::tr("Do not publish"));
+}
+
 void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study) {
     for (const auto& step : study.steps)
         if (!step.questionnaire.empty() &&
@@ -136,10 +150,10 @@ QWidget* make_study_preview(AppContext& context, const curriculum::StudyProtocol
         for (const auto& text : step.text) layout->addWidget(make_label(context.in(text)));
         if (!step.questionnaire.empty()) add_questions(context, layout, step.questionnaire);
         if (step.task.empty()) continue;
-        const double limit = step.max_s > 0 ? step.max_s : step.time_limit_s.value_or(0);
+        const double limit = step_limit_s(step);
         QStringList rules{task_title(context, step.task),
                           limit > 0 ? StudyPreview::tr("at most %1").arg(format_duration(limit))
-                                    : StudyPreview::tr("no time limit of the study")};
+                                    : StudyPreview::tr("no time limit")};
         if (step.min_s > 0)
             rules << StudyPreview::tr("at least %1").arg(format_duration(step.min_s));
         rules << (step.device.empty()

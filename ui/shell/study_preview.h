@@ -24,6 +24,9 @@ namespace placode::ui {
                                                              const std::string& id);
 /// Throws DefinitionError naming the step whose questionnaire or task is not there.
 void check_study_questionnaires(AppContext& context, const curriculum::StudyProtocol& study);
+/// True when `json` (a study or questionnaire) does not call itself a draft, or who publishes it
+/// knows and wants it so. Without a question in a text that is ready.
+[[nodiscard]] bool confirm_draft(AppContext& context, QWidget* parent, const std::string& json);
 /// Keeps the texts of the questionnaires a study asks for.
 void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study);
 

@@ -6,10 +6,10 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QStandardPaths>
 #include <array>
 #include <memory>
 
+#include "reports/attempt_counts.h"
 #include "reports/study_analysis.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -59,6 +59,15 @@ class StudyResultsPage : public Page {
             reports::read_study_report(context.store(), study_, context.language().toStdString());
         column->addWidget(make_label(study_title(context, study_), "heading"));
         if (report_.data.demonstration) column->addWidget(make_demonstration_badge());
+        const auto counts = reports::attempt_counts(report_.data);
+        if (counts.all > 0) {
+            const QString said = reports::uncounted_words(counts);
+            QLabel* uncounted =
+                make_label(said.isEmpty() ? tr("All attempts count: %1.").arg(counts.all) : said,
+                           said.isEmpty() ? "muted" : "warn");
+            uncounted->setObjectName("uncounted");
+            column->addWidget(uncounted);
+        }
         column->addLayout(views());
         if (view_ == "figures")
             addFigures(column);
@@ -218,9 +227,7 @@ class StudyResultsPage : public Page {
 
     /// Figures as SVG, PNG and data, numbers.csv, and every analysis that has a table.
     void save() {
-        const QString folder =
-            context_.askFolder(this, tr("Save into this folder"),
-                               QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation));
+        const QString folder = context_.askFolder(this, tr("Save into this folder"));
         if (folder.isEmpty()) return;
         auto count = std::make_shared<size_t>(0);
         AppContext* context = &context_;
@@ -246,7 +253,9 @@ class StudyResultsPage : public Page {
             [this, folder, count](bool done) {
                 if (!done) return;
                 context_.audit("report.figures", "study " + qstr(study_), folder);
-                Q_EMIT notice(tr("%1 files written: %2").arg(*count).arg(folder));
+                Q_EMIT written(
+                    tr("%n file(s) written: %1", nullptr, static_cast<int>(*count)).arg(folder),
+                    folder);
             });
     }
 

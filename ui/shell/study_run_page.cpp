@@ -14,6 +14,7 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/signature_pad.h"
+#include "ui/shell/study_parts.h"
 
 namespace placode::ui {
 namespace {
@@ -195,8 +196,8 @@ class StudyRunPage : public Page {
 
     void addAttempt(QVBoxLayout* layout, const StudyStep& step) {
         QString text = tr("A window with the fetoscope's view opens.");
-        if (step.max_s > 0)
-            text += " " + tr("It closes by itself after %1.").arg(format_duration(step.max_s));
+        if (const double limit = step_limit_s(step); limit > 0)
+            text += " " + tr("It closes by itself after %1.").arg(format_duration(limit));
         if (step.min_s > 0)
             text +=
                 " " +

@@ -109,6 +109,7 @@ QPushButton[role="secondary"]:focus { border: 2px solid @accent@; }
 QPushButton[role="danger"] { background: @raised@; border: 1px solid @critical@; color: @critical@; }
 QPushButton[role="danger"]:hover { background: @critical_soft@; }
 QPushButton[role="danger"]:focus { border: 2px solid @critical@; }
+QPushButton[role="secondary"]:disabled, QPushButton[role="danger"]:disabled { background: @hover@; border: 1px solid @line@; color: @muted@; }
 QPushButton[scale="large"] { min-height: 48px; font-size: 16px; }
 QPushButton[role="quiet"], QToolButton { background: transparent; }
 QPushButton[role="icon"] { background: transparent; padding: 0; }
@@ -119,6 +120,7 @@ QToolButton[role="rail"]:checked { background: @accent_soft@; color: @accent@; }
 QToolButton::menu-indicator { image: none; }
 QLineEdit, QComboBox, QSpinBox, QDoubleSpinBox, QDateEdit, QPlainTextEdit { background: @raised@; border: 1px solid @field@; border-radius: 8px; padding: 0 12px; min-height: 42px; selection-background-color: @accent@; selection-color: @on_accent@; }
 QLineEdit:focus, QComboBox:focus, QSpinBox:focus, QDoubleSpinBox:focus, QDateEdit:focus, QPlainTextEdit:focus { border: 2px solid @accent@; padding: 0 11px; }
+QPlainTextEdit[role="details"] { background: @surface@; border: 1px solid @line@; border-radius: 6px; padding: 4px; min-height: 0; font-size: 12px; color: @text@; }
 QLineEdit:disabled, QComboBox:disabled { color: @muted@; background: @surface@; }
 QLineEdit[tone="critical"] { border: 2px solid @critical@; }
 QComboBox::drop-down, QDateEdit::drop-down { border: none; width: 32px; }

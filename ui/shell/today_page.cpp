@@ -6,6 +6,7 @@
 
 #include "db/attempt_counting.h"
 #include "db/standards.h"
+#include "ui/shell/attempts_table.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -143,9 +144,11 @@ class TodayPage : public Page {
 
     QWidget* chartCard() {
         const std::string task = training_.attempts.back().task_id;
-        std::vector<db::AttemptRecord> shown;
+        std::vector<db::AttemptRecord> all, shown;
         for (const db::AttemptRecord& attempt : training_.attempts) {
-            if (attempt.task_id == task && db::counts(attempt)) shown.push_back(attempt);
+            if (attempt.task_id != task) continue;
+            all.push_back(attempt);
+            if (db::counts(attempt)) shown.push_back(attempt);
         }
         double pass = 70;
         for (const TrainingStage& stage : training_.stages) {
@@ -155,6 +158,12 @@ class TodayPage : public Page {
         auto* layout = new QVBoxLayout;
         const QString name = tr("Scores of %1").arg(training_.taskTitle(context_, task));
         layout->addWidget(make_label(name, "heading"));
+        if (shown.empty()) {
+            QLabel* why = make_label(why_nothing_counts(all), "muted");
+            why->setObjectName("today_empty");
+            layout->addWidget(why);
+            return make_card(layout);
+        }
         const reports::ChartStyle style = chart_style(context_.theme());
         layout->addWidget(make_picture(
             [shown, pass, style](QPainter& painter, const QRectF& where) {

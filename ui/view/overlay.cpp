@@ -74,6 +74,8 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
     column_ = std::max(7.5 * unit_, 0.5 * width - circle.radius - 2 * margin_);
     painter.begin(width, height, unit_);
     menu_shown_ = state.menu.shown;
+    labels_.clear();
+    bars_top_ = height - margin_;
     if (!state.exam) {
         energy();
         force();
@@ -108,6 +110,7 @@ void Overlay::read_outs() {
                                      : say("of") + " " + clock_text(state_->time_limit_s);
         paint_->text(x + 0.5 * unit_, y, text, TextSize::kSmall, kMuted);
     }
+    text_foot_ = y;
     if (state_->exam) return;
     y += 1.9 * unit_;
     // The phases are those of the operation; exercises have steps.
@@ -143,7 +146,9 @@ void Overlay::read_outs() {
         const double top = room > 9 * unit_ ? y + 0.6 * unit_ : height_ - margin_ - 1.0 * unit_;
         paint_->box(x, top, w, 1.5 * unit_, kRaised);
         paint_->text(x + 0.6 * unit_, top + 1.05 * unit_, text, TextSize::kSmall, kWarn);
+        if (room > 9 * unit_) y = top + 1.5 * unit_;
     }
+    text_foot_ = y;
     if (!state_->notice.empty()) {
         // Above the banner where that one stands in the middle.
         const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
@@ -177,35 +182,6 @@ void Overlay::energy() {
     };
     lamp(margin_, cut && live, kYellow, "CUT", state_->cut_power_w);
     lamp(margin_ + h + 0.4 * unit_, coag && live, kBlue, "COAG", state_->coag_power_w);
-}
-
-void Overlay::force() {
-    const double w = 7.0 * unit_, h = 0.5 * unit_;
-    double y = height_ - margin_ - h;
-    for (int i = snapshot_->tool_count - 1; i >= 0; --i) {
-        const ToolSnapshot& tool = snapshot_->tools[static_cast<size_t>(i)];
-        if (tool.kind == ToolKind::kScope) continue;
-        const double f = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
-        const PracticeStep& step = state_->practice.goal.step;
-        const bool band = practising() && step.kind == PracticeKind::kTraction;
-        const double full = band ? 1.6 * step.high_n : state_->full_force_n;
-        const double share = std::clamp(f / std::max(full, 1e-6), 0.0, 1.0);
-        Colour colour = share > 0.85 ? kCritical : share > 0.5 ? kWarn : kGood;
-        if (band) colour = f > step.high_n ? kCritical : f < step.low_n ? kMuted : kGood;
-        paint_->box(margin_, y, w, h, kRaised);
-        if (band) {  // where both hands have to stand
-            const double from = w * step.low_n / full, to = w * step.high_n / full;
-            paint_->box(margin_ + from, y - 0.15 * unit_, to - from, h + 0.3 * unit_,
-                        kGood.faded(0.35F));
-        }
-        paint_->box(margin_, y, w * share, h, colour);
-        // Pushed through the surface it has no force; a 0 would look like success.
-        const bool below = tool.buried_m > 0;
-        paint_->text(margin_, y - 0.5 * unit_,
-                     say("force") + "  " + (below ? say("buried") : number(1000 * f, 0) + " mN"),
-                     TextSize::kSmall, below ? kWarn : kMuted);
-        y -= 2.4 * unit_;
-    }
 }
 
 void Overlay::ring() {
@@ -327,28 +303,6 @@ void Overlay::help() {
         paint_->text(0.5 * width_, line + 0.9 * unit_,
                      say("The clock stands still. Any key or button goes on."), TextSize::kSmall,
                      kText, Align::kCentre);
-}
-
-void Overlay::performance() {
-    const std::string lines[] = {
-        "physics " + number(snapshot_->physics_hz, 0) + " Hz, " +
-            std::to_string(snapshot_->substeps) + " substeps",
-        "picture " + number(times_->mean_ms > 0 ? 1000 / times_->mean_ms : 0, 0) + " fps, p99 " +
-            number(times_->p99_ms, 0) + " ms",
-        "scale " + number(times_->render_scale, 2) + ", " + std::to_string(times_->samples) +
-            " samples" + (times_->plain ? ", plain" : ""),
-        "servo p99.9 " + number(snapshot_->servo_p999_us, 0) + " us",
-        "placode " + number(snapshot_->placode_peak_c, 1) + " C, CEM43 " +
-            number(snapshot_->placode_peak_cem43_min, 2) + " min",
-        times_->renderer};
-    double y = 0.5 * height_ - 3 * unit_;
-    for (const std::string& line : lines) {
-        const double w = paint_->text_width(line, TextSize::kSmall);
-        paint_->box(margin_ - 0.4 * unit_, y - 1.0 * unit_, w + 0.8 * unit_, 1.4 * unit_,
-                    kRaised.faded(0.8F));
-        paint_->text(margin_, y, line, TextSize::kSmall, kText);
-        y += 1.4 * unit_;
-    }
 }
 
 }  // namespace placode::sim

@@ -13,6 +13,7 @@
 #include "sim/step/snapshot.h"
 #include "ui/view/camera.h"
 #include "ui/view/depth_cue.h"
+#include "ui/view/label_rows.h"
 #include "ui/view/post_process.h"
 #include "ui/view/step_watch.h"
 #include "ui/view/text.h"
@@ -95,7 +96,10 @@ class Overlay {
  private:
     void read_outs();
     void energy();
+    // overlay_meters.cpp: a bar of force per hand, what the machine does.
     void force();
+    void force_bar(int tool, double y, bool named);
+    [[nodiscard]] std::array<int, kMaxTools> force_tools(int& count) const;
     void ring();
     /// A ring whose parts light up where they are done, with the share [0..1] in its middle.
     void gauge(double share, const char* name, std::span<const uint8_t> done);
@@ -149,7 +153,10 @@ class Overlay {
     StepWatch watch_;
     Circle circle_;
     double width_ = 0, height_ = 0, unit_ = 16, margin_ = 16, column_ = 150;
-    double foot_top_ = 0;  // of what stands at the foot of a narrow window
+    double foot_top_ = 0;           // of what stands at the foot of a narrow window
+    double text_foot_ = 0;          // of what is written at the left, from the top
+    double bars_top_ = 0;           // of the bars of force, from the bottom
+    std::vector<LabelBox> labels_;  // in the picture so far: no two lie over each other
     double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
     bool menu_shown_ = false;
     int menu_count_ = 0;

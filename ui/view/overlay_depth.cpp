@@ -53,7 +53,9 @@ void Overlay::label(const Vec2& at, const std::string& text, const Colour& colou
     const double w = paint_->text_width(text, TextSize::kSmall) + 0.8 * unit_, h = 1.35 * unit_;
     double x = at.x() - (align == Align::kCentre ? 0.5 * w : align == Align::kRight ? w : 0);
     x = std::clamp(x, margin_, std::max(margin_, width_ - margin_ - w));
-    const double y = std::clamp(at.y() - 0.95 * unit_, margin_, height_ - margin_ - h);
+    const double wanted = std::clamp(at.y() - 0.95 * unit_, margin_, height_ - margin_ - h);
+    const double y = free_row(labels_, {x, wanted, w, h}, margin_, height_ - margin_, 0.15 * unit_);
+    labels_.push_back({x, y, w, h});
     paint_->box(x, y, w, h, kRaised.faded(0.80F));
     paint_->text(x + 0.4 * unit_, y + 0.98 * unit_, text, TextSize::kSmall, colour);
 }

@@ -220,6 +220,7 @@ class SymbolPainter {
 void Overlay::hint() {
     if (!practising() || state_->menu.shown || state_->show_help || state_->exam || !watch_.stuck())
         return;
+    if (state_->tuning.shown) return;  // it stands where the panel does
     const PracticeOverlay& practice = state_->practice;
     const auto now = static_cast<size_t>(practice.goal.index);
     if (now >= practice.steps.size()) return;

@@ -17,14 +17,25 @@ void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double wid
     const std::vector<std::string> foot = paint.wrapped(panel.foot, TextSize::kSmall, w - 2 * pad);
     const double foot_h =
         static_cast<double>(foot.size()) * paint.line_height(TextSize::kSmall) + 0.8 * unit;
+    const std::vector<std::string> note = paint.wrapped(panel.note, TextSize::kSmall, w - 2 * pad);
+    const double note_h =
+        panel.note.empty()
+            ? 0
+            : static_cast<double>(note.size()) * paint.line_height(TextSize::kSmall) + 0.4 * unit;
     double gaps = 0;
     for (const TuningRow& r : panel.rows) gaps += r.gap_above ? 0.6 * unit : 0;
-    const double h = 3.0 * unit + row * static_cast<double>(panel.rows.size()) + gaps + foot_h;
+    const double h =
+        3.0 * unit + note_h + row * static_cast<double>(panel.rows.size()) + gaps + foot_h;
     const double x = width - w - 1.1 * unit;
     const double top = std::max(0.5 * unit, std::min(6.4 * unit, height - h - 0.5 * unit));
     paint.box(x, top, w, h, kRaised);
     paint.text(x + pad, top + 1.9 * unit, panel.title, TextSize::kNormal, kText);
-    double y = top + 3.0 * unit;
+    double y = top + 3.4 * unit;
+    for (const std::string& line : panel.note.empty() ? std::vector<std::string>() : note) {
+        paint.text(x + pad, y, line, TextSize::kSmall, kWarn);
+        y += paint.line_height(TextSize::kSmall);
+    }
+    y = top + 3.0 * unit + note_h;
     for (size_t i = 0; i < panel.rows.size(); ++i) {
         const TuningRow& r = panel.rows[i];
         const int item = kTuningParts * static_cast<int>(i);

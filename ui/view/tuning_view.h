@@ -22,6 +22,7 @@ struct TuningOverlay {
     bool shown = false;
     bool pointer = true;  ///< The pointer works on the panel, not on the instrument.
     std::string title;
+    std::string note;  ///< What a change means; stands above the rows.
     std::vector<TuningRow> rows;
     int selected = 0;
     std::string foot;   ///< How to use it, or what just happened.

@@ -296,6 +296,34 @@
         <source>Failed</source>
         <translation>Niezaliczone</translation>
     </message>
+    <message>
+        <source>There is no score to show: no attempt at this task counts yet (%1).</source>
+        <translation>Nie ma wyniku do pokazania: żadna próba tego zadania jeszcze się nie liczy (%1).</translation>
+    </message>
+    <message>
+        <source>nothing was done: %1</source>
+        <translation>nic nie zrobiono: %1</translation>
+    </message>
+    <message>
+        <source>broken off: %1</source>
+        <translation>przerwano: %1</translation>
+    </message>
+    <message>
+        <source>void, as the table says: %1</source>
+        <translation>nieważne, jak mówi tabela: %1</translation>
+    </message>
+    <message>
+        <source>Begin the first step of the task and go on as far as you can.</source>
+        <translation>Zacznij pierwszy krok zadania i wykonaj tyle, ile potrafisz.</translation>
+    </message>
+    <message>
+        <source>Let an attempt come to its end, or hold Enter to end it.</source>
+        <translation>Pozwól próbie dojść do końca albo przytrzymaj Enter, aby ją zakończyć.</translation>
+    </message>
+    <message>
+        <source>On a computer that is too slow close other programs, or use another one.</source>
+        <translation>Na zbyt wolnym komputerze zamknij inne programy albo użyj innego.</translation>
+    </message>
 </context>
 <context>
     <name>AuditPage</name>
@@ -802,10 +830,6 @@
         <translation>wynik [punkty na 100]</translation>
     </message>
     <message>
-        <source>First, last and best score of %1 people.</source>
-        <translation>Pierwszy, ostatni i najlepszy wynik; osób: %1.</translation>
-    </message>
-    <message>
         <source>Export the cohort</source>
         <translation>Eksport grupy</translation>
     </message>
@@ -836,6 +860,14 @@
     <message>
         <source>attempts: %1</source>
         <translation>prób: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>First, last and best score of %n person(s).</source>
+        <translation>
+            <numerusform>Pierwszy, ostatni i najlepszy wynik %n osoby.</numerusform>
+            <numerusform>Pierwszy, ostatni i najlepszy wynik %n osób.</numerusform>
+            <numerusform>Pierwszy, ostatni i najlepszy wynik %n osób.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1199,10 +1231,6 @@
         <translation>Następne</translation>
     </message>
     <message>
-        <source>Opens when mastered: %1</source>
-        <translation>Otworzy się po zaliczeniu: %1</translation>
-    </message>
-    <message>
         <source> · not tried yet</source>
         <translation> · jeszcze bez prób</translation>
     </message>
@@ -1257,6 +1285,14 @@
     <message>
         <source> · left: %1</source>
         <translation> · pozostało: %1</translation>
+    </message>
+    <message>
+        <source>Locked. Opens when mastered: %1</source>
+        <translation>Zamknięte. Otwiera się po zaliczeniu: %1</translation>
+    </message>
+    <message>
+        <source> · open to everybody: needs no stage before it</source>
+        <translation> · otwarte dla wszystkich: nie wymaga wcześniejszego etapu</translation>
     </message>
 </context>
 <context>
@@ -1662,6 +1698,10 @@
         <source>CUSUM: between the limits, more attempts will decide.</source>
         <translation>CUSUM: między granicami, rozstrzygną kolejne próby.</translation>
     </message>
+    <message>
+        <source>Open the task</source>
+        <translation>Otwórz zadanie</translation>
+    </message>
 </context>
 <context>
     <name>Ledger</name>
@@ -1757,16 +1797,20 @@
         <translation>Uszkodzenia w czasie</translation>
     </message>
     <message>
-        <source>%1 entries. Arrow keys go from one to the next.</source>
-        <translation>Wpisy: %1. Strzałki przechodzą od jednego do następnego.</translation>
-    </message>
-    <message>
         <source>Click an entry, or use the arrow keys</source>
         <translation>Kliknij wpis albo użyj strzałek</translation>
     </message>
     <message>
         <source>critical</source>
         <translation>krytyczne</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n entry(s). Arrow keys go from one to the next.</source>
+        <translation>
+            <numerusform>%n wpis. Strzałki przechodzą od jednego do następnego.</numerusform>
+            <numerusform>%n wpisy. Strzałki przechodzą od jednego do następnego.</numerusform>
+            <numerusform>%n wpisów. Strzałki przechodzą od jednego do następnego.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1826,6 +1870,10 @@
     <message>
         <source>Log-in name</source>
         <translation>Login</translation>
+    </message>
+    <message>
+        <source>This is a demonstration: choose who you want to be. The password of all is &quot;%1&quot;.</source>
+        <translation>To jest demonstracja: wybierz, kim chcesz być. Hasło wszystkich to „%1”.</translation>
     </message>
 </context>
 <context>
@@ -3257,10 +3305,6 @@
         <translation>Eksportowanie badania</translation>
     </message>
     <message>
-        <source>%1 files, read back and compared with the store: %2</source>
-        <translation>Plików: %1, odczytane i porównane z bazą: %2</translation>
-    </message>
-    <message>
         <source>Save the report</source>
         <translation>Zapisz raport</translation>
     </message>
@@ -3335,6 +3379,14 @@
 <message>
         <source>An export with names needs a reason of at least %1 characters.</source>
         <translation>Eksport z nazwiskami wymaga uzasadnienia o długości co najmniej %1 znaków.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s), read back and compared with the store: %1</source>
+        <translation>
+            <numerusform>%n plik, odczytany i porównany z bazą: %1</numerusform>
+            <numerusform>%n pliki, odczytane i porównane z bazą: %1</numerusform>
+            <numerusform>%n plików, odczytanych i porównanych z bazą: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -3765,10 +3817,6 @@
         <translation>Wynik</translation>
     </message>
     <message>
-        <source>%1 points</source>
-        <translation>%1 punktów</translation>
-    </message>
-    <message>
         <source>The attempt was interrupted: it is kept, and does not count for the course.</source>
         <translation>Próba została przerwana: jest zachowana i nie liczy się do kursu.</translation>
     </message>
@@ -3921,10 +3969,6 @@
         <translation>Tego zadania tu nie zainstalowano, więc jego kryteria nie są znane.</translation>
     </message>
     <message>
-        <source>before: mean of the last %1 attempts</source>
-        <translation>przedtem: średnia z ostatnich prób, liczba prób: %1</translation>
-    </message>
-    <message>
         <source>Damage over time</source>
         <translation>Uszkodzenia w czasie</translation>
     </message>
@@ -3947,10 +3991,6 @@
     <message>
         <source>Click a measure to read what it means and where it is from.</source>
         <translation>Kliknij miarę, aby przeczytać, co oznacza i skąd pochodzi.</translation>
-    </message>
-    <message>
-        <source>Own band: mean and standard deviation of your last %1 attempts before this one; the dot is this attempt.</source>
-        <translation>Własny zakres: średnia i odchylenie standardowe z prób przed tą (liczba prób: %1); kropka to ta próba.</translation>
     </message>
     <message>
         <source>Watch</source>
@@ -4068,6 +4108,38 @@
         <source>This attempt does not count, and it is not your fault. %1. It is kept, and uses up no attempt of an exam.</source>
         <translation>Ta próba się nie liczy i nie jest to Pani/Pana wina. %1. Jest zachowana i nie zużywa próby egzaminu.</translation>
     </message>
+    <message>
+        <source>Nothing was done that could be judged. Begin the first step of the task: from then on this card says what went well and what to practise.</source>
+        <translation>Nie zrobiono nic, co można ocenić. Zacznij pierwszy krok zadania: od tej chwili ta karta powie, co się udało i co ćwiczyć.</translation>
+    </message>
+    <message>
+        <source>The rubric of this task judges nothing that belongs here.</source>
+        <translation>Kryteria tego zadania nie oceniają nic, co by tu należało.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkty</numerusform>
+            <numerusform>%n punktów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>before: mean of the last %n attempt(s)</source>
+        <translation>
+            <numerusform>przedtem: ostatnia próba</numerusform>
+            <numerusform>przedtem: średnia z ostatnich %n prób</numerusform>
+            <numerusform>przedtem: średnia z ostatnich %n prób</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Own band: mean and standard deviation of your last %n attempt(s) before this one; the dot is this attempt.</source>
+        <translation>
+            <numerusform>Własny zakres: ostatnia próba przed tą; kropka to ta próba.</numerusform>
+            <numerusform>Własny zakres: średnia i odchylenie standardowe z ostatnich %n prób przed tą; kropka to ta próba.</numerusform>
+            <numerusform>Własny zakres: średnia i odchylenie standardowe z ostatnich %n prób przed tą; kropka to ta próba.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
@@ -4140,10 +4212,6 @@
         <translation>Kontrola</translation>
     </message>
     <message>
-        <source>The attempt has ended; the score is computed.</source>
-        <translation>Próba się zakończyła; trwa obliczanie wyniku.</translation>
-    </message>
-    <message>
         <source>Runs in the fetoscope's window: %1.</source>
         <translation>Trwa w oknie fetoskopu: %1.</translation>
     </message>
@@ -4210,6 +4278,26 @@
     <message>
         <source>End the exam</source>
         <translation>Zakończ egzamin</translation>
+    </message>
+    <message>
+        <source>Scoring the attempt</source>
+        <translation>Ocena próby</translation>
+    </message>
+    <message>
+        <source>The attempt has ended.</source>
+        <translation>Próba jest zakończona.</translation>
+    </message>
+    <message>
+        <source>The procedure is over and is being saved.</source>
+        <translation>Zabieg jest zakończony i zapisywany.</translation>
+    </message>
+    <message>
+        <source>The attempt is over. Its recording is measured and scored; the result opens by itself.</source>
+        <translation>Próba jest zakończona. Jej zapis jest mierzony i oceniany; wynik otworzy się sam.</translation>
+    </message>
+    <message>
+        <source>%1 so far.</source>
+        <translation>Trwa już %1.</translation>
     </message>
 </context>
 <context>
@@ -4374,10 +4462,6 @@
         <translation>Próg zaliczenia %1 pkt, wersja %2, ustalił(a) %3, %4</translation>
     </message>
     <message>
-        <source>From %1 novices and %2 experts; novices who pass: %3 by the curves, %4 observed. %5</source>
-        <translation>Z %1 nowicjuszy i %2 ekspertów; nowicjusze powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
-    </message>
-    <message>
         <source>None was set: the task's own pass mark of %1 points holds.</source>
         <translation>Nie ustalono: obowiązuje własny próg zadania, %1 pkt.</translation>
     </message>
@@ -4418,10 +4502,6 @@
         <translation>numer %1</translation>
     </message>
     <message>
-        <source>From the estimates of %1 judges, standard error %2 points. %3</source>
-        <translation>Z oszacowań sędziów: %1, błąd standardowy %2 pkt. %3</translation>
-    </message>
-    <message>
         <source>Mark people (Ctrl or Shift for several), then:</source>
         <translation>Zaznacz osoby (Ctrl lub Shift: kilka), potem:</translation>
     </message>
@@ -4436,6 +4516,18 @@
     <message>
         <source>Neither</source>
         <translation>Żadna z grup</translation>
+    </message>
+    <message numerus="yes">
+        <source>From the estimates of %n judge(s), standard error %1 points. %2</source>
+        <translation>
+            <numerusform>Z oszacowań %n sędziego, błąd standardowy %1 pkt. %2</numerusform>
+            <numerusform>Z oszacowań %n sędziów, błąd standardowy %1 pkt. %2</numerusform>
+            <numerusform>Z oszacowań %n sędziów, błąd standardowy %1 pkt. %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Novices: %1, experts: %2; novices who pass: %3 by the curves, %4 observed. %5</source>
+        <translation>Nowicjusze: %1, eksperci: %2; nowicjusze powyżej progu: %3 z krzywych, %4 zaobserwowano. %5</translation>
     </message>
 </context>
 <context>
@@ -4455,10 +4547,6 @@
     <message>
         <source>Placode gives a code without a name. Hand over the screen; the participant answers, reviews and submits.</source>
         <translation>Placode nadaje kod bez nazwiska. Oddaj ekran; uczestnik odpowiada, przegląda i wysyła.</translation>
-    </message>
-    <message>
-        <source>Start a participant</source>
-        <translation>Rozpocznij</translation>
     </message>
     <message>
         <source>Making a participant code</source>
@@ -4505,10 +4593,6 @@
         <translation>Uczestnicy: %1</translation>
     </message>
     <message>
-        <source>No answers yet. Start the first participant above.</source>
-        <translation>Nie ma jeszcze odpowiedzi. Rozpocznij pierwszego uczestnika powyżej.</translation>
-    </message>
-    <message>
         <source>Code</source>
         <translation>Kod</translation>
     </message>
@@ -4545,16 +4629,28 @@
         <translation>Eksportuj do tego folderu</translation>
     </message>
     <message>
-        <source>%1 files, read back and compared with the store: %2</source>
-        <translation>Pliki: %1, odczytane i porównane z bazą: %2</translation>
-    </message>
-    <message>
         <source>Exporting the answers</source>
         <translation>Eksport odpowiedzi</translation>
     </message>
     <message>
         <source>Questionnaires without a protocol</source>
         <translation>Kwestionariusze bez protokołu</translation>
+    </message>
+    <message>
+        <source>Enrol a participant</source>
+        <translation>Włącz uczestnika</translation>
+    </message>
+    <message>
+        <source>No answers yet. Enrol the first participant above.</source>
+        <translation>Jeszcze brak odpowiedzi. Włącz pierwszego uczestnika powyżej.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s), read back and compared with the store: %1</source>
+        <translation>
+            <numerusform>%n plik, odczytany i porównany z bazą: %1</numerusform>
+            <numerusform>%n pliki, odczytane i porównane z bazą: %1</numerusform>
+            <numerusform>%n plików, odczytanych i porównanych z bazą: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5153,6 +5249,18 @@
         <source>Close this message (Esc)</source>
         <translation>Zamknij tę wiadomość (Esc)</translation>
     </message>
+    <message>
+        <source>Show folder</source>
+        <translation>Pokaż folder</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Otwórz</translation>
+    </message>
+    <message>
+        <source>Open the folder</source>
+        <translation>Otwórz folder</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::MainWindow</name>
@@ -5376,6 +5484,22 @@
         <source>What was recorded is kept. Please call the coordinator.</source>
         <translation>Zapis jest zachowany. Proszę zawołać koordynatora.</translation>
     </message>
+    <message>
+        <source>Signs you out, so that the next person can sign in</source>
+        <translation>Wylogowuje, aby mogła się zalogować następna osoba</translation>
+    </message>
+    <message>
+        <source>Sign out while your attempt is running?</source>
+        <translation>Wylogować się w czasie trwającej próby?</translation>
+    </message>
+    <message>
+        <source>The attempt goes on in its window and is saved under your name. You do not see its result until you sign in again.</source>
+        <translation>Próba trwa dalej w swoim oknie i zostanie zapisana pod Twoim nazwiskiem. Wynik zobaczysz dopiero po ponownym zalogowaniu.</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Zostań</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::SearchBox</name>
@@ -5404,10 +5528,6 @@
         <translation>Czytanie prób</translation>
     </message>
     <message>
-        <source>%1 points</source>
-        <translation>%1 pkt</translation>
-    </message>
-    <message>
         <source>attempt %1</source>
         <translation>próba %1</translation>
     </message>
@@ -5422,6 +5542,14 @@
     <message>
         <source>Arrow keys choose, Enter opens, Escape closes.</source>
         <translation>Strzałki wybierają, Enter otwiera, Escape zamyka.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkty</numerusform>
+            <numerusform>%n punktów</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5526,10 +5654,6 @@
         <translation>Ustawienia tego komputera</translation>
     </message>
     <message>
-        <source>Kept in %1</source>
-        <translation>Zapisane w %1</translation>
-    </message>
-    <message>
         <source>Force test passed with %1 N: %2, %3.</source>
         <translation>Próba siły zdana przy %1 N: %2, %3.</translation>
     </message>
@@ -5556,10 +5680,6 @@
     <message>
         <source>Choose the pedals, press each and say which one it is: yellow cuts, blue coagulates. Pedals that a device brings itself need nothing here.</source>
         <translation>Wybierz pedały, naciśnij każdy i powiedz, który to: żółty tnie, niebieski koaguluje. Pedały, które należą do urządzenia, niczego tu nie potrzebują.</translation>
-    </message>
-    <message>
-        <source>Event device</source>
-        <translation>Urządzenie zdarzeń</translation>
     </message>
     <message>
         <source>Watch</source>
@@ -5636,6 +5756,102 @@
     <message>
         <source>No pedals were found.</source>
         <translation>Nie znaleziono pedałów.</translation>
+    </message>
+    <message>
+        <source>They hold for this computer, whoever is signed in. Change one only when a device does not do what the hand does.</source>
+        <translation>Obowiązują na tym komputerze, niezależnie od tego, kto jest zalogowany. Zmieniaj je tylko wtedy, gdy urządzenie nie robi tego, co ręka.</translation>
+    </message>
+    <message>
+        <source>Which pedals</source>
+        <translation>Które pedały</translation>
+    </message>
+    <message>
+        <source>What the arm stands for</source>
+        <translation>Czym jest ramię</translation>
+    </message>
+    <message>
+        <source>Scale of the motion</source>
+        <translation>Skala ruchu</translation>
+    </message>
+    <message>
+        <source>Hand of a single arm</source>
+        <translation>Ręka pojedynczego ramienia</translation>
+    </message>
+    <message>
+        <source>Stiffness at most</source>
+        <translation>Sztywność najwyżej</translation>
+    </message>
+    <message>
+        <source>Damping at most</source>
+        <translation>Tłumienie najwyżej</translation>
+    </message>
+    <message>
+        <source>Force at most</source>
+        <translation>Siła najwyżej</translation>
+    </message>
+    <message>
+        <source>Program library of the vendor</source>
+        <translation>Biblioteka producenta</translation>
+    </message>
+    <message>
+        <source>Right arm</source>
+        <translation>Prawe ramię</translation>
+    </message>
+    <message>
+        <source>Left arm</source>
+        <translation>Lewe ramię</translation>
+    </message>
+    <message>
+        <source>Computer of the vendor&apos;s service</source>
+        <translation>Komputer z usługą producenta</translation>
+    </message>
+    <message>
+        <source>Its port</source>
+        <translation>Jej port</translation>
+    </message>
+    <message>
+        <source>Directions of the arm</source>
+        <translation>Kierunki ramienia</translation>
+    </message>
+    <message>
+        <source>Force that the arm can do</source>
+        <translation>Siła, którą ramię osiąga</translation>
+    </message>
+    <message>
+        <source>Right port device</source>
+        <translation>Urządzenie prawego portu</translation>
+    </message>
+    <message>
+        <source>Left port device</source>
+        <translation>Urządzenie lewego portu</translation>
+    </message>
+    <message>
+        <source>Handle and pedal box</source>
+        <translation>Moduł uchwytu i pedałów</translation>
+    </message>
+    <message>
+        <source>Directions of the axes</source>
+        <translation>Kierunki osi</translation>
+    </message>
+    <message>
+        <source>Depth at the port</source>
+        <translation>Głębokość przy porcie</translation>
+    </message>
+    <message>
+        <source>Wait after opening</source>
+        <translation>Czekanie po otwarciu</translation>
+    </message>
+    <message>
+        <source>Right and left exchanged</source>
+        <translation>Zamiana prawej i lewej</translation>
+    </message>
+    <message>
+        <source>Connection to its service</source>
+        <translation>Połączenie z usługą</translation>
+    </message>
+    <message>
+        <source>Speed at full deflection</source>
+        <translation>Prędkość przy pełnym wychyleniu</translation>
     </message>
 </context>
 <context>
@@ -6209,10 +6425,6 @@
         <translation>najwyżej %1</translation>
     </message>
     <message>
-        <source>no time limit of the study</source>
-        <translation>bez limitu czasu badania</translation>
-    </message>
-    <message>
         <source>a date</source>
         <translation>data</translation>
     </message>
@@ -6251,6 +6463,34 @@
     <message>
         <source>device: %1</source>
         <translation>urządzenie: %1</translation>
+    </message>
+    <message>
+        <source>Publish a draft?</source>
+        <translation>Opublikować wersję roboczą?</translation>
+    </message>
+    <message>
+        <source>This text still calls itself a draft:
+
+&quot;%1&quot;
+
+Participants would read it like this, and a version that is published is never changed. Put in the approved text first: Protocols edits it.</source>
+        <translation>Ten tekst wciąż nazywa się wersją roboczą:
+
+„%1”
+
+Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia. Najpierw wstaw zatwierdzony tekst: edytuje go strona Protokoły.</translation>
+    </message>
+    <message>
+        <source>Publish the draft</source>
+        <translation>Opublikuj wersję roboczą</translation>
+    </message>
+    <message>
+        <source>Do not publish</source>
+        <translation>Nie publikuj</translation>
+    </message>
+    <message>
+        <source>no time limit</source>
+        <translation>bez limitu czasu</translation>
     </message>
 </context>
 <context>
@@ -6851,12 +7091,20 @@
         <translation>Zapisywanie: %1</translation>
     </message>
     <message>
-        <source>%1 files written: %2</source>
-        <translation>Zapisane pliki: %1, w %2</translation>
-    </message>
-    <message>
         <source>Open the studies</source>
         <translation>Otwórz badania</translation>
+    </message>
+    <message>
+        <source>All attempts count: %1.</source>
+        <translation>Liczą się wszystkie próby: %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written: %1</source>
+        <translation>
+            <numerusform>Zapisano %n plik: %1</numerusform>
+            <numerusform>Zapisano %n pliki: %1</numerusform>
+            <numerusform>Zapisano %n plików: %1</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7120,16 +7368,8 @@
         <translation>Wróć do wyniku</translation>
     </message>
     <message>
-        <source>%1 · %2 · %3 points</source>
-        <translation>%1 · %2 · %3 pkt</translation>
-    </message>
-    <message>
         <source>There is no other attempt at this task yet. After the next one they can be compared.</source>
         <translation>Nie ma jeszcze innej próby tego zadania. Po następnej będzie można je porównać.</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 pkt</translation>
     </message>
     <message>
         <source>No points were lost</source>
@@ -7262,6 +7502,22 @@
     <message>
         <source>One of the two was kept without a recording: measures can be compared, watching both needs two recordings.</source>
         <translation>Jedna z prób została zapisana bez nagrania: pomiary można porównać, obejrzenie obu wymaga dwóch nagrań.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkty</numerusform>
+            <numerusform>%n punktów</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 · %n point(s)</source>
+        <translation>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
+            <numerusform>%1 · %2 · %n pkt</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7418,16 +7674,8 @@
         <translation>Liczy się niezależnie od wyniku</translation>
     </message>
     <message>
-        <source>Benchmark %1 points, %2 times in a row</source>
-        <translation>Próg %1 pkt, %2 razy z rzędu</translation>
-    </message>
-    <message>
         <source>attempts at most: %1</source>
         <translation>najwyżej prób: %1</translation>
-    </message>
-    <message>
-        <source>to be refreshed after %1 days</source>
-        <translation>do odświeżenia po %1 dniach</translation>
     </message>
     <message>
         <source>No help, no planned line, no read-outs but the time</source>
@@ -7478,10 +7726,6 @@
         <translation>Z rzędu: od 1 do 20 razy.</translation>
     </message>
     <message>
-        <source>%1 attempts are fewer than what is wanted in a row: it could never be mastered.</source>
-        <translation>Prób: %1, czyli mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</translation>
-    </message>
-    <message>
         <source>0 to 3650 days.</source>
         <translation>Od 0 do 3650 dni.</translation>
     </message>
@@ -7493,9 +7737,37 @@
         <source>%1 stands twice in the list.</source>
         <translation>%1 występuje na liście dwa razy.</translation>
     </message>
-    <message>
-        <source>Benchmark %1 points, once</source>
-        <translation>Próg %1 pkt, jeden raz</translation>
+    <message numerus="yes">
+        <source>Benchmark %n point(s), once</source>
+        <translation>
+            <numerusform>Próg %n punkt, jeden raz</numerusform>
+            <numerusform>Próg %n punkty, jeden raz</numerusform>
+            <numerusform>Próg %n punktów, jeden raz</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Benchmark %n point(s), %1 times in a row</source>
+        <translation>
+            <numerusform>Próg %n punkt, %1 razy z rzędu</numerusform>
+            <numerusform>Próg %n punkty, %1 razy z rzędu</numerusform>
+            <numerusform>Próg %n punktów, %1 razy z rzędu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>to be refreshed after %n day(s)</source>
+        <translation>
+            <numerusform>do odświeżenia po %n dniu</numerusform>
+            <numerusform>do odświeżenia po %n dniach</numerusform>
+            <numerusform>do odświeżenia po %n dniach</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) are fewer than what is wanted in a row: it could never be mastered.</source>
+        <translation>
+            <numerusform>%n próba to mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</numerusform>
+            <numerusform>%n próby to mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</numerusform>
+            <numerusform>%n prób to mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8101,10 +8373,6 @@
         <translation>zakończono po %1 s, przed upływem %2 s</translation>
     </message>
     <message>
-        <source>The computer was too slow: %1 pictures a second, 20 are needed</source>
-        <translation>Komputer był za wolny: %1 obrazów na sekundę, potrzeba 20</translation>
-    </message>
-    <message>
         <source>The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed</source>
         <translation>Komputer był za wolny: symulacja szła z szybkością %1 % czasu rzeczywistego, potrzeba 95 %</translation>
     </message>
@@ -8139,6 +8407,38 @@
     <message>
         <source>Note</source>
         <translation>Uwaga</translation>
+    </message>
+    <message>
+        <source>Attempts that do not count: %1 of %2 (%3).</source>
+        <translation>Próby, które się nie liczą: %1 z %2 (%3).</translation>
+    </message>
+    <message>
+        <source>void, the computer too slow or a device at fault: %1</source>
+        <translation>nieważne, za wolny komputer lub wadliwe urządzenie: %1</translation>
+    </message>
+    <message>
+        <source>broken off: %1</source>
+        <translation>przerwane: %1</translation>
+    </message>
+    <message>
+        <source>done again: %1</source>
+        <translation>powtórzone: %1</translation>
+    </message>
+    <message>
+        <source>shorter than the protocol asks: %1</source>
+        <translation>krótsze, niż wymaga protokół: %1</translation>
+    </message>
+    <message>
+        <source>nothing was done: %1</source>
+        <translation>nic nie zrobiono: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>The computer was too slow: %n picture(s) a second, 20 are needed</source>
+        <translation>
+            <numerusform>Komputer był za wolny: %n obraz na sekundę, potrzeba 20</numerusform>
+            <numerusform>Komputer był za wolny: %n obrazy na sekundę, potrzeba 20</numerusform>
+            <numerusform>Komputer był za wolny: %n obrazów na sekundę, potrzeba 20</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8664,10 +8964,6 @@
         <translation>ta osoba nie ma żadnej roli</translation>
     </message>
     <message>
-        <source>the password has %1 characters; it needs at least %2</source>
-        <translation>hasło ma %1 znaków; potrzeba co najmniej %2</translation>
-    </message>
-    <message>
         <source>the password is longer than %1 characters</source>
         <translation>hasło ma więcej niż %1 znaków</translation>
     </message>
@@ -8979,6 +9275,10 @@
         <source>no device is named</source>
         <translation>nie podano urządzenia</translation>
     </message>
+    <message>
+        <source>the length of the password is %1; it needs at least %2</source>
+        <translation>długość hasła to %1; potrzeba co najmniej %2</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::Details</name>
@@ -9005,6 +9305,10 @@
     <message>
         <source>Shows the exact message.</source>
         <translation>Pokazuje dokładną treść komunikatu.</translation>
+    </message>
+    <message>
+        <source>The exact message</source>
+        <translation>Dokładny komunikat</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a new user asks the pages: why is this empty, why is this locked, who may sign in here, is
+// the attempt still running, how long may it last.
+
+#include <QProgressBar>
+
+#include "assessment/scoring.h"
+#include "curriculum/study.h"
+#include "db/demonstration.h"
+#include "shell_harness.h"
+#include "ui/shell/study_parts.h"
+
+namespace placode::ui {
+
+class ShellHintsTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+
+    void aLockedStageSaysWhatOpensIt();
+    void idleAttemptsLeaveASentenceInsteadOfAnEmptyChart();
+    void afterTheEndThePageSaysThatItScores();
+    void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
+    void aStudySaysTheLimitThatTheWindowShows();
+    void aDemonstrationSaysWhoMaySignIn();
+
+ private:
+    int64_t add(const std::string& task, assessment::Verdict verdict, sim::EndReason end,
+                const std::string& void_reason = {});
+
+    std::unique_ptr<ShellHarness> shell_;
+    int64_t user_ = 0;
+};
+
+void ShellHintsTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+    db::NewUser user;
+    user.login = "nina";
+    user.display_name = "Nina Nowak";
+    user.password = "quiet river 7";
+    user_ = shell_->context().store().create_user(user);
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+}
+
+int64_t ShellHintsTest::add(const std::string& task, assessment::Verdict verdict,
+                            sim::EndReason end, const std::string& void_reason) {
+    db::AttemptResult result;
+    result.header.task_id = task;
+    result.header.device = "mouse";
+    result.header.started_utc = "2026-03-01T10:00:00Z";
+    result.end.reason = end;
+    result.end.duration_s = 20;
+    result.metrics.values = {{"task_time_s", 20}};
+    result.score.verdict = verdict;
+    result.score.rubric_id = "ring_incision";
+    if (verdict == assessment::Verdict::kNotAttempted)
+        result.score.reasons.push_back({std::string(assessment::kNotAttemptedItem),
+                                        "Nothing was done: this attempt does not count.", 100, -1,
+                                        false});
+    if (!void_reason.empty()) {
+        sim::Event slow;
+        slow.kind = sim::EventKind::kMachineSpeed;
+        slow.value = 0.5F;
+        result.events.push_back(slow);
+    }
+    return shell_->context().store().save_attempt(user_, result);
+}
+
+void ShellHintsTest::aLockedStageSaysWhatOpensIt() {
+    shell_->window().open({PageId::kCourse, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kCourse));
+    const QString locked = shell_->text("standing_touch_targets");
+    QVERIFY2(locked.contains("Locked") && locked.contains("Instrument familiarisation") &&
+                 locked.contains("70 points, once"),
+             qPrintable(locked));
+    // An open stage below a locked one says that this is no mistake.
+    QVERIFY2(shell_->text("standing_diathermy_ring_small").contains("open to everybody"),
+             qPrintable(shell_->text("standing_diathermy_ring_small")));
+    QVERIFY(!shell_->text("standing_familiarisation").contains("open to everybody"));
+    shell_->whole("34_course_reasons");
+    QVERIFY(shell_->fits());
+}
+
+void ShellHintsTest::idleAttemptsLeaveASentenceInsteadOfAnEmptyChart() {
+    const int64_t idle =
+        add("touch_targets", assessment::Verdict::kNotAttempted, sim::EndReason::kFinished);
+    add("touch_targets", assessment::Verdict::kNotYet, sim::EndReason::kInterrupted);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "touch_targets"}}});
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    QVERIFY(shell_->find<QWidget>("history_chart") == nullptr);
+    const QString why = shell_->text("history_empty");
+    QVERIFY2(why.contains("nothing was done: 1") && why.contains("broken off: 1"), qPrintable(why));
+    shell_->shot("35_history_nothing_counts");
+    QVERIFY(shell_->click("history_open_task"));
+    QVERIFY(shell_->arrives(PageId::kTask));
+    shell_->window().open({PageId::kResult, idle, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QVERIFY2(shell_->text("themes_empty").contains("Nothing was done"),
+             qPrintable(shell_->text("themes_empty")));
+    shell_->whole("36_result_nothing_done");
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    QVERIFY(shell_->text("today_empty").contains("no attempt at this task counts yet"));
+    shell_->shot("37_today_nothing_counts");
+    // With one that counts the chart is back.
+    add("touch_targets", assessment::Verdict::kPassed, sim::EndReason::kFinished);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "touch_targets"}}});
+    QVERIFY(QTest::qWaitFor([&] { return shell_->find<QWidget>("history_chart") != nullptr; }));
+}
+
+void ShellHintsTest::afterTheEndThePageSaysThatItScores() {
+    // As after the process has ended: nothing runs, and the score is being computed.
+    QVERIFY(!shell_->context().launcher().running());
+    shell_->window().open({PageId::kRunning, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kRunning));
+    QCOMPARE(shell_->window().page()->title(), QString("Scoring the attempt"));
+    QTRY_VERIFY(shell_->find<QWidget>("scoring")->isVisible());
+    QVERIFY(!shell_->find<QPushButton>("abort")->isVisible());
+    QVERIFY(!shell_->find<QPushButton>("abort")->isEnabled());
+    QVERIFY(!shell_->find<QPushButton>("stop_and_score")->isEnabled());
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell_->text("scoring_words").contains("so far"); }, 6000));
+    shell_->window().grab().save(shell_->shotFile("38_scoring"));
+}
+
+void ShellHintsTest::switchingTheUserIsNamedAndAsksWhileAnAttemptRuns() {
+    ShellHarness& shell = *shell_;
+    auto* change = shell.find<QToolButton>("switch_user");
+    QCOMPARE(change->text(), QString("Switch user"));
+    QCOMPARE(change->accessibleName(), QString("Switch user"));
+    QVERIFY(change->toolTip().contains("Signs you out"));
+    shell.window().resize(1366, 768);
+    QCOMPARE(change->toolButtonStyle(), Qt::ToolButtonTextBesideIcon);
+    // A program that does nothing stands for the simulator.
+    shell.simulator = shell.path("simulator");
+    QFile program(shell.simulator);
+    QVERIFY(program.open(QIODevice::WriteOnly));
+    program.write("#!/bin/sh\nexec sleep 60\n");
+    program.close();
+    program.setPermissions(QFileDevice::ReadOwner | QFileDevice::WriteOwner |
+                           QFileDevice::ExeOwner);
+    shell.start();
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    AttemptOrder order;
+    order.task = "touch_targets";
+    order.device = "mouse";
+    order.user_id = user_;
+    shell.context().launcher().start(order, shell.path("recordings"));
+    QVERIFY(shell.context().launcher().running());
+    shell.refuseNext();
+    QVERIFY(shell.click("switch_user"));
+    QVERIFY2(shell.context().signedIn(), "who does not want to stays");
+    shell.window().open({PageId::kRunning, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kRunning));
+    QCOMPARE(shell.window().page()->title(), QString("Attempt is running"));
+    QVERIFY(shell.find<QPushButton>("abort")->isEnabled());
+    shell.confirmNext();
+    QVERIFY(shell.click("switch_user"));
+    QVERIFY(!shell.context().signedIn());
+    shell.context().launcher().abort();
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().launcher().running(); }, 10000));
+    // Nothing runs: nothing is asked.
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    QVERIFY(shell.click("switch_user"));
+    QVERIFY(!shell.context().signedIn());
+}
+
+void ShellHintsTest::aStudySaysTheLimitThatTheWindowShows() {
+    const auto study = curriculum::load_study("face_content_validity");
+    const auto* procedure = study.step("procedure_1");
+    QVERIFY(procedure != nullptr && !procedure->time_limit_s);
+    QCOMPARE(step_limit_s(*procedure), 600.0);  // The task's own, shown as "of 10:00".
+    curriculum::StudyStep shorter = *procedure;
+    shorter.time_limit_s = 90;
+    QCOMPARE(step_limit_s(shorter), 90.0);
+    shorter.task = "familiarisation";
+    shorter.time_limit_s.reset();
+    QCOMPARE(step_limit_s(shorter), 0.0);
+}
+
+void ShellHintsTest::aDemonstrationSaysWhoMaySignIn() {
+    ShellHarness& shell = *shell_;
+    // A store of real people says nothing, whatever demonstration accounts it has.
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QWidget>("demonstration_accounts") == nullptr);
+    {
+        const auto store = db::open_store("sqlite:" + shell.path("demo.db").toStdString());
+        for (const auto& [login, role] : {std::pair{"demo-anna", db::Role::kTrainee},
+                                          std::pair{"demo-admin", db::Role::kAdministrator}}) {
+            db::NewUser user;
+            user.login = login;
+            user.display_name = std::string(login) + " Demo";
+            user.password = db::kDemonstrationPassword;
+            user.roles = static_cast<db::Roles>(role);
+            user.demonstration = true;
+            (void)store->create_user(user);
+        }
+    }
+    shell.start("demo.db");
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QVERIFY(shell.find<QWidget>("demonstration_accounts") != nullptr);
+    QVERIFY(shell.find<QPushButton>("demonstration_demo-admin") != nullptr);
+    shell.shot("39_login_demonstration");
+    QVERIFY(shell.fits());
+    QVERIFY(shell.click("demonstration_demo-anna"));
+    QVERIFY(shell.click("sign_in"));
+    QCOMPARE(shell.context().user().login, std::string("demo-anna"));
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellHintsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_hints_test.moc"

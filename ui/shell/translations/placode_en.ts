@@ -1,0 +1,156 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en_GB" sourcelanguage="en_GB">
+<context>
+    <name>ProtocolCard</name>
+    <message numerus="yes">
+        <source>%n file(s), read back and compared with the store: %1</source>
+        <translation>
+            <numerusform>%n file, read back and compared with the store: %1</numerusform>
+            <numerusform>%n files, read back and compared with the store: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StudiesPage</name>
+    <message numerus="yes">
+        <source>%n file(s), read back and compared with the store: %1</source>
+        <translation>
+            <numerusform>%n file, read back and compared with the store: %1</numerusform>
+            <numerusform>%n files, read back and compared with the store: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StudyResultsPage</name>
+    <message numerus="yes">
+        <source>%n file(s) written: %1</source>
+        <translation>
+            <numerusform>%n file written: %1</numerusform>
+            <numerusform>%n files written: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ResultPage</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>before: mean of the last %n attempt(s)</source>
+        <translation>
+            <numerusform>before: the last attempt</numerusform>
+            <numerusform>before: mean of the last %n attempts</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Own band: mean and standard deviation of your last %n attempt(s) before this one; the dot is this attempt.</source>
+        <translation>
+            <numerusform>Own band: your last attempt before this one; the dot is this attempt.</numerusform>
+            <numerusform>Own band: mean and standard deviation of your last %n attempts before this one; the dot is this attempt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::SearchBox</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>ComparePage</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 · %n point(s)</source>
+        <translation>
+            <numerusform>%1 · %2 · %n point</numerusform>
+            <numerusform>%1 · %2 · %n points</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>LedgerView</name>
+    <message numerus="yes">
+        <source>%n entry(s). Arrow keys go from one to the next.</source>
+        <translation>
+            <numerusform>%n entry. Arrow keys go from one to the next.</numerusform>
+            <numerusform>%n entries. Arrow keys go from one to the next.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>CohortPage</name>
+    <message numerus="yes">
+        <source>First, last and best score of %n person(s).</source>
+        <translation>
+            <numerusform>First, last and best score of %n person.</numerusform>
+            <numerusform>First, last and best score of %n people.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>StandardsPage</name>
+    <message numerus="yes">
+        <source>From the estimates of %n judge(s), standard error %1 points. %2</source>
+        <translation>
+            <numerusform>From the estimate of %n judge, standard error %1 points. %2</numerusform>
+            <numerusform>From the estimates of %n judges, standard error %1 points. %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>CourseWords</name>
+    <message numerus="yes">
+        <source>Benchmark %n point(s), once</source>
+        <translation>
+            <numerusform>Benchmark %n point, once</numerusform>
+            <numerusform>Benchmark %n points, once</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Benchmark %n point(s), %1 times in a row</source>
+        <translation>
+            <numerusform>Benchmark %n point, %1 times in a row</numerusform>
+            <numerusform>Benchmark %n points, %1 times in a row</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>to be refreshed after %n day(s)</source>
+        <translation>
+            <numerusform>to be refreshed after %n day</numerusform>
+            <numerusform>to be refreshed after %n days</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n attempt(s) are fewer than what is wanted in a row: it could never be mastered.</source>
+        <translation>
+            <numerusform>%n attempt is fewer than what is wanted in a row: it could never be mastered.</numerusform>
+            <numerusform>%n attempts are fewer than what is wanted in a row: it could never be mastered.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Deviation</name>
+    <message numerus="yes">
+        <source>The computer was too slow: %n picture(s) a second, 20 are needed</source>
+        <translation>
+            <numerusform>The computer was too slow: %n picture a second, 20 are needed</numerusform>
+            <numerusform>The computer was too slow: %n pictures a second, 20 are needed</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>
