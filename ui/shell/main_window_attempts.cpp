@@ -47,7 +47,8 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
         this, tr("Scoring and saving the attempt"),
         [saved, order = ending.order](db::Store& store) { *saved = save_recording(store, order); },
         [this, saved, ending](bool done) {
-            const bool waiting = place_.page == PageId::kRunning;
+            // Who has begun the next attempt meanwhile watches that one.
+            const bool waiting = place_.page == PageId::kRunning && !context_.launcher().running();
             if (!done) {
                 // The banner has the reason; the recording stays and is offered again.
                 if (waiting)
