@@ -56,11 +56,12 @@ class ShellRandomTest : public QObject {
  private Q_SLOTS:
     void anAttemptEndsByItselfOrByAConfirmedWish();
     void anAnswerIsForTheAttemptItWasAskedAbout();
+    void anotherPersonAtTheEndIsLedHome();
 
  private:
     /// The stand-in of a shell that is set up, with the trainee signed in.
     void prepare(ShellHarness& shell);
-    static void order(ShellHarness& shell);
+    static void order(ShellHarness& shell, uint64_t seed = 0);
 };
 
 void ShellRandomTest::prepare(ShellHarness& shell) {
@@ -83,12 +84,13 @@ void ShellRandomTest::prepare(ShellHarness& shell) {
     QVERIFY(shell.arrives(PageId::kToday));
 }
 
-void ShellRandomTest::order(ShellHarness& shell) {
+void ShellRandomTest::order(ShellHarness& shell, uint64_t seed) {
     AttemptOrder order;
     order.user_id = shell.idOf("demo.trainee");
     order.user_name = "Demo";
     order.task = order.title = "touch_targets";
     order.device = "mouse";
+    order.seed = seed;
     shell.context().launcher().start(order, shell.context().recordingsFolder());
 }
 
@@ -153,6 +155,24 @@ void ShellRandomTest::anAnswerIsForTheAttemptItWasAskedAbout() {
         launcher.abort();
         QVERIFY(QTest::qWaitFor([&] { return !launcher.running(); }, 5000));
     }
+}
+
+// The trainee has gone, the coordinator looks at the attempt when it ends or cannot begin. He may
+// not open its task: he was left before "This page cannot be shown", or on the page of the end.
+void ShellRandomTest::anotherPersonAtTheEndIsLedHome() {
+    constexpr uint64_t kForASecond = 1, kNoDevice = 2;  // To the stand-in.
+    ShellHarness shell;
+    prepare(shell);
+    if (QTest::currentTestFailed()) return;
+    QVERIFY(shell.signIn("demo.coordinator", "placode-demo"));
+    for (const uint64_t seed : {kNoDevice, kForASecond}) {
+        order(shell, seed);
+        shell.window().open({PageId::kRunning, 0, {}, {}});
+        QCOMPARE(shell.window().current(), PageId::kRunning);
+        QVERIFY2(shell.arrives(PageId::kStudies), qPrintable(shell.window().banner().text()));
+        QVERIFY(shell.window().findChild<QWidget*>("try_again") == nullptr);
+    }
+    QCOMPARE(shell.context().store().attempts(shell.idOf("demo.trainee")).size(), size_t{1});
 }
 
 }  // namespace placode::ui
