@@ -26,6 +26,8 @@ class Monkey : public QObject {
         for (QWidget* widget : QApplication::allWidgets()) listen(widget);
         auto* launcher = &shell.context().launcher();
         connect(launcher, &AttemptLauncher::started, this, [this] { ++begun; });
+        connect(&shell.context(), &AppContext::problemReported, this,
+                [this](const Problem& problem) { problems << problem.said(); });
         connect(launcher, &AttemptLauncher::ended, this,
                 [this](const AttemptEnding& ending) { onEnded(ending); });
     }
@@ -37,6 +39,7 @@ class Monkey : public QObject {
     }
 
     QStringList findings;  ///< What must not be.
+    QStringList problems;  ///< What people were told; explains a finding.
     int begun = 0, confirmed = 0, by_themselves = 0, questions = 0, left_by_keys = 0, deleted = 0;
     std::set<PageId> pages;        ///< Seen.
     std::set<QString> recordings;  ///< Of attempts that have ended.
