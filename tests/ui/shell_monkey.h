@@ -7,7 +7,6 @@
 
 #include <QApplication>
 #include <QEventLoop>
-#include <QFile>
 #include <QPointer>
 #include <QThread>
 #include <QWindow>
@@ -24,11 +23,10 @@ class Monkey : public QObject {
         : shell_(shell), random_(seed), left_(events) {
         qApp->installEventFilter(this);
         for (QWidget* widget : QApplication::allWidgets()) listen(widget);
-        auto* launcher = &shell.context().launcher();
-        connect(launcher, &AttemptLauncher::started, this, [this] { ++begun; });
+        connect(&launcher(), &AttemptLauncher::started, this, [this] { ++begun; });
         connect(&shell.context(), &AppContext::problemReported, this,
                 [this](const Problem& problem) { problems << problem.said(); });
-        connect(launcher, &AttemptLauncher::ended, this,
+        connect(&launcher(), &AttemptLauncher::ended, this,
                 [this](const AttemptEnding& ending) { onEnded(ending); });
     }
 
@@ -46,14 +44,11 @@ class Monkey : public QObject {
 
     [[nodiscard]] QString summary() const {
         return QString(
-                   "%1 attempts, %2 ended by a confirmed wish, %3 by themselves, %4 questions, %5 "
-                   "kinds of pages, left by keyboard %6 times")
-            .arg(begun)
-            .arg(confirmed)
-            .arg(by_themselves)
-            .arg(questions)
-            .arg(pages.size())
-            .arg(left_by_keys);
+                   "%1 attempts, %2 ended by a confirmed wish, %3 by themselves; %4 events in "
+                   "dialogs and menus; %5 kinds of pages, left by keyboard %6 times")
+            .arg(QString::number(begun), QString::number(confirmed), QString::number(by_themselves),
+                 QString::number(questions), QString::number(pages.size()),
+                 QString::number(left_by_keys));
     }
 
     bool eventFilter(QObject* object, QEvent* event) override {
@@ -63,8 +58,7 @@ class Monkey : public QObject {
 
  private:
     static constexpr int kBetweenLeaving = 400;  ///< Events from one walk by keyboard to the next.
-    static constexpr int kMostTabs = 400;        ///< Round a whole page.
-    static constexpr int kMostEscapes = 20;
+    static constexpr int kMostTabs = 400, kMostEscapes = 20;
 
     int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(std::max(1, n))); }
     AttemptLauncher& launcher() { return shell_.context().launcher(); }
@@ -78,7 +72,6 @@ class Monkey : public QObject {
                         .arg(last_.join(" | "));
     }
     void note(const QString& what) {
-        if (trace_) qInfo().noquote() << left_ << what;
         last_ << what;
         if (last_.size() > 12) last_.removeFirst();
     }
@@ -149,6 +142,7 @@ class Monkey : public QObject {
             escapes_ = 0;
             return;
         }
+        if (nothing_open) asked_about_.clear();
         if (target != nullptr) {
             ++questions;
         } else {
@@ -168,9 +162,8 @@ class Monkey : public QObject {
         if (!shell_.context().signedIn() && below(20) == 0) {
             const char* const kPeople[] = {"demo.trainee", "demo.trainee", "demo.educator",
                                            "demo.coordinator"};
-            const char* login = kPeople[below(4)];
-            note(QString("SIGN IN ") + login);
-            shell_.context().signIn(*shell_.context().store().user_by_login(login));
+            note("SIGN IN");
+            shell_.context().signIn(*shell_.context().store().user_by_login(kPeople[below(4)]));
             return true;
         }
         if (!launcher().running() && below(20) == 0) {
@@ -202,10 +195,8 @@ class Monkey : public QObject {
     /// The cross of the window: while an attempt runs it asks.
     void close_window() {
         note("CLOSE");
-        const bool asks = launcher().running();
         closing_ = false;
-        const bool closed = shell_.window().close();
-        if (closed && asks && launcher().running() && !closing_)
+        if (shell_.window().close() && launcher().running() && !closing_)
             find("the window closed over an attempt without a question");
         shell_.window().show();
     }
@@ -222,23 +213,21 @@ class Monkey : public QObject {
         if (!nothing_open) return;
         leaving_ = false;
         if (shell_.context().signedIn()) walk_away();
-        if (left_ > 0) return;
-        over_ = true;
-        loop_.quit();
+        over_ = left_ <= 0;
+        if (over_) loop_.quit();
     }
 
     void walk_away() {
         QWidget* window = &shell_.window();
         const auto* rail = window->findChild<QWidget*>("rail");
-        if (rail == nullptr || !rail->isVisible()) {  // A participant is here: needs the password.
-            shell_.context().signOut();
-            return;
-        }
+        // A participant is here: leaving needs the password.
+        if (rail == nullptr || !rail->isVisible()) return shell_.context().signOut();
         for (int i = 0; i < kMostTabs; ++i) {
             tap(window, Qt::Key_Tab);
             auto* button = qobject_cast<QToolButton*>(window->focusWidget());
-            if (button == nullptr || !button->objectName().startsWith("rail_")) continue;
-            if (button->isChecked()) continue;  // This page.
+            if (button == nullptr || !button->objectName().startsWith("rail_") ||
+                button->isChecked())
+                continue;
             ++left_by_keys;
             note("WALK " + button->objectName());
             const Page* before = shell_.window().page();
@@ -261,16 +250,15 @@ class Monkey : public QObject {
 
     void press(QWidget* target) {
         constexpr Qt::Key kKeys[] = {
-            Qt::Key_Return, Qt::Key_Enter,    Qt::Key_Escape, Qt::Key_Tab,     Qt::Key_Tab,
-            Qt::Key_Tab,    Qt::Key_Space,    Qt::Key_Space,  Qt::Key_Backtab, Qt::Key_Up,
-            Qt::Key_Down,   Qt::Key_Left,     Qt::Key_Right,  Qt::Key_Home,    Qt::Key_End,
-            Qt::Key_PageUp, Qt::Key_PageDown, Qt::Key_Delete, Qt::Key_F1,      Qt::Key_F5,
-            Qt::Key_A,      Qt::Key_K,        Qt::Key_1,      Qt::Key_W,       Qt::Key_Y};
+            Qt::Key_Return, Qt::Key_Enter, Qt::Key_Escape,   Qt::Key_Tab,    Qt::Key_Tab,
+            Qt::Key_Tab,    Qt::Key_Space, Qt::Key_Space,    Qt::Key_Up,     Qt::Key_Down,
+            Qt::Key_Left,   Qt::Key_Right, Qt::Key_PageDown, Qt::Key_Delete, Qt::Key_F1,
+            Qt::Key_F5,     Qt::Key_A,     Qt::Key_K,        Qt::Key_1,      Qt::Key_Backtab};
         const Qt::Key key = kKeys[below(static_cast<int>(std::size(kKeys)))];
-        constexpr Qt::KeyboardModifier kModifiers[] = {
-            Qt::NoModifier, Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier,
-            Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
-        const Qt::KeyboardModifier modifier = kModifiers[below(8)];
+        constexpr Qt::KeyboardModifier kModifiers[] = {Qt::ShiftModifier, Qt::ControlModifier,
+                                                       Qt::AltModifier};
+        const int held = below(8);
+        const Qt::KeyboardModifier modifier = held < 3 ? kModifiers[held] : Qt::NoModifier;
         const QWidget* focus = target->focusWidget();
         note(QString("key %1 %2 on %3, %4")
                  .arg(QKeySequence(key).toString())
@@ -288,8 +276,9 @@ class Monkey : public QObject {
             const auto buttons = target->findChildren<QAbstractButton*>();
             if (!buttons.isEmpty()) child = buttons[below(static_cast<int>(buttons.size()))];
         }
-        if (child == nullptr || !child->isVisible() || !child->isEnabled()) return;
-        if (child->window() != target->window()) return;
+        if (child == nullptr || !child->isVisible() || !child->isEnabled() ||
+            child->window() != target->window())
+            return;
         if (child->objectName() == "switch_user" && below(10) > 0) return;  // Stays a while.
         note("click " + child->objectName());
         const QPointer<QWidget> pressed = child;
@@ -306,7 +295,6 @@ class Monkey : public QObject {
     std::set<QString> wanted_;  ///< Attempts that a person has said may end.
     std::set<const QAbstractButton*> heard_;
     QStringList last_;
-    const bool trace_ = qEnvironmentVariableIsSet("PLACODE_RANDOM_TRACE");
 };
 
 }  // namespace placode::ui

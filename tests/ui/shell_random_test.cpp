@@ -7,7 +7,6 @@
 //   $PLACODE_RANDOM_SEED     which (1); a failure names it
 
 #include <QProcess>
-#include <QSignalSpy>
 
 #include "shell_monkey.h"
 
