@@ -181,6 +181,9 @@ void ShellRandomTest::anotherPersonAtTheEndIsLedHome() {
 
 int main(int argc, char** argv) {
     placode::ui::prepare_display();
+    // Long runs outlast QtTest's five minutes for one function.
+    if (qEnvironmentVariableIsEmpty("QTEST_FUNCTION_TIMEOUT"))
+        qputenv("QTEST_FUNCTION_TIMEOUT", "3600000");
     QApplication app(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false);
     placode::ui::ShellRandomTest test;
