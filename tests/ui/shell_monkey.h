@@ -156,7 +156,7 @@ class Monkey : public QObject {
     bool at_the_window() {
         if (shell_.window().findChild<QWidget*>("try_again") != nullptr) {
             find("a page cannot be shown: " + shell_.window().banner().text());
-            shell_.window().open({PageId::kAccount, 0, {}, {}});
+            shell_.context().signOut();
             return true;
         }
         if (!shell_.context().signedIn() && below(20) == 0) {

@@ -56,6 +56,7 @@ class ShellRandomTest : public QObject {
     void anAttemptEndsByItselfOrByAConfirmedWish();
     void anAnswerIsForTheAttemptItWasAskedAbout();
     void anotherPersonAtTheEndIsLedHome();
+    void nobodyEndsAnAttemptWithoutSigningIn();
 
  private:
     /// The stand-in of a shell that is set up, with the trainee signed in.
@@ -175,6 +176,32 @@ void ShellRandomTest::anotherPersonAtTheEndIsLedHome() {
         QVERIFY(shell.window().findChild<QWidget*>("try_again") == nullptr);
     }
     QCOMPARE(shell.context().store().attempts(shell.idOf("demo.trainee")).size(), size_t{1});
+}
+
+// The log-in page showed the way to the running attempt, with its two buttons, to anybody.
+void ShellRandomTest::nobodyEndsAnAttemptWithoutSigningIn() {
+    ShellHarness shell;
+    prepare(shell);
+    if (QTest::currentTestFailed()) return;
+    order(shell);
+    // A frame that was left lives on for a moment.
+    const auto way_there = [&] {
+        const auto chips = shell.window().findChildren<QToolButton*>("running_chip");
+        return std::any_of(chips.begin(), chips.end(),
+                           [](auto* chip) { return chip->isVisible(); });
+    };
+    QVERIFY(QTest::qWaitFor(way_there, 5000));
+    shell.context().signOut();
+    QVERIFY(shell.arrives(PageId::kLogin));
+    QTest::qWait(50);
+    QVERIFY(!way_there());
+    shell.window().open({PageId::kRunning, 0, {}, {}});
+    QVERIFY(shell.find<QAbstractButton>("abort") == nullptr);
+    shell.window().open({PageId::kLogin, 0, {}, {}});
+    QVERIFY(shell.signIn("demo.educator", "placode-demo"));
+    QVERIFY(QTest::qWaitFor(way_there, 5000));
+    shell.context().launcher().abort();
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().launcher().running(); }, 5000));
 }
 
 }  // namespace placode::ui

@@ -32,6 +32,7 @@ class RunningPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(RunningPage)
  public:
     explicit RunningPage(AppContext& context) : Page(context) {
+        context.require(db::Action::kPerformAttempt);  // Everybody who is signed in.
         QVBoxLayout* column = make_column(this, 860);
         const AttemptLauncher& launcher = context.launcher();
         auto* head = new QHBoxLayout;
