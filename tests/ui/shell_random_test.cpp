@@ -57,6 +57,7 @@ class ShellRandomTest : public QObject {
     void anAnswerIsForTheAttemptItWasAskedAbout();
     void anotherPersonAtTheEndIsLedHome();
     void nobodyEndsAnAttemptWithoutSigningIn();
+    void whatIsNotThereYetDoesNoHarm();
 
  private:
     /// The stand-in of a shell that is set up, with the trainee signed in.
@@ -202,6 +203,30 @@ void ShellRandomTest::nobodyEndsAnAttemptWithoutSigningIn() {
     QVERIFY(QTest::qWaitFor(way_there, 5000));
     shell.context().launcher().abort();
     QVERIFY(QTest::qWaitFor([&] { return !shell.context().launcher().running(); }, 5000));
+}
+
+// An unreadable definition that is exported ended the shell; without a study, a sheet from paper
+// led to a page that cannot be shown.
+void ShellRandomTest::whatIsNotThereYetDoesNoHarm() {
+    ShellHarness shell;
+    QVERIFY(shell.setUpWithDemonstration());
+    QVERIFY(shell.signIn("demo.coordinator", "placode-demo"));
+    for (const char* text : {"k1", "{\"id\": 5}"}) {
+        shell.save_as = shell.path("out.json");
+        QFile::remove(shell.save_as);
+        shell.window().open(
+            {PageId::kProtocols, 0, {}, {{"kind", "study"}, {"text", text}, {"unsaved", true}}});
+        QVERIFY(shell.arrives(PageId::kProtocols));
+        QVERIFY(shell.click("definition_export"));
+        QVERIFY2(QFile::exists(shell.save_as), text);
+    }
+    (void)shell.context().store().new_participant("sus");
+    shell.window().open({PageId::kStudyData, 0, {}, {{"study", "sus"}}});
+    QVERIFY(shell.arrives(PageId::kStudyData));
+    for (const char* name : {"enter_first", "enter_second"}) {
+        const auto* button = shell.find<QAbstractButton>(name);
+        QVERIFY(button != nullptr && !button->isEnabled());
+    }
 }
 
 }  // namespace placode::ui
