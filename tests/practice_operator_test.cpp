@@ -55,6 +55,15 @@ INSTANTIATE_TEST_SUITE_P(Tasks, PracticeOperator,
                          testing::Values("familiarisation", "touch_targets", "trace_contour",
                                          "two_handed_traction"));
 
+// The target lies on tissue that yields: an expert who kept his height above it followed it down
+// with needle and jaws, and tore it.
+TEST(PracticeOperatorLevels, AnExpertDoesNotGoAfterTissueThatYields) {
+    const Outcome expert = perform("familiarisation", "expert");
+    EXPECT_EQ(*expert.metrics.find("grasps"), 1);
+    EXPECT_LT(*expert.metrics.find("torn_volume_mm3"), 0.1);
+    EXPECT_LT(*expert.metrics.find("peak_force_mn"), 50);
+}
+
 TEST(PracticeOperatorLevels, FamiliarisationHasNoLimitAndIsDoneInTwoMinutes) {
     EXPECT_EQ(load_task("familiarisation").time_limit_s, 0) << "a study sets its own";
     EXPECT_LE(perform("familiarisation", "novice").recording.end.duration_s, 120);

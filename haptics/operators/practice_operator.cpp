@@ -33,6 +33,7 @@ PracticeHabits novice() {
     PracticeHabits h;
     h.aim_error_m = 1.3e-3;
     h.press_m = 1.6e-3;
+    h.feels = false;
     h.early_pedal_s = 1.4;
     h.late_pedal_s = 1.2;
     h.trace_m_s = 0.004;
@@ -203,6 +204,7 @@ void PracticeOperator::down(double dt_s) noexcept {
             w.pedals = goal_.step.kind == PracticeKind::kCut ? sim::kPedalCut : sim::kPedalCoag;
         if (w.touches || w.height_m < -kDeepestM) {
             w.way_m = w.height_m;  // where it touched
+            w.anchor = w.motion.tip_m();
             continue;
         }
         w.height_m -= profile_.descend_m_s * dt_s;
@@ -212,9 +214,21 @@ void PracticeOperator::down(double dt_s) noexcept {
     if (touched) stage(Stage::kDo);
 }
 
+/// Tissue yields, and with it the target that is seen: a hand that keeps its height above it goes
+/// down with it until something tears. Who feels stays where he met it, and goes on only when he
+/// has lost it.
+void PracticeOperator::press(Worker& w, double press_m, double dt_s) noexcept {
+    constexpr double kPressMS = 0.002, kLostM = 1e-3;
+    const bool feels = habits_.feels && goal_.step.kind != PracticeKind::kTouch;
+    const double deepest = w.way_m - press_m - (feels && !w.touches ? kLostM : 0);
+    if (!feels || w.height_m > deepest)
+        w.height_m = std::max(w.height_m - kPressMS * dt_s, deepest);
+    const Vec3 goal = feels ? Vec3(w.anchor + (w.height_m - w.way_m) * Vec3::UnitZ()) : place(w, 0);
+    static_cast<void>(w.motion.glide(goal, 0.02, dt_s));
+}
+
 void PracticeOperator::do_touch(Worker& w, double dt_s) noexcept {
-    w.height_m = std::max(w.height_m - 0.002 * dt_s, w.way_m - habits_.press_m);
-    static_cast<void>(w.motion.glide(place(w, 0), 0.02, dt_s));
+    press(w, habits_.press_m, dt_s);
     if (goal_.step.kind != PracticeKind::kTouch)
         w.pedals = goal_.step.kind == PracticeKind::kCut ? sim::kPedalCut : sim::kPedalCoag;
     const double patience = 1.0 + 1.5 * goal_.step.hold_s;
@@ -223,8 +237,7 @@ void PracticeOperator::do_touch(Worker& w, double dt_s) noexcept {
 
 void PracticeOperator::do_grasp(Worker& w, double dt_s) noexcept {
     const JawHabits& habit = jaw_habits(level_);
-    w.height_m = std::max(w.height_m - 0.002 * dt_s, w.way_m - 2e-4);
-    static_cast<void>(w.motion.glide(place(w, 0), 0.02, dt_s));
+    press(w, 2e-4, dt_s);
     static_cast<void>(w.motion.jaw(habit.squeezed_rad(), habit.close_rad_s, dt_s));
     if (stage_s_ > 2.5) stage(Stage::kAgain);
 }

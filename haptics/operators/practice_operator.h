@@ -17,6 +17,7 @@ namespace placode::haptics {
 struct PracticeHabits {
     double aim_error_m = 1e-4;   ///< Of the first approach, rms; the next one is half of it.
     double press_m = 1e-4;       ///< Below the first touch.
+    bool feels = true;           ///< Stays where it met tissue; else it goes after what it pushes.
     double early_pedal_s = 0;    ///< Pedal down before the tip has arrived.
     double late_pedal_s = 0.05;  ///< Pedal still down after the step is done.
     double trace_m_s = 0.006;    ///< Along the contour.
@@ -55,6 +56,7 @@ class PracticeOperator final : public ScriptedOperator {
     void go(double dt_s) noexcept;
     void down(double dt_s) noexcept;
     void do_step(double dt_s) noexcept;
+    void press(Worker& worker, double press_m, double dt_s) noexcept;
     void do_touch(Worker& worker, double dt_s) noexcept;
     void do_grasp(Worker& worker, double dt_s) noexcept;
     void do_trace(Worker& worker, double dt_s) noexcept;

@@ -28,6 +28,7 @@ class ShellEducatorTest : public QObject {
     void initTestCase();
     void cleanupTestCase() { shell_.reset(); }
 
+    void aCohortOfNobodyCanBeLookedAt();
     void cohortShowsWhoIsStuckAndWhoRegressed();
     void cohortLeadsToTheAttemptsAndIsExported();
     void standardComesFromTwoGroups();
@@ -83,6 +84,18 @@ void ShellEducatorTest::initTestCase() {
     add(kNames[2], "cleo", {60, 78, 84, 90});
     add(kNames[3], "dan", {82, 88, 91});
     QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+}
+
+void ShellEducatorTest::aCohortOfNobodyCanBeLookedAt() {
+    ShellHarness empty;
+    QVERIFY(empty.setUpWithDemonstration());
+    QVERIFY(empty.signIn("demo.educator", "placode-demo"));
+    QVERIFY(empty.click("rail_cohort"));
+    QVERIFY(empty.arrives(PageId::kCohort));
+    auto* only_help = empty.find<QAbstractButton>("only_help");
+    QVERIFY(only_help != nullptr);
+    QTest::mouseClick(only_help, Qt::LeftButton);  // Crashed: there is no table to filter.
+    QVERIFY(!only_help->isEnabled());
 }
 
 void ShellEducatorTest::cohortShowsWhoIsStuckAndWhoRegressed() {

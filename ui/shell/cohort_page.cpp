@@ -66,6 +66,7 @@ class CohortPage : public Page {
         help_ = new QCheckBox(tr("Only who needs help"));
         help_->setObjectName("only_help");
         help_->setChecked(place.state.value("help").toBool());
+        help_->setEnabled(!people_.empty());  // Without people there is no table.
         connect(help_, &QCheckBox::toggled, this, [this] { filter(); });
         head->addWidget(help_);
         QPushButton* save = make_button(context, tr("Export"), "secondary", "download");

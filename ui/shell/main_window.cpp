@@ -133,6 +133,7 @@ void MainWindow::lock() {
 
 Place MainWindow::home() const {
     using db::Action;
+    if (!context_.signedIn()) return {PageId::kLogin, 0, {}, {}};
     PageId page = PageId::kAccount;
     if (context_.may(Action::kManageUsers, db::Scope::kOther)) page = PageId::kPeople;
     if (context_.may(Action::kRunQuestionnaire)) page = PageId::kStudies;
@@ -243,7 +244,9 @@ void MainWindow::updateFrame() {
     for (const char* name : {"user_menu", "search", "switch_user"})
         if (auto* button = bar_->findChild<QToolButton*>(name))
             button->setVisible(context_.signedIn() && !alone);
-    running_->setVisible(context_.launcher().running() && place_.page != PageId::kRunning);
+    // Whoever has not signed in may neither look at an attempt nor end it.
+    running_->setVisible(context_.signedIn() && context_.launcher().running() &&
+                         place_.page != PageId::kRunning);
     title_->setText(page_ ? page_->title() : QString());
     placeNotices();
     for (const auto& [button, page] : rail_buttons_) {

@@ -73,6 +73,10 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] Place lastPlace() const;
     /// Where an attempt that came to nothing was asked for.
     [[nodiscard]] static Place placeOf(const AttemptOrder& order);
+    /// Whoever is signed in may be another than the one who made the attempt.
+    [[nodiscard]] bool isMine(const AttemptOrder& order) const;
+    /// From the page of an attempt that came to nothing.
+    void leaveRunning(const AttemptOrder& order);
     [[nodiscard]] Place home() const;
     void updateFrame();
     /// Messages float over the page, not over rail and top bar.

@@ -14,6 +14,14 @@ Place MainWindow::placeOf(const AttemptOrder& order) {
     return {PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
 }
 
+bool MainWindow::isMine(const AttemptOrder& order) const {
+    return context_.signedIn() && context_.user().id == order.user_id;
+}
+
+void MainWindow::leaveRunning(const AttemptOrder& order) {
+    showPlace(isMine(order) ? placeOf(order) : home());
+}
+
 void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
     updateFrame();
     const bool waiting = place_.page == PageId::kRunning;
@@ -24,7 +32,7 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         remove_recording(ending.order.recording_file);
         context_.report(simulator_problem(
             {ending.crashed, ending.exit_code, false, ending.order.device, ending.message}));
-        if (waiting) showPlace(placeOf(ending.order));
+        if (waiting) leaveRunning(ending.order);
         return;
     }
     if ((ending.crashed || ending.exit_code != 0) && !ending.asked) {
@@ -47,7 +55,8 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
         this, tr("Scoring and saving the attempt"),
         [saved, order = ending.order](db::Store& store) { *saved = save_recording(store, order); },
         [this, saved, ending](bool done) {
-            const bool waiting = place_.page == PageId::kRunning;
+            // Who has begun the next attempt meanwhile watches that one.
+            const bool waiting = place_.page == PageId::kRunning && !context_.launcher().running();
             if (!done) {
                 // The banner has the reason; the recording stays and is offered again.
                 if (waiting)
@@ -57,7 +66,7 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
             }
             if (saved->outcome == Saving::kEmpty) {
                 notices_->showNotice(tr("The attempt was left before it began; nothing was kept."));
-                if (waiting) showPlace(placeOf(ending.order));
+                if (waiting) leaveRunning(ending.order);
                 return;
             }
             const AttemptOrder& order = ending.order;
@@ -66,7 +75,10 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 order.study.isEmpty()
                     ? Place{PageId::kResult, saved->attempt_id, {}, {}}
                     : Place{PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
-            if (!context_.signedIn() || context_.user().id != ending.order.user_id) return;
+            if (!isMine(order)) {
+                if (waiting) showPlace(home());
+                return;
+            }
             if (waiting) return showPlace(result);
             notices_->showNotice(
                 tr("Your attempt was saved."),

@@ -400,8 +400,16 @@ class ProtocolsPage : public Page {
         });
     }
 
+    /// Of a text that was never readable there is no definition, and its id may be anything.
+    [[nodiscard]] QString name() const {
+        if (!definition_.is_object()) return "definition";
+        const auto id = definition_.find("id");
+        return id != definition_.end() && id->is_string() ? qstr(id->get<std::string>())
+                                                          : QString("definition");
+    }
+
     void exportFile() {
-        const QString name = qstr(definition_.value("id", std::string("definition"))) + ".json";
+        const QString name = this->name() + ".json";
         const QString path =
             context_.askSaveFile(this, tr("Export the definition"), name, "JSON (*.json)");
         if (path.isEmpty()) return;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Running: what the simulator reports while the attempt goes on, and the two ways to end it.
 
+#include <QApplication>
+#include <QDialog>
 #include <QElapsedTimer>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -14,10 +16,25 @@
 namespace placode::ui {
 namespace {
 
+/// Asks about the attempt that runs. The question goes when that attempt ends by itself: nobody is
+/// told that he ends what has ended, and no answer reaches the attempt after it.
+bool ask(AttemptLauncher& launcher, QWidget* window, const QString& title, const QString& text,
+         const QString& verb) {
+    bool stands = true;
+    QObject question;
+    QObject::connect(&launcher, &AttemptLauncher::ended, &question, [&stands] {
+        stands = false;
+        auto* open = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+        if (open != nullptr && open->objectName() == "confirm") open->reject();
+    });
+    return confirm(window, title, text, verb) && stands;
+}
+
 class RunningPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(RunningPage)
  public:
     explicit RunningPage(AppContext& context) : Page(context) {
+        context.require(db::Action::kPerformAttempt);  // Everybody who is signed in.
         QVBoxLayout* column = make_column(this, 860);
         const AttemptLauncher& launcher = context.launcher();
         auto* head = new QHBoxLayout;
@@ -144,8 +161,8 @@ class RunningPage : public Page {
             if (mayFinish()) launcher.finish();
         });
         connect(abort_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
-            if (confirm(
-                    window(), study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
+            if (ask(launcher, window(),
+                    study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
                     study() ? tr("What was done so far is kept and does not count; the procedure "
                                  "has to be done again from the beginning.")
                             : tr("It is kept as interrupted and does not count for the course."),
@@ -160,10 +177,10 @@ class RunningPage : public Page {
     [[nodiscard]] bool mayFinish() {
         const double time_s = context_.launcher().status().time_s;
         if (!curriculum::conduct_of(mode()).always_ask)
-            return confirm(window(), tr("End the attempt?"),
-                           tr("It ends here, after %1, and is scored for what was done.")
-                               .arg(format_duration(time_s)),
-                           tr("Stop and score"));
+            return ask(context_.launcher(), window(), tr("End the attempt?"),
+                       tr("It ends here, after %1, and is scored for what was done.")
+                           .arg(format_duration(time_s)),
+                       tr("Stop and score"));
         const double min_s = context_.launcher().order().min_s;
         QString text = study()
                            ? tr("The procedure ends here for good, after %1. You cannot go on "
@@ -174,8 +191,9 @@ class RunningPage : public Page {
         if (time_s < min_s)
             text += " " + tr("It lasted less than %1: it will not count and has to be done again.")
                               .arg(format_duration(min_s));
-        return confirm(window(), study() ? tr("End the procedure?") : tr("End the exam?"), text,
-                       study() ? tr("End the procedure") : tr("End the exam"));
+        return ask(context_.launcher(), window(),
+                   study() ? tr("End the procedure?") : tr("End the exam?"), text,
+                   study() ? tr("End the procedure") : tr("End the exam"));
     }
 
     [[nodiscard]] static QString phaseName(const QString& phase) {

@@ -223,12 +223,16 @@ class StudyDataPage : public Page {
         forms->setAccessibleName(tr("Questionnaire"));
         for (const QString& id : questionnaires()) forms->addItem(id, id);
         row->addWidget(forms, 1);
-        row->addWidget(
+        QPushButton* first =
             make_action(context_, this, tr("Enter from paper"), "secondary", "plus", "enter_first",
-                        [this, forms] { enter(forms->currentData().toString(), false); }));
-        row->addWidget(make_action(
+                        [this, forms] { enter(forms->currentData().toString(), false); });
+        QPushButton* second = make_action(
             context_, this, tr("Enter a second time"), "secondary", "again", "enter_second",
-            [this, forms] { enter(forms->currentData().toString(), true); }));
+            [this, forms] { enter(forms->currentData().toString(), true); });
+        for (QPushButton* button : {first, second}) {
+            button->setEnabled(forms->count() > 0);  // Nobody has answered, no protocol.
+            row->addWidget(button);
+        }
         layout->addLayout(row);
         if (differences_.empty()) {
             layout->addWidget(make_label(tr("There are no open differences."), "small"));

@@ -22,7 +22,7 @@ struct ProfilePoint {
 
 // Surface of revolution. Every band has its own vertices; a normal is shared with the neighbouring
 // band only where the profile bends by less than 35 degrees.
-void add_revolution(ToolShape& shape, const std::vector<ProfilePoint>& profile) {
+void add_revolution(ToolModel& shape, const std::vector<ProfilePoint>& profile) {
     const size_t bands = profile.size() - 1;
     std::vector<Eigen::Vector2f> slope(bands);
     for (size_t i = 0; i < bands; ++i) {
@@ -57,7 +57,7 @@ void add_revolution(ToolShape& shape, const std::vector<ProfilePoint>& profile) 
     }
 }
 
-void add_face(ToolShape& shape, const std::array<Vector3f, 4>& p, ToolMaterial material, int jaw) {
+void add_face(ToolModel& shape, const std::array<Vector3f, 4>& p, ToolMaterial material, int jaw) {
     const auto base = static_cast<unsigned>(shape.vertices.size());
     const Vector3f n = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
     for (const Vector3f& q : p)
@@ -70,7 +70,7 @@ struct JawSection {
 };
 
 // A jaw or blade from cross sections, on the side `jaw` of the closing plane (y).
-void add_jaw(ToolShape& shape, const std::vector<JawSection>& sections, int jaw) {
+void add_jaw(ToolModel& shape, const std::vector<JawSection>& sections, int jaw) {
     const auto side = static_cast<float>(jaw);
     const auto corner = [&](const JawSection& s, int c) {
         const float x = (c == 0 || c == 3 ? -0.5F : 0.5F) * s.width * (c > 1 ? 0.7F : 1.0F);
@@ -100,7 +100,7 @@ void add_shaft(std::vector<ProfilePoint>& profile, float from, float radius, flo
     profile.push_back({length, radius, material});
 }
 
-void add_needle(ToolShape& shape, float tip, float exposed, float radius, float length) {
+void add_needle(ToolModel& shape, float tip, float exposed, float radius, float length) {
     const auto steel = ToolMaterial::kSteel;
     std::vector<ProfilePoint> profile{{0.0F, 0.02F, steel},
                                       {0.05F, 0.40F * tip, steel},
@@ -115,7 +115,7 @@ void add_needle(ToolShape& shape, float tip, float exposed, float radius, float 
     add_revolution(shape, profile);
 }
 
-void add_hook(ToolShape& shape, float tip, float exposed, float radius, float length) {
+void add_hook(ToolModel& shape, float tip, float exposed, float radius, float length) {
     add_needle(shape, tip, exposed, radius, length);
     // The foot of the L, across the shaft.
     const size_t first = shape.vertices.size();
@@ -130,7 +130,7 @@ void add_hook(ToolShape& shape, float tip, float exposed, float radius, float le
     }
 }
 
-void add_grasper(ToolShape& shape, float jaw_mm, float radius, float length) {
+void add_grasper(ToolModel& shape, float jaw_mm, float radius, float length) {
     std::vector<JawSection> sections;
     // Serrations of 0.5 mm pitch.
     for (float s = 0; s <= jaw_mm; s += 0.25F) {
@@ -148,7 +148,7 @@ void add_grasper(ToolShape& shape, float jaw_mm, float radius, float length) {
     add_revolution(shape, profile);
 }
 
-void add_scissors(ToolShape& shape, float jaw_mm, float radius, float length) {
+void add_scissors(ToolModel& shape, float jaw_mm, float radius, float length) {
     std::vector<JawSection> sections;
     for (int i = 0; i <= 16; ++i) {
         const float t = static_cast<float>(i) / 16;
@@ -164,7 +164,7 @@ void add_scissors(ToolShape& shape, float jaw_mm, float radius, float length) {
     add_revolution(shape, profile);
 }
 
-void add_probe(ToolShape& shape, float radius, float length) {
+void add_probe(ToolModel& shape, float radius, float length) {
     std::vector<ProfilePoint> profile;
     for (int i = 0; i <= 6; ++i) {
         const float angle = 0.25F * kTurn * static_cast<float>(i) / 6;
@@ -177,8 +177,8 @@ void add_probe(ToolShape& shape, float radius, float length) {
 
 }  // namespace
 
-ToolShape tool_shape(const ToolSpec& spec) {
-    ToolShape shape;
+ToolModel tool_model(const ToolSpec& spec) {
+    ToolModel shape;
     const auto mm = [](double m) { return static_cast<float>(1000 * m); };
     const float tip = std::max(mm(spec.tip_radius_m), 0.05F),
                 radius = std::max(mm(spec.shaft_radius_m), tip);
@@ -222,7 +222,7 @@ std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_W
 ToolRenderer::ToolRenderer(const std::vector<ToolSpec>& tools) : specs_(tools) {
     specs_.resize(std::min(specs_.size(), size_t{kMaxTools}));
     for (size_t i = 0; i < specs_.size(); ++i) {
-        shapes_.push_back(tool_shape(specs_[i]));
+        shapes_.push_back(tool_model(specs_[i]));
         meshes_[i].create({3, 3, 4, 4, 2});
         meshes_[i].indices(shapes_[i].indices);
     }
@@ -231,7 +231,7 @@ ToolRenderer::ToolRenderer(const std::vector<ToolSpec>& tools) : specs_(tools) {
 void ToolRenderer::draw(const Snapshot& snapshot, GlProgram& program) {
     for (size_t i = 0; i < shapes_.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
         const ToolSnapshot& tool = snapshot.tools[i];
-        const ToolShape& shape = shapes_[i];
+        const ToolModel& shape = shapes_[i];
         if (shape.indices.empty()) continue;
         // What waits outside for its turn at the port is not in the picture.
         const bool shares = std::count_if(specs_.begin(), specs_.end(), [&](const ToolSpec& s) {

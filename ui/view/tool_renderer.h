@@ -14,7 +14,7 @@ namespace placode::sim {
 enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2 };
 
 /// Triangles of one instrument in T [mm]; `jaw`: -1 and +1 turn about the hinge, 0 is fixed.
-struct ToolShape {
+struct ToolModel {
     struct Vertex {
         Eigen::Vector3f p, n;
         float material = 0, along_mm = 0, around = 0;
@@ -24,7 +24,7 @@ struct ToolShape {
     std::vector<unsigned> indices;
     float hinge_mm = 0;  ///< Distance of the hinge from the tip.
 };
-[[nodiscard]] ToolShape tool_shape(const ToolSpec& spec);
+[[nodiscard]] ToolModel tool_model(const ToolSpec& spec);
 
 /// Capsules (a, b, radius) [mm] that stand for a tool in shadows.
 struct ShadowCapsule {
@@ -41,7 +41,7 @@ class ToolRenderer {
 
  private:
     std::vector<ToolSpec> specs_;
-    std::vector<ToolShape> shapes_;
+    std::vector<ToolModel> shapes_;
     std::array<GlMesh, kMaxTools> meshes_;
     std::vector<float> staging_;
 };
