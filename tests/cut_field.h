@@ -8,6 +8,7 @@
 
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/separation.h"
+#include "sim/world/add_event.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim::test {

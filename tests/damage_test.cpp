@@ -4,6 +4,7 @@
 // that follow from the numbers put in.
 
 #include "sim/ledger/damage.h"
+#include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 

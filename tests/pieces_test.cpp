@@ -3,6 +3,8 @@
 // What hangs together: loose pieces, crumbs, the way out of the field, release by sectors.
 
 #include "sim/cutting/pieces.h"
+#include "sim/cutting/grasp.h"
+#include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 

@@ -3,6 +3,8 @@
 // What is cut and what is out: one number for picture and ledger.
 
 #include "sim/cutting/reached.h"
+#include "sim/cutting/grasp.h"
+#include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 

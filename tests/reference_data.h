@@ -15,7 +15,7 @@
 namespace placode::testing_data {
 
 inline std::string path(const std::string& name) {
-    return std::string(PLACODE_SOURCE_DIR) + "/tests/data/" + name;
+    return PLACODE_SOURCE_DIR "/tests/data/" + name;
 }
 
 inline nlohmann::json json(const std::string& name) {

@@ -3,6 +3,7 @@
 // The fluid of a cystic lesion: pressure, leak, and a membrane that sinks onto the canal.
 
 #include "sim/cutting/sac.h"
+#include "sim/world/add_event.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

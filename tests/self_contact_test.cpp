@@ -3,6 +3,8 @@
 // Tissue against tissue: a piece that is let go, a flap that is folded over.
 
 #include "sim/contact/self_contact.h"
+#include "sim/cutting/grasp.h"
+#include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 

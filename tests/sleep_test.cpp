@@ -3,6 +3,7 @@
 // Sleeping tissue: it comes to rest, wakes for what matters, and nobody can see the difference.
 
 #include "sim/solver/sleep.h"
+#include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <memory>
 #include <string>
 #include <type_traits>
 
@@ -103,21 +102,30 @@ struct Hasher {
     WordHash hash;
 };
 
+struct Counter {
+    static constexpr bool kKeeps = true;
+    void bytes(const void*, size_t size) noexcept { count += size; }
+    template <class V>
+    void size(const V&) noexcept {
+        count += sizeof(uint64_t);
+    }
+    size_t count = 0;
+};
+
 struct Writer {
     static constexpr bool kKeeps = true;
-    void bytes(const void* data, size_t size) {
-        const auto* p = static_cast<const uint8_t*>(data);
-        out.insert(out.end(), p, p + size);
+    void bytes(const void* data, size_t size) noexcept {
+        if (size > 0) std::memcpy(to, data, size);
+        to += size;
     }
     template <class V>
-    void size(const V& v) {
+    void size(const V& v) noexcept {
         const uint64_t n = v.size();
         bytes(&n, sizeof n);
     }
-    std::vector<uint8_t> out;
+    uint8_t* to;
 };
 
-/// First asked to check, then to read: what is wrong is found before anything is written.
 struct Reader {
     static constexpr bool kKeeps = true;
     void bytes(void* data, size_t size) {
@@ -175,16 +183,23 @@ uint64_t whole_hash(const State& state) noexcept {
     return hasher.hash.value();
 }
 
-std::vector<uint8_t> save_state(const Scene& scene, const State& state) {
-    Writer writer;
-    writer.out.reserve(size_t{1} << 25);
-    writer.out.resize(sizeof(Head));
+void save_state(const Scene& scene, const State& state, std::vector<uint8_t>& into) {
+    Counter counter;
+    Walk count(counter);
+    fields(state, count);
+    into.resize(sizeof(Head) + counter.count);
+    Writer writer{into.data() + sizeof(Head)};
     Walk walk(writer);
     fields(state, walk);
-    const std::span<const uint8_t> body = std::span(writer.out).subspan(sizeof(Head));
+    const auto body = std::span(into).subspan(sizeof(Head));
     const Head head{kFormat, scene_mark(scene), body.size(), check_of(body)};
-    std::memcpy(writer.out.data(), &head, sizeof head);
-    return std::move(writer.out);
+    std::memcpy(into.data(), &head, sizeof head);
+}
+
+std::vector<uint8_t> save_state(const Scene& scene, const State& state) {
+    std::vector<uint8_t> saved;
+    save_state(scene, state, saved);
+    return saved;
 }
 
 void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved) {
@@ -200,12 +215,11 @@ void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved
             "saved from");
     if (head.size != body.size() || head.check != check_of(body))
         throw StateError("saved state: it is cut off or damaged; save it again");
-    // Sound bytes of this scene and format: what follows cannot fail but by memory.
-    auto scratch = std::make_unique<State::Scratch>(scene);
+    // Sound bytes of this scene and format: nothing below fails.
     Reader reader{body};
     Walk walk(reader);
     fields(state, walk);
-    state.scratch = std::move(scratch);
+    state.scratch->forget();
     state.event_count = 0;
     state.flags = 0;
 }

@@ -26,8 +26,10 @@ class StateError : public std::runtime_error {
 
 /// Format 1, of this build's field lists and byte order: for a running program, not for archives.
 [[nodiscard]] std::vector<uint8_t> save_state(const Scene& scene, const State& state);
+/// The same into memory that is used again.
+void save_state(const Scene& scene, const State& state, std::vector<uint8_t>& into);
 
-/// Makes `state` the saved one. Scratch is built anew. Threads stay.
+/// Makes `state` the saved one. Scratch is forgotten. Threads stay.
 /// @pre `state` was built for `scene`, and so was the saved one, with the same live tuning.
 /// @throws StateError for other bytes; `state` is then as it was.
 void load_state(const Scene& scene, State& state, std::span<const uint8_t> saved);

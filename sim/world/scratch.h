@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Working memory of step(): sized once, reused every frame. Nothing in it decides the future: it
-// may be built anew between any two frames (tests/whole_state_test.cpp).
+// may be built anew, or forgotten, between any two frames (tests/whole_state_test.cpp).
 
 #include <array>
 #include <vector>
@@ -16,6 +16,8 @@ namespace placode::sim {
 
 struct State::Scratch {
     explicit Scratch(const Scene& scene);
+    /// As if built anew: after the state has become another one.
+    void forget() noexcept;
     ContactSet contacts;
     CutTables cut;
     std::vector<int32_t> vaporised;        // room for one heat step

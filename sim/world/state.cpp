@@ -37,6 +37,18 @@ State::Scratch::Scratch(const Scene& scene)
     }
 }
 
+void State::Scratch::forget() noexcept {
+    std::fill(contacts.slot.begin(), contacts.slot.end(), -1);
+    std::fill(contacts.hessian_frame.begin(), contacts.hessian_frame.end(), -1);
+    std::fill(contacts.feature.begin(), contacts.feature.end(), 0);
+    contacts.near.fill(0);
+    contacts.candidate_count = contacts.contact_count = contacts.vertex_count = 0;
+    contacts.feature_count = contacts.most_contacts = 0;
+    for (PieceSearch::Path& path : pieces.path) path.count = 0;
+    tip_triangle.fill(-1);
+    heat_stepped = false;
+}
+
 State::State(const Scene& scene, int threads)
     : substeps(scene.body.spec().solver.substeps),
       body(scene.body),
