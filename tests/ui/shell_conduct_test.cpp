@@ -105,6 +105,7 @@ void ShellConductTest::publish(int version, const QString& title, const QString&
     QVERIFY(json != nullptr);
     json->setPlainText(QString::fromStdString(study_json(version, title)));
     if (!reason.isEmpty()) QVERIFY(shell_->type("publish_reason", reason));
+    shell_->confirmNext();  // The shipped consent text is a draft.
     QVERIFY(press("definition_publish"));
     QVERIFY2(shell_->bannerSays(QString("version %1 is published").arg(version)),
              qPrintable(shell_->window().banner().text()));
