@@ -1,13 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Proof that a recording is complete: its inputs alone give every state hash again.
+#include "curriculum/replay.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <utility>
 
-#include "curriculum/attempt_runner.h"
+#include "sim/anatomy/operative_field.h"
 #include "sim/step/retune.h"
+#include "sim/world/saved_state.h"
 
 namespace placode::curriculum {
 
@@ -26,58 +30,6 @@ std::string hex(uint64_t value) {
     return std::string(16 - digits.size(), '0') + digits;
 }
 
-/// Walks through the recorded hashes beside the simulation.
-class HashTrail {
- public:
-    explicit HashTrail(const sim::Recording& recording) {
-        for (const sim::Event& event : recording.events) {
-            if (event.kind == sim::EventKind::kStateHash) hashes_.push_back(event);
-        }
-    }
-    /// Compares what is due at `time_s`. False at a difference.
-    bool compare(const sim::State& state, double frame_s, ReplayResult& result) {
-        for (; next_ < hashes_.size(); ++next_) {
-            const sim::Event& recorded = hashes_[next_];
-            if (recorded.time_s > state.time_s + frame_s / 2) return true;
-            const uint64_t hash = sim::state_hash(state);
-            ++compared_;
-            if (hash == recorded.hash) continue;
-            result.first_difference_s = recorded.time_s;
-            result.message = "replay: differs from " + seconds(recorded.time_s) +
-                             " s on: state hash " + hex(hash) + ", recorded " + hex(recorded.hash);
-            return false;
-        }
-        return true;
-    }
-    [[nodiscard]] size_t compared() const { return compared_; }
-    [[nodiscard]] bool complete() const { return next_ == hashes_.size(); }
-
- private:
-    std::vector<sim::Event> hashes_;
-    size_t next_ = 0, compared_ = 0;
-};
-
-void conclude(const sim::Recording& recording, const sim::State& state, const HashTrail& trail,
-              ReplayResult& result) {
-    const bool ended = recording.end.reason != sim::EndReason::kRunning &&
-                       recording.end.reason != sim::EndReason::kInterrupted;
-    const uint64_t hash = sim::state_hash(state);
-    if (ended && hash != recording.end.final_hash) {
-        result.first_difference_s = state.time_s;
-        result.message = "replay: differs at the end: state hash " + hex(hash) + ", recorded " +
-                         hex(recording.end.final_hash);
-    } else if (!trail.complete()) {
-        result.first_difference_s = state.time_s;
-        result.message = "replay: the inputs end at " + seconds(state.time_s) +
-                         " s, before the last recorded state hash";
-    } else if (trail.compared() == 0 && !ended) {
-        result.message = "replay: nothing to compare, the recording holds no state hash";
-    } else {
-        result.identical = true;
-        result.message = "replay: identical";
-    }
-}
-
 /// A hand with force holds its tools as its device does, not as the task says.
 void restore_grips(const sim::RecordingHeader& header, Task& task) {
     std::vector<sim::ToolSpec>& tools = task.scene.tools;
@@ -87,45 +39,149 @@ void restore_grips(const sim::RecordingHeader& header, Task& task) {
 
 }  // namespace
 
+void KeyFrames::offer(const sim::Scene& scene, const sim::State& state) {
+    if (most_bytes_ == 0) return;
+    const double last_s = kept_.empty() ? 0 : kept_.back().time_s;
+    if (state.time_s < last_s + every_s_) return;
+    kept_.push_back({state.time_s, sim::save_state(scene, state)});
+    while (kept_.size() > 1 && bytes() > most_bytes_) {
+        // The second, the fourth, ... go; with them the last where their number is even.
+        std::vector<Kept> rest;
+        for (size_t i = 0; i < kept_.size(); i += 2) rest.push_back(std::move(kept_[i]));
+        kept_ = std::move(rest);
+        every_s_ *= 2;
+    }
+}
+
+const std::vector<uint8_t>* KeyFrames::before(double time_s) const {
+    const auto after = std::upper_bound(kept_.begin(), kept_.end(), time_s,
+                                        [](double t, const Kept& kept) { return t < kept.time_s; });
+    return after == kept_.begin() ? nullptr : &std::prev(after)->state;
+}
+
+size_t KeyFrames::bytes() const {
+    size_t sum = 0;
+    for (const Kept& kept : kept_) sum += kept.state.size();
+    return sum;
+}
+
+Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes)
+    : recording_(recording), threads_(threads), keys_(key_frame_bytes) {
+    for (const sim::Event& event : recording.events) {
+        if (event.kind == sim::EventKind::kStateHash) hashes_.push_back(event);
+        if (event.kind == sim::EventKind::kTuned) tunings_.push_back(event);
+    }
+    build();
+}
+
+Replay::~Replay() = default;
+
+void Replay::build() {
+    Task task = load_task_text(recording_.header.task_json, "recording");
+    task.scene.seed = recording_.header.seed;
+    restore_grips(recording_.header, task);
+    frame_s_ = task.scene.solver.frame_s;
+    // This scene is ours alone: tunings of the attempt are done again.
+    scene_ = std::const_pointer_cast<sim::Scene>(sim::build_operative_field(task.scene));
+    state_ = std::make_unique<sim::State>(*scene_, threads_);
+    sim::settle(*scene_, *state_, task.settle_s);
+    next_hash_ = next_tuning_ = 0;
+}
+
+/// What was tuned before the present frame.
+void Replay::tune() {
+    for (; next_tuning_ < tunings_.size() &&
+           tunings_[next_tuning_].hash <= static_cast<uint64_t>(state_->frame);
+         ++next_tuning_)
+        static_cast<void>(sim::retune(*scene_, *state_, tunings_[next_tuning_]));
+}
+
+/// What is due. False at a difference.
+bool Replay::compare() {
+    for (; next_hash_ < hashes_.size(); ++next_hash_) {
+        const sim::Event& recorded = hashes_[next_hash_];
+        if (recorded.time_s > state_->time_s + frame_s_ / 2) return true;
+        const uint64_t hash = sim::state_hash(*state_);
+        ++compared_;
+        if (hash == recorded.hash) continue;
+        result_.first_difference_s = recorded.time_s;
+        result_.message = "replay: differs from " + seconds(recorded.time_s) +
+                          " s on: state hash " + hex(hash) + ", recorded " + hex(recorded.hash);
+        return false;
+    }
+    return true;
+}
+
+bool Replay::step() {
+    const auto at = static_cast<size_t>(state_->frame);
+    if (differs_ || at >= recording_.inputs.size()) return false;
+    const sim::Input& input = recording_.inputs[at];
+    const size_t tools = scene_->tools.size();
+    if (input.frame != state_->frame || input.tool_count != static_cast<int32_t>(tools)) {
+        result_.first_difference_s = state_->time_s;
+        result_.message = "replay: the input of frame " + std::to_string(state_->frame) +
+                          " is missing (found frame " + std::to_string(input.frame) + " with " +
+                          std::to_string(input.tool_count) + " tools)";
+        differs_ = true;
+        return false;
+    }
+    tune();
+    state_->substeps = input.substeps;
+    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
+    (void)sim::step(*scene_, *state_, {input.tools, tools}, {feedback.data(), tools});
+    result_.frames = std::max(result_.frames, state_->frame);
+    differs_ = !compare();
+    if (!differs_) keys_.offer(*scene_, *state_);
+    return !differs_;
+}
+
+void Replay::back_to(double time_s) {
+    const std::vector<uint8_t>* kept = keys_.before(time_s);
+    // A scene that was tuned cannot be untuned: it is built again.
+    if (kept == nullptr || next_tuning_ > 0) build();
+    if (kept == nullptr) return;
+    sim::load_state(*scene_, *state_, *kept);
+    // The scene as it was tuned then; what that changed in the state is saved with it.
+    if (next_tuning_ < tunings_.size()) {
+        tune();
+        sim::load_state(*scene_, *state_, *kept);
+    }
+    next_hash_ = 0;
+    while (next_hash_ < hashes_.size() &&
+           hashes_[next_hash_].time_s <= state_->time_s + frame_s_ / 2)
+        ++next_hash_;
+}
+
+ReplayResult Replay::result() const {
+    ReplayResult result = result_;
+    if (differs_) return result;
+    const bool ended = recording_.end.reason != sim::EndReason::kRunning &&
+                       recording_.end.reason != sim::EndReason::kInterrupted;
+    const uint64_t hash = sim::state_hash(*state_);
+    if (ended && hash != recording_.end.final_hash) {
+        result.first_difference_s = state_->time_s;
+        result.message = "replay: differs at the end: state hash " + hex(hash) + ", recorded " +
+                         hex(recording_.end.final_hash);
+    } else if (next_hash_ != hashes_.size()) {
+        result.first_difference_s = state_->time_s;
+        result.message = "replay: the inputs end at " + seconds(state_->time_s) +
+                         " s, before the last recorded state hash";
+    } else if (compared_ == 0 && !ended) {
+        result.message = "replay: nothing to compare, the recording holds no state hash";
+    } else {
+        result.identical = true;
+        result.message = "replay: identical";
+    }
+    return result;
+}
+
 ReplayResult replay(const sim::Recording& recording, int threads,
                     const std::function<void(const sim::Scene&, const sim::State&)>& on_frame) {
-    Task task = load_task_text(recording.header.task_json, "recording");
-    task.scene.seed = recording.header.seed;
-    restore_grips(recording.header, task);
-    const std::shared_ptr<const sim::Scene> scene = sim::build_operative_field(task.scene);
-    // This scene is ours alone: tunings of the attempt are done again.
-    const auto tunable = std::const_pointer_cast<sim::Scene>(scene);
-    std::vector<sim::Event> tunings;
-    for (const sim::Event& event : recording.events)
-        if (event.kind == sim::EventKind::kTuned) tunings.push_back(event);
-    size_t tuning = 0;
-    sim::State state(*scene, threads);
-    sim::settle(*scene, state, task.settle_s);
-
-    ReplayResult result;
-    HashTrail trail(recording);
-    const size_t tools = scene->tools.size();
-    std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-    for (const sim::Input& input : recording.inputs) {
-        if (input.frame != state.frame || input.tool_count != static_cast<int32_t>(tools)) {
-            result.first_difference_s = state.time_s;
-            result.message = "replay: the input of frame " + std::to_string(state.frame) +
-                             " is missing (found frame " + std::to_string(input.frame) + " with " +
-                             std::to_string(input.tool_count) + " tools)";
-            return result;
-        }
-        for (;
-             tuning < tunings.size() && tunings[tuning].hash <= static_cast<uint64_t>(state.frame);
-             ++tuning)
-            static_cast<void>(sim::retune(*tunable, state, tunings[tuning]));
-        state.substeps = input.substeps;
-        (void)sim::step(*scene, state, {input.tools, tools}, {feedback.data(), tools});
-        ++result.frames;
-        if (!trail.compare(state, task.scene.solver.frame_s, result)) return result;
-        if (on_frame) on_frame(*scene, state);
+    Replay replay(recording, threads);
+    while (replay.step()) {
+        if (on_frame) on_frame(replay.scene(), replay.state());
     }
-    conclude(recording, state, trail, result);
-    return result;
+    return replay.result();
 }
 
 }  // namespace placode::curriculum

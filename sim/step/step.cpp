@@ -19,7 +19,7 @@
 #include "sim/ledger/ledger.h"
 #include "sim/mesh/box_distance.h"
 #include "sim/solver/reseed.h"
-#include "sim/step/doze.h"
+#include "sim/step/sleep_and_wake.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recording again: every state hash in it must come out the same. Going on to a moment means to
-// simulate up to it without pictures, going back means to begin again; nothing is skipped.
+// simulate up to it without pictures, going back means from a kept moment up to it; nothing is
+// skipped.
 
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <optional>
 #include <thread>
 
+#include "curriculum/replay.h"
 #include "db/recording_file.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/sessions.h"
@@ -22,7 +25,12 @@ using Seconds = std::chrono::duration<double>;
 
 struct StoppedByUser {};
 /// A moment before the present one was asked for.
-struct BeginAgain {};
+struct GoBack {
+    double time_s = 0;
+};
+
+constexpr size_t kKeyFrameBytes = size_t{400}
+                                  << 20;  // moments to go back to, where somebody watches
 
 /// What stands at the foot of the picture, in the user's language.
 std::string foot_text(const ReplayWish& wish, double target_s, bool at_end, bool polish) {
@@ -61,9 +69,9 @@ class Watcher {
         overlay_.time_limit_s = recording.end.duration_s;
     }
 
-    void begin() {
-        last_.time_s = 0;
-        next_picture_s_ = next_look_s_ = 0;
+    void begin(double time_s = 0) {
+        last_.time_s = time_s;
+        next_picture_s_ = next_look_s_ = time_s;
         started_ = false;
     }
 
@@ -134,7 +142,7 @@ class Watcher {
             if (std::abs(target_s_ - state.time_s) < 0.1)
                 target_s_ = -1;  // there already, e.g. at the end
             else if (target_s_ < state.time_s)
-                throw BeginAgain{};
+                throw GoBack{target_s_};
         }
         if (before.camera != wish_.camera && !arguments_.headless && view_)
             show(scene, state, true);
@@ -222,23 +230,26 @@ class Watcher {
     double pace_ = 0, pace_from_s_ = 0;
 };
 
-/// From the beginning to the end, or until an earlier moment is wanted (nothing then).
-std::optional<curriculum::ReplayResult> play_once(const Arguments& arguments,
-                                                  const sim::Recording& recording,
-                                                  Watcher& watcher) {
-    const size_t last = recording.inputs.size();
-    size_t frames = 0;
-    try {
-        watcher.begin();
-        return curriculum::replay(recording, arguments.threads,
-                                  [&](const sim::Scene& scene, const sim::State& state) {
-                                      watcher.frame(scene, state);
-                                      if (++frames == last && arguments.control)
-                                          watcher.stay(scene, state);
-                                  });
-    } catch (const BeginAgain&) {
-        return std::nullopt;
+/// To the end, back and forth as wished.
+curriculum::ReplayResult play(const Arguments& arguments, const sim::Recording& recording,
+                              Watcher& watcher) {
+    const bool watched = arguments.control || !arguments.headless;
+    curriculum::Replay replay(recording, arguments.threads, watched ? kKeyFrameBytes : 0);
+    const auto last = std::ssize(recording.inputs);
+    watcher.begin();
+    for (bool more = true; more;) {
+        try {
+            more = replay.step();
+            if (!more) break;
+            watcher.frame(replay.scene(), replay.state());
+            if (replay.state().frame == last && arguments.control)
+                watcher.stay(replay.scene(), replay.state());
+        } catch (const GoBack& back) {
+            replay.back_to(back.time_s);
+            watcher.begin(replay.state().time_s);
+        }
     }
+    return replay.result();
 }
 
 }  // namespace
@@ -248,14 +259,12 @@ int run_replay(const Arguments& arguments, StatusLine& status) {
     Watcher watcher(arguments, recording, status);
     status.print(watcher.last(), true);
     try {
-        std::optional<curriculum::ReplayResult> result;
-        while (!(result = play_once(arguments, recording, watcher))) {
-        }
-        status.end(watcher.last(), result->identical ? "identical" : "different", arguments.play,
-                   result->message);
+        const curriculum::ReplayResult result = play(arguments, recording, watcher);
+        status.end(watcher.last(), result.identical ? "identical" : "different", arguments.play,
+                   result.message);
         // With --status standard output is for JSON only.
-        std::fprintf(arguments.status ? stderr : stdout, "%s\n", result->message.c_str());
-        return result->identical ? 0 : 1;
+        std::fprintf(arguments.status ? stderr : stdout, "%s\n", result.message.c_str());
+        return result.identical ? 0 : 1;
     } catch (const StoppedByUser&) {
         status.end(watcher.last(), "closed", arguments.play);
         // With --control closing is the way to end.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/step/doze.h"
+#include "sim/step/sleep_and_wake.h"
 
 #include <array>
 #include <cstddef>

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A recording simulated again, frame by frame, with moments to go back to.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "curriculum/attempt_runner.h"
+#include "sim/step/step.h"
+
+namespace placode::curriculum {
+
+/// Saved states along the way, in bounded memory: when it is full every second one goes, and new
+/// ones come half as often.
+class KeyFrames {
+ public:
+    static constexpr double kEveryS = 5;  ///< To begin with [s of simulated time].
+
+    explicit KeyFrames(size_t most_bytes) : most_bytes_(most_bytes) {}
+    /// Keeps this moment when it is due.
+    void offer(const sim::Scene& scene, const sim::State& state);
+    /// The last moment at or before `time_s`; null = none.
+    [[nodiscard]] const std::vector<uint8_t>* before(double time_s) const;
+    [[nodiscard]] size_t bytes() const;
+    [[nodiscard]] size_t count() const { return kept_.size(); }
+
+ private:
+    struct Kept {
+        double time_s = 0;
+        std::vector<uint8_t> state;
+    };
+    size_t most_bytes_;
+    double every_s_ = kEveryS;
+    std::vector<Kept> kept_;  // rising
+};
+
+class Replay {
+ public:
+    /// @param key_frame_bytes memory for moments to go back to; 0 = back means from the beginning.
+    /// @throws DefinitionError when the recording's task cannot be built any more.
+    Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0);
+    ~Replay();
+
+    /// One frame, compared with the recorded hash where there is one. False when there is nothing
+    /// more to simulate: the recording is over, or differs.
+    bool step();
+    /// Goes back to the last kept moment at or before `time_s`, or to the beginning.
+    void back_to(double time_s);
+    [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
+    [[nodiscard]] const sim::State& state() const { return *state_; }
+    /// How far it is the same; complete when step() was false.
+    [[nodiscard]] ReplayResult result() const;
+
+ private:
+    void build();
+    void tune();
+    bool compare();
+
+    const sim::Recording& recording_;
+    int threads_;
+    std::shared_ptr<sim::Scene> scene_;
+    std::unique_ptr<sim::State> state_;
+    KeyFrames keys_;
+    std::vector<sim::Event> hashes_, tunings_;
+    size_t next_hash_ = 0, next_tuning_ = 0, compared_ = 0;
+    double frame_s_ = 0;
+    ReplayResult result_;
+    bool differs_ = false;
+};
+
+}  // namespace placode::curriculum
