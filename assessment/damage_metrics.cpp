@@ -10,7 +10,7 @@
 
 #include "assessment/statistics.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 
 namespace placode::assessment {
 namespace {

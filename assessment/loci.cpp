@@ -9,8 +9,8 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "sim/core/practice.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/pieces.h"
-#include "sim/cutting/reached.h"
 #include "sim/ledger/damage.h"
 
 namespace placode::assessment {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Objective measures of one attempt: pure functions of a recording.
-// Definitions with sources: ARCHITECTURE.md, "Metrics"; every metric knows its unit and direction.
+// Definitions with sources: docs/training.md, "Metrics"; every metric knows its unit and direction.
 
 #include <optional>
 #include <string>

@@ -10,7 +10,7 @@
 
 #include "assessment/loci.h"
 #include "assessment/tissue_metrics.h"
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 
 namespace placode::assessment {
 

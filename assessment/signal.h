@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What every motion metric does first: one time base, one filter, one derivative. Decided once
-// (ARCHITECTURE.md, "Metrics"), because speed and jerk depend on rate and filter.
+// (docs/training.md, "Metrics"), because speed and jerk depend on rate and filter.
 
 #include <array>
 #include <span>

@@ -9,7 +9,7 @@
 #include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
 #include "haptics/json_scan.h"
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 
 namespace placode::assessment {
 

@@ -10,7 +10,7 @@
 #include "curriculum/attempt_sample.h"
 #include "curriculum/preset.h"
 #include "haptics/real_time.h"
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/damage.h"
 
 namespace placode::curriculum {
@@ -133,7 +133,7 @@ void AttemptLoop::take_tunings() noexcept {
     while (tunings_.pop(wish)) {
         wish.time_s = state_.time_s;
         wish.hash = static_cast<uint64_t>(state_.frame);
-        if (sim::retune(*tunable_, state_, wish)) record(wish);
+        if (sim::tune_live(*tunable_, state_, wish)) record(wish);
     }
 }
 

@@ -15,7 +15,7 @@
 #include "curriculum/machine_speed.h"
 #include "curriculum/operator_sight.h"
 #include "curriculum/practice_guide.h"
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 
 namespace placode::curriculum {
 
@@ -48,8 +48,8 @@ class AttemptLoop {
     void picture_drawn() noexcept { pictures_.fetch_add(1, std::memory_order_relaxed); }
     /// Whether fewer substeps may be taken when time is short: first the picture is made simpler.
     void may_save_substeps(bool may) noexcept { may_save_ = may; }
-    /// Changes tissue or generator before the next frame (sim/step/retune.h); false when too many
-    /// wait.
+    /// Changes tissue or generator before the next frame (sim/step/live_tuning.h); false when too
+    /// many wait.
     bool tune(const sim::Event& wish) noexcept { return tunings_.push(wish); }
     [[nodiscard]] bool finished() const noexcept { return finished_; }
     [[nodiscard]] sim::Latest<sim::Snapshot>& snapshots() noexcept { return snapshots_; }

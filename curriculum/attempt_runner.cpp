@@ -73,7 +73,8 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     for (size_t i = 0; i < task.scene.tools.size(); ++i)
         if (const double held = servo->stiffness_n_m(i); held > 0)
             task.scene.tools[i].grip_n_m = held;
-    // Built here and shared with nobody yet: the one scene that may be tuned (sim/step/retune.h).
+    // Built here and shared with nobody yet: the one scene that may be tuned
+    // (sim/step/live_tuning.h).
     impl_->shown = sim::build_operative_field(task.scene);
     impl_->scene = std::const_pointer_cast<sim::Scene>(impl_->shown);
     impl_->recorder = std::make_unique<AttemptRecorder>(

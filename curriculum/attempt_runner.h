@@ -10,8 +10,8 @@
 #include "curriculum/conduct.h"
 #include "curriculum/task.h"
 #include "haptics/servo.h"
+#include "sim/step/live_tuning.h"
 #include "sim/step/recording.h"
-#include "sim/step/retune.h"
 #include "sim/step/snapshot.h"
 
 namespace placode::curriculum {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "curriculum/task.h"
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 
 namespace placode::curriculum {
 
@@ -20,7 +20,7 @@ struct ScenePreset {
     std::string preset_of;  ///< Scene that it was tuned on.
     std::string author;     ///< Who.
     std::string saved_utc;  ///< When, ISO 8601.
-    /// Changed numbers of tissues; parameters as in sim/step/retune.h.
+    /// Changed numbers of tissues; parameters as in sim/step/live_tuning.h.
     std::map<sim::Tissue, std::map<sim::TuneParameter, double>> tissues;
     double cut_power_w = -1, coag_power_w = -1;  ///< -1 = as the task says.
 };

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "sim/anatomy/operative_field.h"
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 #include "sim/world/saved_state.h"
 
 namespace placode::curriculum {
@@ -93,7 +93,7 @@ void Replay::tune() {
     for (; next_tuning_ < tunings_.size() &&
            tunings_[next_tuning_].hash <= static_cast<uint64_t>(state_->frame);
          ++next_tuning_)
-        static_cast<void>(sim::retune(*scene_, *state_, tunings_[next_tuning_]));
+        static_cast<void>(sim::tune_live(*scene_, *state_, tunings_[next_tuning_]));
 }
 
 /// What is due. False at a difference.

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Words for people in the language of the program: reasons, damage, phases, instruments. English
-// where no translator is installed. The shell's translation file lists them (borrowed_strings.cpp).
+// where no translator is installed. The shell's translation file lists them
+// (translatable_strings.cpp).
 
 #include <QString>
 

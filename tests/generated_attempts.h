@@ -14,8 +14,8 @@
 
 #include "curriculum/task.h"
 #include "sim/core/practice.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/pieces.h"
-#include "sim/cutting/reached.h"
 #include "sim/ledger/damage.h"
 #include "sim/step/recording.h"
 

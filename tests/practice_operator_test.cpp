@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripted operators at the tasks with steps, on a coarse field: the expert passes, the novice
 // leaves its faults in the ledger. (All three levels take a minute of computing; the order of their
-// scores on the published scenes stands in the README.)
+// scores on the published scenes stands in docs/measurements/operators.md.)
 
 #include "haptics/operators/practice_operator.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 #include "sim/world/saved_state.h"
 #include "tests/attempt_fixture.h"
 

@@ -13,7 +13,7 @@
 
 #include "sim/anatomy/operative_field.h"
 #include "sim/cutting/cutting.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 #include "sim/step/step.h"
 
 namespace placode::sim {
@@ -62,7 +62,7 @@ Vec3 place(const State& state, int32_t v) {
 
 /// Load on a vertex of the underside as the solver sees it.
 Vec3 load_on(const State& state, int32_t v) {
-    const PackedElements& packed = packed_of(field().body, state.body);
+    const KernelLayout& packed = packed_of(field().body, state.body);
     const int32_t slot = packed.slot[static_cast<size_t>(v)];
     const float* row = state.body.springs.data() +
                        packed.batches[static_cast<size_t>(slot / kLanes)].spring_start +

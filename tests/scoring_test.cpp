@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 
 namespace placode::assessment {
 namespace {

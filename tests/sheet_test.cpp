@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "deformed.h"
-#include "sim/solver/packing.h"
-#include "sim/solver/reseed.h"
+#include "sim/solver/kernel_layout.h"
+#include "sim/solver/restore_rest_shape.h"
 #include "sim/verify/newton.h"
 
 using namespace placode::sim;

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "sim/core/event.h"
-#include "sim/solver/reseed.h"
+#include "sim/solver/restore_rest_shape.h"
 #include "sim/solver/soft_body.h"
 
 using namespace placode::sim;

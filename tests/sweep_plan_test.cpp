@@ -8,7 +8,7 @@
 #include <set>
 
 #include "sim/mesh/mesh.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 using namespace placode::sim;
 

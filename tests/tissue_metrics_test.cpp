@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/damage.h"
 #include "tests/reference_data.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 using namespace placode::sim;
 

@@ -5,7 +5,7 @@
 // extruded into four layers of prisms and split into tetrahedra, conforming and deterministic.
 // Flat variant (myeloschisis), or cystic (meningomyelocele): membrane and placode form a dome of
 // two layers over the canal, filled with fluid (sim/cutting/sac.h). Shapes and thicknesses:
-// ARCHITECTURE.md, "Operative field".
+// docs/anatomy.md.
 
 #include <array>
 #include <cstdint>

@@ -63,7 +63,7 @@ enum class EventKind : uint16_t {
     kTargetMissed = 63,   ///< tissue touched beside it; as above
     kTraced = 64,         ///< value = bin of the contour, value2 = mean offset [m]
     kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
-    // Live tuning (sim/step/retune.h).
+    // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done
     // Sums, told now and then and after the last frame.

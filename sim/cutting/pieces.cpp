@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/linked_tets.h"
-#include "sim/cutting/reached.h"
 #include "sim/cutting/release.h"
 #include "sim/solver/topology.h"
 #include "sim/world/add_event.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Heat of the diathermy tip: conduction, latent heat, drying, vaporisation, damage.
-// Enthalpy per vertex (lumped), only where it is warm. Sources: ARCHITECTURE.md, "Heat".
+// Enthalpy per vertex (lumped), only where it is warm. Sources: docs/heat.md.
 //
 // Enthalpy H is counted from body temperature, in double, so that the balance
 // energy_in = stored + vapour + lost holds to rounding. It heats to 100 C, then boils the water

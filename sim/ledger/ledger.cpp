@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/diathermy.h"
-#include "sim/cutting/reached.h"
 #include "sim/ledger/damage.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {

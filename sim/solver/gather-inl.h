@@ -13,7 +13,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace placode::sim {

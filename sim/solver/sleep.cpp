@@ -6,7 +6,7 @@
 
 #include "sim/mesh/space_order.h"
 #include "sim/mesh/surface_tree.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {
@@ -44,7 +44,7 @@ Sleep::Sleep(const SoftBody& body) {
     if (!solver.sleep || solver.method == Method::kXpbdPair) return;
     std::vector<uint8_t> fixed(at(vertices), 0);
     for (const int32_t v : body.spec().fixed) fixed[at(v)] = 1;
-    const PackedElements& packed = body.packed();
+    const KernelLayout& packed = body.packed();
     const int32_t swept = packed.job_start.back();
     std::vector<int32_t> order;
     for (int32_t v = 0; v < vertices; ++v) {
@@ -83,7 +83,7 @@ Sleep::Sleep(const SoftBody& body) {
 }
 
 void Sleep::list_tets(const SoftBody& body) {
-    const PackedElements& packed = body.packed();
+    const KernelLayout& packed = body.packed();
     std::vector<std::vector<int32_t>> of(at(blocks() + 1));
     const std::vector<int32_t> home = homes(*this);
     for (int t = 0; t < body.tet_count(); ++t) {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
@@ -48,7 +48,7 @@ void keep_awake(Sleep& sleep, int32_t v) noexcept {
 }
 
 /// VBD solves whole batches: all of their vertices are awake.
-void set_vertex_jobs(const PackedElements& packed, AwakeRuns& awake, Sleep& sleep) noexcept {
+void set_vertex_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep) noexcept {
     for (size_t j = 0; j + 1 < packed.job_start.size(); ++j) {
         const auto first_run = static_cast<int32_t>(awake.batches.size());
         awake.job_start[j] = first_run;
@@ -64,7 +64,7 @@ void set_vertex_jobs(const PackedElements& packed, AwakeRuns& awake, Sleep& slee
 }
 
 /// XPBD solves batches of tets with a vertex that is awake, and the springs of batches likewise.
-void set_tet_jobs(const PackedElements& packed, AwakeRuns& awake, Sleep& sleep) noexcept {
+void set_tet_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep) noexcept {
     std::fill(sleep.tets_move.begin(), sleep.tets_move.end(), uint8_t{0});
     for (int b = 0; b <= sleep.blocks(); ++b) {
         if (b < sleep.blocks() && sleep.asleep[at(b)] != 0) continue;
@@ -108,7 +108,7 @@ void set_held(AwakeRuns& awake, const Sleep& sleep) noexcept {
 }  // namespace
 
 void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     AwakeRuns& awake = state.awake;
     awake.all = sleep.asleep_count == 0;
     awake.batches.clear();

@@ -9,7 +9,7 @@
 
 #include "sim/core/number_text.h"
 #include "sim/solver/courant.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {
@@ -186,7 +186,7 @@ SoftBody::SoftBody(SoftBodySpec spec) : spec_(std::move(spec)) {
     spec_.mesh.rest.shrink_to_fit();
     spec_.mesh.tets.shrink_to_fit();
     spec_.mesh.tissue.shrink_to_fit();
-    packed_ = std::make_unique<PackedElements>(pack(*this));
+    packed_ = std::make_unique<KernelLayout>(pack(*this));
     static_cast<void>(kernel_target());  // chooses the instruction set before any worker runs
 }
 

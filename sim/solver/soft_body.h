@@ -6,7 +6,7 @@
 // `SoftBody` never changes during an attempt, `SoftBodyState` does. Hot data is flat arrays.
 //
 // Sources: Macklin & Mueller 2021 (energy, XPBD), Macklin et al. 2019 "Small Steps" (substeps),
-// Chen et al. 2024 "Vertex Block Descent". What was measured stands in ARCHITECTURE.md.
+// Chen et al. 2024 "Vertex Block Descent". What was measured: docs/solver.md and docs/measurements.
 
 #include <array>
 #include <cstdint>
@@ -96,8 +96,8 @@ struct SoftBodySpec {
 /// Maps edges of the mesh to edges of the tet's stress-free shape (rest_scale).
 [[nodiscard]] Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept;
 
-struct PackedElements;  // batches and colours of the kernels, in solver order
-struct Topology;        // connectivity that cutting changes: sim/solver/topology.h
+struct KernelLayout;  // batches and colours of the kernels, in solver order
+struct Topology;      // connectivity that cutting changes: sim/solver/topology.h
 class SoftBody;
 
 /// Owns a Topology, or none; copies deeply.
@@ -153,7 +153,7 @@ class SoftBody {
         return {vertex_tets_.data() + vertex_tets_start_[vertex],
                 static_cast<size_t>(vertex_tets_start_[vertex + 1] - vertex_tets_start_[vertex])};
     }
-    [[nodiscard]] const PackedElements& packed() const noexcept { return *packed_; }
+    [[nodiscard]] const KernelLayout& packed() const noexcept { return *packed_; }
     /// Largest Courant number c_p h / L of each tissue, with the solver's h [-]; 0 where absent.
     /// L of a tet is the lesser of its shortest edge and sqrt(2) x its smallest height (equal to
     /// the edge on a cubic Kuhn lattice), so that flat tets count.
@@ -169,7 +169,7 @@ class SoftBody {
     SoftBodySpec spec_;
     std::vector<float> mass_kg_, volume_m3_, shortest_edge_m_;
     std::vector<int32_t> vertex_tets_, vertex_tets_start_;
-    std::unique_ptr<PackedElements> packed_;
+    std::unique_ptr<KernelLayout> packed_;
     bool turns_ = false;
 };
 
@@ -213,7 +213,7 @@ struct SoftBodyState {
                                          ///< Set it (size V) before the substep it acts in.
     std::vector<Float4> pushed;          ///< Private: v + h force / m (V), empty without forces.
     /// What a float has no room for: x + x_low is the position (V); empty = it is rounded. See
-    /// low_parts.h.
+    /// double_float.h.
     std::vector<Float4> x_low, x_start_low;
     AlignedVector<float> lanes;     ///< Private to the kernels (per-lane element switches).
     AlignedVector<float> springs;   ///< Anchor springs and loads; see set_load().
@@ -262,8 +262,8 @@ void fields(Of<SoftBodyState> auto& s, Visit&& visit) {
 /// Lumped mass [kg].
 [[nodiscard]] float mass_of(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept;
 /// The kernels' view of the body.
-[[nodiscard]] const PackedElements& packed_of(const SoftBody& body,
-                                              const SoftBodyState& state) noexcept;
+[[nodiscard]] const KernelLayout& packed_of(const SoftBody& body,
+                                            const SoftBodyState& state) noexcept;
 
 /// Gradient and Hessian of the implicit-Euler objective in one vertex:
 /// m/(2h^2)|x - target|^2 + sum Psi V + springs + stretched tethers + sheet. Works with every

@@ -5,13 +5,13 @@
 // the solver. Results are the same bits at any number of threads; two instruction sets differ in
 // rounding (fused multiply-add) only.
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 
 /// What a kernel reads and writes.
 struct KernelArguments {
-    const PackedElements* packed = nullptr;
+    const KernelLayout* packed = nullptr;
     Float4* x = nullptr;
     const Float4* x_start = nullptr;
     const Float4* v = nullptr;

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/core/fnv_hash.h"
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
@@ -38,7 +38,7 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
         x_start = x;
         topology.create(body);
     }
-    const PackedElements& packed = packed_of(body, *this);
+    const KernelLayout& packed = packed_of(body, *this);
     lanes = initial_lanes(body, packed);
     springs = packed.springs;
     awake.batches.reserve(packed.batches.size());
@@ -142,7 +142,7 @@ class Hold {
 
     const SoftBody& body_;
     SoftBodyState& state_;
-    const PackedElements& packed_;
+    const KernelLayout& packed_;
 };
 
 }  // namespace
@@ -164,7 +164,7 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
 }
 
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     if (state.tet_alive[at(tet)] == 0) return;
     state.tet_alive[at(tet)] = 0;
     for (size_t k = 0; k < 4; ++k) {
@@ -184,7 +184,7 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
 
 void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
               const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     const int32_t slot = packed.slot[at(vertex)];
     float* row =
         state.springs.data() + packed.batches[at(slot / kLanes)].spring_start + slot % kLanes;

@@ -40,7 +40,7 @@ std::span<const std::array<int32_t, 4>> current_tets(const SoftBodyState& state)
     return state.topology->tets;
 }
 
-const PackedElements& packed_of(const SoftBody& body, const SoftBodyState& state) noexcept {
+const KernelLayout& packed_of(const SoftBody& body, const SoftBodyState& state) noexcept {
     return state.topology ? state.topology->packed : body.packed();
 }
 

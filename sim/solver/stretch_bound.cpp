@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "sim/core/float_lanes.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {
@@ -76,7 +76,7 @@ uint32_t surely_below(const SoftBody& body, const SoftBodyState& state,
         six_v[i] = 6 * volume;
         s[i] = limits.stretch[tissue];
     }
-    // tr C in edge form, see packing.h.
+    // tr C in edge form, see kernel_layout.h.
     FloatLanes trace = {};
     for (size_t i = 0; i < 4; ++i) {
         for (size_t j = i + 1; j < 4; ++j) {

@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "sim/core/event.h"
-#include "sim/solver/links.h"
 #include "sim/solver/soft_body_kernels.h"
+#include "sim/solver/tethers.h"
 #include "sim/solver/topology.h"
 #include "sim/solver/vertex_motion.h"
 
@@ -241,7 +241,7 @@ class Substep {
 
     const SoftBody& body_;
     SoftBodyState& state_;
-    const PackedElements& packed_;
+    const KernelLayout& packed_;
     Workers& workers_;
     KernelArguments arguments_;
     MotionArguments motion_;

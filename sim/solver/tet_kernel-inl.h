@@ -46,7 +46,7 @@ HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
 template <bool kPair, bool kKept, bool kLow>
 HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V4* p, V4* q) {
     const D d;
-    const PackedElements& packed = *a.packed;
+    const KernelLayout& packed = *a.packed;
     const auto at = static_cast<size_t>(now.batch);
     const TetGroup next = After(a, now);
     Ahead following;

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 
 namespace placode::sim {
 namespace {
@@ -20,7 +20,7 @@ void mark(Topology& topology, int32_t v) noexcept {
 
 /// A lane for a copy of `vertex`, among other copies of its job and colour; -1 when there is none.
 int32_t new_lane(Topology& top, int32_t vertex) noexcept {
-    const PackedElements& packed = top.packed;
+    const KernelLayout& packed = top.packed;
     const int32_t job = packed.job[at(top.origin[at(vertex)])];
     const int32_t colour = packed.colour[at(top.origin[at(vertex)])];
     if (job < 0) return -1;
@@ -63,7 +63,7 @@ bool can_split(const SoftBodyState& state, int vertex) noexcept {
 int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
                  std::span<const int32_t> moved) noexcept {
     Topology& top = *state.topology;
-    PackedElements& packed = top.packed;
+    KernelLayout& packed = top.packed;
     if (spares_left(state) == 0) return -1;
     const int32_t slot = new_lane(top, vertex);
     if (slot < 0) return -1;

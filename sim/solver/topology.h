@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "sim/core/fields.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 
@@ -33,7 +33,7 @@ struct Topology {
     std::vector<float> mass_kg;                ///< (V + spares)
     std::vector<uint8_t> whole;                ///< (V) 1 = never split: held or in a sheet.
     int32_t vertices = 0;                      ///< In use; the spares follow.
-    PackedElements packed;                     ///< As the body's, with room to grow.
+    KernelLayout packed;                       ///< As the body's, with room to grow.
     std::vector<int32_t> capacity;             ///< (batches) strip steps that fit.
     // Batches for copies: a pool behind all others. Those of a job form a list in order of need.
     int32_t pool_first = 0, pool_used = 0;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
@@ -24,7 +24,7 @@ class Relayout {
     Relayout(const SoftBody& body, Topology& out) : body_(body), from_(body.packed()), out_(out) {}
 
     void run() {
-        PackedElements& to = out_.packed;
+        KernelLayout& to = out_.packed;
         to = from_;
         to.batches.clear();
         to.strip.clear();
@@ -49,7 +49,7 @@ class Relayout {
 
     /// Enough for every spare vertex, however the copies fall upon jobs and colours.
     void add_pool() {
-        PackedElements& to = out_.packed;
+        KernelLayout& to = out_.packed;
         const auto jobs = to.job_start.size() - 1;
         const int colours = 1 + *std::max_element(to.colour.begin(), to.colour.end());
         const int spares = static_cast<int>(out_.origin.size()) - body_.vertex_count();
@@ -63,7 +63,7 @@ class Relayout {
     }
 
     void add_room(VertexBatch& b, int32_t capacity) {
-        PackedElements& to = out_.packed;
+        KernelLayout& to = out_.packed;
         b.step_start = static_cast<int64_t>(to.keep.size());
         b.lane_start = to.lane_count;
         to.keep.resize(to.keep.size() + at(capacity), 0);
@@ -74,7 +74,7 @@ class Relayout {
     }
 
     void copy(const VertexBatch& old) {
-        PackedElements& to = out_.packed;
+        KernelLayout& to = out_.packed;
         VertexBatch b = old;
         add_room(b, has_strips(from_) ? room_for(old.steps) : 0);
         const VertexBatch& now = to.batches.back();
@@ -109,7 +109,7 @@ class Relayout {
 
     /// What XPBD keeps behind the batches.
     void move_tail(size_t tail) {
-        PackedElements& to = out_.packed;
+        KernelLayout& to = out_.packed;
         const int64_t shift = to.lane_count - static_cast<int64_t>(tail);
         to.lane_count += from_.lane_count - static_cast<int64_t>(tail);
         if (!to.tet_slot.empty()) to.tet_lane_start += shift;
@@ -118,7 +118,7 @@ class Relayout {
     }
 
     const SoftBody& body_;
-    const PackedElements& from_;
+    const KernelLayout& from_;
     Topology& out_;
 };
 

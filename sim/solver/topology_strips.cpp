@@ -7,7 +7,7 @@
 
 #include "sim/core/event.h"
 #include "sim/solver/bounded_strip.h"
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
@@ -22,7 +22,7 @@ struct CornerConstants {
 
 /// Writes strip and constants of a vertex into its lane.
 void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
-    PackedElements& packed = topology.packed;
+    KernelLayout& packed = topology.packed;
     std::array<LinkTriangle, kMostAround> link;
     std::array<CornerConstants, kMostAround> constants;
     size_t n = 0;
@@ -103,7 +103,7 @@ void repack(SoftBodyState& state) noexcept {
 
 void reweigh(SoftBodyState& state, int vertex) noexcept {
     const Topology& top = *state.topology;
-    const PackedElements& packed = top.packed;
+    const KernelLayout& packed = top.packed;
     const auto v = at(vertex);
     const VertexBatch& b = packed.batches[at(packed.slot[v] / kLanes)];
     const size_t lane = at(packed.slot[v] % kLanes);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Vertex block descent on 16 vertices of one colour: one Newton step each with the exact Hessian,
-// which is positive definite because J is linear in one vertex (packing.h).
+// which is positive definite because J is linear in one vertex (kernel_layout.h).
 
 #if defined(PLACODE_SIM_VERTEX_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLACODE_SIM_VERTEX_KERNEL_INL

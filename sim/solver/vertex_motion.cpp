@@ -3,7 +3,7 @@
 #include "sim/solver/vertex_motion.h"
 
 #include "sim/core/event.h"
-#include "sim/solver/low_parts.h"
+#include "sim/solver/double_float.h"
 
 namespace placode::sim {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/solver/low_parts.h"
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/double_float.h"
+#include "sim/solver/kernel_layout_parts.h"
 
 namespace placode::sim {
 namespace {
@@ -14,8 +14,8 @@ namespace {
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
-void walk_strip(const PackedElements& packed, const SoftBodyState& state, int vertex,
-                Vec3& gradient, Mat3& hessian) noexcept {
+void walk_strip(const KernelLayout& packed, const SoftBodyState& state, int vertex, Vec3& gradient,
+                Mat3& hessian) noexcept {
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     const size_t lane = at(packed.slot[at(vertex)] % kLanes);
     const Vec3 x = exact_position(state, vertex);
@@ -40,7 +40,7 @@ void walk_strip(const PackedElements& packed, const SoftBodyState& state, int ve
 }
 
 /// The same from one of its tets, where no strips are packed (XPBD): from the kernel's own numbers.
-void add_tet(const PackedElements& packed, const SoftBodyState& state, int32_t tet,
+void add_tet(const KernelLayout& packed, const SoftBodyState& state, int32_t tet,
              const std::array<int32_t, 4>& corners, int vertex, const Vec3& x, Vec3& gradient,
              Mat3& hessian) noexcept {
     const size_t me = corner_of(corners, vertex);
@@ -69,7 +69,7 @@ void add_tet(const PackedElements& packed, const SoftBodyState& state, int32_t t
 
 void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, Vec3& gradient,
                  Mat3& hessian) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     if (has_strips(packed)) {
         walk_strip(packed, state, vertex, gradient, hessian);
         return;
@@ -83,7 +83,7 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
 
 void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
     if (b.spring_start < 0) return;
     const float* k = state.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
@@ -98,7 +98,7 @@ void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
 /// Energy C^2 / (2 compliance), C = length - rest, only when stretched.
 void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
-    const PackedElements& packed = packed_of(body, state);
+    const KernelLayout& packed = packed_of(body, state);
     for (int32_t i = packed.tether_start[at(vertex)]; i < packed.tether_start[at(vertex) + 1];
          ++i) {
         const auto index = at(packed.tether_of[at(i)]);

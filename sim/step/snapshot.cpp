@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/ledger/burial.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"

@@ -18,7 +18,7 @@
 #include "sim/cutting/separation.h"
 #include "sim/ledger/ledger.h"
 #include "sim/mesh/box_distance.h"
-#include "sim/solver/reseed.h"
+#include "sim/solver/restore_rest_shape.h"
 #include "sim/step/sleep_and_wake.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"

@@ -12,13 +12,13 @@
 
 #include "sim/core/event.h"
 #include "sim/core/number_text.h"
-#include "sim/solver/low_parts.h"
-#include "sim/solver/packing.h"
-#include "sim/solver/reseed.h"
+#include "sim/solver/double_float.h"
+#include "sim/solver/kernel_layout.h"
+#include "sim/solver/restore_rest_shape.h"
+#include "sim/verify/constrained_vertices.h"
 #include "sim/verify/method_checks.h"
 #include "sim/verify/rest_watch.h"
 #include "sim/verify/rigid_modes.h"
-#include "sim/verify/special_vertices.h"
 
 namespace placode::sim {
 namespace {

@@ -7,7 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "sim/solver/low_parts.h"
+#include "sim/solver/double_float.h"
 
 namespace placode::sim {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "sim/core/event.h"
 #include "sim/core/number_text.h"
-#include "sim/solver/reseed.h"
+#include "sim/solver/restore_rest_shape.h"
 #include "sim/step/step.h"
 #include "sim/verify/random_pokes.h"
 #include "sim/verify/stability_block.h"

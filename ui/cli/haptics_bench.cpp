@@ -10,7 +10,7 @@
 #include <memory>
 #include <thread>
 
-#include "haptics/bench/port_tissue.h"
+#include "haptics/bench/haptic_bench_tissue.h"
 #include "haptics/real_time.h"
 
 namespace placode::cli {

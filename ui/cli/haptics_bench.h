@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "haptics/bench/port_bench.h"
+#include "haptics/bench/haptic_bench.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {

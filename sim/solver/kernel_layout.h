@@ -60,7 +60,7 @@ void fields(Of<TetBatch> auto& s, Visit&& visit) {
     visit.state(base, count, apart);
 }
 
-struct PackedElements {
+struct KernelLayout {
     // Vertices. Batches of job j: [job_start[j], job_start[j + 1]), one after the other; behind the
     // last job follow vertices that the sweep leaves out (fixed, tethered, in a sheet) but whose
     // forces are asked for. Jobs, phases and colours: VertexPlan. XPBD needs of this only where the
@@ -97,7 +97,7 @@ struct PackedElements {
     int64_t lane_count = 0;  ///< Length of SoftBodyState::lanes, see initial_lanes().
 };
 template <class Visit>
-void fields(Of<PackedElements> auto& s, Visit&& visit) {
+void fields(Of<KernelLayout> auto& s, Visit&& visit) {
     auto& [batches, job_start, phase_start, job, colour, strip, keep, springs, slot, corner_lane,
            corner_sign, edge_weight_n_m, spring_vertices, damping_per_s, tet_batches, tet_job_start,
            tet_phase_start, tet_index, tet_rows, tet_slot, tet_lane_start, tet_lambda_start,
@@ -118,20 +118,19 @@ struct TetConstants {
 [[nodiscard]] TetConstants tet_constants(const SoftBodySpec& spec, int t);
 
 /// True where strips over the links are packed: the kernels of VBD walk along them.
-[[nodiscard]] inline bool has_strips(const PackedElements& packed) noexcept {
+[[nodiscard]] inline bool has_strips(const KernelLayout& packed) noexcept {
     return !packed.corner_lane.empty();
 }
 
 /// Builds everything above. @throws MeshError when a batch spans too many vertices.
-[[nodiscard]] PackedElements pack(const SoftBody& body);
+[[nodiscard]] KernelLayout pack(const SoftBody& body);
 
 /// Frees what the arrays that grew batch by batch have too much: up to a third of a body.
-void give_back_slack(PackedElements& packed);
+void give_back_slack(KernelLayout& packed);
 
 /// What SoftBodyState::lanes starts as, in the layout of `packed` (the body's, or one with room to
 /// grow): written anew for each state, because kept it would be a third of a body's memory.
-[[nodiscard]] AlignedVector<float> initial_lanes(const SoftBody& body,
-                                                 const PackedElements& packed);
+[[nodiscard]] AlignedVector<float> initial_lanes(const SoftBody& body, const KernelLayout& packed);
 
 /// Local vertices opposite to corner k, in the order that makes det positive.
 inline constexpr std::array<std::array<int, 3>, 4> kOpposite{

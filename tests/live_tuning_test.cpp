@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tissue changed between two frames.
 
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 
 #include <gtest/gtest.h>
 
@@ -62,10 +62,11 @@ TEST_P(Retune, TwiceTheModulusAnswersWithTwiceTheForce) {
     ASSERT_GT(before, 0);
     const double modulus = tuned_value(*scene, TuneParameter::kStiffness, Tissue::kSkin);
     EXPECT_TRUE(
-        retune(*scene, state, tuning(TuneParameter::kStiffness, Tissue::kSkin, 2 * modulus)));
+        tune_live(*scene, state, tuning(TuneParameter::kStiffness, Tissue::kSkin, 2 * modulus)));
     // Both are sums of floats.
     EXPECT_NEAR(answer(*scene, state) / before, 2, 1e-3);
-    EXPECT_TRUE(retune(*scene, state, tuning(TuneParameter::kStiffness, Tissue::kSkin, modulus)));
+    EXPECT_TRUE(
+        tune_live(*scene, state, tuning(TuneParameter::kStiffness, Tissue::kSkin, modulus)));
     EXPECT_NEAR(answer(*scene, state) / before, 1, 1e-3);
 }
 INSTANTIATE_TEST_SUITE_P(Bodies, Retune,
@@ -75,12 +76,13 @@ TEST(Retune, ValuesStayInTheirRangeAndNonsenseChangesNothing) {
     const auto scene =
         std::const_pointer_cast<Scene>(build_operative_field(coarse("diathermy_ring_small").scene));
     State state(*scene, 1);
-    EXPECT_TRUE(retune(*scene, state, tuning(TuneParameter::kFriction, Tissue::kSkin, 99)));
+    EXPECT_TRUE(tune_live(*scene, state, tuning(TuneParameter::kFriction, Tissue::kSkin, 99)));
     EXPECT_EQ(tuned_value(*scene, TuneParameter::kFriction, Tissue::kSkin),
               tune_range(TuneParameter::kFriction).high);
-    EXPECT_FALSE(retune(*scene, state, tuning(TuneParameter::kFriction, Tissue::kSkin, NAN)));
-    EXPECT_FALSE(retune(*scene, state, tuning(static_cast<TuneParameter>(77), Tissue::kSkin, 1)));
-    EXPECT_TRUE(retune(*scene, state, tuning(TuneParameter::kCutPower, Tissue::kSkin, 20)));
+    EXPECT_FALSE(tune_live(*scene, state, tuning(TuneParameter::kFriction, Tissue::kSkin, NAN)));
+    EXPECT_FALSE(
+        tune_live(*scene, state, tuning(static_cast<TuneParameter>(77), Tissue::kSkin, 1)));
+    EXPECT_TRUE(tune_live(*scene, state, tuning(TuneParameter::kCutPower, Tissue::kSkin, 20)));
     EXPECT_EQ(scene->tools[0].cut_power_w, 20);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/bench/port_bench.h"
+#include "haptics/bench/haptic_bench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "haptics/bench/port_hand.h"
-#include "haptics/bench/port_tissue.h"
+#include "haptics/bench/haptic_bench_hand.h"
+#include "haptics/bench/haptic_bench_tissue.h"
 
 namespace placode::haptics {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace {
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// First step of the lane that loads `vertex`, -1 = none. Padding steps load the vertex itself.
-int64_t step_of(const PackedElements& packed, const VertexBatch& b, size_t lane,
+int64_t step_of(const KernelLayout& packed, const VertexBatch& b, size_t lane,
                 int32_t vertex) noexcept {
     const auto wanted = static_cast<uint16_t>(2 * (vertex - b.base));
     for (int64_t s = 0; s < b.steps; ++s) {
@@ -21,7 +21,7 @@ int64_t step_of(const PackedElements& packed, const VertexBatch& b, size_t lane,
     return -1;
 }
 
-void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const int32_t> members,
+void add_tet_batch(const SoftBody& body, KernelLayout& out, std::span<const int32_t> members,
                    bool apart) {
     TetBatch b;
     b.apart = apart;
@@ -64,7 +64,7 @@ void add_tet_batch(const SoftBody& body, PackedElements& out, std::span<const in
 
 }  // namespace
 
-void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
+void set_vertex_weights(const SoftBody& body, const KernelLayout& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept {
     const VertexBatch& b = packed.batches[at(packed.slot[at(v)] / kLanes)];
     const size_t lane = at(packed.slot[at(v)] % kLanes);
@@ -89,7 +89,7 @@ void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
     rows[0] = static_cast<float>(std::max(total, 0.0));
 }
 
-void pack_tets(const SoftBody& body, PackedElements& out) {
+void pack_tets(const SoftBody& body, KernelLayout& out) {
     const SweepPlan plan =
         plan_tets(body.mesh().tets, body.vertex_count(), domains_for(body.tet_count()));
     out.tet_slot.resize(at(body.tet_count()));

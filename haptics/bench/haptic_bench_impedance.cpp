@@ -6,7 +6,7 @@
 #include <complex>
 #include <numbers>
 
-#include "haptics/bench/port_hand.h"
+#include "haptics/bench/haptic_bench_hand.h"
 
 namespace placode::haptics {
 

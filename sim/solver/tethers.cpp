@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/solver/links.h"
+#include "sim/solver/tethers.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "sim/core/event.h"
-#include "sim/solver/low_parts.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/double_float.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "sim/core/event.h"
-#include "sim/solver/low_parts.h"
+#include "sim/solver/double_float.h"
 
 using namespace placode::sim;
 

@@ -8,7 +8,7 @@
 #include <array>
 #include <span>
 
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 
@@ -21,13 +21,13 @@ namespace placode::sim {
 void check_span(int32_t first, int32_t last);
 
 /// Writes the mu weights of vertex `v` from its living tets, so that removal leaves no residue.
-void set_vertex_weights(const SoftBody& body, const PackedElements& packed,
+void set_vertex_weights(const SoftBody& body, const KernelLayout& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;
 
 /// Makes constants, links and batches of vertices for VBD.
-void pack_vertices(const SoftBody& body, PackedElements& packed);
+void pack_vertices(const SoftBody& body, KernelLayout& packed);
 
 /// Appends batches of disjoint tets for XPBD.
-void pack_tets(const SoftBody& body, PackedElements& packed);
+void pack_tets(const SoftBody& body, KernelLayout& packed);
 
 }  // namespace placode::sim

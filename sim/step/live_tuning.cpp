@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/step/retune.h"
+#include "sim/step/live_tuning.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "sim/cutting/diathermy.h"
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 #include "sim/world/scene.h"
 #include "sim/world/state.h"
@@ -24,13 +24,13 @@ Material& material_of(Scene& scene, Tissue tissue) noexcept {
     return spec.materials[at(static_cast<int>(tissue))];
 }
 
-PackedElements& packed_for_change(Scene& scene, State& state) noexcept {
-    return const_cast<PackedElements&>(packed_of(scene.body, state.body));
+KernelLayout& packed_for_change(Scene& scene, State& state) noexcept {
+    return const_cast<KernelLayout&>(packed_of(scene.body, state.body));
 }
 
 /// All constants of a tet grow with its modulus: mu and lambda do, gamma does not.
 void scale_stiffness(Scene& scene, State& state, Tissue tissue, float factor) noexcept {
-    PackedElements& packed = packed_for_change(scene, state);
+    KernelLayout& packed = packed_for_change(scene, state);
     auto& lanes = state.body.lanes;
     const auto& label = scene.body.mesh().tissue;
     for (int t = 0; t < scene.body.tet_count(); ++t) {
@@ -53,7 +53,7 @@ void scale_stiffness(Scene& scene, State& state, Tissue tissue, float factor) no
 
 /// Mass-weighted mean over the tets around each vertex, as when the body was packed.
 void spread_damping(Scene& scene, State& state) noexcept {
-    PackedElements& packed = packed_for_change(scene, state);
+    KernelLayout& packed = packed_for_change(scene, state);
     const auto& materials = scene.body.spec().materials;
     const int vertices =
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
@@ -110,7 +110,7 @@ double tuned_value(const Scene& scene, TuneParameter parameter, Tissue tissue) n
     return 0;
 }
 
-bool retune(Scene& scene, State& state, const Event& event) noexcept {
+bool tune_live(Scene& scene, State& state, const Event& event) noexcept {
     if (event.kind != EventKind::kTuned || event.element < 0 || event.element >= kTuneParameters ||
         static_cast<int>(event.tissue) >= kTissueCount || !std::isfinite(event.value))
         return false;

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/solver/packing.h"
+#include "sim/solver/kernel_layout.h"
 
 #include <Eigen/LU>
 
-#include "sim/solver/packing_parts.h"
+#include "sim/solver/kernel_layout_parts.h"
 
 namespace placode::sim {
 namespace {
@@ -56,15 +56,15 @@ TetConstants tet_constants(const SoftBodySpec& spec, int t) {
     return out;
 }
 
-PackedElements pack(const SoftBody& body) {
-    PackedElements out;
+KernelLayout pack(const SoftBody& body) {
+    KernelLayout out;
     pack_vertices(body, out);
     if (body.spec().solver.method != Method::kVbd) pack_tets(body, out);
     give_back_slack(out);
     return out;
 }
 
-void give_back_slack(PackedElements& packed) {
+void give_back_slack(KernelLayout& packed) {
     packed.batches.shrink_to_fit();
     packed.strip.shrink_to_fit();
     packed.keep.shrink_to_fit();
@@ -75,7 +75,7 @@ void give_back_slack(PackedElements& packed) {
     packed.tet_rows.shrink_to_fit();
 }
 
-AlignedVector<float> initial_lanes(const SoftBody& body, const PackedElements& packed) {
+AlignedVector<float> initial_lanes(const SoftBody& body, const KernelLayout& packed) {
     AlignedVector<float> lanes(at(packed.lane_count), 0.0F);
     for (int t = 0; t < body.tet_count(); ++t) {
         const TetConstants k = tet_constants(body.spec(), t);

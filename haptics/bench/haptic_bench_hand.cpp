@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "haptics/bench/port_hand.h"
+#include "haptics/bench/haptic_bench_hand.h"
 
 #include <algorithm>
 #include <cmath>

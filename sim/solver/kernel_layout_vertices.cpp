@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "sim/mesh/space_order.h"
+#include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/link_strip.h"
-#include "sim/solver/packing_parts.h"
 #include "sim/solver/sweep_plan.h"
 #include "sim/solver/vertex_plan.h"
 
@@ -23,7 +23,7 @@ constexpr int32_t kStepsOfAVertex = 4;  // what a vertex costs beside the steps 
 /// Builds the VBD part.
 class VertexPacker {
  public:
-    VertexPacker(const SoftBody& body, PackedElements& out)
+    VertexPacker(const SoftBody& body, KernelLayout& out)
         : body_(body), out_(out), place_(hilbert_keys(body.mesh().rest)) {}
 
     void run() {
@@ -343,7 +343,7 @@ class VertexPacker {
     }
 
     const SoftBody& body_;
-    PackedElements& out_;
+    KernelLayout& out_;
     const bool packs_strips_ = body_.spec().solver.method == Method::kVbd;
     std::vector<uint32_t> place_;  // (V) along a curve through space
     std::vector<std::vector<StripStep>> strips_;
@@ -355,8 +355,6 @@ class VertexPacker {
 
 }  // namespace
 
-void pack_vertices(const SoftBody& body, PackedElements& packed) {
-    VertexPacker(body, packed).run();
-}
+void pack_vertices(const SoftBody& body, KernelLayout& packed) { VertexPacker(body, packed).run(); }
 
 }  // namespace placode::sim

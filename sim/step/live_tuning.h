@@ -41,6 +41,6 @@ struct TuneRange {
 /// Does what the event says, with its value brought into the allowed range. XPBD bodies keep their
 /// stiffness: the method is valid at small Courant numbers only. Takes some ten milliseconds for a
 /// change of stiffness. Never throws. @return false when nothing changed.
-bool retune(Scene& scene, State& state, const Event& event) noexcept;
+bool tune_live(Scene& scene, State& state, const Event& event) noexcept;
 
 }  // namespace placode::sim

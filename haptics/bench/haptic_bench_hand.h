@@ -3,11 +3,11 @@
 #pragma once
 // What stands at the port instead of a person and a device: arm, grip and mechanics of a desktop
 // arm, the sweep of a machine that moves it, and the troubles of a soak. Deterministic. Numbers and
-// sources: port_bench.h.
+// sources: haptic_bench.h.
 
 #include <random>
 
-#include "haptics/bench/port_bench.h"
+#include "haptics/bench/haptic_bench.h"
 
 namespace placode::haptics {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/solver/low_parts.h"
+#include "sim/solver/double_float.h"
 
 namespace placode::sim {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/verify/special_vertices.h"
+#include "sim/verify/constrained_vertices.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-#include "sim/solver/low_parts.h"
+#include "sim/solver/double_float.h"
 
 namespace placode::sim {
 namespace {

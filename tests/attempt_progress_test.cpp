@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is cut and what is out: one number for picture and ledger.
 
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 #include "sim/cutting/grasp.h"
 #include "sim/world/add_event.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "sim/cutting/reached.h"
+#include "sim/cutting/attempt_progress.h"
 
 #include <algorithm>
 #include <array>

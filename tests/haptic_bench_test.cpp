@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The force law against a simulated operator: what must be stable is, and what must not be is seen.
-#include "haptics/bench/port_bench.h"
+#include "haptics/bench/haptic_bench.h"
 
 #include <gtest/gtest.h>
 

@@ -4,15 +4,15 @@
 // gradients of |F|^2 and of J are both zero. And a free piece at rest in a fold, another minimum of
 // the energy: without load, what is at rest and not stressed by anybody must have its rest shape.
 
-#include "sim/solver/reseed.h"
+#include "sim/solver/restore_rest_shape.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/SVD>
 #include <algorithm>
 
 #include "sim/core/event.h"
-#include "sim/solver/low_parts.h"
-#include "sim/solver/packing.h"
+#include "sim/solver/double_float.h"
+#include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {
