@@ -5,6 +5,10 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QComboBox>
+#include <QSlider>
+#include <QSpinBox>
+#include <QWheelEvent>
 
 #include "shell_harness.h"
 
@@ -26,6 +30,7 @@ class ShellFormsTest : public QObject {
     void enterMakesAnAccountByInvitation();
     void onlyPeopleOfThisStoreAreProposed();
     void whoIsDeactivatedIsNotProposed();
+    void theWheelScrollsAndChangesNoAnswer();
 
  private:
     [[nodiscard]] QAbstractButton* role(int bit) const {
@@ -207,6 +212,31 @@ void ShellFormsTest::whoIsDeactivatedIsNotProposed() {
     QVERIFY(shell.find<QPushButton>("person_tom") == nullptr);
     QVERIFY(shell.find<QPushButton>("person_ada") != nullptr);
     QCOMPARE(shell.find<QLineEdit>("login")->text().contains("tom"), false);
+}
+
+// Scrolling past a list of answers chose one, without a word.
+void ShellFormsTest::theWheelScrollsAndChangesNoAnswer() {
+    QWidget page;
+    auto* answer = new QComboBox(&page);
+    answer->addItems({"", "yes", "no"});
+    auto* years = new QSpinBox(&page);
+    auto* rating = new QSlider(Qt::Horizontal, &page);
+    rating->move(0, 90);
+    years->move(0, 45);
+    page.resize(200, 140);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    for (QWidget* field : {static_cast<QWidget*>(answer), static_cast<QWidget*>(years),
+                           static_cast<QWidget*>(rating)}) {
+        field->setFocus();
+        const QPointF middle = field->rect().center();
+        QWheelEvent wheel(middle, field->mapToGlobal(middle), {}, {0, -240}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(field, &wheel);
+    }
+    QCOMPARE(answer->currentIndex(), 0);
+    QCOMPARE(years->value(), 0);
+    QCOMPARE(rating->value(), 0);
 }
 
 }  // namespace placode::ui

@@ -21,6 +21,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kSpeedKnownS = 5;  // of an attempt; before it one slow second decides
+constexpr const char* kTooSlow = "TOO SLOW, does not count";
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
 
 bool is_script(const Arguments& arguments) { return arguments.device.rfind("script:", 0) == 0; }
@@ -192,6 +194,10 @@ class WindowSession {
         pace_.watch(status, Clock::now());
         runner_.may_save_substeps(pace_.may_save_substeps());
         if (const std::string text = pace_.take_note(); !text.empty()) note(text, 6);
+        // A note goes; that it will not count stands there as long as it is so.
+        const bool void_now = status.counts_not && status.time_s > kSpeedKnownS;
+        if (void_now && overlay_.banner.empty()) overlay_.banner = kTooSlow;
+        if (!void_now && overlay_.banner == kTooSlow) overlay_.banner.clear();
     }
 
     void picture(const curriculum::AttemptStatus& status) {

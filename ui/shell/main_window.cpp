@@ -1,9 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QScrollBar>
+
 #include "ui/shell/main_window.h"
 
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QKeyEvent>
 #include <QScreen>
 #include <QShortcut>
@@ -14,6 +19,18 @@
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
+
+namespace {
+
+/// A field that a wheel would change while somebody only scrolls past it: an answer nobody gave.
+bool holds_a_value(QObject* object) {
+    return qobject_cast<QComboBox*>(object) != nullptr ||
+           qobject_cast<QAbstractSpinBox*>(object) != nullptr ||
+           (qobject_cast<QAbstractSlider*>(object) != nullptr &&
+            qobject_cast<QScrollBar*>(object) == nullptr);
+}
+
+}  // namespace
 
 MainWindow::MainWindow(AppContext& context) : context_(context) {
     setWindowTitle("Placode");
@@ -95,6 +112,10 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
             if (context_.signedIn() && context_.lockAfterSeconds() > 0)
                 idle_.start(context_.lockAfterSeconds() * 1000);
             if (closesNotice(object, event)) return true;
+            if (event->type() == QEvent::Wheel && holds_a_value(object)) {
+                event->ignore();  // goes to the page, which scrolls
+                return true;
+            }
             break;
         default:
             break;

@@ -84,7 +84,8 @@ class ParticipantPage : public Page {
     [[nodiscard]] bool mayLeave() override {
         if (submitted_ || answers_.empty() || !preview_.isEmpty()) return true;
         return confirm(this, tr("Leave without submitting?"),
-                       tr("The answers given so far are not saved."), tr("Leave"));
+                       tr("The answers given so far are not saved."), tr("Leave"),
+                       tr("Go on answering"));
     }
 
  private:

@@ -2808,6 +2808,10 @@
         <translation>Dotychczasowe odpowiedzi nie są zapisane.</translation>
     </message>
     <message>
+        <source>Go on answering</source>
+        <translation>Odpowiadaj dalej</translation>
+    </message>
+    <message>
         <source>Leave</source>
         <translation>Wyjdź</translation>
     </message>
