@@ -74,8 +74,6 @@ Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_by
     build();
 }
 
-Replay::~Replay() = default;
-
 void Replay::build() {
     Task task = load_task_text(recording_.header.task_json, "recording");
     task.scene.seed = recording_.header.seed;

@@ -43,7 +43,6 @@ class Replay {
     /// @param key_frame_bytes memory for moments to go back to; 0 = back means from the beginning.
     /// @throws DefinitionError when the recording's task cannot be built any more.
     Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0);
-    ~Replay();
 
     /// One frame, compared with the recorded hash where there is one. False when there is nothing
     /// more to simulate: the recording is over, or differs.

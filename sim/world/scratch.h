@@ -15,7 +15,8 @@
 namespace placode::sim {
 
 struct State::Scratch {
-    explicit Scratch(const Scene& scene);
+    /// @param untouched gets the progress of the untouched body, found with the same tables.
+    explicit Scratch(const Scene& scene, CutProgress* untouched = nullptr);
     /// As if built anew: after the state has become another one.
     void forget() noexcept;
     ContactSet contacts;

@@ -15,7 +15,7 @@ constexpr int kVaporisedPerStep = 64;
 
 }  // namespace
 
-State::Scratch::Scratch(const Scene& scene)
+State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
     : contacts(scene),
       vaporised(kVaporisedPerStep),
       candidates(scene.body.vertex_count()),
@@ -24,8 +24,8 @@ State::Scratch::Scratch(const Scene& scene)
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0) {
-    CutProgress untouched;
-    cut = make_cut_tables(scene, untouched);
+    CutProgress nobodys;
+    cut = make_cut_tables(scene, untouched != nullptr ? *untouched : nobodys);
     const TetMesh& mesh = scene.body.mesh();
     for (int t = 0; t < scene.body.tet_count(); ++t) {
         for (int i = 1; i < 4; ++i) {
@@ -66,10 +66,9 @@ State::State(const Scene& scene, int threads)
       dose_reported(scene.body.vertex_count(), 0),
       last_substeps(substeps),
       workers(std::make_unique<Workers>(threads)),
-      scratch(std::make_unique<Scratch>(scene)) {
+      scratch(std::make_unique<Scratch>(scene, &progress)) {
     sleep.follow_leaves(surface.tree(), scene.body.mesh());
     for (auto& row : tool_side) row.fill(Vec3::Zero());
-    (void)make_cut_tables(scene, progress);
     colour.vertex.assign(kMostContactVertices, -1);
     flood.reached.assign(scene.body.tet_count(), 0);
     flood.stack.assign(scene.body.tet_count(), -1);
