@@ -13,8 +13,8 @@
 
 namespace placode::assessment {
 
-/// 7: ring completeness and resected tissue as the picture shows them, buried tips, tissue lost.
-inline constexpr int kMetricSetVersion = 7;
+/// 8: overheated placode counts places, not vertices.
+inline constexpr int kMetricSetVersion = 8;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

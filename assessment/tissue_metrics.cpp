@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "assessment/motion_metrics.h"
 #include "assessment/statistics.h"
@@ -15,7 +17,7 @@ namespace placode::assessment {
 
 namespace {
 
-constexpr double kNearPlacodeM = 0.001;
+constexpr double kNearPlacodeM = 0.001, kOverheatedSquareM = 0.002;
 // Henriques & Moritz 1947, skin: a stand-in, there is no accepted set for the placode.
 constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
 // At cutting temperatures the dose passes every number (and float) within a second; past this it
@@ -124,6 +126,19 @@ void add_incision(const sim::Recording& recording, std::vector<Metric>& out) {
     out.push_back({"toward_placode_mm", toward_m * 1e3});
 }
 
+/// The ledger names one vertex a second, and heat that adds up at one place passes the limit at one
+/// neighbour after the other: squares of the tissue are counted, vertices are not. A square more is
+/// never a square less, which groups of near vertices do not promise.
+int overheated_places(const sim::Recording& recording) {
+    std::set<std::pair<long, long>> squares;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind != sim::EventKind::kPlacodeOverheated) continue;
+        squares.emplace(std::lround(event.rest_position_m[0] / kOverheatedSquareM),
+                        std::lround(event.rest_position_m[1] / kOverheatedSquareM));
+    }
+    return static_cast<int>(squares.size());
+}
+
 void add_placode(const sim::Recording& recording, std::vector<Metric>& out) {
     const Sum contact = total(recording, sim::EventKind::kPlacodeContact);
     out.push_back({"placode_contacts", static_cast<double>(contact.count)});
@@ -156,9 +171,7 @@ void add_placode(const sim::Recording& recording, std::vector<Metric>& out) {
             {"placode_arrhenius",
              std::min(kLargestDamage, arrhenius_damage(time_s, celsius, kSkinAPerS, kSkinEaJMol))});
     }
-    out.push_back(
-        {"placode_overheated",
-         static_cast<double>(total(recording, sim::EventKind::kPlacodeOverheated).count)});
+    out.push_back({"placode_overheated", static_cast<double>(overheated_places(recording))});
     const double volume_m3 = recording.header.geometry.placode_volume_m3;
     if (volume_m3 > 0) out.push_back({"placode_burned_percent", burned_m3 / volume_m3 * 100});
     out.push_back({"placode_cut_mm3", cut_m3 * 1e9});

@@ -343,6 +343,29 @@ TEST(TissueMetrics, LedgerAndSamplesBecomeMetrics) {
     }
 }
 
+TEST(TissueMetrics, HeatThatAddsUpAtOnePlaceIsOnePlace) {
+    sim::Recording recording = ring(0, 359, 0);
+    double before = 0;
+    const auto places = [&](double x_mm, double y_mm) {
+        sim::Event event;
+        event.kind = sim::EventKind::kPlacodeOverheated;
+        event.value = 6;
+        event.rest_position_m = {static_cast<float>(x_mm * 1e-3), static_cast<float>(y_mm * 1e-3),
+                                 0};
+        recording.events.push_back(event);
+        const double now = *compute_metrics(recording).find("placode_overheated");
+        EXPECT_GE(now, before) << "more heat was less harm";
+        return before = now;
+    };
+    // The same spot four times: one vertex of the mesh after the other becomes too warm.
+    EXPECT_EQ(places(-2.2, 3.9), 1);
+    EXPECT_EQ(places(-1.9, 4.2), 1);
+    EXPECT_EQ(places(-1.7, 3.8), 1);
+    EXPECT_EQ(places(-2.4, 4.3), 1);
+    EXPECT_EQ(places(2.2, 3.9), 2) << "the other side";
+    EXPECT_EQ(places(0, 4), 3) << "between both";
+}
+
 TEST(TissueMetrics, GrasperAndScissorsAreSummedFromTheirEvents) {
     using sim::EventKind;
     sim::Recording recording;

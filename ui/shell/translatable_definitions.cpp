@@ -58,7 +58,9 @@ namespace {
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Arrhenius integral of the placode's highest temperature with constants of "
                       "skin: an upper bound, 1 = 63 % dead, at most 1e6."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Times a part of the placode passed the warning dose."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Places of the placode, squares of 2 mm, where tissue passed the warning dose."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the placode's volume beyond the injury dose or temperature."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Volume of the placode that was removed or torn."),

@@ -2409,8 +2409,8 @@
         <translation>Całka Arrheniusa z najwyższej temperatury płytki ze stałymi skóry: górne ograniczenie, 1 = 63 % martwych komórek, najwyżej 1e6.</translation>
     </message>
     <message>
-        <source>Times a part of the placode passed the warning dose.</source>
-        <translation>Ile razy część płytki przekroczyła dawkę ostrzegawczą.</translation>
+        <source>Places of the placode, squares of 2 mm, where tissue passed the warning dose.</source>
+        <translation>Miejsca płytki, kwadraty o boku 2 mm, w których tkanka przekroczyła dawkę ostrzegawczą.</translation>
     </message>
     <message>
         <source>Share of the placode's volume beyond the injury dose or temperature.</source>
