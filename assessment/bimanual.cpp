@@ -3,6 +3,7 @@
 #include "assessment/bimanual.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -32,6 +33,7 @@ double correlation(std::span<const double> a, std::span<const double> b) {
 
 Bimanual bimanual_dexterity(std::span<const double> left, std::span<const double> right,
                             double dt_s, double threshold) {
+    assert(left.size() == right.size() && left.size() >= 2);
     Bimanual out;
     out.pearson_r = correlation(left, right);
     out.path_left = path(left, dt_s);

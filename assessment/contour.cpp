@@ -3,6 +3,7 @@
 // The planned line and what was removed along it.
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "assessment/statistics.h"
@@ -58,6 +59,7 @@ std::vector<Removed> removed_near(const sim::Recording& recording, const ClosedC
 }  // namespace
 
 ClosedContour::ClosedContour(std::span<const Vec3> points) {
+    assert(points.size() >= 3 && points.front() != points.back());
     double arc = 0;
     for (size_t i = 0; i < points.size(); ++i) {
         const Vec2 a = points[i].head<2>(), b = points[(i + 1) % points.size()].head<2>();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -14,6 +15,7 @@
 namespace placode::assessment {
 
 Interval wilson_interval(int count, int n) {
+    assert(n > 0 && 0 <= count && count <= n);
     constexpr double kZ = 1.959963984540054;
     const double p = static_cast<double>(count) / n, z2 = kZ * kZ / n;
     const double centre = (p + z2 / 2) / (1 + z2);

@@ -3,6 +3,7 @@
 #include "assessment/metric_quality.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <stdexcept>
 
@@ -112,6 +113,7 @@ std::string reasons(const MetricQuality& quality) {
 
 MetricQuality metric_quality(const std::string& metric, Direction direction,
                              const std::vector<Repeats>& people, int repeats) {
+    assert(repeats >= 2);
     MetricQuality quality;
     quality.metric = metric;
     quality.repeats = repeats;

@@ -3,6 +3,7 @@
 #include "assessment/practice.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,7 @@ PracticeTracker::PracticeTracker(std::span<const sim::PracticeStep> steps,
                                  std::span<const sim::ToolSpec> tools,
                                  const sim::FieldGeometry& geometry)
     : steps_(steps.begin(), steps.end()), tools_(tools.begin(), tools.end()) {
+    assert(steps.size() <= sim::kMaxPracticeSteps);
     if (geometry.planned_contour.size() >= 3) contour_.emplace_back(geometry.planned_contour);
 }
 

@@ -3,6 +3,7 @@
 #include "assessment/signal.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -73,6 +74,7 @@ void filter_as_recorded(std::vector<double>& time_s, std::vector<Vec3>& position
 }  // namespace
 
 Biquad butterworth_low_pass(double cutoff_hz, double rate_hz) {
+    assert(0 < cutoff_hz && cutoff_hz < rate_hz / 2);
     const double k = std::tan(std::numbers::pi * cutoff_hz / rate_hz);
     const double norm = 1 / (1 + std::numbers::sqrt2 * k + k * k);
     const double b0 = k * k * norm;

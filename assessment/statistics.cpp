@@ -3,11 +3,13 @@
 #include "assessment/statistics.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace placode::assessment {
 
 double quantile(std::span<const double> sorted, double q) {
+    assert(!sorted.empty() && std::ranges::is_sorted(sorted) && 0 <= q && q <= 1);
     const double rank = std::clamp(q, 0.0, 1.0) * static_cast<double>(sorted.size() - 1);
     const size_t below = static_cast<size_t>(rank);
     const size_t above = std::min(below + 1, sorted.size() - 1);
@@ -15,6 +17,7 @@ double quantile(std::span<const double> sorted, double q) {
 }
 
 double quantile_type6(std::span<const double> sorted, double q) {
+    assert(!sorted.empty() && std::ranges::is_sorted(sorted) && 0 <= q && q <= 1);
     const auto n = static_cast<double>(sorted.size());
     const double at = std::clamp(q * (n + 1), 1.0, n);
     const auto below = static_cast<size_t>(at) - 1;
@@ -39,6 +42,7 @@ std::optional<double> sample_sd(std::span<const double> values) {
 
 LikertSummary summarise_likert(std::span<const std::optional<int>> answers, int scale_min,
                                int scale_max) {
+    assert(scale_min < scale_max);
     LikertSummary summary;
     summary.scale_min = scale_min;
     summary.scale_max = scale_max;

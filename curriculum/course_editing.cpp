@@ -3,6 +3,7 @@
 #include "curriculum/course_editing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <charconv>
 #include <set>
 #include <stdexcept>
@@ -106,11 +107,13 @@ void set_task(Course& course, size_t index, const std::string& task_id) {
 }
 
 void remove_stage(Course& course, size_t index) {
+    assert(index < course.stages.size());
     course.stages.erase(course.stages.begin() + static_cast<ptrdiff_t>(index));
     drop_impossible(course);
 }
 
 void move_stage(Course& course, size_t from, size_t to) {
+    assert(from < course.stages.size() && to < course.stages.size());
     CourseStage moved = std::move(course.stages[from]);
     course.stages.erase(course.stages.begin() + static_cast<ptrdiff_t>(from));
     course.stages.insert(course.stages.begin() + static_cast<ptrdiff_t>(to), std::move(moved));
@@ -118,6 +121,7 @@ void move_stage(Course& course, size_t from, size_t to) {
 }
 
 void rename_stage(Course& course, size_t index, const std::string& id) {
+    assert(index < course.stages.size());
     const std::string old = course.stages[index].id;
     course.stages[index].id = id;
     for (size_t i = index + 1; i < course.stages.size(); ++i)

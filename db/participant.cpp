@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/participant.h"
 
+#include <cassert>
 #include <cctype>
 #include <string_view>
 
@@ -23,6 +24,7 @@ char check_letter(std::string_view digits) {
 }  // namespace
 
 std::string participant_code(int number) {
+    assert(number > 0);
     std::string digits = std::to_string(number);
     if (digits.size() < 3) digits.insert(0, 3 - digits.size(), '0');
     return "P" + digits + "-" + check_letter(digits);

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QUuid>
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 
 #include "db/packing.h"
@@ -169,6 +170,7 @@ void SqlStore::backup(const std::string& path) {
 }
 
 std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& options) {
+    assert(QCoreApplication::instance() != nullptr);
     const StoreUrl parsed = parse_store_url(url);
     if (parsed.engine == Engine::kSqlite) prepare_sqlite_file(parsed.path, "open");
     return std::make_unique<SqlStore>(parsed, options);

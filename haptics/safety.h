@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -51,6 +52,7 @@ struct CouplingSettings {
 
 /// Gain of a first-order low-pass over one tick. @pre dt_s >= 0.
 [[nodiscard]] inline double low_pass_gain(double dt_s, double cutoff_hz) noexcept {
+    assert(dt_s >= 0 && cutoff_hz >= 0);
     const double w = 2 * std::numbers::pi * cutoff_hz * dt_s;
     return w / (1 + w);
 }

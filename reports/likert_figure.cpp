@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -146,6 +147,7 @@ void draw_figure(QPainter& painter, const QRectF& where, const std::vector<Liker
 
 Figure likert_figure(const std::string& id, const std::string& title,
                      const std::vector<LikertBar>& bars, const ChartStyle& style) {
+    assert(!bars.empty());
     Figure figure;
     figure.id = id;
     figure.title = title;

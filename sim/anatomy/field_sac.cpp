@@ -4,6 +4,7 @@
 #include "sim/anatomy/field_sac.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -38,6 +39,7 @@ CanalFloor make_floor(const OperativeFieldSpec& spec, const FieldShape& shape) {
 }  // namespace
 
 Sac make_sac(const OperativeFieldSpec& spec, const FieldShape& shape, const FieldMesh& field) {
+    assert(spec.cystic);
     Sac sac;
     sac.settings = spec.sac;
     // Tets of the wall by the columns they stand in: those of one prism have corners in the same

@@ -4,6 +4,7 @@
 #include "sim/anatomy/planar_delaunay.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numeric>
 #include <string>
@@ -198,6 +199,7 @@ Vec2 on_grid(const Vec2& p) {
 }
 
 std::vector<std::array<int32_t, 3>> delaunay(std::span<const Vec2> points) {
+    assert(std::ranges::all_of(points, [](const Vec2& p) { return p.norm() < 0.5; }));
     if (points.size() < 4) throw MeshError("a triangulation needs its four corners first");
     Triangulation triangulation(points);
     for (const int32_t p : insertion_order(points)) triangulation.insert(p);

@@ -4,6 +4,7 @@
 #include "sim/core/tool_shape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace placode::sim {
@@ -111,6 +112,7 @@ RoundCone::RoundCone(double near, double far, double near_radius, double far_rad
       near_radius_m(near_radius),
       far_radius_m(far_radius),
       sine((near_radius - far_radius) / (far - near)) {
+    assert(std::abs(far_radius - near_radius) < far - near);
     cosine = std::sqrt(1 - sine * sine);
 }
 

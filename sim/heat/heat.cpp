@@ -4,6 +4,7 @@
 #include "sim/heat/heat.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "sim/heat/heat_parts.h"
@@ -282,6 +283,7 @@ int step_heat(const SoftBody& body, const HeatModel& model, HeatState& state,
 void remove_heat_of_tet(const SoftBody& body, const HeatModel& model, HeatState& state,
                         std::span<const std::array<int32_t, 4>> neighbours,
                         std::span<const uint8_t> tet_alive, int tet) noexcept {
+    assert(!tet_alive[tet]);
     HeatStepper{body, model, state}.remove_tet(neighbours, tet_alive, tet);
 }
 

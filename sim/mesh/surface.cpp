@@ -113,6 +113,7 @@ void SurfaceState::take(int face) noexcept {
 void SurfaceState::remove_tet(const Surface& surface, const TetMesh& mesh,
                               std::span<const uint8_t> tet_alive, int tet,
                               std::span<const std::array<int32_t, 4>> tets) noexcept {
+    assert(tet_alive[tet] == 0);
     for (int f = 0; f < 4; ++f) {
         if (slot_of_face_[4 * tet + f] >= 0) {
             take(4 * tet + f);
@@ -133,6 +134,7 @@ void SurfaceState::remove_tet(const Surface& surface, const TetMesh& mesh,
 
 void SurfaceState::cut_face(const Surface& surface, const TetMesh& mesh, int tet, int f,
                             std::span<const std::array<int32_t, 4>> tets) noexcept {
+    assert(slot_of_face_[tet * 4 + f] < 0);
     const int other = surface.neighbours()[tet][f];
     for (int g = 0; g < 4; ++g) {
         if (surface.neighbours()[other][g] != tet) continue;

@@ -4,6 +4,7 @@
 #include "sim/solver/topology.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "sim/solver/kernel_layout_parts.h"
 
@@ -62,6 +63,7 @@ bool can_split(const SoftBodyState& state, int vertex) noexcept {
 
 int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
                  std::span<const int32_t> moved) noexcept {
+    assert(can_split(state, vertex));
     Topology& top = *state.topology;
     KernelLayout& packed = top.packed;
     if (spares_left(state) == 0) return -1;

@@ -4,6 +4,7 @@
 #include "sim/step/step.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 
@@ -233,6 +234,7 @@ void part_tissue(const Scene& scene, State& state) noexcept {
 
 StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inputs,
                 std::span<ToolFeedback> feedback) noexcept {
+    assert(inputs.size() == scene.tools.size() && feedback.size() == scene.tools.size());
     StepReport report;
     CostClock costs(report);
     const double frame_s = scene.body.spec().solver.frame_s;

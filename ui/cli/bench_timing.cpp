@@ -3,6 +3,7 @@
 #include "ui/cli/bench_timing.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -10,6 +11,7 @@
 namespace placode::cli {
 
 double median(std::vector<double> values) {
+    assert(!values.empty());
     std::sort(values.begin(), values.end());
     const size_t middle = values.size() / 2;
     return values.size() % 2 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTimer>
+#include <cassert>
 #include <csignal>
 
 namespace placode::ui {
@@ -35,6 +36,7 @@ std::string simulator_missing(const LaunchOptions& options) {
 }
 
 QStringList simulator_arguments(const AttemptOrder& order, const LaunchOptions& options) {
+    assert(!order.recording_file.isEmpty());
     using curriculum::AttemptMode;
     const QString device = options.hands.isEmpty() ? order.device : options.hands;
     QStringList arguments{"--task",   order.task,           "--device", device,
