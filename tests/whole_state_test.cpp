@@ -13,11 +13,10 @@
 #include <memory>
 #include <string>
 
-#include "sim/anatomy/operative_field.h"
 #include "sim/step/step.h"
 #include "sim/world/saved_state.h"
 #include "sim/world/scratch.h"
-#include "tests/attempt_fixture.h"
+#include "tests/rerun.h"
 
 namespace placode {
 namespace {
@@ -40,44 +39,10 @@ std::vector<Case> cases() {
     return all;
 }
 
-/// A recorded attempt to be simulated again, frame by frame.
-class Rerun {
- public:
-    explicit Rerun(const Case& what) {
-        curriculum::Task task = curriculum::load_task(what.task);
-        task.time_limit_s = what.end_s;
-        recording_ = test::scripted_attempt(task, "expert");
-        task.scene.seed = recording_.header.seed;
-        settle_s_ = task.settle_s;
-        scene = sim::build_operative_field(task.scene);
-    }
-    [[nodiscard]] std::unique_ptr<sim::State> start() const {
-        auto state = std::make_unique<sim::State>(*scene, 1);
-        sim::settle(*scene, *state, settle_s_);
-        return state;
-    }
-    [[nodiscard]] int64_t frames() const { return std::ssize(recording_.inputs); }
-    void step(sim::State& state) const {
-        const sim::Input& input = recording_.inputs.at(static_cast<size_t>(state.frame));
-        state.substeps = input.substeps;
-        std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-        const size_t tools = scene->tools.size();
-        (void)sim::step(*scene, state, {input.tools, tools}, {feedback.data(), tools});
-    }
-    void step_to(sim::State& state, int64_t frame) const {
-        while (state.frame < std::min(frame, frames())) step(state);
-    }
-    std::shared_ptr<const sim::Scene> scene;
-
- private:
-    sim::Recording recording_;
-    double settle_s_ = 0;
-};
-
 TEST(WholeState, WhatIsSavedGoesOnAsIfNothingHadHappened) {
     for (const Case& what : cases()) {
         SCOPED_TRACE(what.task);
-        const Rerun rerun(what);
+        const test::Rerun rerun(what.task, what.end_s);
         const auto started = rerun.start();
         sim::State& state = *started;
         rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
@@ -103,7 +68,7 @@ TEST(WholeState, WhatIsSavedGoesOnAsIfNothingHadHappened) {
 
 TEST(WholeState, ScratchMayBeLostBetweenAnyTwoFrames) {
     const Case what = {"scissors_resection", 16, 16.2};
-    const Rerun rerun(what);
+    const test::Rerun rerun(what.task, what.end_s);
     const auto started = rerun.start();
     sim::State& state = *started;
     rerun.step_to(state, static_cast<int64_t>(1000 * what.begin_s));
@@ -121,7 +86,7 @@ TEST(WholeState, ScratchMayBeLostBetweenAnyTwoFrames) {
 }
 
 TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
-    const Rerun rerun({"diathermy_ring_small", 0, 0.1});
+    const test::Rerun rerun("diathermy_ring_small", 0.1);
     const auto started = rerun.start();
     sim::State& state = *started;
     const uint64_t before = sim::whole_hash(state);
@@ -144,7 +109,7 @@ TEST(WholeState, TheHashSeesWhatWaitsForTheNextFrames) {
 }
 
 TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
-    const Rerun rerun({"diathermy_ring_small", 0, 0.1});
+    const test::Rerun rerun("diathermy_ring_small", 0.1);
     const auto started = rerun.start();
     sim::State& state = *started;
     const auto saved = sim::save_state(*rerun.scene, state);
