@@ -9,17 +9,10 @@
 #include <stdexcept>
 
 #include "assessment/statistics.h"
+#include "sim/core/random.h"
 
 namespace placode::assessment {
 namespace {
-
-/// splitmix64 (Steele, Lea & Flood 2014): small, seeded, the same on every machine.
-uint64_t next_random(uint64_t& state) {
-    uint64_t z = (state += 0x9e3779b97f4a7c15ULL);
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
 
 std::vector<double> enumerate(std::span<const double> values,
                               const std::function<double(std::span<const double>)>& statistic) {
@@ -37,11 +30,12 @@ std::vector<double> enumerate(std::span<const double> values,
 std::vector<double> draw(std::span<const double> values,
                          const std::function<double(std::span<const double>)>& statistic,
                          int64_t resamples, uint64_t seed) {
+    sim::SplitMix64 random(seed);
     std::vector<double> results, resample(values.size());
     results.reserve(static_cast<size_t>(resamples));
     for (int64_t i = 0; i < resamples; ++i) {
         // The remainder's bias is below n / 2^64.
-        for (double& value : resample) value = values[next_random(seed) % values.size()];
+        for (double& value : resample) value = values[random.next() % values.size()];
         results.push_back(statistic(resample));
     }
     return results;

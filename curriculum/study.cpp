@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "curriculum/json_reader.h"
+#include "sim/core/random.h"
 
 namespace placode::curriculum {
 
@@ -136,15 +137,6 @@ void check_references(const StudyProtocol& study, const std::string& origin) {
     }
 }
 
-/// splitmix64: small, seeded, the same everywhere.
-uint64_t next_random(uint64_t& state) {
-    state += 0x9e3779b97f4a7c15ULL;
-    uint64_t z = state;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31U);
-}
-
 }  // namespace
 
 const char* step_kind_name(StepKind kind) {
@@ -213,9 +205,9 @@ int allocated_arm(const Arms& arms, uint64_t seed, int participant_number) {
     std::vector<int> order;
     for (int i = 0; i < arms.block_size; ++i)
         order.push_back(i % static_cast<int>(arms.names.size()));
-    uint64_t state = seed ^ (0xd1342543de82ef95ULL * static_cast<uint64_t>(block + 1));
+    sim::SplitMix64 random(seed ^ (0xd1342543de82ef95ULL * static_cast<uint64_t>(block + 1)));
     for (size_t i = order.size(); i > 1; --i)  // Fisher-Yates
-        std::swap(order[i - 1], order[next_random(state) % i]);
+        std::swap(order[i - 1], order[random.next() % i]);
     return order[static_cast<size_t>(index % arms.block_size)];
 }
 

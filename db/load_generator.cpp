@@ -8,6 +8,7 @@
 
 #include "curriculum/utc_time.h"
 #include "db/sql_connection.h"
+#include "sim/core/random.h"
 
 namespace placode::db {
 namespace {
@@ -16,22 +17,6 @@ using Kind = StoreError::Kind;
 
 constexpr int64_t kFirstDay = 1735689600;  // 2025-01-01
 constexpr int kDays = 700;
-
-/// splitmix64: small, seeded, the same everywhere.
-class Random {
- public:
-    explicit Random(uint64_t seed) : state_(seed) {}
-    double uniform() {
-        state_ += 0x9e3779b97f4a7c15ULL;
-        uint64_t z = state_;
-        z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27U)) * 0x94d049bb133111ebULL;
-        return static_cast<double>((z ^ (z >> 31U)) >> 11U) * 0x1.0p-53;
-    }
-
- private:
-    uint64_t state_;
-};
 
 std::vector<int64_t> ids_of(Connection& connection, const std::string& sql) {
     Statement query(connection, sql);
@@ -91,7 +76,7 @@ bool add_attempts(Connection& connection, const LoadOrder& order,
         "TEXT), duration_s, device, seed, build, 1, final_hash, dropped, 1, CAST(? AS DOUBLE "
         "PRECISION), CAST(? AS BIGINT), rubric_id, rubric_version, metric_set_version, "
         "preprocessing_version, id FROM attempts WHERE id = ?");
-    Random random(order.seed);
+    sim::SplitMix64 random(order.seed);
     for (int64_t i = 0; i < order.attempts; ++i) {
         const int64_t user = i % order.users, trial = i / order.users + 1;
         // A person's attempts lie in order of time; who begins when differs.

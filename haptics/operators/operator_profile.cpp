@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/operators/operator_profile.h"
 
+#include "sim/core/random.h"
+
 namespace placode::haptics {
 
 namespace {
@@ -137,13 +139,8 @@ const OperatorProfile& operator_profile(OperatorLevel level) noexcept {
 }
 
 OperatorRandom::OperatorRandom(uint64_t seed) noexcept {
-    for (auto& word : state_) {  // splitmix64 spreads a small seed over the state
-        seed += 0x9e3779b97f4a7c15u;
-        uint64_t z = seed;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-        word = z ^ (z >> 31);
-    }
+    sim::SplitMix64 spread(seed);  // a small seed over the whole state
+    for (auto& word : state_) word = spread.next();
 }
 
 double OperatorRandom::uniform() noexcept {

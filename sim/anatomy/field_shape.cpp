@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include "sim/core/random.h"
+
 namespace placode::sim {
 
 namespace {
@@ -28,13 +30,10 @@ double squared_distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) 
     return (ap - t * ab).squaredNorm();
 }
 
-// Mixes lattice coordinates and seed to [-1, 1] (SplitMix64 finaliser).
+// Mixes lattice coordinates and seed to [-1, 1].
 double lattice_value(int64_t i, int64_t j, uint64_t seed) {
-    uint64_t h = seed + 0x9e3779b97f4a7c15ULL * static_cast<uint64_t>(i) +
-                 0xc2b2ae3d27d4eb4fULL * static_cast<uint64_t>(j);
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebULL;
-    h ^= h >> 31;
+    const uint64_t h = mixed_bits(seed + kGoldenStep * static_cast<uint64_t>(i) +
+                                  0xc2b2ae3d27d4eb4fULL * static_cast<uint64_t>(j));
     return static_cast<double>(h >> 11) * 0x1p-52 - 1;
 }
 

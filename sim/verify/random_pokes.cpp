@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "sim/core/random.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -17,22 +18,6 @@ constexpr double kBin = 1e-6;  // of the histogram of penetrations [m]
 constexpr int kBins = 4000;
 constexpr double kAway = 0.005;       // the hand withdraws this far above the surface [m]
 constexpr double kTravelSpeed = 0.5;  // between two pokes, in the air [m/s]
-
-/// Same numbers everywhere. Source: Steele et al. 2014, SplitMix64.
-class Random {
- public:
-    explicit Random(uint64_t seed) : state_(seed) {}
-    double uniform(double low, double high) {
-        uint64_t z = state_ += 0x9E3779B97F4A7C15ull;
-        z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9ull;
-        z = (z ^ z >> 27) * 0x94D049BB133111EBull;
-        z ^= z >> 31;
-        return low + (high - low) * static_cast<double>(z >> 11) * 0x1p-53;
-    }
-
- private:
-    uint64_t state_;
-};
 
 /// One hand: goes from way point to way point in straight lines.
 struct Poker {
@@ -45,7 +30,7 @@ struct Poker {
 };
 
 /// Place, direction, depth and drag of the next poke.
-void plan(const State& state, const PokeOptions& options, Random& random, Poker& poker) {
+void plan(const State& state, const PokeOptions& options, SplitMix64& random, Poker& poker) {
     const auto triangles = state.surface.triangles();
     Vec3 target = Vec3::Zero();
     for (int attempt = 0; attempt < 200; ++attempt) {
@@ -146,7 +131,7 @@ double penetration(const State& state, int tool, double reach_m) {
 
 PokeReport random_pokes(const Scene& scene, State& state, const PokeOptions& options) {
     PokeReport report;
-    Random random(options.seed);
+    SplitMix64 random(options.seed);
     const size_t tools = scene.tools.size();
     std::vector<Poker> pokers(tools);
     std::vector<ToolInput> inputs(tools);

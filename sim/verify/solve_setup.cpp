@@ -7,6 +7,7 @@
 
 #include "sim/core/bounds.h"
 #include "sim/core/number_text.h"
+#include "sim/core/random.h"
 #include "sim/mesh/surface.h"
 
 namespace placode::sim {
@@ -45,21 +46,6 @@ bool is_inside(const TetMesh& mesh, const Vec3& p) {
     }
     return false;
 }
-
-/// Uniform in [0, 1), the same everywhere (splitmix64).
-class Random {
- public:
-    explicit Random(uint64_t seed) : state_(seed) {}
-    double next() {
-        uint64_t z = state_ += 0x9e3779b97f4a7c15ULL;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1.0p-53;
-    }
-
- private:
-    uint64_t state_;
-};
 
 }  // namespace
 
@@ -221,13 +207,13 @@ void SolveSetup::make_start() {
     if (s.kind == StartKind::kRest) return;
     const Eigen::AlignedBox3d box = bounds_of(scene.mesh.rest);
     const Vec3 low = box.min(), high = box.max(), middle = (low + high) / 2;
-    Random random(s.seed);
+    SplitMix64 random(s.seed);
     for (size_t v = 0; v < scene.mesh.rest.size(); ++v) {
         const Vec3& p = scene.mesh.rest[v];
         Vec3 x = p;
         if (s.kind == StartKind::kRandom) {
             for (int a = 0; a < 3; ++a)
-                x[a] += s.amount * (low[a] + random.next() * (high[a] - low[a]) - p[a]);
+                x[a] += s.amount * (low[a] + random.uniform() * (high[a] - low[a]) - p[a]);
         } else if (s.kind == StartKind::kFlat) {
             x.z() += s.amount * (middle.z() - p.z());
         } else if (s.kind == StartKind::kMirror) {
