@@ -7,19 +7,17 @@
 #include <cmath>
 #include <numeric>
 
+#include "assessment/statistics.h"
+
 namespace placode::assessment {
 namespace {
-
-double mean(std::span<const double> y) {
-    return std::accumulate(y.begin(), y.end(), 0.0) / static_cast<double>(y.size());
-}
 
 double path(std::span<const double> speed, double dt_s) {
     return std::accumulate(speed.begin(), speed.end(), 0.0) * dt_s;
 }
 
 double correlation(std::span<const double> a, std::span<const double> b) {
-    const double ma = mean(a), mb = mean(b);
+    const double ma = mean_of(a).value_or(0), mb = mean_of(b).value_or(0);
     double aa = 0, bb = 0, ab = 0;
     for (size_t i = 0; i < a.size(); ++i) {
         aa += (a[i] - ma) * (a[i] - ma);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "assessment/statistics.h"
@@ -50,8 +49,7 @@ double acceleration(std::span<const double> values,
         rest.erase(rest.begin() + static_cast<long>(i));
         left_out.push_back(statistic(rest));
     }
-    const double mean = std::accumulate(left_out.begin(), left_out.end(), 0.0) /
-                        static_cast<double>(left_out.size());
+    const double mean = *mean_of(left_out);
     double squares = 0, cubes = 0;
     for (const double value : left_out) {
         squares += (mean - value) * (mean - value);
@@ -76,7 +74,7 @@ Bootstrap bootstrap(std::span<const double> values,
     result.estimate = statistic(values);
     std::sort(results.begin(), results.end());
     const auto n = static_cast<double>(results.size());
-    const double mean = std::accumulate(results.begin(), results.end(), 0.0) / n;
+    const double mean = *mean_of(results);
     double squares = 0;
     for (const double value : results) squares += (value - mean) * (value - mean);
     result.boot_sd = std::sqrt(squares / (result.exact ? n : n - 1));

@@ -10,6 +10,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "assessment/statistics.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -119,7 +121,7 @@ std::optional<ExponentialFit> fit_exponential(std::span<const double> y) {
     fit.se_gain = std::sqrt(variance * covariance[1][1]);
     fit.se_tau = std::sqrt(variance * covariance[2][2]);
     fit.rss = rss;
-    const double mean = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    const double mean = *mean_of(y);
     double total = 0;
     for (const double value : y) total += (value - mean) * (value - mean);
     fit.r2 = total > 0 ? 1 - rss / total : 0;
@@ -136,8 +138,7 @@ struct Line {
 };
 Line least_squares(std::span<const double> x, std::span<const double> y) {
     const auto n = static_cast<double>(x.size());
-    const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n,
-                 my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+    const double mx = *mean_of(x), my = *mean_of(y);
     double sxx = 0, sxy = 0, syy = 0;
     for (size_t i = 0; i < x.size(); ++i) {
         sxx += (x[i] - mx) * (x[i] - mx);
@@ -174,9 +175,8 @@ LearningCurve learning_curve(std::span<const double> scores) {
     result.power = fit_power(scores);
     const size_t ten = std::min<size_t>(10, scores.size());
     const auto first = scores.first(ten), last = scores.last(ten);
-    result.mean_first10 =
-        std::accumulate(first.begin(), first.end(), 0.0) / static_cast<double>(ten);
-    result.mean_last10 = std::accumulate(last.begin(), last.end(), 0.0) / static_cast<double>(ten);
+    result.mean_first10 = *mean_of(first);
+    result.mean_last10 = *mean_of(last);
     if (ten >= 3) {
         std::vector<double> trial(ten);
         std::iota(trial.begin(), trial.end(), 1.0);

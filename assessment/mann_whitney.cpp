@@ -14,16 +14,13 @@
 #include <stdexcept>
 
 #include "assessment/rank_tests.h"
+#include "assessment/statistics.h"
 
 namespace placode::assessment {
 namespace {
 
 constexpr double kZ975 = 1.959963984540054;
 constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
-
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 double variance_of(std::span<const double> values, double mean) {
     double sum = 0;
@@ -196,8 +193,8 @@ MannWhitney mann_whitney(std::span<const double> group1, std::span<const double>
     result.hodges_lehmann = shift_where(group1, group2, 0, false);
     result.hodges_lehmann_ci95 = {shift_where(group1, group2, kZ975, true),
                                   shift_where(group1, group2, -kZ975, true)};
-    result.mean1 = mean_of(group1);
-    result.mean2 = mean_of(group2);
+    result.mean1 = *mean_of(group1);
+    result.mean2 = *mean_of(group2);
     result.sd1 = std::sqrt(variance_of(group1, result.mean1));
     result.sd2 = std::sqrt(variance_of(group2, result.mean2));
     effect_sizes(result);

@@ -12,6 +12,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "assessment/statistics.h"
+
 namespace placode::assessment {
 namespace {
 
@@ -136,7 +138,7 @@ WilcoxonPaired wilcoxon_paired(std::span<const double> before, std::span<const d
     result.p_pratt = normal_two_sided_p(result.z_pratt);
 
     const double n = static_cast<double>(result.n);
-    const double mean = std::accumulate(difference.begin(), difference.end(), 0.0) / n;
+    const double mean = *mean_of(difference);
     double variance = 0;
     for (const double d : difference) variance += (d - mean) * (d - mean);
     const double sd = std::sqrt(variance / (n - 1));

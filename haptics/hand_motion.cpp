@@ -6,17 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/minimum_jerk.h"
+
 namespace placode::haptics {
 
 namespace {
 
 constexpr double kLeastMotionS = 0.35;
 constexpr double kArc = 0.15;  // height of the arc over the way
-
-double minimum_jerk(double x) noexcept {
-    x = std::clamp(x, 0.0, 1.0);
-    return x * x * x * (10 + x * (-15 + 6 * x));
-}
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
 
@@ -15,8 +16,6 @@ using namespace placode::sim;
 namespace {
 
 constexpr double kStep = 1e-5;  // [s]
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// A block of soft tissue that nothing holds; steps of 10 us.
 SoftBodySpec block_spec(Method method, const Vec3& away) {
@@ -37,7 +36,7 @@ SoftBodyState stretched(const SoftBody& body, bool low_parts) {
     SoftBodyState state(body);
     if (low_parts) keep_low_parts(state);
     for (int v = 0; v < body.vertex_count(); ++v) {
-        Vec3 place = body.mesh().rest[at(v)];
+        Vec3 place = body.mesh().rest[as_index(v)];
         place.x() *= 1.1;
         put_vertex(state, v, place);
     }
@@ -49,7 +48,7 @@ Vec3 centre(const SoftBody& body, const SoftBodyState& state) {
     Vec3 sum = Vec3::Zero();
     double mass = 0;
     for (int v = 0; v < body.vertex_count(); ++v) {
-        const double m = static_cast<double>(body.mass_kg()[at(v)]);
+        const double m = static_cast<double>(body.mass_kg()[as_index(v)]);
         sum += m * exact_position(state, v);
         mass += m;
     }
@@ -61,7 +60,8 @@ double momentum(const SoftBody& body, const SoftBodyState& state) {
     Vec3 sum = Vec3::Zero();
     double most = 0;
     for (int v = 0; v < body.vertex_count(); ++v) {
-        const Vec3 p = static_cast<double>(body.mass_kg()[at(v)]) * to_vec(state.v[at(v)]);
+        const Vec3 p =
+            static_cast<double>(body.mass_kg()[as_index(v)]) * to_vec(state.v[as_index(v)]);
         sum += p;
         most += p.norm();
     }
@@ -196,7 +196,7 @@ TEST_P(LowParts, ContactVerticesAreLeftAloneByTheSweep) {
     for (int v = 0; v < body.vertex_count(); ++v) before.push_back(exact_position(state, v));
     sweep(body, state, kStep, workers);
     for (int v = 0; v < body.vertex_count(); ++v) {
-        const bool same = exact_position(state, v) == before[at(v)];
-        EXPECT_EQ(same, state.contact_vertex[at(v)] != 0) << v;
+        const bool same = exact_position(state, v) == before[as_index(v)];
+        EXPECT_EQ(same, state.contact_vertex[as_index(v)] != 0) << v;
     }
 }

@@ -3,6 +3,7 @@
 // Triangles against what needs no triangles: the three-dimensional energy with its thickness left
 // free, closed forms of homogeneous states, plate theory, and double-precision equilibria.
 #include "sim/solver/sheet.h"
+#include "sim/core/as_index.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +21,6 @@ using namespace placode::sim;
 namespace {
 
 constexpr double kE = 200e3, kNu = 0.45, kThickness = 0.1e-3;
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 enum class Diagonal { kRising, kFalling, kCrossed };
 
@@ -76,26 +75,27 @@ SoftBodySpec flap_spec(Method method = Method::kVbd) {
     for (SheetTriangle& t : spec.sheet) {
         for (int32_t& v : t.vertex) {  // weld: the same place is the same vertex
             for (int32_t w = 0; w < tets_have; ++w) {
-                if ((spec.mesh.rest[at(v)] - spec.mesh.rest[at(w)]).norm() < 1e-9) v = w;
+                if ((spec.mesh.rest[as_index(v)] - spec.mesh.rest[as_index(w)]).norm() < 1e-9)
+                    v = w;
             }
         }
     }
     // Points that were welded away are left out.
     std::vector<int32_t> number(spec.mesh.rest.size(), -1);
     std::vector<Vec3> rest(spec.mesh.rest.begin(), spec.mesh.rest.begin() + tets_have);
-    for (int32_t v = 0; v < tets_have; ++v) number[at(v)] = v;
+    for (int32_t v = 0; v < tets_have; ++v) number[as_index(v)] = v;
     for (SheetTriangle& t : spec.sheet) {
         for (int32_t& v : t.vertex) {
-            if (number[at(v)] < 0) {
-                number[at(v)] = static_cast<int32_t>(rest.size());
-                rest.push_back(spec.mesh.rest[at(v)]);
+            if (number[as_index(v)] < 0) {
+                number[as_index(v)] = static_cast<int32_t>(rest.size());
+                rest.push_back(spec.mesh.rest[as_index(v)]);
             }
-            v = number[at(v)];
+            v = number[as_index(v)];
         }
     }
     spec.mesh.rest = rest;
     for (int32_t v = 0; v < tets_have; ++v) {
-        if (rest[at(v)].x() == 0) spec.fixed.push_back(v);
+        if (rest[as_index(v)].x() == 0) spec.fixed.push_back(v);
     }
     spec.solver.method = method;
     return spec;
@@ -131,12 +131,12 @@ double solid_density(const NeoHookean& c, double a, double b) {
 StaticProblem hold(const ReferenceBody& body, const std::function<uint8_t(const Vec3&)>& axes) {
     StaticProblem problem;
     problem.body = &body;
-    problem.held.assign(at(body.rest().size()), 0);
+    problem.held.assign(as_index(body.rest().size()), 0);
     problem.held_at = body.rest();
     problem.force_n = Coordinates::Zero(body.rest().size());
     for (int v = 0; v < body.vertex_count(); ++v) {
         const uint8_t bits = axes(body.rest().segment<3>(3 * v));
-        for (int a = 0; a < 3; ++a) problem.held[at(3 * v + a)] = bits >> a & 1;
+        for (int a = 0; a < 3; ++a) problem.held[as_index(3 * v + a)] = bits >> a & 1;
     }
     return problem;
 }
@@ -365,7 +365,8 @@ TEST(Sheet, ASimplySupportedPlateSagsAsPlateTheorySays) {
                 return static_cast<uint8_t>((on_rim(p) ? 4 : 0) | (corner ? 3 : 0));
             });
             for (int v = 0; v < body.vertex_count(); ++v)
-                problem.force_n[3 * v + 2] = pressure / (1000 * kThickness) * body.mass_kg()[at(v)];
+                problem.force_n[3 * v + 2] =
+                    pressure / (1000 * kThickness) * body.mass_kg()[as_index(v)];
             Coordinates x = body.rest();
             ASSERT_TRUE(solve_static(problem, x, {1e-9, 100, 1}).converged);
             const double centre = x[3 * (cells / 2 * (cells + 1) + cells / 2) + 2];
@@ -385,7 +386,7 @@ TEST(Sheet, AHangingStripStretchesUnderItsWeight) {
     for (Vec3& p : spec.mesh.rest) p = Vec3(p.x(), 0, -p.y());
     for (Material& m : spec.materials) m.damping_per_s = 200;
     for (int v = 0; v < static_cast<int>(spec.mesh.rest.size()); ++v) {
-        if (spec.mesh.rest[at(v)].z() == 0) spec.fixed.push_back(v);
+        if (spec.mesh.rest[as_index(v)].z() == 0) spec.fixed.push_back(v);
     }
     const SoftBody body(spec);
     SoftBodyState state(body);
@@ -404,7 +405,7 @@ TEST(Sheet, AFlapWeldedToTetsComesToTheEquilibriumOfNewton) {
     StaticProblem problem =
         hold(reference, [](const Vec3& p) { return static_cast<uint8_t>(p.x() == 0 ? 7 : 0); });
     for (int v = 0; v < reference.vertex_count(); ++v)
-        problem.force_n[3 * v + 2] = -9.81 * reference.mass_kg()[at(v)];
+        problem.force_n[3 * v + 2] = -9.81 * reference.mass_kg()[as_index(v)];
     Coordinates x = reference.rest();
     ASSERT_TRUE(solve_static(problem, x).converged);
 
@@ -416,10 +417,10 @@ TEST(Sheet, AFlapWeldedToTetsComesToTheEquilibriumOfNewton) {
     double error = 0, size = 0;
     Vec3 weld = Vec3::Zero(), weight = Vec3::Zero();
     for (int v = 0; v < body.vertex_count(); ++v) {
-        const Float4& p = state.x[at(v)];
+        const Float4& p = state.x[as_index(v)];
         error += (Vec3(p.x, p.y, p.z) - Vec3(x.segment<3>(3 * v))).squaredNorm();
         size += (x.segment<3>(3 * v) - reference.rest().segment<3>(3 * v)).squaredNorm();
-        if (body.tets_of(v).empty()) weight.z() -= 9.81 * body.mass_kg()[at(v)];
+        if (body.tets_of(v).empty()) weight.z() -= 9.81 * body.mass_kg()[as_index(v)];
     }
     EXPECT_LT(std::sqrt(error / size), 0.005);
     // The weld carries the flap: what the sheet pulls on vertices of tets is the weight of the rest
@@ -461,8 +462,8 @@ TEST(Sheet, ASheetShrunkToAPointIsGivenItsRestShape) {
     for (Float4& p : state.x) p = {1e-3F, 1e-3F, 0, p.w};
     EXPECT_EQ(reseed_collapsed(body, state), body.vertex_count());
     for (int v = 1; v < body.vertex_count(); ++v) {
-        const Float4 &p = state.x[at(v)], &q = state.x[0];
-        const Vec3 rest = body.mesh().rest[at(v)] - body.mesh().rest[0];
+        const Float4 &p = state.x[as_index(v)], &q = state.x[0];
+        const Vec3 rest = body.mesh().rest[as_index(v)] - body.mesh().rest[0];
         EXPECT_LT((Vec3(p.x - q.x, p.y - q.y, p.z - q.z) - rest).norm(), 1e-9);
     }
 }
@@ -488,7 +489,8 @@ TEST(Sheet, ABrokenSheetIsRefusedByTheNumberOfItsTriangle) {
     refused(
         [](SoftBodySpec& s) {
             const auto& t = s.sheet[4].vertex;
-            s.mesh.rest[at(t[2])] = (s.mesh.rest[at(t[0])] + s.mesh.rest[at(t[1])]) / 2;
+            s.mesh.rest[as_index(t[2])] =
+                (s.mesh.rest[as_index(t[0])] + s.mesh.rest[as_index(t[1])]) / 2;
         },
         "is degenerate, must be above 1e-6 of the squared longest edge");
     refused(

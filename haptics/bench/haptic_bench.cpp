@@ -10,6 +10,7 @@
 
 #include "haptics/bench/haptic_bench_hand.h"
 #include "haptics/bench/haptic_bench_tissue.h"
+#include "haptics/minimum_jerk.h"
 
 namespace placode::haptics {
 
@@ -20,11 +21,6 @@ constexpr double kTick = kPortTickS;
 constexpr double kStartS = 0.6;  // after the ramp of the force
 constexpr double kPushS = 0.3, kDisturbS = 2.0, kUnplugS = 0.1;
 constexpr double kEndS = 0.5;  // what is measured at the end
-
-double minimum_jerk(double x) noexcept {
-    x = std::clamp(x, 0.0, 1.0);
-    return x * x * x * (10 + x * (-15 + 6 * x));
-}
 
 /// What the servo sees of it.
 struct Link {

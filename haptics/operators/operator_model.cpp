@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "haptics/minimum_jerk.h"
+
 namespace placode::haptics {
 
 namespace {
@@ -23,11 +25,6 @@ constexpr double kMostClearM = 6e-4, kClearS = 0.2;  // how far and how fast the
 constexpr double kHandMS = 0.03;                     // no hand is faster at the tissue,
 constexpr double kOffLineM = 3e-4;     // and this far from where it should be it gives no energy
 constexpr double kForgetContourS = 4;  // Nothing to do is noticed after this.
-
-double minimum_jerk(double x) noexcept {
-    x = std::clamp(x, 0.0, 1.0);
-    return x * x * x * (10 + x * (-15 + 6 * x));
-}
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/topology.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
@@ -14,26 +15,27 @@
 namespace placode::sim {
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 constexpr double kFilm = 5e-5;     // fluid left between membrane and floor [m]
 constexpr double kRousePa = 1;     // a change that the tissue is woken for
 constexpr double kNoFloor = -1.0;  // [m]
 
 Vec3 place(const State& state, int32_t vertex) noexcept {
-    const Float4& x = state.body.x[at(vertex)];
+    const Float4& x = state.body.x[as_index(vertex)];
     return {x.x, x.y, x.z};
 }
 
 bool closed(const Sac& sac, const State& state, size_t triangle) noexcept {
     const auto& tets = sac.above[triangle];
     return std::any_of(tets.begin(), tets.end(),
-                       [&](int32_t t) { return state.body.tet_alive[at(t)] != 0; });
+                       [&](int32_t t) { return state.body.tet_alive[as_index(t)] != 0; });
 }
 
 double rest_area(const Scene& scene, const std::array<int32_t, 3>& t) noexcept {
     const auto& rest = scene.body.mesh().rest;
-    return (rest[at(t[1])] - rest[at(t[0])]).cross(rest[at(t[2])] - rest[at(t[0])]).norm() / 2;
+    return (rest[as_index(t[1])] - rest[as_index(t[0])])
+               .cross(rest[as_index(t[2])] - rest[as_index(t[0])])
+               .norm() /
+           2;
 }
 
 /// What is burned away, at its size at rest, and cuts as wide as they gape.
@@ -51,7 +53,7 @@ double open_area(const Scene& scene, const State& state) noexcept {
     for (int32_t v = first; v < state.body.topology->vertices; ++v) {
         const int32_t origin = origin_of(state.body, v);
         if (!std::binary_search(sac.vertices.begin(), sac.vertices.end(), origin)) continue;
-        if (state.body.x[at(v)].w == 0 || state.body.x[at(origin)].w == 0) continue;
+        if (state.body.x[as_index(v)].w == 0 || state.body.x[as_index(origin)].w == 0) continue;
         area += edge * std::min(edge, (place(state, v) - place(state, origin)).norm());
     }
     return area;
@@ -105,7 +107,7 @@ void load(const Scene& scene, State& state, size_t i) noexcept {
     const int32_t v = sac.vertices[i];
     Vec3 push = Vec3::Zero();
     for (int32_t k = sac.around_start[i]; k < sac.around_start[i + 1]; ++k) {
-        push += state.scratch->sac_thirds[at(sac.around[at(k)])];
+        push += state.scratch->sac_thirds[as_index(sac.around[as_index(k)])];
     }
     const Vec3 x = place(state, v);
     const double floor = sac.floor.at(x.x(), x.y()) + kFilm;
@@ -135,7 +137,7 @@ void Sac::connect(const std::vector<uint8_t>& rim) {
     vertices.clear();
     for (const auto& t : triangles) {
         for (const int32_t v : t) {
-            if (rim[at(v)] == 0) vertices.push_back(v);
+            if (rim[as_index(v)] == 0) vertices.push_back(v);
         }
     }
     std::sort(vertices.begin(), vertices.end());
@@ -145,7 +147,7 @@ void Sac::connect(const std::vector<uint8_t>& rim) {
         for (const int32_t v : triangles[i]) {
             const auto found = std::lower_bound(vertices.begin(), vertices.end(), v);
             if (found == vertices.end() || *found != v) continue;
-            of[at(found - vertices.begin())].push_back(static_cast<int32_t>(i));
+            of[as_index(found - vertices.begin())].push_back(static_cast<int32_t>(i));
         }
     }
     around_start.assign(1, 0);

@@ -8,14 +8,13 @@
 #include <numeric>
 #include <optional>
 
+#include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
 #include "sim/mesh_io/file_cursor.h"
 #include "sim/mesh_io/mesh_overlap.h"
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// The first ten of a list of numbers, and how many there are.
 class NumberList {
@@ -34,9 +33,10 @@ class NumberList {
 };
 
 double signed_volume(const FileMesh& file, const FileTet& tet) {
-    const Vec3& a = file.points[at(tet.point[0])];
-    const Vec3 b = file.points[at(tet.point[1])] - a, c = file.points[at(tet.point[2])] - a,
-               d = file.points[at(tet.point[3])] - a;
+    const Vec3& a = file.points[as_index(tet.point[0])];
+    const Vec3 b = file.points[as_index(tet.point[1])] - a,
+               c = file.points[as_index(tet.point[2])] - a,
+               d = file.points[as_index(tet.point[3])] - a;
     return b.dot(c.cross(d)) / 6;
 }
 
@@ -44,7 +44,8 @@ double mean_edge(const FileMesh& file, const FileTet& tet) {
     double sum = 0;
     for (size_t i = 0; i < 4; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            sum += (file.points[at(tet.point[i])] - file.points[at(tet.point[j])]).norm();
+            sum +=
+                (file.points[as_index(tet.point[i])] - file.points[as_index(tet.point[j])]).norm();
         }
     }
     return sum / 6;
@@ -71,7 +72,7 @@ void check_corners(const FileMesh& file, std::string& problems) {
         if (const auto same = same_corners(tet))
             twice.add(tet, ": corners " + std::to_string(same->first + 1) + " and " +
                                std::to_string(same->second + 1) + " are both point " +
-                               std::to_string(file.point_id[at(tet.point[same->first])]));
+                               std::to_string(file.point_id[as_index(tet.point[same->first])]));
     }
     if (twice.count() > 0)
         add_problem(problems, std::to_string(twice.count()) +
@@ -117,9 +118,10 @@ std::vector<uint8_t> check_duplicates(const FileMesh& file, std::string& problem
     NumberList same;
     for (size_t i = 1; i < keys.size(); ++i) {
         if (keys[i].first != keys[i - 1].first) continue;
-        second[at(keys[i].second)] = 1;
-        const FileTet& first = file.tets[at(keys[i - 1].second)];
-        same.add(file.tets[at(keys[i].second)], " = " + std::to_string(first.id) + place_of(first));
+        second[as_index(keys[i].second)] = 1;
+        const FileTet& first = file.tets[as_index(keys[i - 1].second)];
+        same.add(file.tets[as_index(keys[i].second)],
+                 " = " + std::to_string(first.id) + place_of(first));
     }
     if (same.count() > 0)
         add_problem(problems, std::to_string(same.count()) +
@@ -153,7 +155,7 @@ void check_faces(const FileMesh& file, const std::vector<uint8_t>& left_out,
     std::sort(overlapping.begin(), overlapping.end());
     overlapping.erase(std::unique(overlapping.begin(), overlapping.end()), overlapping.end());
     NumberList crowded;
-    for (const int32_t t : overlapping) crowded.add(file.tets[at(t)]);
+    for (const int32_t t : overlapping) crowded.add(file.tets[as_index(t)]);
     if (crowded.count() > 0)
         add_problem(problems,
                     "more than two tetrahedra at one face, so that some of them overlap: number " +
@@ -165,11 +167,12 @@ std::vector<std::pair<int, int32_t>> components(const FileMesh& file) {
     std::vector<int32_t> parent(file.points.size());
     std::iota(parent.begin(), parent.end(), 0);
     const auto root = [&](int32_t v) {
-        while (parent[at(v)] != v) v = parent[at(v)] = parent[at(parent[at(v)])];
+        while (parent[as_index(v)] != v)
+            v = parent[as_index(v)] = parent[as_index(parent[as_index(v)])];
         return v;
     };
     for (const FileTet& tet : file.tets) {
-        for (size_t k = 1; k < 4; ++k) parent[at(root(tet.point[k]))] = root(tet.point[0]);
+        for (size_t k = 1; k < 4; ++k) parent[as_index(root(tet.point[k]))] = root(tet.point[0]);
     }
     std::map<int32_t, int> size;
     for (const FileTet& tet : file.tets) ++size[root(tet.point[0])];
@@ -188,7 +191,7 @@ void check_connected(const FileMesh& file, bool allow, std::vector<std::string>&
     std::string sizes;
     for (size_t i = 0; i < std::min<size_t>(parts.size(), 5); ++i) {
         sizes += (i > 0 ? ", " : "") + std::to_string(parts[i].first) + " tets (around point " +
-                 std::to_string(file.point_id[at(parts[i].second)]) + ")";
+                 std::to_string(file.point_id[as_index(parts[i].second)]) + ")";
     }
     const std::string text = std::to_string(parts.size()) +
                              " pieces that do not hang together: " + sizes +
@@ -257,7 +260,7 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
 
     out.vertex_of_point.assign(file.points.size(), -1);
     for (const FileTet& tet : file.tets) {
-        for (const int32_t p : tet.point) out.vertex_of_point[at(p)] = 0;
+        for (const int32_t p : tet.point) out.vertex_of_point[as_index(p)] = 0;
     }
     int unused = 0;
     std::string some;
@@ -283,7 +286,7 @@ LoadedMesh prepare_mesh(const FileMesh& file, double scale, bool allow_disconnec
             (unused > 10 ? ", ..." : "") + "; they take no part and keep their place");
     for (const FileTet& tet : file.tets) {
         std::array<int32_t, 4> t{};
-        for (size_t k = 0; k < 4; ++k) t[k] = out.vertex_of_point[at(tet.point[k])];
+        for (size_t k = 0; k < 4; ++k) t[k] = out.vertex_of_point[as_index(tet.point[k])];
         if (turn) std::swap(t[0], t[1]);
         out.mesh.tets.push_back(t);
         out.tet_id.push_back(tet.id);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/core/as_index.h"
 #include "sim/core/bounds.h"
 
 namespace placode::sim {
@@ -18,8 +19,6 @@ constexpr double kInside = 1e-6;  // barycentric: on a face or nearly so is not 
 // meshes have there.
 constexpr std::array<double, 4> kNearMiddle{0.31, 0.27, 0.23, 0.19};
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 /// Points in the cells of a regular grid over their box, some two in each.
 class PointGrid {
  public:
@@ -29,17 +28,18 @@ class PointGrid {
         const Vec3 size = box.sizes().cwiseMax(1e-9 * box.sizes().maxCoeff());
         const double cell = std::cbrt(2 * size.prod() / static_cast<double>(points.size()));
         for (int a = 0; a < 3; ++a)
-            cells_[at(a)] = std::clamp<int64_t>(std::llround(size[a] / cell), 1, 1024);
+            cells_[as_index(a)] = std::clamp<int64_t>(std::llround(size[a] / cell), 1, 1024);
         step_ = Vec3(size.x() / static_cast<double>(cells_[0]),
                      size.y() / static_cast<double>(cells_[1]),
                      size.z() / static_cast<double>(cells_[2]));
-        start_.assign(at(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
-        for (const Vec3& p : points) ++start_[at(number_of(cell_of(p))) + 1];
+        start_.assign(as_index(cells_[0] * cells_[1] * cells_[2]) + 1, 0);
+        for (const Vec3& p : points) ++start_[as_index(number_of(cell_of(p))) + 1];
         std::partial_sum(start_.begin(), start_.end(), start_.begin());
         std::vector<int32_t> fill(start_.begin(), start_.end() - 1);
         inside_.resize(points.size());
         for (size_t i = 0; i < points.size(); ++i)
-            inside_[at(fill[at(number_of(cell_of(points[i])))]++)] = static_cast<int32_t>(i);
+            inside_[as_index(fill[as_index(number_of(cell_of(points[i])))]++)] =
+                static_cast<int32_t>(i);
     }
 
     /// Calls `take` (index) for every point in the cells that a box meets.
@@ -49,8 +49,8 @@ class PointGrid {
         for (int64_t z = from[2]; z <= to[2]; ++z) {
             for (int64_t y = from[1]; y <= to[1]; ++y) {
                 const int64_t first = number_of({from[0], y, z}), last = first + to[0] - from[0];
-                for (int32_t i = start_[at(first)]; i < start_[at(last) + 1]; ++i)
-                    take(inside_[at(i)]);
+                for (int32_t i = start_[as_index(first)]; i < start_[as_index(last) + 1]; ++i)
+                    take(inside_[as_index(i)]);
             }
         }
     }
@@ -61,8 +61,8 @@ class PointGrid {
         Cell out{};
         for (int a = 0; a < 3; ++a) {
             const double c = std::floor((p[a] - low_[a]) / step_[a]);
-            out[at(a)] =
-                static_cast<int64_t>(std::clamp(c, 0.0, static_cast<double>(cells_[at(a)] - 1)));
+            out[as_index(a)] = static_cast<int64_t>(
+                std::clamp(c, 0.0, static_cast<double>(cells_[as_index(a)] - 1)));
         }
         return out;
     }
@@ -77,11 +77,12 @@ class PointGrid {
 
 class TetShape {
  public:
-    TetShape(const FileMesh& file, const FileTet& tet) : origin_(file.points[at(tet.point[0])]) {
+    TetShape(const FileMesh& file, const FileTet& tet)
+        : origin_(file.points[as_index(tet.point[0])]) {
         low = high = origin_;
         Mat3 edges;
         for (size_t k = 1; k < 4; ++k) {
-            const Vec3& p = file.points[at(tet.point[k])];
+            const Vec3& p = file.points[as_index(tet.point[k])];
             edges.col(static_cast<Eigen::Index>(k) - 1) = p - origin_;
             low = low.cwiseMin(p);
             high = high.cwiseMax(p);
@@ -104,16 +105,16 @@ std::string tets_in_tets(const FileMesh& file, const std::vector<TetShape>& shap
     std::vector<Vec3> middle;
     for (const FileTet& tet : file.tets) {
         Vec3 sum = Vec3::Zero();
-        for (size_t k = 0; k < 4; ++k) sum += kNearMiddle[k] * file.points[at(tet.point[k])];
+        for (size_t k = 0; k < 4; ++k) sum += kNearMiddle[k] * file.points[as_index(tet.point[k])];
         middle.push_back(sum);
     }
     const PointGrid grid(middle);
     int64_t count = 0, first = -1, second = -1;
     for (size_t t = 0; t < shapes.size(); ++t) {
         grid.in_box(shapes[t].low, shapes[t].high, [&](int32_t i) {
-            if (at(i) == t || !shapes[t].holds(middle[at(i)])) return;
+            if (as_index(i) == t || !shapes[t].holds(middle[as_index(i)])) return;
             if (count++ > 0) return;
-            first = file.tets[at(i)].id;
+            first = file.tets[as_index(i)].id;
             second = file.tets[t].id;
         });
     }
@@ -138,14 +139,14 @@ std::vector<int32_t> used_points(const FileMesh& file) {
 std::string points_in_tets(const FileMesh& file, const std::vector<TetShape>& shapes) {
     const std::vector<int32_t> used = used_points(file);
     std::vector<Vec3> place;
-    for (const int32_t p : used) place.push_back(file.points[at(p)]);
+    for (const int32_t p : used) place.push_back(file.points[as_index(p)]);
     const PointGrid grid(place);
     int64_t count = 0, point = -1, tet = -1;
     for (size_t t = 0; t < shapes.size(); ++t) {
         grid.in_box(shapes[t].low, shapes[t].high, [&](int32_t i) {
             // A corner of its own has two barycentric coordinates of 0.
-            if (!shapes[t].holds(place[at(i)]) || count++ > 0) return;
-            point = file.point_id[at(used[at(i)])];
+            if (!shapes[t].holds(place[as_index(i)]) || count++ > 0) return;
+            point = file.point_id[as_index(used[as_index(i)])];
             tet = file.tets[t].id;
         });
     }
@@ -159,7 +160,7 @@ std::string points_in_tets(const FileMesh& file, const std::vector<TetShape>& sh
 std::string points_on_points(const FileMesh& file) {
     std::vector<int32_t> used = used_points(file);
     const auto before = [&](int32_t a, int32_t b) {
-        const Vec3 &p = file.points[at(a)], &q = file.points[at(b)];
+        const Vec3 &p = file.points[as_index(a)], &q = file.points[as_index(b)];
         return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
     };
     std::stable_sort(used.begin(), used.end(), before);
@@ -172,8 +173,9 @@ std::string points_on_points(const FileMesh& file) {
     if (count == 0) return {};
     return std::to_string(count) +
            " points lie on another and are not joined with it (the first: " +
-           std::to_string(file.point_id[at(used[first])]) + " on " +
-           std::to_string(file.point_id[at(used[first - 1])]) + "): the tissue is parted there";
+           std::to_string(file.point_id[as_index(used[first])]) + " on " +
+           std::to_string(file.point_id[as_index(used[first - 1])]) +
+           "): the tissue is parted there";
 }
 
 }  // namespace

@@ -4,15 +4,10 @@
 
 #include <Eigen/LU>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/kernel_layout_parts.h"
 
 namespace placode::sim {
-namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 void check_span(int32_t first, int32_t last) {
     // Offsets are 16 bit in steps of 8 bytes.
     if (last - first > 32767) {
@@ -24,9 +19,10 @@ void check_span(int32_t first, int32_t last) {
 
 Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept {
     if (spec.rest_scale.empty()) return Mat3::Identity();
-    const double plane = spec.rest_scale[at(tet)][0], normal = spec.rest_scale[at(tet)][1];
+    const double plane = spec.rest_scale[as_index(tet)][0],
+                 normal = spec.rest_scale[as_index(tet)][1];
     if (spec.rest_normal.empty()) return Vec3(plane, plane, normal).asDiagonal();
-    const Vec3 n = spec.rest_normal[at(tet)].cast<double>();
+    const Vec3 n = spec.rest_normal[as_index(tet)].cast<double>();
     return plane * Mat3::Identity() + (normal - plane) * n * n.transpose();
 }
 
@@ -36,18 +32,20 @@ TetConstants tet_constants(const SoftBodySpec& spec, int t) {
     const Mat3 scale = rest_stretch(spec, t);
     Mat3 dm;
     for (int k = 0; k < 3; ++k) {
-        dm.col(k) = scale * (spec.mesh.rest[at(tet[at(k) + 1])] - spec.mesh.rest[at(tet[0])]);
+        dm.col(k) = scale * (spec.mesh.rest[as_index(tet[as_index(k) + 1])] -
+                             spec.mesh.rest[as_index(tet[0])]);
     }
     const Mat3 inverse = dm.inverse();  // rows are the gradients of corners 1, 2, 3
     std::array<Vec3, 4> gradient;
     gradient[0].setZero();
     for (int k = 0; k < 3; ++k) {
-        gradient[at(k) + 1] = inverse.row(k).transpose();
-        gradient[0] -= gradient[at(k) + 1];
+        gradient[as_index(k) + 1] = inverse.row(k).transpose();
+        gradient[0] -= gradient[as_index(k) + 1];
     }
     TetConstants out;
     for (size_t a = 0; a < 4; ++a) {
-        for (size_t b = a + 1; b < 4; ++b) out.a[at(kEdge[a][b])] = -gradient[a].dot(gradient[b]);
+        for (size_t b = a + 1; b < 4; ++b)
+            out.a[as_index(kEdge[a][b])] = -gradient[a].dot(gradient[b]);
     }
     out.volume_m3 = dm.determinant() / 6;
     const Material& m = spec.materials[static_cast<size_t>(spec.mesh.tissue[i])];
@@ -76,18 +74,18 @@ void give_back_slack(KernelLayout& packed) {
 }
 
 AlignedVector<float> initial_lanes(const SoftBody& body, const KernelLayout& packed) {
-    AlignedVector<float> lanes(at(packed.lane_count), 0.0F);
+    AlignedVector<float> lanes(as_index(packed.lane_count), 0.0F);
     for (int t = 0; t < body.tet_count(); ++t) {
         const TetConstants k = tet_constants(body.spec(), t);
         const double six_v = 6 * k.volume_m3;
         for (size_t corner = 0; corner < 4 && has_strips(packed); ++corner) {
-            const size_t row = at(packed.corner_lane[4 * at(t) + corner]);
-            const double sign = packed.corner_sign[at(t)] >> corner & 1 ? -1 : 1;
+            const size_t row = as_index(packed.corner_lane[4 * as_index(t) + corner]);
+            const double sign = packed.corner_sign[as_index(t)] >> corner & 1 ? -1 : 1;
             lanes[row] = static_cast<float>(k.material.lambda_pa * k.volume_m3 / (six_v * six_v));
             lanes[row + kLanes] = static_cast<float>(sign * six_v * k.material.gamma);
         }
         if (!packed.tet_slot.empty()) {
-            lanes[at(packed.tet_lane_start + packed.tet_slot[at(t)])] =
+            lanes[as_index(packed.tet_lane_start + packed.tet_slot[as_index(t)])] =
                 static_cast<float>(k.material.mu_pa * k.volume_m3);
         }
     }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 
+#include "sim/core/as_index.h"
 #include "sim/mesh/space_order.h"
 #include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/link_strip.h"
@@ -13,8 +14,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr int32_t kFarthest = 16384;    // numbers of the vertices of a batch: offsets have 16 bits
 constexpr size_t kClass = 32;           // vertices of a colour, see add_colour
@@ -33,75 +32,79 @@ class VertexPacker {
         make_springs();
         make_strips();
         make_plan();
-        out_.slot.resize(at(body_.vertex_count()));
+        out_.slot.resize(as_index(body_.vertex_count()));
         if (packs_strips_) {
-            out_.corner_lane.resize(4 * at(body_.tet_count()));
-            out_.corner_sign.assign(at(body_.tet_count()), 0);
+            out_.corner_lane.resize(4 * as_index(body_.tet_count()));
+            out_.corner_sign.assign(as_index(body_.tet_count()), 0);
         }
         const int jobs = out_.phase_start.back();
         const auto groups = by_job_and_colour();
         for (int j = 0; j < jobs; ++j) {
             out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
-            for (const auto& members : groups[at(j)]) add_colour(members);
+            for (const auto& members : groups[as_index(j)]) add_colour(members);
             add_rest();
         }
         out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
-        for (const auto& members : groups[at(jobs)]) add_colour(members);
+        for (const auto& members : groups[as_index(jobs)]) add_colour(members);
         add_rest();
     }
 
  private:
     void make_constants() {
         const int tets = body_.tet_count();
-        out_.edge_weight_n_m.resize(6 * at(tets));
+        out_.edge_weight_n_m.resize(6 * as_index(tets));
         for (int t = 0; t < tets; ++t) {
             const TetConstants k = tet_constants(body_.spec(), t);
             for (size_t e = 0; e < 6; ++e) {
-                out_.edge_weight_n_m[6 * at(t) + e] =
+                out_.edge_weight_n_m[6 * as_index(t) + e] =
                     static_cast<float>(k.material.mu_pa * k.volume_m3 * k.a[e]);
             }
         }
-        out_.damping_per_s.assign(at(body_.vertex_count()), 0.0F);
+        out_.damping_per_s.assign(as_index(body_.vertex_count()), 0.0F);
         for (int v = 0; v < body_.vertex_count(); ++v) {
             double damping = 0, mass = 0;
             for (const int32_t t : body_.tets_of(v)) {
                 const auto& m =
-                    body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
-                const double share = m.density_kg_m3 * body_.volume_m3()[at(t)];
+                    body_.spec()
+                        .materials[as_index(static_cast<int>(body_.mesh().tissue[as_index(t)]))];
+                const double share = m.density_kg_m3 * body_.volume_m3()[as_index(t)];
                 damping += share * m.damping_per_s;
                 mass += share;
             }
-            out_.damping_per_s[at(v)] = static_cast<float>(damping / mass);
+            out_.damping_per_s[as_index(v)] = static_cast<float>(damping / mass);
         }
         if (!body_.spec().sheet.empty()) add_sheet_damping();
     }
 
     /// The same mean with the sheet's mass; vertices without tets have no other.
     void add_sheet_damping() {
-        std::vector<double> damping(at(body_.vertex_count()), 0.0);
+        std::vector<double> damping(as_index(body_.vertex_count()), 0.0);
         for (int t = 0; t < body_.tet_count(); ++t) {
             const auto& m =
-                body_.spec().materials[at(static_cast<int>(body_.mesh().tissue[at(t)]))];
-            for (const int32_t v : body_.mesh().tets[at(t)])
-                damping[at(v)] += m.density_kg_m3 * body_.volume_m3()[at(t)] / 4 * m.damping_per_s;
+                body_.spec()
+                    .materials[as_index(static_cast<int>(body_.mesh().tissue[as_index(t)]))];
+            for (const int32_t v : body_.mesh().tets[as_index(t)])
+                damping[as_index(v)] +=
+                    m.density_kg_m3 * body_.volume_m3()[as_index(t)] / 4 * m.damping_per_s;
         }
         for (const SheetTriangle& t : body_.spec().sheet) {
-            const auto& m = body_.spec().materials[at(static_cast<int>(t.tissue))];
+            const auto& m = body_.spec().materials[as_index(static_cast<int>(t.tissue))];
             const double mass = m.density_kg_m3 * area_of(body_.mesh().rest, t) * t.thickness_m / 3;
-            for (const int32_t v : t.vertex) damping[at(v)] += mass * m.damping_per_s;
+            for (const int32_t v : t.vertex) damping[as_index(v)] += mass * m.damping_per_s;
         }
         for (const SheetTriangle& t : body_.spec().sheet) {
             for (const int32_t v : t.vertex)
-                out_.damping_per_s[at(v)] =
-                    static_cast<float>(damping[at(v)] / body_.mass_kg()[at(v)]);
+                out_.damping_per_s[as_index(v)] =
+                    static_cast<float>(damping[as_index(v)] / body_.mass_kg()[as_index(v)]);
         }
     }
 
     void make_tethers() {
         const auto& tethers = body_.spec().tethers;
-        std::vector<std::vector<int32_t>> of(at(body_.vertex_count()));
+        std::vector<std::vector<int32_t>> of(as_index(body_.vertex_count()));
         for (size_t i = 0; i < tethers.size(); ++i) {
-            for (const int32_t v : tethers[i].vertex) of[at(v)].push_back(static_cast<int32_t>(i));
+            for (const int32_t v : tethers[i].vertex)
+                of[as_index(v)].push_back(static_cast<int32_t>(i));
         }
         out_.tether_start.push_back(0);
         for (size_t v = 0; v < of.size(); ++v) {
@@ -123,9 +126,9 @@ class VertexPacker {
 
     /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
     void make_springs() {
-        spring_of_.assign(at(body_.vertex_count()), -1);
+        spring_of_.assign(as_index(body_.vertex_count()), -1);
         for (const AnchorSpring& s : body_.spec().springs) {
-            int32_t& slot = spring_of_[at(s.vertex)];
+            int32_t& slot = spring_of_[as_index(s.vertex)];
             if (slot < 0) {
                 slot = static_cast<int32_t>(spring_k_.size());
                 spring_k_.push_back(Mat3::Zero());
@@ -135,48 +138,51 @@ class VertexPacker {
             const Mat3 k = s.tangent_n_m * Mat3::Identity() +
                            (s.normal_n_m - s.tangent_n_m) * n * n.transpose();
             // The kernels measure from the float image of the rest position.
-            const Vec3 rest = body_.mesh().rest[at(s.vertex)].cast<float>().cast<double>();
-            spring_k_[at(slot)] += k;
-            spring_f_[at(slot)] += k * (rest - s.anchor);
+            const Vec3 rest = body_.mesh().rest[as_index(s.vertex)].cast<float>().cast<double>();
+            spring_k_[as_index(slot)] += k;
+            spring_f_[as_index(slot)] += k * (rest - s.anchor);
         }
         for (int v = 0; v < body_.vertex_count(); ++v) {
-            const int32_t slot = spring_of_[at(v)];
-            if (slot >= 0 && !spring_k_[at(slot)].isZero(0)) out_.spring_vertices.push_back(v);
+            const int32_t slot = spring_of_[as_index(v)];
+            if (slot >= 0 && !spring_k_[as_index(slot)].isZero(0))
+                out_.spring_vertices.push_back(v);
         }
     }
 
     void make_strips() {
-        strips_.resize(at(body_.vertex_count()));
+        strips_.resize(as_index(body_.vertex_count()));
         std::vector<LinkTriangle> link;
         for (int v = 0; v < body_.vertex_count(); ++v) {
             link.clear();
             for (const int32_t t : body_.tets_of(v)) {
-                const auto& tet = body_.mesh().tets[at(t)];
+                const auto& tet = body_.mesh().tets[as_index(t)];
                 const size_t k = corner_of(tet, v);
                 const auto& o = kOpposite[k];
-                link.push_back({{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, t});
+                link.push_back(
+                    {{tet[as_index(o[0])], tet[as_index(o[1])], tet[as_index(o[2])]}, t});
             }
-            strips_[at(v)] = link_strip(link);
+            strips_[as_index(v)] = link_strip(link);
         }
     }
 
     /// Fixed vertices do not move; tethered ones and those of sheets are solved one by one.
     [[nodiscard]] std::vector<uint8_t> left_out() const {
-        std::vector<uint8_t> skip(at(body_.vertex_count()), 0);
-        for (const int32_t v : body_.spec().fixed) skip[at(v)] = 1;
-        for (const int32_t v : out_.single_vertices) skip[at(v)] = 1;
+        std::vector<uint8_t> skip(as_index(body_.vertex_count()), 0);
+        for (const int32_t v : body_.spec().fixed) skip[as_index(v)] = 1;
+        for (const int32_t v : out_.single_vertices) skip[as_index(v)] = 1;
         return skip;
     }
 
     [[nodiscard]] int64_t steps(int32_t v) const {
-        return static_cast<int64_t>(strips_[at(v)].size());
+        return static_cast<int64_t>(strips_[as_index(v)].size());
     }
 
     void make_plan() {
         const std::vector<uint8_t> skip = left_out();
-        std::vector<int32_t> work(at(body_.vertex_count()), 0);
+        std::vector<int32_t> work(as_index(body_.vertex_count()), 0);
         for (int v = 0; v < body_.vertex_count(); ++v) {
-            if (skip[at(v)] == 0) work[at(v)] = static_cast<int32_t>(steps(v)) + kStepsOfAVertex;
+            if (skip[as_index(v)] == 0)
+                work[as_index(v)] = static_cast<int32_t>(steps(v)) + kStepsOfAVertex;
         }
         const int domains =
             std::max(domains_for(body_.tet_count()), 1 + body_.vertex_count() / kFarthest);
@@ -189,11 +195,11 @@ class VertexPacker {
     /// Vertices of each colour of each job; behind the last job those that are left out.
     [[nodiscard]] std::vector<std::vector<std::vector<int32_t>>> by_job_and_colour() const {
         const int32_t jobs = out_.phase_start.back();
-        std::vector<std::vector<std::vector<int32_t>>> out(at(jobs + 1));
+        std::vector<std::vector<std::vector<int32_t>>> out(as_index(jobs + 1));
         for (int32_t v = 0; v < body_.vertex_count(); ++v) {
-            const bool swept = out_.job[at(v)] >= 0;
-            auto& colours = out[at(swept ? out_.job[at(v)] : jobs)];
-            const size_t colour = swept ? at(out_.colour[at(v)]) : 0;
+            const bool swept = out_.job[as_index(v)] >= 0;
+            auto& colours = out[as_index(swept ? out_.job[as_index(v)] : jobs)];
+            const size_t colour = swept ? as_index(out_.colour[as_index(v)]) : 0;
             if (colours.size() <= colour) colours.resize(colour + 1);
             colours[colour].push_back(v);
         }
@@ -206,7 +212,7 @@ class VertexPacker {
     /// than sorting by length alone, classes of 64 take 11 %).
     void add_colour(std::vector<int32_t> members) {
         std::stable_sort(members.begin(), members.end(), [&](int32_t a, int32_t b) {
-            const bool sa = spring_of_[at(a)] >= 0, sb = spring_of_[at(b)] >= 0;
+            const bool sa = spring_of_[as_index(a)] >= 0, sb = spring_of_[as_index(b)] >= 0;
             return sa != sb ? sa : steps(a) > steps(b);
         });
         for (size_t i = 0; i < members.size(); i += kClass) {
@@ -246,12 +252,12 @@ class VertexPacker {
     }
 
     [[nodiscard]] std::function<bool(int32_t, int32_t)> by_place() const {
-        return [this](int32_t a, int32_t b) { return place_[at(a)] < place_[at(b)]; };
+        return [this](int32_t a, int32_t b) { return place_[as_index(a)] < place_[as_index(b)]; };
     }
 
     /// The last of `batch` is no neighbour of the others.
     [[nodiscard]] bool independent(const std::vector<int32_t>& batch) const {
-        const auto& strip = strips_[at(batch.back())];
+        const auto& strip = strips_[as_index(batch.back())];
         return std::none_of(batch.begin(), batch.end() - 1, [&](int32_t v) {
             return std::any_of(strip.begin(), strip.end(),
                                [v](const StripStep& s) { return s.vertex == v; });
@@ -272,7 +278,7 @@ class VertexPacker {
             if (packs_strips_) b.steps = std::max(b.steps, static_cast<int32_t>(steps(v)));
             b.base = std::min(b.base, v);
             last = std::max(last, v);
-            for (const StripStep& s : strips_[at(v)]) {
+            for (const StripStep& s : strips_[as_index(v)]) {
                 b.base = std::min(b.base, s.vertex);
                 last = std::max(last, s.vertex);
             }
@@ -280,7 +286,7 @@ class VertexPacker {
         check_span(b.base, last);
         b.step_start = static_cast<int64_t>(out_.keep.size());
         b.lane_start = out_.lane_count;
-        out_.keep.resize(out_.keep.size() + at(b.steps), 0);
+        out_.keep.resize(out_.keep.size() + as_index(b.steps), 0);
         out_.strip.resize(out_.keep.size() * kLanes, 0);
         out_.lane_count += kLanes * (1 + 3 * b.steps);
         for (size_t lane = 0; lane < kLanes; ++lane) {
@@ -288,11 +294,11 @@ class VertexPacker {
             const int32_t v = members[used ? lane : 0];
             b.vertex[lane] = v;
             b.self[lane] = static_cast<uint16_t>(2 * (v - b.base));
-            b.mass_kg[lane] = body_.mass_kg()[at(v)];
-            b.limit_m[lane] =
-                used ? body_.shortest_edge_m()[at(v)] / 4 : std::numeric_limits<float>::infinity();
+            b.mass_kg[lane] = body_.mass_kg()[as_index(v)];
+            b.limit_m[lane] = used ? body_.shortest_edge_m()[as_index(v)] / 4
+                                   : std::numeric_limits<float>::infinity();
             for (int s = 0; s < b.steps; ++s) {
-                out_.strip[at(b.step_start + s) * kLanes + lane] = b.self[lane];
+                out_.strip[as_index(b.step_start + s) * kLanes + lane] = b.self[lane];
             }
             if (used) fill_lane(b, lane, v);
         }
@@ -301,19 +307,21 @@ class VertexPacker {
     }
 
     void fill_lane(const VertexBatch& b, size_t lane, int32_t v) {
-        out_.slot[at(v)] = static_cast<int32_t>(out_.batches.size() * kLanes + lane);
+        out_.slot[as_index(v)] = static_cast<int32_t>(out_.batches.size() * kLanes + lane);
         if (!packs_strips_) return;
         int64_t step = 0;
-        for (const StripStep& s : strips_[at(v)]) {
-            out_.strip[at(b.step_start + step) * kLanes + lane] =
+        for (const StripStep& s : strips_[as_index(v)]) {
+            out_.strip[as_index(b.step_start + step) * kLanes + lane] =
                 static_cast<uint16_t>(2 * (s.vertex - b.base));
-            if (s.keep) out_.keep[at(b.step_start + step)] |= static_cast<uint16_t>(1U << lane);
-            const size_t row = at(b.lane_start) + kLanes * at(1 + 3 * step) + lane;
+            if (s.keep)
+                out_.keep[as_index(b.step_start + step)] |= static_cast<uint16_t>(1U << lane);
+            const size_t row = as_index(b.lane_start) + kLanes * as_index(1 + 3 * step) + lane;
             if (s.tet >= 0) {
-                const auto& tet = body_.mesh().tets[at(s.tet)];
+                const auto& tet = body_.mesh().tets[as_index(s.tet)];
                 const size_t corner = corner_of(tet, v);
-                out_.corner_lane[4 * at(s.tet) + corner] = static_cast<int32_t>(row + kLanes);
-                if (s.sign < 0) out_.corner_sign[at(s.tet)] |= static_cast<uint8_t>(1U << corner);
+                out_.corner_lane[4 * as_index(s.tet) + corner] = static_cast<int32_t>(row + kLanes);
+                if (s.sign < 0)
+                    out_.corner_sign[as_index(s.tet)] |= static_cast<uint8_t>(1U << corner);
             }
             ++step;
         }
@@ -321,23 +329,24 @@ class VertexPacker {
 
     void add_springs(VertexBatch& b) {
         const bool any = std::any_of(b.vertex.begin(), b.vertex.begin() + b.count,
-                                     [&](int32_t v) { return spring_of_[at(v)] >= 0; });
+                                     [&](int32_t v) { return spring_of_[as_index(v)] >= 0; });
         if (!any) return;
         b.spring_start = static_cast<int64_t>(out_.springs.size());
         out_.springs.resize(out_.springs.size() + kSpringRows * kLanes, 0.0F);
-        for (size_t lane = 0; lane < at(b.count); ++lane) {
-            const int32_t slot = spring_of_[at(b.vertex[lane])];
+        for (size_t lane = 0; lane < as_index(b.count); ++lane) {
+            const int32_t slot = spring_of_[as_index(b.vertex[lane])];
             if (slot < 0) continue;
-            const Mat3& k = spring_k_[at(slot)];
-            const Vec3& f = spring_f_[at(slot)];
-            const Vec3 rest = body_.mesh().rest[at(b.vertex[lane])];
+            const Mat3& k = spring_k_[as_index(slot)];
+            const Vec3& f = spring_f_[as_index(slot)];
+            const Vec3 rest = body_.mesh().rest[as_index(b.vertex[lane])];
             // The mu part is isotropic, so m/h^2 + sum w + the least spring bounds every pivot.
             const double least = std::max(0.0, k.selfadjointView<Eigen::Lower>().eigenvalues()[0]);
             const std::array<double, kSpringRows> rows{
                 k(0, 0),  k(0, 1),  k(0, 2), k(1, 1), k(1, 2), k(2, 2), rest.x(),
                 rest.y(), rest.z(), f.x(),   f.y(),   f.z(),   least};
             for (size_t r = 0; r < kSpringRows; ++r) {
-                out_.springs[at(b.spring_start) + kLanes * r + lane] = static_cast<float>(rows[r]);
+                out_.springs[as_index(b.spring_start) + kLanes * r + lane] =
+                    static_cast<float>(rows[r]);
             }
         }
     }

@@ -10,6 +10,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/kernel_layout.h"
@@ -22,15 +23,15 @@ constexpr uint8_t kSeen = 2;         // in free_vertex, for the time of the sear
 constexpr double kFolded = 0.4;      // edge against rest; pre-tension is at most 0.15
 constexpr double kBalanced = 0.05;   // a vertex would go on, of its shortest edge
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 bool collapsed(const SoftBody& body, const SoftBodyState& state, int tet) noexcept {
-    if (state.tet_alive[at(tet)] == 0) return false;
-    const auto &k = corners(body, state, tet), &r = body.mesh().tets[at(tet)];
+    if (state.tet_alive[as_index(tet)] == 0) return false;
+    const auto &k = corners(body, state, tet), &r = body.mesh().tets[as_index(tet)];
     for (size_t i = 1; i < 4; ++i) {
         for (size_t j = 0; j < i; ++j) {
-            const double now = (to_vec(state.x[at(k[i])]) - to_vec(state.x[at(k[j])])).norm();
-            const double rest = (body.mesh().rest[at(r[i])] - body.mesh().rest[at(r[j])]).norm();
+            const double now =
+                (to_vec(state.x[as_index(k[i])]) - to_vec(state.x[as_index(k[j])])).norm();
+            const double rest =
+                (body.mesh().rest[as_index(r[i])] - body.mesh().rest[as_index(r[j])]).norm();
             if (!(now < kCollapsed * rest)) return false;
         }
     }
@@ -53,18 +54,19 @@ struct Piece {
 };
 
 Vec3 rest_of(const SoftBody& body, const SoftBodyState& state, size_t v) noexcept {
-    return body.mesh().rest[at(origin_of(state, static_cast<int>(v)))];
+    return body.mesh().rest[as_index(origin_of(state, static_cast<int>(v)))];
 }
 
 /// Largest relative difference of an edge around a vertex from its rest length.
 double worst_edge(const SoftBody& body, const SoftBodyState& state, size_t v) noexcept {
     double worst = 0;
     for (const int32_t t : tets_around(body, state, static_cast<int>(v))) {
-        if (state.tet_alive[at(t)] == 0) continue;
+        if (state.tet_alive[as_index(t)] == 0) continue;
         for (const int32_t other : corners(body, state, t)) {
-            if (at(other) == v) continue;
-            const double rest = (rest_of(body, state, at(other)) - rest_of(body, state, v)).norm();
-            const double now = (to_vec(state.x[at(other)]) - to_vec(state.x[v])).norm();
+            if (as_index(other) == v) continue;
+            const double rest =
+                (rest_of(body, state, as_index(other)) - rest_of(body, state, v)).norm();
+            const double now = (to_vec(state.x[as_index(other)]) - to_vec(state.x[v])).norm();
             worst = std::max(worst, std::abs(now / rest - 1));
         }
     }
@@ -75,18 +77,18 @@ double worst_edge(const SoftBody& body, const SoftBodyState& state, size_t v) no
 size_t gather_free(const SoftBody& body, SoftBodyState& state, int32_t first) noexcept {
     size_t count = 0;
     const auto reach = [&](int32_t v) {
-        if (state.free_vertex[at(v)] != 1) return;
-        state.free_vertex[at(v)] |= kSeen;
+        if (state.free_vertex[as_index(v)] != 1) return;
+        state.free_vertex[as_index(v)] |= kSeen;
         state.scratch[count++] = v;
     };
     reach(first);
     for (size_t head = 0; head < count; ++head) {
         for (const int32_t t : tets_around(body, state, state.scratch[head])) {
-            if (state.tet_alive[at(t)] == 0) continue;
+            if (state.tet_alive[as_index(t)] == 0) continue;
             for (const int32_t v : corners(body, state, t)) reach(v);
         }
         for (const int32_t t : body.packed().sheet.around(state.scratch[head])) {
-            for (const int32_t v : body.packed().sheet.triangles[at(t)].v) reach(v);
+            for (const int32_t v : body.packed().sheet.triangles[as_index(t)].v) reach(v);
         }
     }
     return count;
@@ -99,7 +101,8 @@ bool balanced(const SoftBody& body, const SoftBodyState& state, int vertex) noex
     const VertexSystem s = vertex_system(body, state, vertex, kNoInertia);
     const Vec3 step = s.hessian.ldlt().solve(s.gradient);
     return step.norm() <
-           kBalanced * static_cast<double>(body.shortest_edge_m()[at(origin_of(state, vertex))]);
+           kBalanced *
+               static_cast<double>(body.shortest_edge_m()[as_index(origin_of(state, vertex))]);
 }
 
 /// True when the piece in scratch is at rest, untouched and folded.
@@ -107,7 +110,7 @@ bool rests_folded(const SoftBody& body, const SoftBodyState& state, size_t count
                   const Vec3& velocity, double slow_m_s) noexcept {
     double worst = 0;
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         if (state.contact_vertex[v] != 0 || state.x[v].w == 0) return false;
         if (!((to_vec(state.v[v]) - velocity).norm() < slow_m_s)) return false;
         worst = std::max(worst, worst_edge(body, state, v));
@@ -122,13 +125,13 @@ void unfold(const SoftBody& body, SoftBodyState& state, size_t count,
             const Vec3& velocity) noexcept {
     Vec3 middle = Vec3::Zero(), rest_middle = Vec3::Zero();
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         middle += to_vec(state.x[v]) / static_cast<double>(count);
         rest_middle += rest_of(body, state, v) / static_cast<double>(count);
     }
     Mat3 sum = Mat3::Zero();
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         sum += (to_vec(state.x[v]) - middle) * (rest_of(body, state, v) - rest_middle).transpose();
     }
     const Eigen::JacobiSVD<Mat3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
@@ -140,7 +143,7 @@ void unfold(const SoftBody& body, SoftBodyState& state, size_t count,
     }
     const Vec3f u = velocity.cast<float>();
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         put_vertex(state, state.scratch[i],
                    middle + turn * (rest_of(body, state, v) - rest_middle));
         state.v[v] = {u.x(), u.y(), u.z(), 0};
@@ -154,7 +157,7 @@ int reseed_folded(const SoftBody& body, SoftBodyState& state, double slow_m_s) n
         const size_t count = gather_free(body, state, static_cast<int32_t>(first));
         Vec3 velocity = Vec3::Zero();
         for (size_t i = 0; i < count; ++i) {
-            velocity += to_vec(state.v[at(state.scratch[i])]) / static_cast<double>(count);
+            velocity += to_vec(state.v[as_index(state.scratch[i])]) / static_cast<double>(count);
         }
         if (!rests_folded(body, state, count, velocity, slow_m_s)) continue;
         unfold(body, state, count, velocity);
@@ -167,7 +170,7 @@ int reseed_folded(const SoftBody& body, SoftBodyState& state, double slow_m_s) n
 /// The same of a triangle of the sheet.
 bool collapsed(const SoftBody& body, const SoftBodyState& state, const SheetElement& t) noexcept {
     for (size_t k = 0; k < 3; ++k) {
-        const size_t a = at(t.v[k]), b = at(t.v[(k + 1) % 3]);
+        const size_t a = as_index(t.v[k]), b = as_index(t.v[(k + 1) % 3]);
         const double now = (to_vec(state.x[a]) - to_vec(state.x[b])).norm();
         if (!(now < kCollapsed * (body.mesh().rest[a] - body.mesh().rest[b]).norm())) return false;
     }
@@ -179,8 +182,8 @@ size_t gather_collapsed(const SoftBody& body, SoftBodyState& state,
                         std::span<const int32_t> seeds) noexcept {
     size_t count = 0;
     const auto reach = [&](int32_t v) {
-        if ((state.free_vertex[at(v)] & kSeen) != 0) return;
-        state.free_vertex[at(v)] |= kSeen;
+        if ((state.free_vertex[as_index(v)] & kSeen) != 0) return;
+        state.free_vertex[as_index(v)] |= kSeen;
         state.scratch[count++] = v;
     };
     const SheetElements& sheet = body.packed().sheet;
@@ -191,12 +194,12 @@ size_t gather_collapsed(const SoftBody& body, SoftBodyState& state,
             for (const int32_t v : corners(body, state, other)) reach(v);
         }
         for (const int32_t other : sheet.around(state.scratch[head])) {
-            if (!collapsed(body, state, sheet.triangles[at(other)])) continue;
-            for (const int32_t v : sheet.triangles[at(other)].v) reach(v);
+            if (!collapsed(body, state, sheet.triangles[as_index(other)])) continue;
+            for (const int32_t v : sheet.triangles[as_index(other)].v) reach(v);
         }
     }
     for (size_t i = 0; i < count; ++i) {
-        state.free_vertex[at(state.scratch[i])] &= static_cast<uint8_t>(~kSeen);
+        state.free_vertex[as_index(state.scratch[i])] &= static_cast<uint8_t>(~kSeen);
     }
     return count;
 }
@@ -205,7 +208,7 @@ size_t gather_collapsed(const SoftBody& body, SoftBodyState& state,
 int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noexcept {
     Piece piece;
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         piece.add(rest_of(body, state, v), state.x[v], state.v[v]);
     }
     const Vec3 way =
@@ -213,7 +216,7 @@ int place_at_rest(const SoftBody& body, SoftBodyState& state, size_t count) noex
     const Vec3f u = (piece.velocity / piece.vertices).cast<float>();
     int placed = 0;
     for (size_t i = 0; i < count; ++i) {
-        const size_t v = at(state.scratch[i]);
+        const size_t v = as_index(state.scratch[i]);
         if (state.x[v].w == 0) continue;
         put_vertex(state, state.scratch[i], rest_of(body, state, v) + way);
         state.v[v] = {u.x(), u.y(), u.z(), 0};

@@ -7,14 +7,13 @@
 #include <cmath>
 #include <string>
 
+#include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
 #include "sim/mesh/dihedral.h"
 #include "sim/solver/soft_body.h"
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr double kFlat = 1e-6;  // area over squared longest edge
 
@@ -45,15 +44,16 @@ void check_triangle(const std::vector<Vec3>& rest, const SheetTriangle& t, size_
         if (v < 0 || v >= vertices)
             fail(number, "vertex " + std::to_string(v) + " is outside 0 .. " +
                              std::to_string(vertices - 1));
-        if (!rest[at(v)].allFinite())
+        if (!rest[as_index(v)].allFinite())
             fail(number, "vertex " + std::to_string(v) + ": position is not finite");
     }
     double longest = 0;
     for (size_t k = 0; k < 3; ++k) {
         if (t.vertex[k] == t.vertex[(k + 1) % 3])
             fail(number, "vertex " + std::to_string(t.vertex[k]) + " is there twice");
-        longest = std::max(longest,
-                           (rest[at(t.vertex[(k + 1) % 3])] - rest[at(t.vertex[k])]).squaredNorm());
+        longest = std::max(
+            longest,
+            (rest[as_index(t.vertex[(k + 1) % 3])] - rest[as_index(t.vertex[k])]).squaredNorm());
     }
     const double area = area_of(rest, t);
     if (!(area > kFlat * longest))
@@ -69,7 +69,7 @@ void check_triangle(const std::vector<Vec3>& rest, const SheetTriangle& t, size_
 SheetElement element_of(const SoftBodySpec& spec, const SheetTriangle& t) {
     SheetElement out;
     out.v = t.vertex;
-    const auto corner = [&](size_t k) { return spec.mesh.rest[at(t.vertex[k % 3])]; };
+    const auto corner = [&](size_t k) { return spec.mesh.rest[as_index(t.vertex[k % 3])]; };
     const double area = area_of(spec.mesh.rest, t);
     const Material& m = spec.materials[static_cast<size_t>(t.tissue)];
     const NeoHookean c = neo_hookean(m.youngs_modulus_pa, m.poissons_ratio);
@@ -88,7 +88,7 @@ SheetElement element_of(const SoftBodySpec& spec, const SheetTriangle& t) {
 Mat3 condensed(const Mat3& full, const std::array<bool, 3>& kept) {
     Mat3 b = full;
     for (int i = 0; i < 3; ++i) {
-        if (kept[at(i)]) continue;
+        if (kept[as_index(i)]) continue;
         const double pivot = b(i, i);
         if (pivot > 1e-12 * full.trace()) b -= Mat3(b.col(i) * b.row(i) / pivot);
         b.row(i).setZero();
@@ -105,11 +105,12 @@ void find_flaps(const SoftBodySpec& spec, std::vector<SheetElement>& triangles) 
         if (!same_edge(edges[i], edges[i - 1])) continue;
         for (const auto& [mine, others] :
              {std::pair{edges[i - 1][2], edges[i][2]}, std::pair{edges[i][2], edges[i - 1][2]}}) {
-            SheetElement& t = triangles[at(mine / 3)];
-            const size_t k = at(mine % 3);
-            t.flap[k] = triangles[at(others / 3)].v[at((others + 2) % 3)];
-            t.rest_angle[k] = hinge_angle({rest[at(t.v[k])], rest[at(t.v[(k + 1) % 3])],
-                                           rest[at(t.v[(k + 2) % 3])], rest[at(t.flap[k])]});
+            SheetElement& t = triangles[as_index(mine / 3)];
+            const size_t k = as_index(mine % 3);
+            t.flap[k] = triangles[as_index(others / 3)].v[as_index((others + 2) % 3)];
+            t.rest_angle[k] =
+                hinge_angle({rest[as_index(t.v[k])], rest[as_index(t.v[(k + 1) % 3])],
+                             rest[as_index(t.v[(k + 2) % 3])], rest[as_index(t.flap[k])]});
         }
     }
 }
@@ -127,20 +128,20 @@ void add_bending(const SoftBodySpec& spec, std::vector<SheetElement>& triangles)
         std::array<Vec3, 3> along;
         std::array<double, 3> weight{};
         for (size_t k = 0; k < 3; ++k) {
-            const Vec3& x = rest[at(t.v[k])];
-            const Vec3 edge = rest[at(t.v[(k + 1) % 3])] - x;
+            const Vec3& x = rest[as_index(t.v[k])];
+            const Vec3 edge = rest[as_index(t.v[(k + 1) % 3])] - x;
             along[k] = edge.normalized();
             const double own = 1 / std::sqrt(t.r2) / edge.norm();
             const double other =
-                t.flap[k] < 0 ? own : along[k].cross(rest[at(t.flap[k])] - x).norm();
+                t.flap[k] < 0 ? own : along[k].cross(rest[as_index(t.flap[k])] - x).norm();
             weight[k] = 2 / (own + other);
         }
         Mat3 full;
         for (int k = 0; k < 3; ++k) {
             for (int l = 0; l < 3; ++l) {
-                const double cosine = along[at(k)].dot(along[at(l)]);
-                full(k, l) = rigidity * t.volume_m3 / thickness * weight[at(k)] * weight[at(l)] *
-                             (nu + (1 - nu) * cosine * cosine);
+                const double cosine = along[as_index(k)].dot(along[as_index(l)]);
+                full(k, l) = rigidity * t.volume_m3 / thickness * weight[as_index(k)] *
+                             weight[as_index(l)] * (nu + (1 - nu) * cosine * cosine);
             }
         }
         t.bending = condensed(full, {t.flap[0] >= 0, t.flap[1] >= 0, t.flap[2] >= 0});
@@ -184,7 +185,7 @@ void add_hinges(const SheetElement& t, int32_t vertex, const Float4* x, Vec3& gr
         const auto c = static_cast<Eigen::Index>(i);
         s[c] = angle_from(hinge_angle(p), t.rest_angle[i]);
         const auto* const found = std::find(v.begin(), v.end(), vertex);
-        if (found != v.end()) g.col(c) = hinge_gradient<double>(p)[at(found - v.begin())];
+        if (found != v.end()) g.col(c) = hinge_gradient<double>(p)[as_index(found - v.begin())];
     }
     gradient += g * (t.bending * s);
     hessian += g * t.bending * g.transpose();
@@ -193,15 +194,15 @@ void add_hinges(const SheetElement& t, int32_t vertex, const Float4* x, Vec3& gr
 }  // namespace
 
 double area_of(const std::vector<Vec3>& rest, const SheetTriangle& t) noexcept {
-    const Vec3& a = rest[at(t.vertex[0])];
-    return (rest[at(t.vertex[1])] - a).cross(rest[at(t.vertex[2])] - a).norm() / 2;
+    const Vec3& a = rest[as_index(t.vertex[0])];
+    return (rest[as_index(t.vertex[1])] - a).cross(rest[as_index(t.vertex[2])] - a).norm() / 2;
 }
 
 std::vector<uint8_t> sheet_vertices(const SoftBodySpec& spec) {
     if (spec.sheet.empty()) return {};
     std::vector<uint8_t> out(spec.mesh.rest.size(), 0);
     for (const SheetTriangle& t : spec.sheet) {
-        for (const int32_t v : t.vertex) out[at(v)] = 1;
+        for (const int32_t v : t.vertex) out[as_index(v)] = 1;
     }
     return out;
 }
@@ -230,20 +231,20 @@ void check_sheet(const std::vector<Vec3>& rest, std::span<const SheetTriangle> s
     std::sort(keys.begin(), keys.end());
     for (size_t i = 1; i < keys.size(); ++i) {
         if (!std::equal(keys[i].begin(), keys[i].begin() + 3, keys[i - 1].begin())) continue;
-        const size_t t = at(keys[i][3]);
+        const size_t t = as_index(keys[i][3]);
         fail(number_in_sheet(sheet, t), "duplicate of triangle " +
-                                            name_beside(sheet, at(keys[i - 1][3]), t) +
+                                            name_beside(sheet, as_index(keys[i - 1][3]), t) +
                                             ": same three vertices");
     }
     const std::vector<EdgeSide> edges = sorted_edges(sheet);
     for (size_t i = 2; i < edges.size(); ++i) {
         if (!same_edge(edges[i], edges[i - 2])) continue;
-        const size_t t = at(edges[i][2] / 3);
+        const size_t t = as_index(edges[i][2] / 3);
         fail(number_in_sheet(sheet, t),
              "the edge between vertices " + std::to_string(edges[i][0]) + " and " +
                  std::to_string(edges[i][1]) + " has more than two triangles (also " +
-                 name_beside(sheet, at(edges[i - 2][2] / 3), t) + " and " +
-                 name_beside(sheet, at(edges[i - 1][2] / 3), t) + ")");
+                 name_beside(sheet, as_index(edges[i - 2][2] / 3), t) + " and " +
+                 name_beside(sheet, as_index(edges[i - 1][2] / 3), t) + ")");
     }
 }
 
@@ -258,7 +259,7 @@ SheetElements sheet_elements(const SoftBodySpec& spec) {
         for (const auto& corners : {t.v, t.flap}) {
             for (const int32_t v : corners) {
                 if (v < 0) continue;
-                auto& list = of[at(v)];
+                auto& list = of[as_index(v)];
                 if (list.empty() || list.back() != static_cast<int32_t>(i))
                     list.push_back(static_cast<int32_t>(i));
             }
@@ -275,7 +276,7 @@ SheetElements sheet_elements(const SoftBodySpec& spec) {
 void add_sheet(const SheetElements& sheet, const Float4* x, int32_t vertex, Vec3& gradient,
                Mat3& hessian) noexcept {
     for (const int32_t i : sheet.around(vertex)) {
-        const SheetElement& t = sheet.triangles[at(i)];
+        const SheetElement& t = sheet.triangles[as_index(i)];
         for (size_t k = 0; k < 3; ++k) {
             if (t.v[k] == vertex) add_membrane(t, k, x, gradient, hessian);
         }

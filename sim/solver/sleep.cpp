@@ -4,14 +4,13 @@
 
 #include <algorithm>
 
+#include "sim/core/as_index.h"
 #include "sim/mesh/space_order.h"
 #include "sim/mesh/surface_tree.h"
 #include "sim/solver/kernel_layout.h"
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr int kBlock = 32;  // vertices
 /// Compressed rows of the lists, sorted and each entry once.
@@ -29,7 +28,7 @@ void compress(std::vector<std::vector<int32_t>>& lists, std::vector<int32_t>& st
 /// (V) Block of each vertex; blocks() stands for those without one, -1 for what is fixed.
 std::vector<int32_t> homes(const Sleep& sleep) {
     std::vector<int32_t> home = sleep.block;
-    for (const int32_t v : sleep.unblocked) home[at(v)] = sleep.blocks();
+    for (const int32_t v : sleep.unblocked) home[as_index(v)] = sleep.blocks();
     return home;
 }
 
@@ -38,36 +37,37 @@ std::vector<int32_t> homes(const Sleep& sleep) {
 Sleep::Sleep(const SoftBody& body) {
     const SolverSettings& solver = body.spec().solver;
     const int vertices = body.vertex_count();
-    vertex_asleep.assign(at(body.vertex_capacity()), 0);
+    vertex_asleep.assign(as_index(body.vertex_capacity()), 0);
     known_vertices = vertices;
-    block.assign(at(vertices), -1);
+    block.assign(as_index(vertices), -1);
     if (!solver.sleep || solver.method == Method::kXpbdPair) return;
-    std::vector<uint8_t> fixed(at(vertices), 0);
-    for (const int32_t v : body.spec().fixed) fixed[at(v)] = 1;
+    std::vector<uint8_t> fixed(as_index(vertices), 0);
+    for (const int32_t v : body.spec().fixed) fixed[as_index(v)] = 1;
     const KernelLayout& packed = body.packed();
     const int32_t swept = packed.job_start.back();
     std::vector<int32_t> order;
     for (int32_t v = 0; v < vertices; ++v) {
-        if (packed.slot[at(v)] / kLanes < swept)
+        if (packed.slot[as_index(v)] / kLanes < swept)
             order.push_back(v);
-        else if (fixed[at(v)] == 0)
+        else if (fixed[as_index(v)] == 0)
             unblocked.push_back(v);
     }
     const auto keys = hilbert_keys(body.mesh().rest);
     std::stable_sort(order.begin(), order.end(),
-                     [&](int32_t a, int32_t b) { return keys[at(a)] < keys[at(b)]; });
+                     [&](int32_t a, int32_t b) { return keys[as_index(a)] < keys[as_index(b)]; });
     const int count = static_cast<int>(order.size() + kBlock - 1) / kBlock;
     member = order;
     for (size_t i = 0; i < order.size(); ++i)
-        block[at(order[i])] = static_cast<int32_t>(i) / kBlock;
-    std::vector<std::vector<int32_t>> around(at(count));
+        block[as_index(order[i])] = static_cast<int32_t>(i) / kBlock;
+    std::vector<std::vector<int32_t>> around(as_index(count));
     for (int b = 0; b < count; ++b) {
         member_start.push_back(b * kBlock);
-        const size_t end = std::min(order.size(), at(b + 1) * kBlock);
-        for (size_t i = at(b) * kBlock; i < end; ++i) {
+        const size_t end = std::min(order.size(), as_index(b + 1) * kBlock);
+        for (size_t i = as_index(b) * kBlock; i < end; ++i) {
             for (const int32_t t : body.tets_of(order[i])) {
-                for (const int32_t v : body.mesh().tets[at(t)]) {
-                    if (block[at(v)] != b && fixed[at(v)] == 0) around[at(b)].push_back(v);
+                for (const int32_t v : body.mesh().tets[as_index(t)]) {
+                    if (block[as_index(v)] != b && fixed[as_index(v)] == 0)
+                        around[as_index(b)].push_back(v);
                 }
             }
         }
@@ -75,20 +75,21 @@ Sleep::Sleep(const SoftBody& body) {
     member_start.push_back(static_cast<int32_t>(member.size()));
     compress(around, border_start, border);
     for (std::vector<uint8_t>* flags : {&asleep, &calm, &restless, &beside})
-        flags->assign(at(count), 0);
+        flags->assign(as_index(count), 0);
     since.resize(member.size());
     before.resize(border.size());
-    chunk.resize((at(body.vertex_capacity()) + kChunk - 1) / kChunk);
+    chunk.resize((as_index(body.vertex_capacity()) + kChunk - 1) / kChunk);
     if (solver.method != Method::kVbd) list_tets(body);
 }
 
 void Sleep::list_tets(const SoftBody& body) {
     const KernelLayout& packed = body.packed();
-    std::vector<std::vector<int32_t>> of(at(blocks() + 1));
+    std::vector<std::vector<int32_t>> of(as_index(blocks() + 1));
     const std::vector<int32_t> home = homes(*this);
     for (int t = 0; t < body.tet_count(); ++t) {
-        for (const int32_t v : body.mesh().tets[at(t)]) {
-            if (home[at(v)] >= 0) of[at(home[at(v)])].push_back(packed.tet_slot[at(t)] / kLanes);
+        for (const int32_t v : body.mesh().tets[as_index(t)]) {
+            if (home[as_index(v)] >= 0)
+                of[as_index(home[as_index(v)])].push_back(packed.tet_slot[as_index(t)] / kLanes);
         }
     }
     compress(of, tets_start, tets);
@@ -97,12 +98,13 @@ void Sleep::list_tets(const SoftBody& body) {
 
 void Sleep::follow_leaves(const SurfaceTree& tree, const TetMesh& mesh) {
     if (!enabled()) return;
-    std::vector<std::vector<int32_t>> in(at(tree.nodes()));
+    std::vector<std::vector<int32_t>> in(as_index(tree.nodes()));
     const std::vector<int32_t> home = homes(*this);
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
-        auto& leaf = in[at(tree.leaf_of(static_cast<int>(t)))];
+        auto& leaf = in[as_index(tree.leaf_of(static_cast<int>(t)))];
         for (const int32_t v : mesh.tets[t]) {
-            if (home[at(v)] >= 0) leaf.push_back(home[at(v)]);  // what is fixed does not move
+            if (home[as_index(v)] >= 0)
+                leaf.push_back(home[as_index(v)]);  // what is fixed does not move
         }
     }
     compress(in, leaf_start, leaf_block);

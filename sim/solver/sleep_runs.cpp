@@ -4,20 +4,19 @@
 
 #include <algorithm>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/kernel_layout.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 bool batch_awake(const Sleep& sleep, const VertexBatch& batch) noexcept {
     for (int lane = 0; lane < batch.count; ++lane) {
-        const int32_t v = batch.vertex[at(lane)];
+        const int32_t v = batch.vertex[as_index(lane)];
         if (v >= static_cast<int32_t>(sleep.block.size())) return true;  // a copy
-        const int32_t block = sleep.block[at(v)];
-        if (block < 0 || sleep.asleep[at(block)] == 0) return true;
+        const int32_t block = sleep.block[as_index(v)];
+        if (block < 0 || sleep.asleep[as_index(block)] == 0) return true;
     }
     return false;
 }
@@ -26,8 +25,8 @@ void mark_leaves(Sleep& sleep) noexcept {
     for (size_t n = 0; n + 1 < sleep.leaf_start.size(); ++n) {
         uint8_t moves = 0;
         for (int32_t i = sleep.leaf_start[n]; i < sleep.leaf_start[n + 1]; ++i) {
-            const int32_t b = sleep.leaf_block[at(i)];
-            if (b == sleep.blocks() || sleep.asleep[at(b)] == 0) moves = 1;
+            const int32_t b = sleep.leaf_block[as_index(i)];
+            if (b == sleep.blocks() || sleep.asleep[as_index(b)] == 0) moves = 1;
         }
         sleep.leaf_moves[n] = moves;
     }
@@ -43,8 +42,8 @@ void add_run(std::vector<AwakeRuns::Run>& runs, int32_t from, int32_t first,
 }
 
 void keep_awake(Sleep& sleep, int32_t v) noexcept {
-    sleep.chunk[at(v / kChunk)] = 1;
-    sleep.vertex_asleep[at(v)] = 0;
+    sleep.chunk[as_index(v / kChunk)] = 1;
+    sleep.vertex_asleep[as_index(v)] = 0;
 }
 
 /// VBD solves whole batches: all of their vertices are awake.
@@ -53,10 +52,10 @@ void set_vertex_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep)
         const auto first_run = static_cast<int32_t>(awake.batches.size());
         awake.job_start[j] = first_run;
         for (int32_t b = packed.job_start[j]; b < packed.job_start[j + 1]; ++b) {
-            const VertexBatch& batch = packed.batches[at(b)];
+            const VertexBatch& batch = packed.batches[as_index(b)];
             if (!batch_awake(sleep, batch)) continue;
             for (int lane = 0; lane < batch.count; ++lane)
-                keep_awake(sleep, batch.vertex[at(lane)]);
+                keep_awake(sleep, batch.vertex[as_index(lane)]);
             add_run(awake.batches, first_run, b, b + 1);
         }
     }
@@ -67,24 +66,25 @@ void set_vertex_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep)
 void set_tet_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep) noexcept {
     std::fill(sleep.tets_move.begin(), sleep.tets_move.end(), uint8_t{0});
     for (int b = 0; b <= sleep.blocks(); ++b) {
-        if (b < sleep.blocks() && sleep.asleep[at(b)] != 0) continue;
-        for (int32_t i = sleep.tets_start[at(b)]; i < sleep.tets_start[at(b) + 1]; ++i)
-            sleep.tets_move[at(sleep.tets[at(i)])] = 1;
+        if (b < sleep.blocks() && sleep.asleep[as_index(b)] != 0) continue;
+        for (int32_t i = sleep.tets_start[as_index(b)]; i < sleep.tets_start[as_index(b) + 1]; ++i)
+            sleep.tets_move[as_index(sleep.tets[as_index(i)])] = 1;
         if (b == sleep.blocks()) continue;
-        for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i)
-            keep_awake(sleep, sleep.member[at(i)]);
+        for (int32_t i = sleep.member_start[as_index(b)]; i < sleep.member_start[as_index(b) + 1];
+             ++i)
+            keep_awake(sleep, sleep.member[as_index(i)]);
     }
     awake.tets.clear();
     for (size_t j = 0; j + 1 < packed.tet_job_start.size(); ++j) {
         const auto first_run = static_cast<int32_t>(awake.tets.size());
         awake.tet_job_start[j] = first_run;
         for (int32_t b = packed.tet_job_start[j]; b < packed.tet_job_start[j + 1]; ++b) {
-            if (sleep.tets_move[at(b)] != 0) add_run(awake.tets, first_run, b, b + 1);
+            if (sleep.tets_move[as_index(b)] != 0) add_run(awake.tets, first_run, b, b + 1);
         }
     }
     awake.tet_job_start.back() = static_cast<int32_t>(awake.tets.size());
     for (int32_t b = 0; b < static_cast<int32_t>(packed.batches.size()); ++b) {
-        const VertexBatch& batch = packed.batches[at(b)];
+        const VertexBatch& batch = packed.batches[as_index(b)];
         if (batch.spring_start >= 0 && batch_awake(sleep, batch))
             add_run(awake.batches, 0, b, b + 1);
     }
@@ -94,13 +94,15 @@ void set_tet_jobs(const KernelLayout& packed, AwakeRuns& awake, Sleep& sleep) no
 void set_held(AwakeRuns& awake, const Sleep& sleep) noexcept {
     awake.held.clear();
     for (int b = 0; b < sleep.blocks(); ++b) {
-        if (sleep.asleep[at(b)] == 0) continue;
+        if (sleep.asleep[as_index(b)] == 0) continue;
         bool meets = false;
-        for (int32_t i = sleep.tets_start[at(b)]; i < sleep.tets_start[at(b) + 1] && !meets; ++i)
-            meets = sleep.tets_move[at(sleep.tets[at(i)])] != 0;
-        for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
-            const int32_t v = sleep.member[at(i)];
-            if (meets || sleep.chunk[at(v / kChunk)] != 0) awake.held.push_back(v);
+        for (int32_t i = sleep.tets_start[as_index(b)];
+             i < sleep.tets_start[as_index(b) + 1] && !meets; ++i)
+            meets = sleep.tets_move[as_index(sleep.tets[as_index(i)])] != 0;
+        for (int32_t i = sleep.member_start[as_index(b)]; i < sleep.member_start[as_index(b) + 1];
+             ++i) {
+            const int32_t v = sleep.member[as_index(i)];
+            if (meets || sleep.chunk[as_index(v / kChunk)] != 0) awake.held.push_back(v);
         }
     }
 }
@@ -127,15 +129,17 @@ void set_runs(const SoftBody& body, SoftBodyState& state, Sleep& sleep) noexcept
     }
     const auto end = static_cast<int32_t>(state.x.size());
     for (int32_t i = 0; i < static_cast<int32_t>(sleep.chunk.size()); ++i) {
-        if (sleep.chunk[at(i)] != 0)
+        if (sleep.chunk[as_index(i)] != 0)
             add_run(awake.vertices, 0, kChunk * i, std::min(end, kChunk * (i + 1)));
     }
     if (tets) set_held(awake, sleep);
     for (int b = 0; b < sleep.blocks(); ++b) {
-        sleep.beside[at(b)] = 0;
-        if (sleep.asleep[at(b)] == 0) continue;
-        for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
-            if (sleep.vertex_asleep[at(sleep.border[at(i)])] == 0) sleep.beside[at(b)] = 1;
+        sleep.beside[as_index(b)] = 0;
+        if (sleep.asleep[as_index(b)] == 0) continue;
+        for (int32_t i = sleep.border_start[as_index(b)]; i < sleep.border_start[as_index(b) + 1];
+             ++i) {
+            if (sleep.vertex_asleep[as_index(sleep.border[as_index(i)])] == 0)
+                sleep.beside[as_index(b)] = 1;
         }
     }
     mark_leaves(sleep);

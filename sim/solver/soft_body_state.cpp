@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "sim/core/as_index.h"
 #include "sim/core/fnv_hash.h"
 #include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
-namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 SoftBodyState::SoftBodyState(const SoftBody& body) {
-    const size_t n = at(body.vertex_capacity()), used = at(body.vertex_count());
+    const size_t n = as_index(body.vertex_capacity()), used = as_index(body.vertex_count());
     x.resize(n);
     v.resize(n);
     x_start.resize(n);
@@ -22,13 +17,13 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
         const Vec3f p = body.mesh().rest[i].cast<float>();
         x[i] = {p.x(), p.y(), p.z(), 1.0F / body.mass_kg()[i]};
     }
-    for (const int32_t i : body.spec().fixed) x[at(i)].w = 0;
+    for (const int32_t i : body.spec().fixed) x[as_index(i)].w = 0;
     x_start = x;
-    tet_alive.assign(at(body.tet_count()), 1);
+    tet_alive.assign(as_index(body.tet_count()), 1);
     contact_vertex.assign(n, 0);
     free_vertex.assign(n, 0);
     scratch.assign(n, 0);
-    seen_tet.assign(at(body.tet_count()), 0);
+    seen_tet.assign(as_index(body.tet_count()), 0);
     roused.assign(256, 0);
     tether_alive.assign(body.spec().tethers.size(), 1);
     tether_lambda_n.assign(body.spec().tethers.size(), 0.0F);
@@ -55,7 +50,7 @@ SoftBodyState::SoftBodyState(const SoftBody& body) {
 
 void rouse(SoftBodyState& state, int32_t vertex) noexcept {
     const auto room = static_cast<int32_t>(state.roused.size());
-    if (state.roused_count < room) state.roused[at(state.roused_count)] = vertex;
+    if (state.roused_count < room) state.roused[as_index(state.roused_count)] = vertex;
     state.roused_count = std::min(state.roused_count + 1, room + 1);
 }
 
@@ -68,8 +63,8 @@ void hold_sleepers(SoftBodyState& state) noexcept {
     if (awake.holding || awake.all) return;
     awake.held_w.clear();
     for (const int32_t v : awake.held) {
-        awake.held_w.push_back(state.x[at(v)].w);
-        state.x[at(v)].w = 0;
+        awake.held_w.push_back(state.x[as_index(v)].w);
+        state.x[as_index(v)].w = 0;
     }
     awake.holding = true;
 }
@@ -77,7 +72,8 @@ void hold_sleepers(SoftBodyState& state) noexcept {
 void release_sleepers(SoftBodyState& state) noexcept {
     AwakeRuns& awake = state.awake;
     if (!awake.holding) return;
-    for (size_t i = 0; i < awake.held.size(); ++i) state.x[at(awake.held[i])].w = awake.held_w[i];
+    for (size_t i = 0; i < awake.held.size(); ++i)
+        state.x[as_index(awake.held[i])].w = awake.held_w[i];
     awake.holding = false;
 }
 
@@ -92,7 +88,7 @@ class Hold {
             state.seen_tet[t] = state.tet_alive[t] == 0 ? 1 : 0;
     }
     bool reach(int32_t v) noexcept {
-        uint8_t& free = state_.free_vertex[at(v)];
+        uint8_t& free = state_.free_vertex[as_index(v)];
         const bool is_new = (free & 1) != 0;
         free &= 2;
         return is_new;
@@ -112,11 +108,11 @@ class Hold {
 
  private:
     [[nodiscard]] bool reached(int32_t v) const noexcept {
-        return (state_.free_vertex[at(v)] & 1) == 0;
+        return (state_.free_vertex[as_index(v)] & 1) == 0;
     }
     bool visit(int32_t t) noexcept {
-        if (state_.seen_tet[at(t)] != 0) return false;
-        return visit_all(corners(body_, state_, t), state_.seen_tet[at(t)]);
+        if (state_.seen_tet[as_index(t)] != 0) return false;
+        return visit_all(corners(body_, state_, t), state_.seen_tet[as_index(t)]);
     }
     /// All corners once one of them is reached; sets `done`. True when that was new.
     template <class Corners>
@@ -165,10 +161,11 @@ void update_free_vertices(const SoftBody& body, SoftBodyState& state) noexcept {
 
 void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
     const KernelLayout& packed = packed_of(body, state);
-    if (state.tet_alive[at(tet)] == 0) return;
-    state.tet_alive[at(tet)] = 0;
+    if (state.tet_alive[as_index(tet)] == 0) return;
+    state.tet_alive[as_index(tet)] = 0;
     for (size_t k = 0; k < 4; ++k) {
-        if (has_strips(packed)) state.lanes[at(packed.corner_lane[4 * at(tet) + k])] = 0;
+        if (has_strips(packed))
+            state.lanes[as_index(packed.corner_lane[4 * as_index(tet) + k])] = 0;
         const int32_t v = corners(body, state, tet)[k];
         rouse(state, v);
         if (state.topology) {
@@ -178,16 +175,16 @@ void remove_tet(const SoftBody& body, SoftBodyState& state, int tet) noexcept {
         }
     }
     if (!packed.tet_slot.empty()) {
-        state.lanes[at(packed.tet_lane_start + packed.tet_slot[at(tet)])] = 0;
+        state.lanes[as_index(packed.tet_lane_start + packed.tet_slot[as_index(tet)])] = 0;
     }
 }
 
 void set_load(const SoftBody& body, SoftBodyState& state, int vertex, const Vec3f& load_n,
               const Vec3f& k_n_m, const Vec3f& anchor_m) noexcept {
     const KernelLayout& packed = packed_of(body, state);
-    const int32_t slot = packed.slot[at(vertex)];
+    const int32_t slot = packed.slot[as_index(vertex)];
     float* row =
-        state.springs.data() + packed.batches[at(slot / kLanes)].spring_start + slot % kLanes;
+        state.springs.data() + packed.batches[as_index(slot / kLanes)].spring_start + slot % kLanes;
     const auto set = [row](int r, float value) { row[r * kLanes] = value; };
     set(0, k_n_m.x());
     set(3, k_n_m.y());

@@ -2,15 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Connectivity as it is now: that of the body until the first cut, then the state's own.
 
+#include "sim/core/as_index.h"
 #include "sim/solver/topology.h"
 
 namespace placode::sim {
-namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
-}  // namespace
-
 TopologyPointer::TopologyPointer() = default;
 TopologyPointer::~TopologyPointer() = default;
 TopologyPointer::TopologyPointer(TopologyPointer&&) noexcept = default;
@@ -27,12 +22,12 @@ std::span<const int32_t> tets_around(const SoftBody& body, const SoftBodyState& 
                                      int vertex) noexcept {
     if (!state.topology) return body.tets_of(vertex);
     const Topology& top = *state.topology;
-    return {top.around.data() + top.first[at(vertex)], at(top.count[at(vertex)])};
+    return {top.around.data() + top.first[as_index(vertex)], as_index(top.count[as_index(vertex)])};
 }
 
 const std::array<int32_t, 4>& corners(const SoftBody& body, const SoftBodyState& state,
                                       int tet) noexcept {
-    return state.topology ? state.topology->tets[at(tet)] : body.mesh().tets[at(tet)];
+    return state.topology ? state.topology->tets[as_index(tet)] : body.mesh().tets[as_index(tet)];
 }
 
 std::span<const std::array<int32_t, 4>> current_tets(const SoftBodyState& state) noexcept {
@@ -45,11 +40,12 @@ const KernelLayout& packed_of(const SoftBody& body, const SoftBodyState& state) 
 }
 
 int32_t origin_of(const SoftBodyState& state, int vertex) noexcept {
-    return state.topology ? state.topology->origin[at(vertex)] : vertex;
+    return state.topology ? state.topology->origin[as_index(vertex)] : vertex;
 }
 
 float mass_of(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept {
-    return state.topology ? state.topology->mass_kg[at(vertex)] : body.mass_kg()[at(vertex)];
+    return state.topology ? state.topology->mass_kg[as_index(vertex)]
+                          : body.mass_kg()[as_index(vertex)];
 }
 
 }  // namespace placode::sim

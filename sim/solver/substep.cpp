@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/soft_body_kernels.h"
 #include "sim/solver/tethers.h"
@@ -15,8 +16,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Part `part` of `parts` of [0, n), in whole cache lines.
 std::pair<size_t, size_t> share(size_t n, int part, int parts) noexcept {
@@ -80,7 +79,7 @@ class Substep {
         });
         raise(flags);
         if (packed_.tet_lambda_start >= 0) {
-            const size_t start = at(packed_.tet_lambda_start);
+            const size_t start = as_index(packed_.tet_lambda_start);
             const auto [a, b] = share(state_.lanes.size() - start, part, workers_.threads());
             std::fill(state_.lanes.begin() + static_cast<int64_t>(start + a),
                       state_.lanes.begin() + static_cast<int64_t>(start + b), 0.0F);
@@ -137,7 +136,7 @@ class Substep {
         if (!packed_.single_vertices.empty()) raise(solve_singles_vbd(body_, state_, h_));
     }
     void vertex_job(int number) noexcept {
-        const size_t job = at(first_job_ + number);
+        const size_t job = as_index(first_job_ + number);
         const AwakeRuns& awake = state_.awake;
         uint32_t flags = 0;
         if (awake.all) {
@@ -145,7 +144,7 @@ class Substep {
                                          packed_.job_start[job + 1]);
         } else {
             for (int r = awake.job_start[job]; r < awake.job_start[job + 1]; ++r) {
-                const auto& [first, last] = awake.batches[at(r)];
+                const auto& [first, last] = awake.batches[as_index(r)];
                 flags |= solve_vertex_batches(arguments_, first, last);
             }
         }
@@ -178,7 +177,7 @@ class Substep {
                   });
     }
     void tet_job(int number) noexcept {
-        const size_t job = at(first_job_ + number);
+        const size_t job = as_index(first_job_ + number);
         const AwakeRuns& awake = state_.awake;
         if (awake.all) {
             solve_tet_batches(arguments_, packed_.tet_job_start[job],
@@ -188,7 +187,7 @@ class Substep {
         const int start = awake.tet_job_start[job], end = awake.tet_job_start[job + 1];
         for (int r = start; r < end; ++r) {
             const auto& [first, last] =
-                awake.tets[at(arguments_.direction < 0 ? start + end - 1 - r : r)];
+                awake.tets[as_index(arguments_.direction < 0 ? start + end - 1 - r : r)];
             solve_tet_batches(arguments_, first, last);
         }
     }
@@ -209,11 +208,12 @@ class Substep {
             return;
         }
         size_t count = 0;
-        for (const auto& [first, last] : runs) count += at(last - first);
+        for (const auto& [first, last] : runs) count += as_index(last - first);
         auto [from, to] = share(count, part, workers_.threads());
         for (const auto& [first, last] : runs) {
-            const size_t here = at(last - first);
-            if (from < here && to > 0) visit(at(first) + from, at(first) + std::min(to, here));
+            const size_t here = as_index(last - first);
+            if (from < here && to > 0)
+                visit(as_index(first) + from, as_index(first) + std::min(to, here));
             from -= std::min(from, here);
             to -= std::min(to, here);
         }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/kernel_layout.h"
@@ -13,11 +14,9 @@
 namespace placode::sim {
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 Vec3 between(const SoftBodyState& state, const Tether& t) noexcept {
-    const Float4& a = state.x[at(t.vertex[0])];
-    const Float4& b = state.x[at(t.vertex[1])];
+    const Float4& a = state.x[as_index(t.vertex[0])];
+    const Float4& b = state.x[as_index(t.vertex[1])];
     return Vec3(b.x, b.y, b.z) - Vec3(a.x, a.y, a.z);
 }
 
@@ -26,11 +25,11 @@ Vec3 between(const SoftBodyState& state, const Tether& t) noexcept {
 uint32_t solve_singles_vbd(const SoftBody& body, SoftBodyState& state, double h) noexcept {
     uint32_t flags = 0;
     for (const int32_t i : body.packed().single_vertices) {
-        if (state.x[at(i)].w == 0) continue;
+        if (state.x[as_index(i)].w == 0) continue;
         const VertexSystem s = vertex_system(body, state, i, h);
         Vec3 step = -body.spec().solver.over_relaxation * s.hessian.ldlt().solve(s.gradient);
         if (!step.allFinite()) continue;
-        const double limit = static_cast<double>(body.shortest_edge_m()[at(i)]) / 4;
+        const double limit = static_cast<double>(body.shortest_edge_m()[as_index(i)]) / 4;
         if (step.norm() > limit) {
             step *= limit / step.norm();
             flags |= kStepLimited;
@@ -50,8 +49,8 @@ void solve_tethers_xpbd(const SoftBody& body, SoftBodyState& state, double h) no
     for (size_t i = 0; i < state.tether_alive.size(); ++i) {
         if (state.tether_alive[i] == 0) continue;
         const Tether& t = body.spec().tethers[i];
-        const Float4& a = state.x[at(t.vertex[0])];
-        const Float4& b = state.x[at(t.vertex[1])];
+        const Float4& a = state.x[as_index(t.vertex[0])];
+        const Float4& b = state.x[as_index(t.vertex[1])];
         const Vec3 d = between(state, t);
         const double length = d.norm(), w = static_cast<double>(a.w) + static_cast<double>(b.w);
         const double compliance = t.compliance_m_n / (h * h);

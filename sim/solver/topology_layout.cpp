@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
 
@@ -12,8 +13,6 @@ namespace {
 
 constexpr int kSpareSteps = 48;   // strip steps of a batch of copies
 constexpr int kFarthest = 32767;  // 16-bit offsets in steps of 8 bytes
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Room for the strip of a vertex whose surroundings are cut: the strip of a torn link is longer.
 int32_t room_for(int32_t steps) { return steps + steps / 2 + 6; }
@@ -44,7 +43,7 @@ class Relayout {
 
  private:
     static size_t end_of_lanes(const VertexBatch& b) {
-        return at(b.lane_start) + at(kLanes) * at(1 + 3 * b.steps);
+        return as_index(b.lane_start) + as_index(kLanes) * as_index(1 + 3 * b.steps);
     }
 
     /// Enough for every spare vertex, however the copies fall upon jobs and colours.
@@ -56,8 +55,8 @@ class Relayout {
         const int pool = std::min(spares, spares / kLanes + static_cast<int>(jobs) * colours);
         out_.pool_first = static_cast<int32_t>(to.batches.size());
         for (int i = 0; i < pool; ++i) add_spare();
-        out_.pool_next.assign(at(pool), -1);
-        out_.pool_colour.assign(at(pool), -1);
+        out_.pool_next.assign(as_index(pool), -1);
+        out_.pool_colour.assign(as_index(pool), -1);
         out_.job_first.assign(jobs, -1);
         out_.job_last.assign(jobs, -1);
     }
@@ -66,7 +65,7 @@ class Relayout {
         KernelLayout& to = out_.packed;
         b.step_start = static_cast<int64_t>(to.keep.size());
         b.lane_start = to.lane_count;
-        to.keep.resize(to.keep.size() + at(capacity), 0);
+        to.keep.resize(to.keep.size() + as_index(capacity), 0);
         to.strip.resize(to.keep.size() * kLanes, 0);
         to.lane_count += kLanes * (1 + 3 * capacity);
         out_.capacity.push_back(capacity);
@@ -87,13 +86,13 @@ class Relayout {
             std::copy_n(old.self.begin(), kLanes, to.strip.begin() + (now.step_start + s) * kLanes);
         }
         for (int lane = 0; lane < old.count; ++lane) {
-            const int32_t v = old.vertex[at(lane)];
-            to.slot[at(v)] = static_cast<int32_t>((to.batches.size() - 1) * kLanes) + lane;
+            const int32_t v = old.vertex[as_index(lane)];
+            to.slot[as_index(v)] = static_cast<int32_t>((to.batches.size() - 1) * kLanes) + lane;
             if (!has_strips(from_)) continue;
             for (const int32_t t : body_.tets_of(v)) {
-                const auto& tet = body_.mesh().tets[at(t)];
+                const auto& tet = body_.mesh().tets[as_index(t)];
                 const size_t k = corner_of(tet, v);
-                to.corner_lane[4 * at(t) + k] +=
+                to.corner_lane[4 * as_index(t) + k] +=
                     static_cast<int32_t>(now.lane_start - old.lane_start);
             }
         }
@@ -125,8 +124,8 @@ class Relayout {
 }  // namespace
 
 Topology::Topology(const SoftBody& body) {
-    const size_t n = at(body.vertex_count()), all = at(body.vertex_capacity());
-    if (all > at(kFarthest)) {
+    const size_t n = as_index(body.vertex_count()), all = as_index(body.vertex_capacity());
+    if (all > as_index(kFarthest)) {
         throw MeshError("cutting: " + std::to_string(all) + " vertices with spares, allowed " +
                         std::to_string(kFarthest) + "; take a coarser mesh");
     }
@@ -146,15 +145,15 @@ Topology::Topology(const SoftBody& body) {
         around.insert(around.end(), list.begin(), list.end());
         count[v] = static_cast<int32_t>(list.size());
         mass_kg[v] = body.mass_kg()[v];
-        if (list.size() > at(kMostAround)) whole[v] = 1;
+        if (list.size() > as_index(kMostAround)) whole[v] = 1;
     }
-    for (const int32_t v : body.spec().fixed) whole[at(v)] = 1;
-    for (const int32_t v : body.packed().spring_vertices) whole[at(v)] = 1;
+    for (const int32_t v : body.spec().fixed) whole[as_index(v)] = 1;
+    for (const int32_t v : body.packed().spring_vertices) whole[as_index(v)] = 1;
     for (const Tether& t : body.spec().tethers) {
-        for (const int32_t v : t.vertex) whole[at(v)] = 1;
+        for (const int32_t v : t.vertex) whole[as_index(v)] = 1;
     }
     for (const SheetTriangle& t : body.spec().sheet) {
-        for (const int32_t v : t.vertex) whole[at(v)] = 1;
+        for (const int32_t v : t.vertex) whole[as_index(v)] = 1;
     }
     Relayout(body, *this).run();
 }

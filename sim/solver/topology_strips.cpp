@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/solver/bounded_strip.h"
 #include "sim/solver/kernel_layout_parts.h"
@@ -12,8 +13,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// lambda V r^2 and 6 V gamma of the tets around v, as its lane has them.
 struct CornerConstants {
@@ -26,36 +25,38 @@ void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
     std::array<LinkTriangle, kMostAround> link;
     std::array<CornerConstants, kMostAround> constants;
     size_t n = 0;
-    for (int i = 0; i < topology.count[at(v)]; ++i) {
-        const int32_t t = topology.around[at(topology.first[at(v)] + i)];
-        if (state.tet_alive[at(t)] == 0) continue;
-        const auto& tet = topology.tets[at(t)];
+    for (int i = 0; i < topology.count[as_index(v)]; ++i) {
+        const int32_t t = topology.around[as_index(topology.first[as_index(v)] + i)];
+        if (state.tet_alive[as_index(t)] == 0) continue;
+        const auto& tet = topology.tets[as_index(t)];
         const size_t k = corner_of(tet, v);
         const auto& o = kOpposite[k];
-        link[n] = {{tet[at(o[0])], tet[at(o[1])], tet[at(o[2])]}, static_cast<int32_t>(n)};
-        const int64_t lane = packed.corner_lane[4 * at(t) + k];
-        constants[n] = {state.lanes[at(lane)], std::abs(state.lanes[at(lane + kLanes)])};
+        link[n] = {{tet[as_index(o[0])], tet[as_index(o[1])], tet[as_index(o[2])]},
+                   static_cast<int32_t>(n)};
+        const int64_t lane = packed.corner_lane[4 * as_index(t) + k];
+        constants[n] = {state.lanes[as_index(lane)],
+                        std::abs(state.lanes[as_index(lane + kLanes)])};
         ++n;
     }
     BoundedStrip strip;
     strip.build({link.data(), n});
-    const int32_t slot = packed.slot[at(v)];
-    VertexBatch& b = packed.batches[at(slot / kLanes)];
-    const size_t lane = at(slot % kLanes);
-    if (strip.size() > topology.capacity[at(slot / kLanes)]) {
+    const int32_t slot = packed.slot[as_index(v)];
+    VertexBatch& b = packed.batches[as_index(slot / kLanes)];
+    const size_t lane = as_index(slot % kLanes);
+    if (strip.size() > topology.capacity[as_index(slot / kLanes)]) {
         ++topology.refused;  // the vertex keeps what fits; tests show that this does not happen
         state.flags |= kCutRefused;
     }
     const auto nowhere = static_cast<int32_t>(state.lanes.size()) - 2 * kLanes;
-    const int32_t steps =
-        std::min<int32_t>(static_cast<int32_t>(strip.size()), topology.capacity[at(slot / kLanes)]);
+    const int32_t steps = std::min<int32_t>(static_cast<int32_t>(strip.size()),
+                                            topology.capacity[as_index(slot / kLanes)]);
     b.steps = std::max(b.steps, steps);
     float* row = state.lanes.data() + b.lane_start + lane;
     const auto bit = static_cast<uint16_t>(1U << lane);
     const auto self = static_cast<uint16_t>(2 * (v - b.base));
-    for (int32_t s = 0; s < topology.capacity[at(slot / kLanes)]; ++s) {
-        uint16_t& entry = packed.strip[at(b.step_start + s) * kLanes + lane];
-        uint16_t& keep = packed.keep[at(b.step_start + s)];
+    for (int32_t s = 0; s < topology.capacity[as_index(slot / kLanes)]; ++s) {
+        uint16_t& entry = packed.strip[as_index(b.step_start + s) * kLanes + lane];
+        uint16_t& keep = packed.keep[as_index(b.step_start + s)];
         float* values = row + kLanes * (1 + 3 * s);
         values[0] = values[kLanes] = values[2 * kLanes] = 0;
         keep = static_cast<uint16_t>(keep & ~bit);
@@ -66,18 +67,18 @@ void rebuild(SoftBodyState& state, Topology& topology, int32_t v) noexcept {
         if (step.keep) keep = static_cast<uint16_t>(keep | bit);
         if (step.tet < 0) continue;
         // Step.tet counts living tets around v: find which one this is.
-        const CornerConstants& c = constants[at(step.tet)];
+        const CornerConstants& c = constants[as_index(step.tet)];
         values[kLanes] = c.stiffness;
         values[2 * kLanes] = static_cast<float>(step.sign) * c.rest;
     }
     // Where each corner now lies.
     n = 0;
-    for (int i = 0; i < topology.count[at(v)]; ++i) {
-        const int32_t t = topology.around[at(topology.first[at(v)] + i)];
-        if (state.tet_alive[at(t)] == 0) continue;
-        const size_t k = corner_of(topology.tets[at(t)], v);
+    for (int i = 0; i < topology.count[as_index(v)]; ++i) {
+        const int32_t t = topology.around[as_index(topology.first[as_index(v)] + i)];
+        if (state.tet_alive[as_index(t)] == 0) continue;
+        const size_t k = corner_of(topology.tets[as_index(t)], v);
         const int64_t step = strip.step_of(n);
-        packed.corner_lane[4 * at(t) + k] =
+        packed.corner_lane[4 * as_index(t) + k] =
             step < steps ? static_cast<int32_t>(b.lane_start + static_cast<int64_t>(lane) +
                                                 kLanes * (2 + 3 * step))
                          : nowhere;
@@ -93,23 +94,23 @@ void repack(SoftBodyState& state) noexcept {
     // A copy reads its constants where the old vertex had them: copies, the later ones, go first.
     std::sort(top.dirty.begin(), top.dirty.begin() + top.dirty_count, std::greater<>());
     for (int32_t i = 0; i < top.dirty_count; ++i) {
-        const int32_t v = top.dirty[at(i)];
+        const int32_t v = top.dirty[as_index(i)];
         if (has_strips(top.packed)) rebuild(state, top, v);
-        top.is_dirty[at(v)] = 0;
+        top.is_dirty[as_index(v)] = 0;
     }
-    for (int32_t i = 0; i < top.dirty_count; ++i) reweigh(state, top.dirty[at(i)]);
+    for (int32_t i = 0; i < top.dirty_count; ++i) reweigh(state, top.dirty[as_index(i)]);
     top.dirty_count = 0;
 }
 
 void reweigh(SoftBodyState& state, int vertex) noexcept {
     const Topology& top = *state.topology;
     const KernelLayout& packed = top.packed;
-    const auto v = at(vertex);
-    const VertexBatch& b = packed.batches[at(packed.slot[v] / kLanes)];
-    const size_t lane = at(packed.slot[v] % kLanes);
+    const auto v = as_index(vertex);
+    const VertexBatch& b = packed.batches[as_index(packed.slot[v] / kLanes)];
+    const size_t lane = as_index(packed.slot[v] % kLanes);
     float* rows = state.lanes.data() + b.lane_start + lane;
     const auto entry = [&](int32_t s) {
-        return packed.strip[at(b.step_start + s) * kLanes + lane];
+        return packed.strip[as_index(b.step_start + s) * kLanes + lane];
     };
     double total = 0;
     for (int32_t s = 0; s < b.steps; ++s) {
@@ -122,13 +123,14 @@ void reweigh(SoftBodyState& state, int vertex) noexcept {
         if (seen) continue;
         double sum = 0;
         for (int32_t i = 0; i < top.count[v]; ++i) {
-            const int32_t t = top.around[at(top.first[v] + i)];
-            if (state.tet_alive[at(t)] == 0) continue;
-            const auto& tet = top.tets[at(t)];
+            const int32_t t = top.around[as_index(top.first[v] + i)];
+            if (state.tet_alive[as_index(t)] == 0) continue;
+            const auto& tet = top.tets[as_index(t)];
             const size_t it = corner_of(tet, other);
             if (it < 4) {
                 sum += static_cast<double>(
-                    packed.edge_weight_n_m[6 * at(t) + at(kEdge[corner_of(tet, vertex)][it])]);
+                    packed.edge_weight_n_m[6 * as_index(t) +
+                                           as_index(kEdge[corner_of(tet, vertex)][it])]);
             }
         }
         weight = static_cast<float>(sum);

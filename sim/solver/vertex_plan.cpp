@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "sim/core/as_index.h"
+
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Neighbours of each vertex, ascending, without itself.
 class Adjacency {
@@ -18,7 +18,7 @@ class Adjacency {
         for (const auto& tet : mesh.tets) {
             for (const int32_t a : tet) {
                 for (const int32_t b : tet) {
-                    if (a != b) around[at(a)].push_back(b);
+                    if (a != b) around[as_index(a)].push_back(b);
                 }
             }
         }
@@ -32,7 +32,7 @@ class Adjacency {
     }
 
     [[nodiscard]] std::span<const int32_t> of(size_t v) const {
-        return {all_.data() + start_[v], at(start_[v + 1] - start_[v])};
+        return {all_.data() + start_[v], as_index(start_[v + 1] - start_[v])};
     }
 
  private:
@@ -59,10 +59,10 @@ std::vector<int32_t> place(const Adjacency& near, std::span<const uint8_t> skip,
         if (skip[v] != 0) continue;
         bool separator = false, met = false;
         for (const int32_t u : near.of(v)) {
-            if (skip[at(u)] != 0 || domain[at(u)] == domain[v]) continue;
-            separator |= domain[at(u)] > domain[v];
+            if (skip[as_index(u)] != 0 || domain[as_index(u)] == domain[v]) continue;
+            separator |= domain[as_index(u)] > domain[v];
             // Only one of two separators that touch each other stays in phase 1.
-            met |= job[at(u)] >= domains && job[at(u)] < 2 * domains;
+            met |= job[as_index(u)] >= domains && job[as_index(u)] < 2 * domains;
         }
         job[v] = !separator ? domain[v] : met ? 2 * domains : domains + domain[v];
     }
@@ -71,18 +71,18 @@ std::vector<int32_t> place(const Adjacency& near, std::span<const uint8_t> skip,
 
 /// Numbers the jobs that have vertices and notes where the phases begin.
 std::vector<int32_t> number(std::vector<int32_t>& job, int domains) {
-    std::vector<int32_t> name(at(2 * domains + 1), -1);
+    std::vector<int32_t> name(as_index(2 * domains + 1), -1);
     for (const int32_t j : job) {
-        if (j >= 0) name[at(j)] = 0;
+        if (j >= 0) name[as_index(j)] = 0;
     }
     std::vector<int32_t> phase_start{0};
     int32_t next = 0;
     for (int32_t j = 0; j <= 2 * domains; ++j) {
-        if (name[at(j)] == 0) name[at(j)] = next++;
+        if (name[as_index(j)] == 0) name[as_index(j)] = next++;
         const bool phase_ends = j == 2 * domains || j % domains == domains - 1;
         if (phase_ends && next > phase_start.back()) phase_start.push_back(next);
     }
-    for (int32_t& j : job) j = j < 0 ? -1 : name[at(j)];
+    for (int32_t& j : job) j = j < 0 ? -1 : name[as_index(j)];
     return phase_start;
 }
 
@@ -94,8 +94,8 @@ std::vector<int32_t> colour(const Adjacency& near, const std::vector<int32_t>& j
         if (job[v] < 0) continue;
         taken.assign(near.of(v).size() + 1, 0);
         for (const int32_t u : near.of(v)) {
-            const int32_t c = job[at(u)] == job[v] ? colour[at(u)] : -1;
-            if (c >= 0 && at(c) < taken.size()) taken[at(c)] = 1;
+            const int32_t c = job[as_index(u)] == job[v] ? colour[as_index(u)] : -1;
+            if (c >= 0 && as_index(c) < taken.size()) taken[as_index(c)] = 1;
         }
         colour[v] = static_cast<int32_t>(std::find(taken.begin(), taken.end(), 0) - taken.begin());
     }

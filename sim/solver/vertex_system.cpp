@@ -5,26 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 #include "sim/solver/kernel_layout_parts.h"
 
 namespace placode::sim {
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 /// Walks the strip of the vertex; adds -force to the gradient and its exact Hessian.
 void walk_strip(const KernelLayout& packed, const SoftBodyState& state, int vertex, Vec3& gradient,
                 Mat3& hessian) noexcept {
-    const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
-    const size_t lane = at(packed.slot[at(vertex)] % kLanes);
+    const VertexBatch& b = packed.batches[as_index(packed.slot[as_index(vertex)] / kLanes)];
+    const size_t lane = as_index(packed.slot[as_index(vertex)] % kLanes);
     const Vec3 x = exact_position(state, vertex);
     const float* row = state.lanes.data() + b.lane_start + lane;
     hessian.diagonal().array() += static_cast<double>(row[0]);
     row += kLanes;
     Vec3 older = Vec3::Zero(), newer = Vec3::Zero();
     for (int64_t s = 0; s < b.steps; ++s, row += 3 * kLanes) {
-        const int32_t other = b.base + packed.strip[at(b.step_start + s) * kLanes + lane] / 2;
+        const int32_t other = b.base + packed.strip[as_index(b.step_start + s) * kLanes + lane] / 2;
         const Vec3 p = exact_position(state, other) - x;
         gradient -= static_cast<double>(row[0]) * p;
         const double stiffness = row[kLanes];
@@ -34,7 +33,7 @@ void walk_strip(const KernelLayout& packed, const SoftBodyState& state, int vert
             gradient -= stiffness * excess * normal;
             hessian += stiffness * normal * normal.transpose();
         }
-        if ((packed.keep[at(b.step_start + s)] >> lane & 1) == 0) older = newer;
+        if ((packed.keep[as_index(b.step_start + s)] >> lane & 1) == 0) older = newer;
         newer = p;
     }
 }
@@ -44,21 +43,21 @@ void add_tet(const KernelLayout& packed, const SoftBodyState& state, int32_t tet
              const std::array<int32_t, 4>& corners, int vertex, const Vec3& x, Vec3& gradient,
              Mat3& hessian) noexcept {
     const size_t me = corner_of(corners, vertex);
-    const float* weights = packed.edge_weight_n_m.data() + 6 * at(tet);
+    const float* weights = packed.edge_weight_n_m.data() + 6 * as_index(tet);
     std::array<Vec3, 3> p;  // the others, so that det(p) is six volumes
     double sum = 0;
     for (size_t i = 0; i < 3; ++i) {
-        const size_t other = at(kOpposite[me][i]);
+        const size_t other = as_index(kOpposite[me][i]);
         p[i] = exact_position(state, corners[other]) - x;
         const double w = weights[kEdge[me][other]];
         gradient -= w * p[i];
         sum += w;
     }
-    const int32_t slot = packed.tet_slot[at(tet)];
-    const float* row =
-        packed.tet_rows.data() + at(slot / kLanes) * kTetRows * kLanes + at(slot % kLanes);
+    const int32_t slot = packed.tet_slot[as_index(tet)];
+    const float* row = packed.tet_rows.data() + as_index(slot / kLanes) * kTetRows * kLanes +
+                       as_index(slot % kLanes);
     const double r = row[6 * kLanes], mu_over_lambda = row[7 * kLanes];
-    const double mu_v = state.lanes[at(packed.tet_lane_start + slot)];
+    const double mu_v = state.lanes[as_index(packed.tet_lane_start + slot)];
     // s = lambda V r^2 and s (det - gamma / r), with one division.
     const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]);
     const double s = mu_v * r * r / mu_over_lambda;
@@ -76,7 +75,7 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
     }
     const Vec3 x = exact_position(state, vertex);
     for (const int32_t t : tets_around(body, state, vertex)) {
-        if (state.tet_alive[at(t)] == 0) continue;
+        if (state.tet_alive[as_index(t)] == 0) continue;
         add_tet(packed, state, t, corners(body, state, t), vertex, x, gradient, hessian);
     }
 }
@@ -84,13 +83,13 @@ void add_elastic(const SoftBody& body, const SoftBodyState& state, int vertex, V
 void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
     const KernelLayout& packed = packed_of(body, state);
-    const VertexBatch& b = packed.batches[at(packed.slot[at(vertex)] / kLanes)];
+    const VertexBatch& b = packed.batches[as_index(packed.slot[as_index(vertex)] / kLanes)];
     if (b.spring_start < 0) return;
-    const float* k = state.springs.data() + b.spring_start + packed.slot[at(vertex)] % kLanes;
+    const float* k = state.springs.data() + b.spring_start + packed.slot[as_index(vertex)] % kLanes;
     const auto row = [k](int r) { return static_cast<double>(k[r * kLanes]); };
     Mat3 stiffness;
     stiffness << row(0), row(1), row(2), row(1), row(3), row(4), row(2), row(4), row(5);
-    const Vec3 moved = to_vec(state.x[at(vertex)]) - Vec3(row(6), row(7), row(8));
+    const Vec3 moved = to_vec(state.x[as_index(vertex)]) - Vec3(row(6), row(7), row(8));
     out.gradient += stiffness * moved + Vec3(row(9), row(10), row(11));
     out.hessian += stiffness;
 }
@@ -99,13 +98,13 @@ void add_springs(const SoftBody& body, const SoftBodyState& state, int vertex,
 void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
                  VertexSystem& out) noexcept {
     const KernelLayout& packed = packed_of(body, state);
-    for (int32_t i = packed.tether_start[at(vertex)]; i < packed.tether_start[at(vertex) + 1];
-         ++i) {
-        const auto index = at(packed.tether_of[at(i)]);
+    for (int32_t i = packed.tether_start[as_index(vertex)];
+         i < packed.tether_start[as_index(vertex) + 1]; ++i) {
+        const auto index = as_index(packed.tether_of[as_index(i)]);
         if (state.tether_alive[index] == 0) continue;
         const Tether& tether = body.spec().tethers[index];
         const int32_t other = tether.vertex[tether.vertex[0] == vertex ? 1 : 0];
-        const Vec3 d = to_vec(state.x[at(vertex)]) - to_vec(state.x[at(other)]);
+        const Vec3 d = to_vec(state.x[as_index(vertex)]) - to_vec(state.x[as_index(other)]);
         const double length = d.norm(), excess = length - tether.rest_m;
         if (!(excess > 0)) continue;
         const Vec3 u = d / length;
@@ -121,7 +120,7 @@ void add_tethers(const SoftBody& body, const SoftBodyState& state, int vertex,
 VertexSystem vertex_system(const SoftBody& body, const SoftBodyState& state, int vertex,
                            double h) noexcept {
     VertexSystem out;
-    const auto i = at(vertex);
+    const auto i = as_index(vertex);
     const double inertia = static_cast<double>(mass_of(body, state, vertex)) / (h * h);
     // x - target, but from the small numbers: the target as a float has lost most of h^2 g.
     const Vec3 planned = h * to_vec(state.v[i]) + h * h * body.spec().solver.gravity_m_s2;

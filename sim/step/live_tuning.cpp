@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/cutting/diathermy.h"
 #include "sim/solver/kernel_layout_parts.h"
 #include "sim/solver/topology.h"
@@ -16,12 +17,10 @@ namespace placode::sim {
 
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 // SoftBody shows its data as constant to everybody; here the scene is not.
 Material& material_of(Scene& scene, Tissue tissue) noexcept {
     auto& spec = const_cast<SoftBodySpec&>(scene.body.spec());
-    return spec.materials[at(static_cast<int>(tissue))];
+    return spec.materials[as_index(static_cast<int>(tissue))];
 }
 
 KernelLayout& packed_for_change(Scene& scene, State& state) noexcept {
@@ -34,15 +33,16 @@ void scale_stiffness(Scene& scene, State& state, Tissue tissue, float factor) no
     auto& lanes = state.body.lanes;
     const auto& label = scene.body.mesh().tissue;
     for (int t = 0; t < scene.body.tet_count(); ++t) {
-        if (label[at(t)] != tissue) continue;
-        for (size_t e = 0; e < 6; ++e) packed.edge_weight_n_m[6 * at(t) + e] *= factor;
-        if (state.body.tet_alive[at(t)] == 0) continue;
-        for (size_t k = 0; k < 4; ++k) lanes[at(packed.corner_lane[4 * at(t) + k])] *= factor;
+        if (label[as_index(t)] != tissue) continue;
+        for (size_t e = 0; e < 6; ++e) packed.edge_weight_n_m[6 * as_index(t) + e] *= factor;
+        if (state.body.tet_alive[as_index(t)] == 0) continue;
+        for (size_t k = 0; k < 4; ++k)
+            lanes[as_index(packed.corner_lane[4 * as_index(t) + k])] *= factor;
     }
     const int vertices =
         state.body.topology ? state.body.topology->vertices : scene.body.vertex_count();
     for (int v = 0; v < vertices; ++v) {
-        if (packed.slot[at(v)] < 0) continue;
+        if (packed.slot[as_index(v)] < 0) continue;
         if (state.body.topology) {
             reweigh(state.body, v);
         } else {
@@ -60,13 +60,14 @@ void spread_damping(Scene& scene, State& state) noexcept {
     for (int v = 0; v < vertices; ++v) {
         double damping = 0, mass = 0;
         for (const int32_t t : tets_around(scene.body, state.body, v)) {
-            const Material& m = materials[at(static_cast<int>(scene.body.mesh().tissue[at(t)]))];
+            const Material& m =
+                materials[as_index(static_cast<int>(scene.body.mesh().tissue[as_index(t)]))];
             const double share =
-                m.density_kg_m3 * static_cast<double>(scene.body.volume_m3()[at(t)]);
+                m.density_kg_m3 * static_cast<double>(scene.body.volume_m3()[as_index(t)]);
             damping += share * m.damping_per_s;
             mass += share;
         }
-        if (mass > 0) packed.damping_per_s[at(v)] = static_cast<float>(damping / mass);
+        if (mass > 0) packed.damping_per_s[as_index(v)] = static_cast<float>(damping / mass);
     }
 }
 
@@ -82,11 +83,11 @@ const TuneRange& tune_range(TuneParameter parameter) noexcept {
          {"cut_power_w", 1, 40, 1, false},
          {"coag_power_w", 1, 40, 1, false},
          {"preset", 0, 1, 1, false}}};
-    return ranges[at(static_cast<int32_t>(parameter))];
+    return ranges[as_index(static_cast<int32_t>(parameter))];
 }
 
 double tuned_value(const Scene& scene, TuneParameter parameter, Tissue tissue) noexcept {
-    const Material& m = scene.body.spec().materials[at(static_cast<int>(tissue))];
+    const Material& m = scene.body.spec().materials[as_index(static_cast<int>(tissue))];
     switch (parameter) {
         case TuneParameter::kStiffness:
             return m.youngs_modulus_pa;

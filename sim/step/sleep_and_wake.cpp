@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/sleep_runs.h"
 #include "sim/solver/topology.h"
 #include "sim/world/scene.h"
@@ -13,8 +14,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr int kLook = 16;  // frames between two looks at what may fall asleep
 constexpr uint8_t kCalmLooks = 10;
@@ -31,14 +30,14 @@ float distance2(const Float4& x, const std::array<float, 3>& from) noexcept {
 
 void wake_block(Sleep& sleep, int block) noexcept {
     if (block < 0) return;
-    sleep.calm[at(block)] = 0;
-    if (sleep.asleep[at(block)] == 0) return;
-    sleep.asleep[at(block)] = 0;
+    sleep.calm[as_index(block)] = 0;
+    if (sleep.asleep[as_index(block)] == 0) return;
+    sleep.asleep[as_index(block)] = 0;
     --sleep.asleep_count;
 }
 
 void wake_vertex(Sleep& sleep, int32_t v) noexcept {
-    if (v < static_cast<int32_t>(sleep.block.size())) wake_block(sleep, sleep.block[at(v)]);
+    if (v < static_cast<int32_t>(sleep.block.size())) wake_block(sleep, sleep.block[as_index(v)]);
 }
 
 /// Around new copies of vertices nothing sleeps any more: borders know the mesh as it was.
@@ -47,9 +46,9 @@ void unsettle_cuts(const SoftBody& body, const SoftBodyState& state, Sleep& slee
     for (; sleep.known_vertices < state.topology->vertices; ++sleep.known_vertices) {
         for (const int32_t t : tets_around(body, state, sleep.known_vertices)) {
             for (const int32_t v : corners(body, state, t)) {
-                const int32_t block = sleep.block[at(origin_of(state, v))];
+                const int32_t block = sleep.block[as_index(origin_of(state, v))];
                 if (block < 0) continue;
-                sleep.restless[at(block)] = 1;
+                sleep.restless[as_index(block)] = 1;
                 wake_block(sleep, block);
             }
         }
@@ -60,17 +59,19 @@ void wake_roused(SoftBodyState& state, Sleep& sleep) noexcept {
     if (state.roused_count > static_cast<int32_t>(state.roused.size())) {
         for (int b = 0; b < sleep.blocks(); ++b) wake_block(sleep, b);
     } else {
-        for (int32_t i = 0; i < state.roused_count; ++i) wake_vertex(sleep, state.roused[at(i)]);
+        for (int32_t i = 0; i < state.roused_count; ++i)
+            wake_vertex(sleep, state.roused[as_index(i)]);
     }
     state.roused_count = 0;
 }
 
 /// True when a neighbour has moved since the block fell asleep.
 bool shaken(const SoftBodyState& state, const Sleep& sleep, int b) noexcept {
-    for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
-        const Float4& x = state.x[at(sleep.border[at(i)])];
+    for (int32_t i = sleep.border_start[as_index(b)]; i < sleep.border_start[as_index(b) + 1];
+         ++i) {
+        const Float4& x = state.x[as_index(sleep.border[as_index(i)])];
         // Written so that a place that is not finite wakes as well.
-        if (!(distance2(x, sleep.before[at(i)]) <= kWakeM * kWakeM)) return true;
+        if (!(distance2(x, sleep.before[as_index(i)]) <= kWakeM * kWakeM)) return true;
     }
     return false;
 }
@@ -78,31 +79,35 @@ bool shaken(const SoftBodyState& state, const Sleep& sleep, int b) noexcept {
 /// True when every member has stayed where it was at the first look of this calm.
 bool is_calm(const State& state, Sleep& sleep, int b) noexcept {
     bool calm = true;
-    for (int32_t i = sleep.member_start[at(b)]; calm && i < sleep.member_start[at(b) + 1]; ++i) {
-        const auto v = at(sleep.member[at(i)]);
+    for (int32_t i = sleep.member_start[as_index(b)];
+         calm && i < sleep.member_start[as_index(b) + 1]; ++i) {
+        const auto v = as_index(sleep.member[as_index(i)]);
         const Float4& speed = state.body.v[v];
         calm = distance2(speed, {}) <= kCalmSpeed * kCalmSpeed &&
-               distance2(state.body.x[v], sleep.since[at(i)]) <= kCalmM * kCalmM &&
+               distance2(state.body.x[v], sleep.since[as_index(i)]) <= kCalmM * kCalmM &&
                state.body.free_vertex[v] == 0 && state.held_by[v] < 0 &&
                state.body.contact_vertex[v] == 0;
     }
     if (calm) return true;
-    for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
-        sleep.since[at(i)] = place(state.body.x[at(sleep.member[at(i)])]);
+    for (int32_t i = sleep.member_start[as_index(b)]; i < sleep.member_start[as_index(b) + 1];
+         ++i) {
+        sleep.since[as_index(i)] = place(state.body.x[as_index(sleep.member[as_index(i)])]);
     }
     return false;
 }
 
 void fall_asleep(SoftBodyState& state, Sleep& sleep, int b) noexcept {
-    sleep.asleep[at(b)] = 1;
+    sleep.asleep[as_index(b)] = 1;
     ++sleep.asleep_count;
-    for (int32_t i = sleep.member_start[at(b)]; i < sleep.member_start[at(b) + 1]; ++i) {
-        const auto v = at(sleep.member[at(i)]);
+    for (int32_t i = sleep.member_start[as_index(b)]; i < sleep.member_start[as_index(b) + 1];
+         ++i) {
+        const auto v = as_index(sleep.member[as_index(i)]);
         state.v[v] = {};
         state.x_start[v] = state.x[v];
     }
-    for (int32_t i = sleep.border_start[at(b)]; i < sleep.border_start[at(b) + 1]; ++i) {
-        sleep.before[at(i)] = place(state.x[at(sleep.border[at(i)])]);
+    for (int32_t i = sleep.border_start[as_index(b)]; i < sleep.border_start[as_index(b) + 1];
+         ++i) {
+        sleep.before[as_index(i)] = place(state.x[as_index(sleep.border[as_index(i)])]);
     }
 }
 
@@ -118,21 +123,22 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     if (before == 0) return;
     const ContactSet& contacts = state.scratch->contacts;
     for (int i = 0; i < contacts.candidate_count; ++i) {
-        const auto& triangle = state.surface.triangles()[at(contacts.candidates[at(i)] / 4)];
+        const auto& triangle =
+            state.surface.triangles()[as_index(contacts.candidates[as_index(i)] / 4)];
         for (const int32_t v : triangle.vertex) wake_vertex(sleep, v);
     }
     for (size_t g = 0; g < state.self_contact.pairs.size(); ++g) {
         for (int32_t i = 0; i < state.self_contact.count[g]; ++i) {
-            const TissuePair& pair = state.self_contact.pairs[g][at(i)];
+            const TissuePair& pair = state.self_contact.pairs[g][as_index(i)];
             wake_vertex(sleep, pair.vertex);
             for (const int32_t v : corners(scene.body, state.body, pair.tet)) wake_vertex(sleep, v);
         }
     }
     for (const Grasp& grasp : state.grasps) {
-        for (int i = 0; i < grasp.count; ++i) wake_vertex(sleep, grasp.held[at(i)].vertex);
+        for (int i = 0; i < grasp.count; ++i) wake_vertex(sleep, grasp.held[as_index(i)].vertex);
     }
     for (int b = 0; b < sleep.blocks(); ++b) {
-        if (sleep.beside[at(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
+        if (sleep.beside[as_index(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
     }
     // New copies take part even where nobody had to wake for them.
     if (sleep.asleep_count != before || sleep.known_vertices != known)
@@ -144,8 +150,8 @@ void doze(const Scene& scene, State& state) noexcept {
     if (!sleep.enabled() || state.frame % kLook != 0) return;
     bool changed = false;
     for (int b = 0; b < sleep.blocks(); ++b) {
-        if (sleep.asleep[at(b)] != 0 || sleep.restless[at(b)] != 0) continue;
-        uint8_t& looks = sleep.calm[at(b)];
+        if (sleep.asleep[as_index(b)] != 0 || sleep.restless[as_index(b)] != 0) continue;
+        uint8_t& looks = sleep.calm[as_index(b)];
         looks = is_calm(state, sleep, b) ? static_cast<uint8_t>(looks + 1) : uint8_t{0};
         if (looks < kCalmLooks) continue;
         fall_asleep(state.body, sleep, b);

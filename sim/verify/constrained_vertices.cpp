@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 
 namespace placode::sim {
@@ -18,8 +19,6 @@ constexpr int kPasses = 2;  // over what is touched, for each sweep, as in sim/s
 // fine patches.
 constexpr double kContactStiffness = 300, kContactRatio = 6;
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 }  // namespace
 
 SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& units,
@@ -30,10 +29,10 @@ SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& uni
       state_(state),
       h_body_(h_body),
       spheres_(units.scaled(setup.scene.spheres)),
-      slot_(at(body.vertex_count()), -1) {
+      slot_(as_index(body.vertex_count()), -1) {
     if (!setup.contacts) return;
     contacts_ = std::make_unique<SphereContacts>(body_.mesh(), spheres_, setup.free_sheet());
-    anchor_.resize(at(body_.vertex_count()));
+    anchor_.resize(as_index(body_.vertex_count()));
     k_ = kContactStiffness * units_.stress() * setup.scene.material.youngs_modulus_pa *
          contacts_->mean_edge_m();
     force_.assign(spheres_.size(), Vec3::Zero());
@@ -51,11 +50,11 @@ Vec3 SpecialVertices::force(size_t sphere) const {
 double SpecialVertices::held_at(int32_t v, int axis) const {
     // The way as a float, which is the same in all units.
     const auto way = static_cast<float>(units_.length * setup_.held_way(v, axis, time_));
-    return body_.mesh().rest[at(v)][axis] + static_cast<double>(way);
+    return body_.mesh().rest[as_index(v)][axis] + static_cast<double>(way);
 }
 
 void SpecialVertices::put_on_axes(int32_t v) {
-    const uint8_t axes = setup_.held[at(v)];
+    const uint8_t axes = setup_.held[as_index(v)];
     if (axes == 0) return;
     Vec3 place = exact_position(state_, v);
     for (int a = 0; a < 3; ++a) {
@@ -65,16 +64,16 @@ void SpecialVertices::put_on_axes(int32_t v) {
 }
 
 void SpecialVertices::add(int32_t v) {
-    if (slot_[at(v)] >= 0) return;
-    slot_[at(v)] = static_cast<int32_t>(special_.size());
+    if (slot_[as_index(v)] >= 0) return;
+    slot_[as_index(v)] = static_cast<int32_t>(special_.size());
     special_.push_back(v);
-    state_.contact_vertex[at(v)] = 1;
+    state_.contact_vertex[as_index(v)] = 1;
 }
 
 void SpecialVertices::find(const RigidModes* modes) {
     for (const int32_t v : special_) {
-        slot_[at(v)] = -1;
-        state_.contact_vertex[at(v)] = 0;
+        slot_[as_index(v)] = -1;
+        state_.contact_vertex[as_index(v)] = 0;
     }
     special_.clear();
     for (const int32_t v : setup_.partly_held()) add(v);
@@ -83,7 +82,7 @@ void SpecialVertices::find(const RigidModes* modes) {
     incidence_.assign(special_.size(), {});
     for (size_t t = 0; t < touches_.size(); ++t) {
         for (int i = 0; i < 3; ++i)
-            incidence_[at(slot_[at(touches_[t].vertex[at(i)])])].push_back(
+            incidence_[as_index(slot_[as_index(touches_[t].vertex[as_index(i)])])].push_back(
                 static_cast<int32_t>(4 * t) + i);
     }
     start_where_they_were(modes);
@@ -97,15 +96,15 @@ void SpecialVertices::start_where_they_were(const RigidModes* modes) {
     for (size_t i = 0; i < special_.size(); ++i) {
         if (incidence_[i].empty()) continue;
         const int32_t v = special_[i];
-        Float4& x = state_.x[at(v)];
+        Float4& x = state_.x[as_index(v)];
         if (x.w == 0) continue;
-        const Float4& before = state_.x_start[at(v)];
+        const Float4& before = state_.x_start[as_index(v)];
         x = {before.x, before.y, before.z, x.w};
-        if (!state_.x_low.empty()) state_.x_low[at(v)] = state_.x_start_low[at(v)];
+        if (!state_.x_low.empty()) state_.x_low[as_index(v)] = state_.x_start_low[as_index(v)];
         if (modes == nullptr) continue;
         Vec3 way = modes->way(v);
         for (const int32_t entry : incidence_[i]) {
-            const Vec3& n = touches_[at(entry / 4)].n;
+            const Vec3& n = touches_[as_index(entry / 4)].n;
             way -= std::min(0.0, n.dot(way)) * n;
         }
         move_vertex(state_, v, way);
@@ -117,12 +116,12 @@ void SpecialVertices::start_where_they_were(const RigidModes* modes) {
 void SpecialVertices::anchor_newcomers() {
     const double h = setup_.scene.solver.frame_s / setup_.scene.solver.substeps;
     for (size_t i = 0; i < special_.size(); ++i) {
-        Anchor& anchor = anchor_[at(special_[i])];
+        Anchor& anchor = anchor_[as_index(special_[i])];
         if (incidence_[i].empty() || anchor.sphere >= 0) continue;
-        const int sphere = touches_[at(incidence_[i].front() / 4)].sphere;
+        const int sphere = touches_[as_index(incidence_[i].front() / 4)].sphere;
         const Vec3 before =
             exact_position(state_, special_[i]) - way_in_substep(state_, special_[i]);
-        anchor = {sphere, before - spheres_[at(sphere)].centre_at(time_ - h)};
+        anchor = {sphere, before - spheres_[as_index(sphere)].centre_at(time_ - h)};
     }
 }
 
@@ -134,14 +133,14 @@ void SpecialVertices::find_touches() {
     const VerificationSolver& solver = setup_.scene.solver;
     const double h = solver.frame_s / solver.substeps;  // velocities are those of the scene's time
     const double margin = 0.2 * contacts_->mean_edge_m() + 2 * h * fastest;
-    contacts_->find([this](int32_t v) { return to_vec(state_.x_start[at(v)]); }, time_, margin,
-                    touches_);
+    contacts_->find([this](int32_t v) { return to_vec(state_.x_start[as_index(v)]); }, time_,
+                    margin, touches_);
     drop_doubles();
     for (SphereTouch& t : touches_) {
         double place = 0;
         for (int i = 0; i < 3; ++i) {
-            add(t.vertex[at(i)]);
-            place += t.b[i] * t.n.dot(to_vec(state_.x_start[at(t.vertex[at(i)])]));
+            add(t.vertex[as_index(i)]);
+            place += t.b[i] * t.n.dot(to_vec(state_.x_start[as_index(t.vertex[as_index(i)])]));
         }
         t.gap_m -= place;  // from here on the offset of gap = n . (sum b x) + offset
     }
@@ -153,7 +152,7 @@ void SpecialVertices::drop_doubles() {
     std::erase_if(touches_, [&](const SphereTouch& t) {
         std::array<int32_t, 4> key{-1, -1, -1, t.sphere};
         for (int i = 0; i < 3; ++i) {
-            if (t.b[i] > 0) key[at(i)] = t.vertex[at(i)];
+            if (t.b[i] > 0) key[as_index(i)] = t.vertex[as_index(i)];
         }
         std::sort(key.begin(), key.begin() + 3);
         return !seen.insert(key).second;
@@ -168,7 +167,7 @@ void SpecialVertices::set_stiffness() {
     for (const SphereTouch& t : touches_) {
         double gives = 0;
         for (int i = 0; i < 3; ++i) {
-            const Mat3& k = answer_[at(slot_[at(t.vertex[at(i)])])];
+            const Mat3& k = answer_[as_index(slot_[as_index(t.vertex[as_index(i)])])];
             gives += t.b[i] * t.b[i] / t.n.dot(k * t.n);
         }
         touch_n_m_.push_back(std::min(k_, kContactRatio / gives));
@@ -177,21 +176,22 @@ void SpecialVertices::set_stiffness() {
 
 double SpecialVertices::gap(const SphereTouch& t) const {
     double g = t.gap_m;
-    for (int i = 0; i < 3; ++i) g += t.b[i] * t.n.dot(exact_position(state_, t.vertex[at(i)]));
+    for (int i = 0; i < 3; ++i)
+        g += t.b[i] * t.n.dot(exact_position(state_, t.vertex[as_index(i)]));
     return g;
 }
 
 double SpecialVertices::grip_n_m(int32_t v) const {
-    return std::min(k_, kContactRatio * answer_[at(slot_[at(v)])].trace() / 3);
+    return std::min(k_, kContactRatio * answer_[as_index(slot_[as_index(v)])].trace() / 3);
 }
 
 /// Dry friction with a memory: a spring to the place where the vertex sticks to the sphere.
 SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) const {
     Grip grip;
-    const Anchor& a = anchor_[at(v)];
+    const Anchor& a = anchor_[as_index(v)];
     const double size = load.norm();
     if (a.sphere < 0 || !(size > 0)) return grip;
-    const SphereObstacle& s = spheres_[at(a.sphere)];
+    const SphereObstacle& s = spheres_[as_index(a.sphere)];
     grip.normal = load / size;
     const Vec3 way = exact_position(state_, v) - (s.centre_at(time_) + a.from_centre);
     grip.slide = way - grip.normal * grip.normal.dot(way);
@@ -204,7 +204,7 @@ SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) cons
 
 void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
     for (int a = 0; a < 3; ++a) {
-        if ((setup_.held[at(v)] >> a & 1) == 0) continue;
+        if ((setup_.held[as_index(v)] >> a & 1) == 0) continue;
         system.gradient[a] = 0;
         system.hessian.row(a).setZero();
         system.hessian.col(a).setZero();
@@ -220,13 +220,13 @@ double SpecialVertices::relaxation_of(size_t i) const {
 
 void SpecialVertices::solve_vertex(size_t i) {
     const int32_t v = special_[i];
-    if (state_.x[at(v)].w == 0) return;
+    if (state_.x[as_index(v)].w == 0) return;
     put_on_axes(v);
     VertexSystem system = vertex_system(body_, state_, v, h_body_);
     Vec3 load = Vec3::Zero();
     for (const int32_t entry : incidence_[i]) {
-        const SphereTouch& t = touches_[at(entry / 4)];
-        const double b = t.b[entry % 4], g = gap(t), k = touch_n_m_[at(entry / 4)];
+        const SphereTouch& t = touches_[as_index(entry / 4)];
+        const double b = t.b[entry % 4], g = gap(t), k = touch_n_m_[as_index(entry / 4)];
         if (g >= 0 || b == 0) continue;
         system.gradient += k * g * b * t.n;
         system.hessian += k * b * b * t.n * t.n.transpose();
@@ -240,7 +240,7 @@ void SpecialVertices::solve_vertex(size_t i) {
     }
     hold_axes(v, system);
     Vec3 step = -relaxation_of(i) * system.hessian.llt().solve(system.gradient);
-    const double longest = static_cast<double>(body_.shortest_edge_m()[at(v)]) / 4;
+    const double longest = static_cast<double>(body_.shortest_edge_m()[as_index(v)]) / 4;
     const double length = step.norm();
     if (!std::isfinite(length)) return;
     if (length > longest) step *= longest / length;
@@ -265,16 +265,16 @@ const std::vector<ContactPush>& SpecialVertices::pushes() {
         if (g >= 0) continue;
         Vec3 place = Vec3::Zero();
         for (int i = 0; i < 3; ++i) {
-            const int32_t v = t.vertex[at(i)];
+            const int32_t v = t.vertex[as_index(i)];
             place += t.b[i] * exact_position(state_, v);
-            load_[at(slot_[at(v)])] -= k * g * t.b[i] * t.n;
-            load_sphere_[at(slot_[at(v)])] = t.sphere;
+            load_[as_index(slot_[as_index(v)])] -= k * g * t.b[i] * t.n;
+            load_sphere_[as_index(slot_[as_index(v)])] = t.sphere;
         }
         pushes_.push_back({t.sphere, t.vertex[0], place, -k * g * t.n, k * t.n * t.n.transpose()});
     }
     for (size_t i = 0; i < special_.size(); ++i) {
         const int32_t v = special_[i];
-        if (load_sphere_[i] < 0 || anchor_[at(v)].sphere != load_sphere_[i]) continue;
+        if (load_sphere_[i] < 0 || anchor_[as_index(v)].sphere != load_sphere_[i]) continue;
         const Grip grip = grip_of(v, load_[i]);
         pushes_.push_back(
             {load_sphere_[i], v, exact_position(state_, v), -grip.stiffness_n_m * grip.slide,
@@ -286,7 +286,7 @@ const std::vector<ContactPush>& SpecialVertices::pushes() {
 void SpecialVertices::finish() {
     if (!contacts_) return;
     ++frame_substeps_;
-    for (const ContactPush& p : pushes()) force_[at(p.sphere)] -= p.force_n;
+    for (const ContactPush& p : pushes()) force_[as_index(p.sphere)] -= p.force_n;
     deepest_ = 0;
     for (const SphereTouch& t : touches_) deepest_ = std::max(deepest_, -gap(t));
     stick();
@@ -296,7 +296,7 @@ void SpecialVertices::finish() {
 void SpecialVertices::stick() {
     for (size_t i = 0; i < special_.size(); ++i) {
         const int32_t v = special_[i];
-        Anchor& anchor = anchor_[at(v)];
+        Anchor& anchor = anchor_[as_index(v)];
         if (!(load_[i].norm() > 0)) {
             anchor.sphere = -1;
             continue;
@@ -306,7 +306,7 @@ void SpecialVertices::stick() {
             const Grip grip = grip_of(v, load_[i]);
             place -= grip.stiffness_n_m / grip_n_m(v) * grip.slide;
         }
-        anchor = {load_sphere_[i], place - spheres_[at(load_sphere_[i])].centre_at(time_)};
+        anchor = {load_sphere_[i], place - spheres_[as_index(load_sphere_[i])].centre_at(time_)};
     }
 }
 

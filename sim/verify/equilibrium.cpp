@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
 
 namespace placode::sim {
@@ -14,8 +15,6 @@ namespace {
 constexpr double kContactStiffness = 1000;
 constexpr double kUnbalanced = 1e-9;  // of all forces: what is left of sums that cancel
 constexpr Eigen::Index kMostUnknowns = 60000;
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// What acts on one piece, and which axes hold it.
 struct Piece {
@@ -30,7 +29,7 @@ std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
     std::vector<Piece> pieces(setup.pieces.held.size());
     const Coordinates& x = setup.body->rest();  // a random start turns what is in balance
     for (size_t v = 0; v < number.size(); ++v) {
-        Piece& piece = pieces[at(number[v])];
+        Piece& piece = pieces[as_index(number[v])];
         piece.place += x.segment<3>(static_cast<Eigen::Index>(3 * v));
         ++piece.vertices;
     }
@@ -39,7 +38,7 @@ std::vector<Piece> weigh(const SolveSetup& setup, const Coordinates& force_n) {
         pieces[i].held = setup.pieces.held[i];
     }
     for (size_t v = 0; v < number.size(); ++v) {
-        Piece& piece = pieces[at(number[v])];
+        Piece& piece = pieces[as_index(number[v])];
         const Vec3 f = force_n.segment<3>(static_cast<Eigen::Index>(3 * v));
         const Vec3 arm = Vec3(x.segment<3>(static_cast<Eigen::Index>(3 * v))) - piece.place;
         piece.force += f;
@@ -65,15 +64,16 @@ StaticProblem static_problem(const SolveSetup& setup, double time_s) {
     const Eigen::Index n = 3 * setup.body->vertex_count();
     StaticProblem problem;
     problem.body = setup.body.get();
-    problem.held.assign(at(n), 0);
+    problem.held.assign(as_index(n), 0);
     problem.held_at = setup.body->rest();
     problem.force_n = Coordinates::Zero(n);
     setup.add_loads(time_s, problem.force_n);
     for (int v = 0; v < setup.body->vertex_count(); ++v) {
-        problem.force_n.segment<3>(3 * v) += setup.body->mass_kg()[at(v)] * scene.gravity_m_s2;
+        problem.force_n.segment<3>(3 * v) +=
+            setup.body->mass_kg()[as_index(v)] * scene.gravity_m_s2;
         for (int a = 0; a < 3; ++a) {
-            if ((setup.held[at(v)] >> a & 1) == 0) continue;
-            problem.held[at(3 * v + a)] = 1;
+            if ((setup.held[as_index(v)] >> a & 1) == 0) continue;
+            problem.held[as_index(3 * v + a)] = 1;
             problem.held_at[3 * v + a] = setup.held_at(v, a, time_s);
         }
     }

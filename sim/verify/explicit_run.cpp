@@ -9,14 +9,13 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/core/as_index.h"
 #include "sim/core/fnv_hash.h"
 #include "sim/core/number_text.h"
 #include "sim/verify/rest_watch.h"
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr double kContactStiffness = 300;  // x E x edge, where the step allows it
 
@@ -28,21 +27,22 @@ ExplicitDynamics::ExplicitDynamics(const ReferenceBody& body, const Vec3& gravit
       gravity_(gravity_m_s2),
       h_(h_s),
       workers_(workers),
-      corner_(at(body.tet_count())),
+      corner_(as_index(body.tet_count())),
       spring_(Coordinates::Zero(3 * body.vertex_count())) {
     x = body.rest();
     v = Coordinates::Zero(x.size());
     outer_force_n = Coordinates::Zero(x.size());
-    start_.assign(at(body.vertex_count()) + 1, 0);
+    start_.assign(as_index(body.vertex_count()) + 1, 0);
     for (int t = 0; t < body.tet_count(); ++t) {
-        for (const int32_t i : body.corners(t)) ++start_[at(i) + 1];
+        for (const int32_t i : body.corners(t)) ++start_[as_index(i) + 1];
     }
     for (size_t i = 1; i < start_.size(); ++i) start_[i] += start_[i - 1];
-    tet_corner_.resize(4 * at(body.tet_count()));
+    tet_corner_.resize(4 * as_index(body.tet_count()));
     std::vector<int32_t> fill(start_.begin(), start_.end() - 1);
     for (int t = 0; t < body.tet_count(); ++t) {
         for (size_t k = 0; k < 4; ++k)
-            tet_corner_[at(fill[at(body.corners(t)[k])]++)] = 4 * t + static_cast<int32_t>(k);
+            tet_corner_[as_index(fill[as_index(body.corners(t)[k])]++)] =
+                4 * t + static_cast<int32_t>(k);
     }
 }
 
@@ -65,11 +65,12 @@ void ExplicitDynamics::integrate(int part) noexcept {
     for (int i = static_cast<int>(int64_t{n} * part / parts_);
          i < static_cast<int>(int64_t{n} * (part + 1) / parts_); ++i) {
         Vec3 force = outer_force_n.segment<3>(3 * i) - spring_.segment<3>(3 * i);
-        for (int32_t c = start_[at(i)]; c < start_[at(i) + 1]; ++c)
-            force -= corner_[at(tet_corner_[at(c)] / 4)][at(tet_corner_[at(c)] % 4)];
-        const double keep = 1 / (1 + h_ * body_.damping_per_s()[at(i)]);
+        for (int32_t c = start_[as_index(i)]; c < start_[as_index(i) + 1]; ++c)
+            force -= corner_[as_index(tet_corner_[as_index(c)] / 4)]
+                            [as_index(tet_corner_[as_index(c)] % 4)];
+        const double keep = 1 / (1 + h_ * body_.damping_per_s()[as_index(i)]);
         Vec3 u = v.segment<3>(3 * i);
-        u = keep * (u + h_ * (force / body_.mass_kg()[at(i)] + gravity_));
+        u = keep * (u + h_ * (force / body_.mass_kg()[as_index(i)] + gravity_));
         v.segment<3>(3 * i) = u;
         x.segment<3>(3 * i) += h_ * u;
     }
@@ -100,7 +101,7 @@ double contact_stiffness(const SolveSetup& setup, double omega, SolveResult& out
     const double h = s.frame_s / s.substeps;
     double lightest = 1e300;
     for (const int32_t v : setup.contacts->vertices())
-        lightest = std::min(lightest, setup.body->mass_kg()[at(v)]);
+        lightest = std::min(lightest, setup.body->mass_kg()[as_index(v)]);
     const double unit = setup.scene.material.youngs_modulus_pa * setup.contacts->mean_edge_m();
     const double room = std::max(0.1, 3.6 - omega * omega * h * h);
     const double k = std::min(kContactStiffness * unit, room * lightest / (6 * h * h));
@@ -163,7 +164,7 @@ class Run {
                 {"/sdf_contacts/" + std::to_string(i), force_[i] / std::max(1, in_frame_)});
         FnvHash hash;
         for (const Coordinates* c : {&dynamics_.x, &dynamics_.v})
-            hash.bytes(c->data(), sizeof(double) * at(c->size()));
+            hash.bytes(c->data(), sizeof(double) * as_index(c->size()));
         out_.state_hash = hash.value();
         setup_.finish(dynamics_.x, dynamics_.v, static_cast<double>(n) * h_, out_);
     }
@@ -209,9 +210,9 @@ class Run {
         std::vector<int32_t> done;
         for (const SphereTouch& t : touches) {
             out_.penetration_m = std::max(out_.penetration_m, -t.gap_m);
-            const SphereObstacle& sphere = setup_.scene.spheres[at(t.sphere)];
+            const SphereObstacle& sphere = setup_.scene.spheres[as_index(t.sphere)];
             for (int i = 0; i < 3; ++i) {
-                const int32_t v = t.vertex[at(i)];
+                const int32_t v = t.vertex[as_index(i)];
                 if (std::find(done.begin(), done.end(), v) != done.end()) continue;
                 done.push_back(v);
                 const Vec3 load = -gradient.segment<3>(3 * v);
@@ -220,10 +221,10 @@ class Run {
                 const Vec3 relative = Vec3(dynamics_.v.segment<3>(3 * v)) - sphere.velocity_m_s;
                 const Vec3 slide = relative - n * n.dot(relative);
                 if (!(slide.norm() > 0)) continue;
-                const double stop = setup_.body->mass_kg()[at(v)] * slide.norm() / h_;
+                const double stop = setup_.body->mass_kg()[as_index(v)] * slide.norm() / h_;
                 const Vec3 f = -std::min(sphere.friction * load.norm(), stop) * slide.normalized();
                 dynamics_.outer_force_n.segment<3>(3 * v) += f;
-                force_[at(t.sphere)] -= f;
+                force_[as_index(t.sphere)] -= f;
             }
         }
         dynamics_.outer_force_n -= gradient;

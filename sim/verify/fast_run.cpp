@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/core/number_text.h"
 #include "sim/solver/double_float.h"
@@ -24,7 +25,6 @@ namespace placode::sim {
 namespace {
 
 constexpr double kTorn = 1000;  // no tissue is stretched so far: the method has lost it
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Of vbd, where the scene names none. A vertex steps as if its neighbours stayed where they are,
 /// and so by 1 / (1 + k h^2 / m) of what it would without their stiffness k; that they follow takes
@@ -56,7 +56,7 @@ class FastRun {
         if (!setup.scene.solver.single_precision) keep_low_parts(state_);
         for (int v = 0; v < body_.vertex_count(); ++v) {
             put_vertex(state_, v, units_.place(setup.start.segment<3>(3 * v)));
-            if (setup.held[at(v)] != 0) held_.push_back(v);
+            if (setup.held[as_index(v)] != 0) held_.push_back(v);
         }
         state_.x_start = state_.x;
         state_.x_start_low = state_.x_low;
@@ -122,24 +122,25 @@ class FastRun {
         }
         std::vector<int32_t> stack;
         for (const int32_t v : setup_.partly_held()) {
-            if ((setup_.held[at(v)] & against) != 0 && state_.free_vertex[at(v)] != 0) {
+            if ((setup_.held[as_index(v)] & against) != 0 && state_.free_vertex[as_index(v)] != 0) {
                 stack.push_back(v);
-                state_.free_vertex[at(v)] = 0;
+                state_.free_vertex[as_index(v)] = 0;
             }
         }
         while (!stack.empty()) {
             const int32_t v = stack.back();
             stack.pop_back();
             const auto reach = [&](int32_t other) {
-                if (state_.free_vertex[at(other)] == 0) return;
-                state_.free_vertex[at(other)] = 0;
+                if (state_.free_vertex[as_index(other)] == 0) return;
+                state_.free_vertex[as_index(other)] = 0;
                 stack.push_back(other);
             };
             for (const int32_t t : body_.tets_of(v)) {
-                for (const int32_t other : body_.mesh().tets[at(t)]) reach(other);
+                for (const int32_t other : body_.mesh().tets[as_index(t)]) reach(other);
             }
             for (const int32_t t : body_.packed().sheet.around(v)) {
-                for (const int32_t other : body_.packed().sheet.triangles[at(t)].v) reach(other);
+                for (const int32_t other : body_.packed().sheet.triangles[as_index(t)].v)
+                    reach(other);
             }
         }
     }
@@ -184,7 +185,7 @@ class FastRun {
     /// Held vertices go where their region is at the end of the substep.
     void move_held() {
         for (const int32_t v : held_) {
-            if (setup_.held[at(v)] != 7) continue;
+            if (setup_.held[as_index(v)] != 7) continue;
             put_vertex(state_, v,
                        {special_.held_at(v, 0), special_.held_at(v, 1), special_.held_at(v, 2)});
         }
@@ -197,7 +198,7 @@ class FastRun {
         state_.force_n.resize(state_.x.size());
         for (int v = 0; v < body_.vertex_count(); ++v) {
             const Vec3f f = (units_.force() * force.segment<3>(3 * v)).cast<float>();
-            state_.force_n[at(v)] = {f.x(), f.y(), f.z(), 0};
+            state_.force_n[as_index(v)] = {f.x(), f.y(), f.z(), 0};
         }
         pushed_ = true;
     }
@@ -254,9 +255,11 @@ class FastRun {
         for (const auto& tet : body_.mesh().tets) {
             for (size_t k = 1; k < 4; ++k) {
                 const double rest =
-                    (body_.mesh().rest[at(tet[k])] - body_.mesh().rest[at(tet[0])]).norm();
+                    (body_.mesh().rest[as_index(tet[k])] - body_.mesh().rest[as_index(tet[0])])
+                        .norm();
                 const double now =
-                    (to_vec(state_.x[at(tet[k])]) - to_vec(state_.x[at(tet[0])])).norm();
+                    (to_vec(state_.x[as_index(tet[k])]) - to_vec(state_.x[as_index(tet[0])]))
+                        .norm();
                 longest = std::max(longest, now / rest);
             }
         }

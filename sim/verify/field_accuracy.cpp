@@ -9,6 +9,7 @@
 #include <ctime>
 
 #include "sim/anatomy/operative_field.h"
+#include "sim/core/as_index.h"
 #include "sim/verify/accuracy_table.h"
 #include "sim/verify/newton.h"
 
@@ -21,14 +22,13 @@ struct Load {
     Vec3 way_m = Vec3::Zero();
 };
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 /// Surface vertices within `radius_m` of a point of the plane.
 std::vector<int32_t> patch(const Scene& scene, const Vec2& centre, double radius_m) {
     std::vector<int32_t> out;
     for (int v = 0; v < scene.body.vertex_count(); ++v) {
-        const Vec3& p = scene.body.mesh().rest[at(v)];
-        if (scene.field.depth_m[at(v)] > 0 || (p.head<2>() - centre).norm() > radius_m) continue;
+        const Vec3& p = scene.body.mesh().rest[as_index(v)];
+        if (scene.field.depth_m[as_index(v)] > 0 || (p.head<2>() - centre).norm() > radius_m)
+            continue;
         out.push_back(v);
     }
     return out;
@@ -61,8 +61,8 @@ class FieldCase {
         for (int frame = 1; frame <= 1000; ++frame) {
             const Vec3 way = std::min(1.0, frame / 300.0) * load_.way_m;
             for (const int32_t v : load_.patch) {
-                const Vec3f p = (body.mesh().rest[at(v)] + way).cast<float>();
-                state.x[at(v)] = {p.x(), p.y(), p.z(), 0};
+                const Vec3f p = (body.mesh().rest[as_index(v)] + way).cast<float>();
+                state.x[as_index(v)] = {p.x(), p.y(), p.z(), 0};
             }
             run_substeps(body, state, substeps, workers);
         }
@@ -76,14 +76,15 @@ class FieldCase {
         const ReferenceBody body(spec_);
         StaticProblem problem;
         problem.body = &body;
-        problem.held.assign(at(x.size()), 0);
+        problem.held.assign(as_index(x.size()), 0);
         problem.held_at = x;
         problem.force_n = Coordinates::Zero(x.size());
         for (int v = 0; v < body.vertex_count(); ++v)
-            problem.force_n.segment<3>(3 * v) = body.mass_kg()[at(v)] * spec_.solver.gravity_m_s2;
+            problem.force_n.segment<3>(3 * v) =
+                body.mass_kg()[as_index(v)] * spec_.solver.gravity_m_s2;
         for (const int32_t v : spec_.fixed) {
-            problem.held_at.segment<3>(3 * v) = spec_.mesh.rest[at(v)];
-            for (size_t a = 0; a < 3; ++a) problem.held[3 * at(v) + a] = 1;
+            problem.held_at.segment<3>(3 * v) = spec_.mesh.rest[as_index(v)];
+            for (size_t a = 0; a < 3; ++a) problem.held[3 * as_index(v) + a] = 1;
         }
         for (const int32_t v : load_.patch) problem.held_at.segment<3>(3 * v) += load_.way_m;
         return solve_static(problem, x);
@@ -108,8 +109,8 @@ class FieldCase {
         for (int n = 1; n <= frames * substeps; ++n) {
             const Vec3 way = load_.way_m * n / (frames * substeps);
             for (const int32_t v : load_.patch) {
-                const Vec3f p = (body.mesh().rest[at(v)] + way).cast<float>();
-                state.x[at(v)] = {p.x(), p.y(), p.z(), 0};
+                const Vec3f p = (body.mesh().rest[as_index(v)] + way).cast<float>();
+                state.x[as_index(v)] = {p.x(), p.y(), p.z(), 0};
             }
             const std::clock_t before = std::clock();
             run_substeps(body, state, 1, workers);
@@ -127,23 +128,24 @@ class FieldCase {
         constexpr int kSteps = 250;
         constexpr double h = 1e-3 / kSteps;
         const ReferenceBody body(spec_);
-        std::vector<uint8_t> held(at(body.vertex_count()), 0);
-        for (const int32_t v : spec_.fixed) held[at(v)] = 1;
+        std::vector<uint8_t> held(as_index(body.vertex_count()), 0);
+        for (const int32_t v : spec_.fixed) held[as_index(v)] = 1;
         Coordinates x = start, v = Coordinates::Zero(start.size()), gradient(start.size());
         std::vector<Vec3> out;
         for (int n = 1; n <= frames * kSteps; ++n) {
             gradient.setZero();
             body.add_gradient(x, gradient);
             for (int i = 0; i < body.vertex_count(); ++i) {
-                if (held[at(i)] != 0) continue;
-                const Vec3 a =
-                    spec_.solver.gravity_m_s2 - gradient.segment<3>(3 * i) / body.mass_kg()[at(i)];
+                if (held[as_index(i)] != 0) continue;
+                const Vec3 a = spec_.solver.gravity_m_s2 -
+                               gradient.segment<3>(3 * i) / body.mass_kg()[as_index(i)];
                 v.segment<3>(3 * i) =
-                    (v.segment<3>(3 * i) + h * a) / (1 + h * body.damping_per_s()[at(i)]);
+                    (v.segment<3>(3 * i) + h * a) / (1 + h * body.damping_per_s()[as_index(i)]);
             }
             x += h * v;
             for (const int32_t i : load_.patch)
-                x.segment<3>(3 * i) = spec_.mesh.rest[at(i)] + load_.way_m * n / (frames * kSteps);
+                x.segment<3>(3 * i) =
+                    spec_.mesh.rest[as_index(i)] + load_.way_m * n / (frames * kSteps);
             if (n % kSteps == 0) out.push_back(reaction(x));
         }
         return out;
@@ -156,7 +158,7 @@ class FieldCase {
             const Tissue tissue = spec_.mesh.tissue[t];
             if (tissue == Tissue::kSkin || tissue == Tissue::kThinSkin) continue;
             Vec3 middle = Vec3::Zero();
-            for (const int32_t v : spec_.mesh.tets[t]) middle += spec_.mesh.rest[at(v)] / 4;
+            for (const int32_t v : spec_.mesh.tets[t]) middle += spec_.mesh.rest[as_index(v)] / 4;
             if ((middle.head<2>() - centre).norm() < radius_m) spec_.stiffness_percent[t] = 1;
         }
     }
@@ -168,7 +170,7 @@ class FieldCase {
         Vec3 sum = Vec3::Zero();
         for (const int32_t v : load_.patch)
             sum += Vec3(gradient.segment<3>(3 * v)) -
-                   body.mass_kg()[at(v)] * spec_.solver.gravity_m_s2;
+                   body.mass_kg()[as_index(v)] * spec_.solver.gravity_m_s2;
         return sum;
     }
 
@@ -267,7 +269,7 @@ void measure_field(AccuracyTable& table) {
     const auto scene = build_operative_field(OperativeFieldSpec{});
     Coordinates rest(3 * scene->body.vertex_count()), unloaded;
     for (int v = 0; v < scene->body.vertex_count(); ++v)
-        rest.segment<3>(3 * v) = scene->body.mesh().rest[at(v)];
+        rest.segment<3>(3 * v) = scene->body.mesh().rest[as_index(v)];
     for (const Load& load :
          {Load{"a: gravity and pre-tension", {}, Vec3::Zero()},
           Load{"b: skin pulled 1 mm", patch(*scene, Vec2(0, 0.0098), 0.0012), Vec3(0, 0, 1e-3)},

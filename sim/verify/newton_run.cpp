@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/core/bounds.h"
 #include "sim/core/fnv_hash.h"
 #include "sim/core/number_text.h"
@@ -11,8 +12,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 int load_steps(const SolveSetup& setup, double time_s) {
     double farthest = 0;
@@ -116,7 +115,7 @@ void run_newton(const SolveSetup& setup, SolveResult& out) {
     setup.sample(time_s, x, out);
     if (setup.contacts) tell_contacts(setup, problem, time_s, x, out);
     FnvHash hash;
-    hash.bytes(x.data(), sizeof(double) * at(x.size()));
+    hash.bytes(x.data(), sizeof(double) * as_index(x.size()));
     out.state_hash = hash.value();
     setup.finish(x, Coordinates::Zero(x.size()), time_s, out);
 }

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
+
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// Cofactor matrix, J F^-T, also where F is singular.
 Mat3 cofactor(const Mat3& f) {
@@ -34,24 +34,24 @@ ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
     check_mesh(spec.mesh, sheet_vertices(spec));
     if (!spec.sheet.empty()) sheet_ = ReferenceSheet(spec);
     vertices_ = static_cast<int>(spec.mesh.rest.size());
-    mass_kg_.assign(at(vertices_), 0.0);
-    damping_per_s_.assign(at(vertices_), 0.0);
+    mass_kg_.assign(as_index(vertices_), 0.0);
+    damping_per_s_.assign(as_index(vertices_), 0.0);
     rest_.resize(3 * vertices_);
-    for (int v = 0; v < vertices_; ++v) rest_.segment<3>(3 * v) = spec.mesh.rest[at(v)];
+    for (int v = 0; v < vertices_; ++v) rest_.segment<3>(3 * v) = spec.mesh.rest[as_index(v)];
     for (size_t t = 0; t < spec.mesh.tets.size(); ++t) {
         Tet tet;
         tet.v = spec.mesh.tets[t];
         const Mat3 scale = rest_stretch(spec, static_cast<int>(t));
         Mat3 edges;
         for (int k = 0; k < 3; ++k) {
-            edges.col(k) =
-                scale * (spec.mesh.rest[at(tet.v[at(k) + 1])] - spec.mesh.rest[at(tet.v[0])]);
+            edges.col(k) = scale * (spec.mesh.rest[as_index(tet.v[as_index(k) + 1])] -
+                                    spec.mesh.rest[as_index(tet.v[0])]);
         }
         const Mat3 inverse = edges.inverse();
         tet.b[0].setZero();
         for (int k = 0; k < 3; ++k) {
-            tet.b[at(k) + 1] = inverse.row(k).transpose();
-            tet.b[0] -= tet.b[at(k) + 1];
+            tet.b[as_index(k) + 1] = inverse.row(k).transpose();
+            tet.b[0] -= tet.b[as_index(k) + 1];
         }
         tet.volume_m3 = edges.determinant() / 6;
         const Material& m = spec.materials[static_cast<size_t>(spec.mesh.tissue[t])];
@@ -63,19 +63,19 @@ ReferenceBody::ReferenceBody(const SoftBodySpec& spec) {
         tets_.push_back(tet);
         const double mass = rest_volume(spec.mesh, static_cast<int>(t)) * m.density_kg_m3 / 4;
         for (const int32_t v : tet.v) {
-            mass_kg_[at(v)] += mass;
-            damping_per_s_[at(v)] += mass * m.damping_per_s;
+            mass_kg_[as_index(v)] += mass;
+            damping_per_s_[as_index(v)] += mass * m.damping_per_s;
         }
     }
     for (const SheetTriangle& t : spec.sheet) {
         const Material& m = spec.materials[static_cast<size_t>(t.tissue)];
         const double mass = area_of(spec.mesh.rest, t) * t.thickness_m * m.density_kg_m3 / 3;
         for (const int32_t v : t.vertex) {
-            mass_kg_[at(v)] += mass;
-            damping_per_s_[at(v)] += mass * m.damping_per_s;
+            mass_kg_[as_index(v)] += mass;
+            damping_per_s_[as_index(v)] += mass * m.damping_per_s;
         }
     }
-    for (int v = 0; v < vertices_; ++v) damping_per_s_[at(v)] /= mass_kg_[at(v)];
+    for (int v = 0; v < vertices_; ++v) damping_per_s_[as_index(v)] /= mass_kg_[as_index(v)];
     for (const AnchorSpring& s : spec.springs) {
         const Vec3 n = s.normal.normalized();
         springs_.push_back({s.vertex, s.anchor,
@@ -93,7 +93,7 @@ Mat3 ReferenceBody::deformation(const Tet& tet, const Coordinates& x) {
 }
 
 double ReferenceBody::deformation_determinant(const Coordinates& x, int tet) const {
-    return deformation(tets_[at(tet)], x).determinant();
+    return deformation(tets_[as_index(tet)], x).determinant();
 }
 
 double ReferenceBody::energy(const Coordinates& x) const {
@@ -115,12 +115,12 @@ double ReferenceBody::energy(const Coordinates& x) const {
 void ReferenceBody::corner_gradients(const Coordinates& x, int first, int last,
                                      std::vector<std::array<Vec3, 4>>& out) const {
     for (int t = first; t < last; ++t) {
-        const Tet& tet = tets_[at(t)];
+        const Tet& tet = tets_[as_index(t)];
         const Mat3 f = deformation(tet, x);
         const Mat3 stress =
             tet.volume_m3 *
             (tet.mu_pa * f + (tet.lambda_pa * (f.determinant() - 1) - tet.mu_pa) * cofactor(f));
-        for (size_t k = 0; k < 4; ++k) out[at(t)][k] = stress * tet.b[k];
+        for (size_t k = 0; k < 4; ++k) out[as_index(t)][k] = stress * tet.b[k];
     }
 }
 
@@ -173,8 +173,8 @@ void ReferenceBody::add_stiffness(const Coordinates& x, bool projected, Triplets
         }
         for (int i = 0; i < 12; ++i) {
             for (int j = 0; j < 12; ++j) {
-                out.emplace_back(3 * tet.v[at(i / 3)] + i % 3, 3 * tet.v[at(j / 3)] + j % 3,
-                                 k(i, j));
+                out.emplace_back(3 * tet.v[as_index(i / 3)] + i % 3,
+                                 3 * tet.v[as_index(j / 3)] + j % 3, k(i, j));
             }
         }
     }
@@ -211,7 +211,7 @@ double ReferenceBody::highest_frequency_rad_s() const {
     Coordinates inverse_root_mass(3 * vertices_), u(3 * vertices_);
     uint32_t seed = 1;
     for (int i = 0; i < 3 * vertices_; ++i) {
-        inverse_root_mass[i] = 1 / std::sqrt(mass_kg_[at(i / 3)]);
+        inverse_root_mass[i] = 1 / std::sqrt(mass_kg_[as_index(i / 3)]);
         seed = seed * 1664525U + 1013904223U;
         u[i] = static_cast<double>(seed >> 8) / (1 << 24) - 0.5;
     }

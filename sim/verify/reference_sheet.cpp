@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <complex>
 
+#include "sim/core/as_index.h"
 #include "sim/mesh/dihedral.h"
 #include "sim/solver/soft_body.h"
 
@@ -14,8 +15,6 @@ namespace placode::sim {
 namespace {
 
 using Coordinates = ReferenceSheet::Coordinates;
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 /// adj(C) = det(C) C^-1 of a symmetric 2 x 2 matrix; linear in C.
 Eigen::Matrix2d adjugate(const Eigen::Matrix2d& c) {
@@ -58,10 +57,10 @@ Eigen::Matrix<double, 12, 12> hinge_hessian(const HingePoints<double>& p) {
     for (int column = 0; column < 12; ++column) {
         HingePoints<Complex> q;
         for (size_t k = 0; k < 4; ++k) q[k] = p[k].cast<Complex>();
-        q[at(column / 3)][column % 3] += Complex(0, kStep);
+        q[as_index(column / 3)][column % 3] += Complex(0, kStep);
         const HingePoints<Complex> g = hinge_gradient<Complex>(q);
         for (int row = 0; row < 12; ++row)
-            out(row, column) = g[at(row / 3)][row % 3].imag() / kStep;
+            out(row, column) = g[as_index(row / 3)][row % 3].imag() / kStep;
     }
     return out;
 }
@@ -82,9 +81,9 @@ ReferenceSheet::ReferenceSheet(const SoftBodySpec& spec) : elements_(sheet_eleme
     for (const SheetTriangle& t : spec.sheet) {
         Membrane m;
         m.v = t.vertex;
-        const Vec3& origin = spec.mesh.rest[at(t.vertex[0])];
-        const Vec3 e1 = spec.mesh.rest[at(t.vertex[1])] - origin;
-        const Vec3 e2 = spec.mesh.rest[at(t.vertex[2])] - origin;
+        const Vec3& origin = spec.mesh.rest[as_index(t.vertex[0])];
+        const Vec3 e1 = spec.mesh.rest[as_index(t.vertex[1])] - origin;
+        const Vec3 e2 = spec.mesh.rest[as_index(t.vertex[2])] - origin;
         const Vec3 axis = e1.normalized(), across = (e2 - axis.dot(e2) * axis).normalized();
         Eigen::Matrix2d edges;
         edges << axis.dot(e1), axis.dot(e2), across.dot(e1), across.dot(e2);
@@ -157,13 +156,14 @@ Eigen::Matrix<double, 9, 9> ReferenceSheet::membrane_stiffness(const Membrane& t
     const Matrix32 dq = 2 * f * adj;
     Eigen::Matrix<double, 9, 9> out;
     for (int column = 0; column < 9; ++column) {
-        const Matrix32 df =
-            Vec3::Unit(column % 3) * t.b[at(column / 3)].transpose();  // of a corner's unit step
+        const Matrix32 df = Vec3::Unit(column % 3) *
+                            t.b[as_index(column / 3)].transpose();  // of a corner's unit step
         const Eigen::Matrix2d dc = df.transpose() * f + f.transpose() * df;
         const Matrix32 dp = t.material.mu_pa * df +
                             t.material.curvature(q) * dq.cwiseProduct(df).sum() * dq +
                             2 * slope * (df * adj + f * adjugate(dc));
-        for (int k = 0; k < 3; ++k) out.block<3, 1>(3 * k, column) = t.volume_m3 * dp * t.b[at(k)];
+        for (int k = 0; k < 3; ++k)
+            out.block<3, 1>(3 * k, column) = t.volume_m3 * dp * t.b[as_index(k)];
     }
     return out;
 }
@@ -174,7 +174,8 @@ void ReferenceSheet::add_stiffness(const Coordinates& x, bool projected, Triplet
         if (projected) keep_positive(k);
         for (int i = 0; i < 9; ++i) {
             for (int j = 0; j < 9; ++j)
-                out.emplace_back(3 * t.v[at(i / 3)] + i % 3, 3 * t.v[at(j / 3)] + j % 3, k(i, j));
+                out.emplace_back(3 * t.v[as_index(i / 3)] + i % 3, 3 * t.v[as_index(j / 3)] + j % 3,
+                                 k(i, j));
         }
     }
     for (const SheetElement& t : elements_.triangles) {
@@ -194,10 +195,11 @@ void ReferenceSheet::add_stiffness(const Coordinates& x, bool projected, Triplet
                 const double b = t.bending(static_cast<int>(i), static_cast<int>(j));
                 for (int r = 0; r < 12; ++r) {
                     for (int c = 0; c < 12; ++c) {
-                        double value = b * g[i][at(r / 3)][r % 3] * g[j][at(c / 3)][c % 3];
+                        double value =
+                            b * g[i][as_index(r / 3)][r % 3] * g[j][as_index(c / 3)][c % 3];
                         if (i == j) value += second(r, c);
-                        out.emplace_back(3 * hinges[i].v[at(r / 3)] + r % 3,
-                                         3 * hinges[j].v[at(c / 3)] + c % 3, value);
+                        out.emplace_back(3 * hinges[i].v[as_index(r / 3)] + r % 3,
+                                         3 * hinges[j].v[as_index(c / 3)] + c % 3, value);
                     }
                 }
             }

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "sim/core/as_index.h"
 #include "sim/solver/double_float.h"
 
 namespace placode::sim {
@@ -18,8 +19,6 @@ using Mat6 = Eigen::Matrix<double, 6, 6>;
 constexpr uint8_t kAllAxes = 7;
 constexpr double kThin = 1e-9;     // of the trace: a body shrunk to a line has no spin
 constexpr double kSettled = 1e-7;  // of an edge: what such a step leaves is its square
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 Mat3 cross_matrix(const Vec3& a) {
     Mat3 m;
@@ -51,9 +50,9 @@ RigidModes::RigidModes(const SolveSetup& setup, const SoftBody& body, SoftBodySt
     }
     piece_of_.reserve(found.of_vertex.size());
     for (size_t v = 0; v < found.of_vertex.size(); ++v) {
-        piece_of_.push_back(number[at(found.of_vertex[v])]);
+        piece_of_.push_back(number[as_index(found.of_vertex[v])]);
         if (piece_of_[v] < 0) continue;
-        Piece& piece = pieces_[at(piece_of_[v])];
+        Piece& piece = pieces_[as_index(piece_of_[v])];
         piece.vertices.push_back(static_cast<int32_t>(v));
         piece.mass += body.mass_kg()[v];
     }
@@ -65,8 +64,8 @@ void RigidModes::begin() {
         Vec3 place = Vec3::Zero(), momentum = Vec3::Zero(), turn = Vec3::Zero();
         Mat3 inertia = Mat3::Zero();
         for (const int32_t v : piece.vertices) {
-            const double m = body_.mass_kg()[at(v)];
-            const Vec3 r = exact_position(state_, v) - from, p = m * to_vec(state_.v[at(v)]);
+            const double m = body_.mass_kg()[as_index(v)];
+            const Vec3 r = exact_position(state_, v) - from, p = m * to_vec(state_.v[as_index(v)]);
             place += m * r;
             momentum += p;
             turn += r.cross(p);
@@ -83,9 +82,9 @@ void RigidModes::begin() {
 }
 
 Vec3 RigidModes::way(int32_t vertex) const {
-    if (piece_of_[at(vertex)] < 0) return Vec3::Zero();
-    const Piece& piece = pieces_[at(piece_of_[at(vertex)])];
-    const Vec3 r = to_vec(state_.x_start[at(vertex)]) - piece.centre;
+    if (piece_of_[as_index(vertex)] < 0) return Vec3::Zero();
+    const Piece& piece = pieces_[as_index(piece_of_[as_index(vertex)])];
+    const Vec3 r = to_vec(state_.x_start[as_index(vertex)]) - piece.centre;
     Vec3 way = h_ * (piece.speed + piece.spin.cross(r));
     for (int a = 0; a < 3; ++a) {
         if ((piece.held >> a & 1) != 0) way[a] = 0;
@@ -95,9 +94,9 @@ Vec3 RigidModes::way(int32_t vertex) const {
 
 /// Where a vertex would go in this substep if it had no neighbours.
 Vec3 RigidModes::plan(int32_t vertex) const {
-    Vec3 speed = to_vec(state_.v[at(vertex)]) + h_ * gravity_;
+    Vec3 speed = to_vec(state_.v[as_index(vertex)]) + h_ * gravity_;
     if (!state_.force_n.empty())
-        speed += h_ / body_.mass_kg()[at(vertex)] * to_vec(state_.force_n[at(vertex)]);
+        speed += h_ / body_.mass_kg()[as_index(vertex)] * to_vec(state_.force_n[as_index(vertex)]);
     return h_ * speed;
 }
 
@@ -107,7 +106,7 @@ RigidModes::Sums RigidModes::sum(const Piece& piece) const {
     const Vec3 from = exact_position(state_, first), first_way = way_in_substep(state_, first);
     Vec3 place = Vec3::Zero(), start = Vec3::Zero(), went = Vec3::Zero(), planned = Vec3::Zero();
     for (const int32_t v : piece.vertices) {
-        const double m = body_.mass_kg()[at(v)];
+        const double m = body_.mass_kg()[as_index(v)];
         const Vec3 r = exact_position(state_, v) - from;
         const Vec3 way = way_in_substep(state_, v), wanted = plan(v);
         const Vec3 before = r - (way - first_way);  // from where the first vertex was
@@ -131,7 +130,7 @@ bool RigidModes::solve_once(const std::vector<ContactPush>& pushes) {
     bool moved = false;
     for (size_t number = 0; number < pieces_.size(); ++number) {
         const int32_t first = pieces_[number].vertices.front();
-        const auto edge = static_cast<double>(body_.shortest_edge_m()[at(first)]);
+        const auto edge = static_cast<double>(body_.shortest_edge_m()[as_index(first)]);
         const double way = move(static_cast<int32_t>(number), pushes);
         moved = moved || way > kSettled * edge;
     }
@@ -140,7 +139,7 @@ bool RigidModes::solve_once(const std::vector<ContactPush>& pushes) {
 
 /// One Newton step of the six unknowns; returns the longest way of a vertex [m].
 double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) {
-    const Piece& piece = pieces_[at(number)];
+    const Piece& piece = pieces_[as_index(number)];
     const Sums sums = sum(piece);
     const bool turns = piece.held == 0 && can_turn(sums.inertia);
     // Times h^2: masses and ways instead of forces.
@@ -150,7 +149,7 @@ double RigidModes::move(int32_t number, const std::vector<ContactPush>& pushes) 
     system.bottomRightCorner<3, 3>() = sums.inertia;
     rest << sums.missing, sums.missing_turn;
     for (const ContactPush& push : pushes) {
-        if (piece_of_[at(push.vertex)] != number) continue;
+        if (piece_of_[as_index(push.vertex)] != number) continue;
         const Vec3 r = push.at - sums.centre;
         Eigen::Matrix<double, 3, 6> ways;  // of that place, for each unknown
         ways << Mat3::Identity(), -cross_matrix(r);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "sim/core/as_index.h"
 #include "sim/core/bounds.h"
 #include "sim/core/number_text.h"
 #include "sim/mesh/surface.h"
@@ -12,8 +13,6 @@
 
 namespace placode::sim {
 namespace {
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 constexpr double kWeld = 1e-6;  // of the longest edge of the sheet
 
@@ -23,16 +22,18 @@ class PlaceIndex {
     explicit PlaceIndex(const std::vector<Vec3>& points) : points_(points), order_(points.size()) {
         std::iota(order_.begin(), order_.end(), 0);
         std::sort(order_.begin(), order_.end(), [&](int32_t a, int32_t b) {
-            return points[at(a)].x() != points[at(b)].x() ? points[at(a)].x() < points[at(b)].x()
-                                                          : a < b;
+            return points[as_index(a)].x() != points[as_index(b)].x()
+                       ? points[as_index(a)].x() < points[as_index(b)].x()
+                       : a < b;
         });
     }
     /// -1 when nothing is within `reach`.
     [[nodiscard]] int32_t find(const Vec3& p, double reach) const {
-        auto i = std::lower_bound(order_.begin(), order_.end(), p.x() - reach,
-                                  [&](int32_t v, double x) { return points_[at(v)].x() < x; });
-        for (; i != order_.end() && points_[at(*i)].x() <= p.x() + reach; ++i) {
-            if ((points_[at(*i)] - p).norm() <= reach) return *i;
+        auto i =
+            std::lower_bound(order_.begin(), order_.end(), p.x() - reach,
+                             [&](int32_t v, double x) { return points_[as_index(v)].x() < x; });
+        for (; i != order_.end() && points_[as_index(*i)].x() <= p.x() + reach; ++i) {
+            if ((points_[as_index(*i)] - p).norm() <= reach) return *i;
         }
         return -1;
     }
@@ -46,8 +47,9 @@ double longest_edge(const SheetInput& sheet) {
     double longest = 0;
     for (const auto& t : sheet.triangles) {
         for (size_t k = 0; k < 3; ++k)
-            longest = std::max(longest,
-                               (sheet.points[at(t[k])] - sheet.points[at(t[(k + 1) % 3])]).norm());
+            longest = std::max(
+                longest,
+                (sheet.points[as_index(t[k])] - sheet.points[as_index(t[(k + 1) % 3])]).norm());
     }
     return longest;
 }
@@ -56,10 +58,10 @@ double longest_edge(const SheetInput& sheet) {
 int32_t span_of(const TetMesh& mesh, const std::vector<int32_t>& new_of_old) {
     int32_t span = 0;
     for (const auto& tet : mesh.tets) {
-        int32_t low = new_of_old[at(tet[0])], high = low;
+        int32_t low = new_of_old[as_index(tet[0])], high = low;
         for (const int32_t v : tet) {
-            low = std::min(low, new_of_old[at(v)]);
-            high = std::max(high, new_of_old[at(v)]);
+            low = std::min(low, new_of_old[as_index(v)]);
+            high = std::max(high, new_of_old[as_index(v)]);
         }
         span = std::max(span, high - low);
     }
@@ -68,7 +70,7 @@ int32_t span_of(const TetMesh& mesh, const std::vector<int32_t>& new_of_old) {
 
 std::vector<int32_t> inverse(const std::vector<int32_t>& order) {
     std::vector<int32_t> out(order.size());
-    for (size_t i = 0; i < order.size(); ++i) out[at(order[i])] = static_cast<int32_t>(i);
+    for (size_t i = 0; i < order.size(); ++i) out[as_index(order[i])] = static_cast<int32_t>(i);
     return out;
 }
 
@@ -79,7 +81,7 @@ std::vector<int32_t> axis_order(const TetMesh& mesh) {
     std::vector<int32_t> order(mesh.rest.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int32_t a, int32_t b) {
-        return mesh.rest[at(a)][axis] < mesh.rest[at(b)][axis];
+        return mesh.rest[as_index(a)][axis] < mesh.rest[as_index(b)][axis];
     });
     return order;
 }
@@ -104,7 +106,7 @@ void use_mesh(VerificationScene& scene, const TetMesh& mesh, std::vector<Vec3> o
     scene.mesh = renumbered(mesh, order);
     scene.output_points = std::move(output_points);
     scene.vertex_of_output = vertex_of_output;
-    for (int32_t& v : scene.vertex_of_output) v = v < 0 ? -1 : new_of_old[at(v)];
+    for (int32_t& v : scene.vertex_of_output) v = v < 0 ? -1 : new_of_old[as_index(v)];
 }
 
 void use_box(VerificationScene& scene, const Vec3& size_m, const std::array<int, 3>& cells) {
@@ -119,7 +121,7 @@ SheetInput boundary_in(const VerificationScene& scene, const BoxSelection& box) 
     SheetInput out;
     out.points = scene.mesh.rest;
     const auto inside = [&](int32_t v) {
-        const Vec3& p = scene.mesh.rest[at(v)];
+        const Vec3& p = scene.mesh.rest[as_index(v)];
         return ((p - box.low).array() >= -kTolerance).all() &&
                ((box.high - p).array() >= -kTolerance).all();
     };
@@ -144,17 +146,17 @@ void use_sheet(VerificationScene& scene, const SheetInput& sheet) {
     int welded = 0;
     for (SheetTriangle& t : triangles) {
         for (int32_t& v : t.vertex) {
-            const size_t p = at(v);
+            const size_t p = as_index(v);
             if (vertex[p] < 0) {
                 const int32_t output = sheet.output.empty() ? -1 : sheet.output[p];
-                vertex[p] = output >= 0 ? scene.vertex_of_output[at(output)]
+                vertex[p] = output >= 0 ? scene.vertex_of_output[as_index(output)]
                                         : place.find(sheet.points[p], reach);
                 welded += vertex[p] >= 0 ? 1 : 0;
                 if (vertex[p] < 0) {
                     vertex[p] = static_cast<int32_t>(scene.mesh.rest.size() + fresh.size());
                     fresh.push_back(sheet.points[p]);
                     if (output >= 0) {
-                        scene.vertex_of_output[at(output)] = vertex[p];
+                        scene.vertex_of_output[as_index(output)] = vertex[p];
                     } else {
                         scene.output_points.push_back(sheet.points[p]);
                         scene.vertex_of_output.push_back(vertex[p]);

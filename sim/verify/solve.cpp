@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "sim/core/as_index.h"
 #include "sim/core/number_text.h"
 #include "sim/solver/courant.h"
 #include "sim/verify/solve_setup.h"
@@ -12,15 +13,13 @@
 namespace placode::sim {
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
-
 /// Kinetic energy, momentum, and angular momentum about the centre of mass.
 void add_motion(const ReferenceBody& body, const Coordinates& x, const Coordinates& v,
                 SolveResult& out) {
     double mass = 0;
     Vec3 centre = Vec3::Zero();
     for (int i = 0; i < body.vertex_count(); ++i) {
-        const double m = body.mass_kg()[at(i)];
+        const double m = body.mass_kg()[as_index(i)];
         const Vec3 place = x.segment<3>(3 * i), speed = v.segment<3>(3 * i);
         out.not_finite += place.allFinite() && speed.allFinite() ? 0 : 1;
         out.kinetic_energy_j += 0.5 * m * speed.squaredNorm();
@@ -29,7 +28,7 @@ void add_motion(const ReferenceBody& body, const Coordinates& x, const Coordinat
     }
     centre /= mass;
     for (int i = 0; i < body.vertex_count(); ++i) {
-        const Vec3 p = body.mass_kg()[at(i)] * v.segment<3>(3 * i);
+        const Vec3 p = body.mass_kg()[as_index(i)] * v.segment<3>(3 * i);
         const Vec3 arm = Vec3(x.segment<3>(3 * i)) - centre;
         out.momentum_kg_m_s += p;
         out.momentum_scale_kg_m_s += p.norm();
@@ -109,7 +108,7 @@ void SolveSetup::add_reactions(const Coordinates& x, double time_s, SolveResult&
     Coordinates outer = Coordinates::Zero(x.size());
     add_loads(time_s, outer);
     for (int i = 0; i < body->vertex_count(); ++i)
-        outer.segment<3>(3 * i) += body->mass_kg()[at(i)] * scene.gravity_m_s2;
+        outer.segment<3>(3 * i) += body->mass_kg()[as_index(i)] * scene.gravity_m_s2;
     support -= outer;
     std::vector<uint8_t> is_fixed;
     for (const HeldRegion& region : scene.held) {
@@ -119,15 +118,15 @@ void SolveSetup::add_reactions(const Coordinates& x, double time_s, SolveResult&
     // A region whose coordinates have all been taken over holds nothing.
     bool any_fixed = false;
     for (const auto& by : held_by_) {
-        for (const int32_t r : by) any_fixed = any_fixed || (r >= 0 && is_fixed[at(r)] != 0);
+        for (const int32_t r : by) any_fixed = any_fixed || (r >= 0 && is_fixed[as_index(r)] != 0);
     }
     for (size_t i = 0; i < held.size(); ++i) {
         for (size_t a = 0; a < 3; ++a) {
             const int32_t by = held_by_[i][a];
             if (by < 0) continue;
             const double f = support[static_cast<Eigen::Index>(3 * i + a)];
-            out.reactions[at(by)].force_n[static_cast<Eigen::Index>(a)] += f;
-            if (is_fixed[at(by)] != 0 || !any_fixed)
+            out.reactions[as_index(by)].force_n[static_cast<Eigen::Index>(a)] += f;
+            if (is_fixed[as_index(by)] != 0 || !any_fixed)
                 out.reaction_n[static_cast<Eigen::Index>(a)] += f;
         }
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sim/core/as_index.h"
 #include "sim/core/bounds.h"
 #include "sim/core/number_text.h"
 #include "sim/core/random.h"
@@ -14,8 +15,6 @@ namespace placode::sim {
 namespace {
 
 constexpr double kSelectTolerance = 1e-9;  // [m], by contract
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 std::string text_of(const Vec3& p) {
     return "[" + rounded_text(p.x(), 6) + ", " + rounded_text(p.y(), 6) + ", " +
@@ -38,7 +37,7 @@ double ramp(double time_s, double ramp_s) {
 bool is_inside(const TetMesh& mesh, const Vec3& p) {
     for (size_t t = 0; t < mesh.tets.size(); ++t) {
         std::array<Vec3, 4> to;
-        for (size_t k = 0; k < 4; ++k) to[k] = mesh.rest[at(mesh.tets[t][k])] - p;
+        for (size_t k = 0; k < 4; ++k) to[k] = mesh.rest[as_index(mesh.tets[t][k])] - p;
         const double least =
             std::min({to[1].dot(to[2].cross(to[3])), to[0].dot(to[3].cross(to[2])),
                       to[0].dot(to[1].cross(to[3])), to[0].dot(to[2].cross(to[1]))});
@@ -118,13 +117,13 @@ void SolveSetup::hold() {
         for (const int32_t v : select(region.box, region.pointer)) {
             for (int a = 0; a < 3; ++a) {
                 if ((region.axes >> a & 1) == 0) continue;
-                int32_t& by = held_by_[at(v)][at(a)];
+                int32_t& by = held_by_[as_index(v)][as_index(a)];
                 if (by >= 0) {
-                    const HeldRegion& other = scene.held[at(by)];
+                    const HeldRegion& other = scene.held[as_index(by)];
                     if (other.displacement_m[a] != region.displacement_m[a]) ++taken;
                 }
                 by = static_cast<int32_t>(r);
-                held[at(v)] |= static_cast<uint8_t>(1 << a);
+                held[as_index(v)] |= static_cast<uint8_t>(1 << a);
             }
         }
         if (taken > 0)
@@ -150,20 +149,24 @@ void SolveSetup::make_loads() {
         const std::vector<int32_t> chosen = select(region.box, region.pointer);
         std::vector<double> weight(scene.mesh.rest.size(), 0.0);
         std::vector<uint8_t> is_chosen(weight.size(), 0);
-        for (const int32_t v : chosen) is_chosen[at(v)] = 1;
+        for (const int32_t v : chosen) is_chosen[as_index(v)] = 1;
         double area = 0;
         for (const auto& k : triangles) {
-            if (!is_chosen[at(k[0])] || !is_chosen[at(k[1])] || !is_chosen[at(k[2])]) continue;
-            const Vec3& x0 = scene.mesh.rest[at(k[0])];
-            const double third =
-                (scene.mesh.rest[at(k[1])] - x0).cross(scene.mesh.rest[at(k[2])] - x0).norm() / 6;
+            if (!is_chosen[as_index(k[0])] || !is_chosen[as_index(k[1])] ||
+                !is_chosen[as_index(k[2])])
+                continue;
+            const Vec3& x0 = scene.mesh.rest[as_index(k[0])];
+            const double third = (scene.mesh.rest[as_index(k[1])] - x0)
+                                     .cross(scene.mesh.rest[as_index(k[2])] - x0)
+                                     .norm() /
+                                 6;
             area += 3 * third;
-            for (const int32_t v : k) weight[at(v)] += third;
+            for (const int32_t v : k) weight[as_index(v)] += third;
         }
         Load load{region.total_force_n, region.ramp_s, {}};
         for (const int32_t v : chosen) {
             const double share =
-                area > 0 ? weight[at(v)] / area : 1.0 / static_cast<double>(chosen.size());
+                area > 0 ? weight[as_index(v)] / area : 1.0 / static_cast<double>(chosen.size());
             if (share > 0) load.share.emplace_back(v, share);
         }
         check_effect(region, load);
@@ -177,7 +180,8 @@ void SolveSetup::check_effect(const LoadRegion& region, const Load& load) {
     for (int a = 0; a < 3; ++a) {
         if (load.total[a] == 0) continue;
         acts = true;
-        for (const auto& [v, share] : load.share) moves = moves || (held[at(v)] >> a & 1) == 0;
+        for (const auto& [v, share] : load.share)
+            moves = moves || (held[as_index(v)] >> a & 1) == 0;
     }
     if (acts && !moves)
         warnings.push_back(
@@ -237,11 +241,11 @@ void SolveSetup::report_time(double time_s) const {
 }
 
 double SolveSetup::held_at(int vertex, int axis, double time_s) const {
-    return scene.mesh.rest[at(vertex)][axis] + held_way(vertex, axis, time_s);
+    return scene.mesh.rest[as_index(vertex)][axis] + held_way(vertex, axis, time_s);
 }
 
 double SolveSetup::held_way(int vertex, int axis, double time_s) const {
-    const HeldRegion& region = scene.held[at(held_by_[at(vertex)][at(axis)])];
+    const HeldRegion& region = scene.held[as_index(held_by_[as_index(vertex)][as_index(axis)])];
     return ramp(time_s, region.ramp_s) * region.displacement_m[axis];
 }
 

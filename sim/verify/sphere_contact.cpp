@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/core/as_index.h"
 #include "sim/core/tool_shape.h"
 #include "sim/mesh/surface.h"
 
@@ -11,8 +12,6 @@ namespace placode::sim {
 namespace {
 
 constexpr double kFacing = 0.5;  // as in sim/contact/contact.cpp
-
-size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 SphereContacts::PositionOf position_in(const Coordinates& x) {
     return [&x](int32_t v) { return Vec3(x.segment<3>(3 * v)); };
@@ -25,7 +24,7 @@ std::array<Vec3, 3> gradients(const SphereTouch& t, const Coordinates& x) {
     std::array<Vec3, 3> p;
     int count = 0, first = -1, last = -1;
     for (int i = 0; i < 3; ++i) {
-        p[at(i)] = x.segment<3>(3 * t.vertex[at(i)]);
+        p[as_index(i)] = x.segment<3>(3 * t.vertex[as_index(i)]);
         if (!(t.b[i] > 1e-12)) continue;
         if (count++ == 0) first = i;
         last = i;
@@ -35,9 +34,9 @@ std::array<Vec3, 3> gradients(const SphereTouch& t, const Coordinates& x) {
         for (size_t i = 0; i < 3; ++i)
             g[i] = face.cross(p[(i + 2) % 3] - p[(i + 1) % 3]) / face.squaredNorm();
     } else if (count == 2) {
-        const Vec3 way = p[at(last)] - p[at(first)];
-        g[at(last)] = way / way.squaredNorm();
-        g[at(first)] = -g[at(last)];
+        const Vec3 way = p[as_index(last)] - p[as_index(first)];
+        g[as_index(last)] = way / way.squaredNorm();
+        g[as_index(first)] = -g[as_index(last)];
     }
     return g;
 }
@@ -54,7 +53,8 @@ SphereContacts::SphereContacts(const TetMesh& mesh, std::vector<SphereObstacle> 
     triangles_.insert(triangles_.end(), sheet.begin(), sheet.end());
     for (const auto& t : triangles_) {
         for (size_t k = 0; k < 3; ++k) {
-            const double edge = (mesh.rest[at(t[k])] - mesh.rest[at(t[(k + 1) % 3])]).norm();
+            const double edge =
+                (mesh.rest[as_index(t[k])] - mesh.rest[as_index(t[(k + 1) % 3])]).norm();
             mean_edge_m_ += edge;
             longest_edge_m_ = std::max(longest_edge_m_, edge);
             vertices_.push_back(t[k]);
@@ -105,20 +105,22 @@ std::vector<Vec3> add_contact(const SphereContacts& contacts, const Coordinates&
     std::vector<SphereTouch> touches;
     contacts.find(position_in(x), time_s, 0, touches);
     for (const SphereTouch& t : touches) {
-        force[at(t.sphere)] += k * t.gap_m * t.n;
+        force[as_index(t.sphere)] += k * t.gap_m * t.n;
         // The nearest point slides when the triangle tilts: the distance has a second derivative of
         // -distance g_i . g_j n n^T, as stiff as the tissue where triangles are small.
-        const double slide = -k * t.gap_m * (t.gap_m + contacts.spheres()[at(t.sphere)].radius_m);
+        const double slide =
+            -k * t.gap_m * (t.gap_m + contacts.spheres()[as_index(t.sphere)].radius_m);
         const auto g = gradients(t, x);
         for (int i = 0; i < 3; ++i) {
-            gradient.segment<3>(3 * t.vertex[at(i)]) += k * t.gap_m * t.b[i] * t.n;
+            gradient.segment<3>(3 * t.vertex[as_index(i)]) += k * t.gap_m * t.b[i] * t.n;
             if (stiffness == nullptr) continue;
             for (int j = 0; j < 3; ++j) {
-                const double along = k * t.b[i] * t.b[j] + slide * g[at(i)].dot(g[at(j)]);
+                const double along =
+                    k * t.b[i] * t.b[j] + slide * g[as_index(i)].dot(g[as_index(j)]);
                 const Mat3 block = along * t.n * t.n.transpose();
                 for (int r = 0; r < 9; ++r) {
-                    stiffness->emplace_back(3 * t.vertex[at(i)] + r / 3,
-                                            3 * t.vertex[at(j)] + r % 3, block(r / 3, r % 3));
+                    stiffness->emplace_back(3 * t.vertex[as_index(i)] + r / 3,
+                                            3 * t.vertex[as_index(j)] + r % 3, block(r / 3, r % 3));
                 }
             }
         }

@@ -3,7 +3,6 @@
 // Statistics of groups and pairs: ranks, correlation, ROC, bootstrap.
 
 #include <algorithm>
-#include <numeric>
 
 #include "assessment/bootstrap.h"
 #include "assessment/correlation.h"
@@ -225,9 +224,7 @@ double median_of(std::span<const double> values) {
     return assessment::quantile(sorted, 0.5);
 }
 
-double mean_of(std::span<const double> values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+double mean_of(std::span<const double> values) { return *assessment::mean_of(values); }
 
 constexpr int64_t kMostDraws = 400'000'000;  ///< Some seconds of work.
 
