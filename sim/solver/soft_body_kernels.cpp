@@ -37,21 +37,8 @@ void SpringBatches(const KernelArguments& arguments, int first, int last) {
     for (int b = first; b < last; ++b) SolveSpringBatch(arguments, b);
 }
 
-template <bool kLow>
-void TetBatchesOf(const KernelArguments& arguments, int first, int last) {
-    const bool kept = arguments.packed->tet_lambda_start >= 0;
-    if (arguments.pair) {
-        kept ? SolveTetBatches<true, true, kLow>(arguments, first, last)
-             : SolveTetBatches<true, false, kLow>(arguments, first, last);
-    } else {
-        kept ? SolveTetBatches<false, true, kLow>(arguments, first, last)
-             : SolveTetBatches<false, false, kLow>(arguments, first, last);
-    }
-}
-
 void TetBatches(const KernelArguments& arguments, int first, int last) {
-    arguments.x_low != nullptr ? TetBatchesOf<true>(arguments, first, last)
-                               : TetBatchesOf<false>(arguments, first, last);
+    SolveTetJob<BlockProjection>(arguments, first, last);
 }
 
 size_t BeginVertices(const MotionArguments& arguments, size_t first, size_t last) {

@@ -22,7 +22,6 @@ struct KernelArguments {
     float h = 0;  ///< [s]
     float over_relaxation = 1;
     std::array<float, 3> planned_fall_m{};  ///< h^2 g
-    bool pair = false;                      ///< XPBD: C_D then C_H instead of the 2x2 block.
     int direction = 1;                      ///< XPBD: -1 = from the last batch to the first.
 };
 
@@ -53,5 +52,8 @@ void solve_spring_batches(const KernelArguments& arguments, int first, int last)
 
 /// XPBD over tet batches [first, last) of one job.
 void solve_tet_batches(const KernelArguments& arguments, int first, int last) noexcept;
+
+/// The same, with the two constraints of a tet one after the other (xpbd_pair.cpp).
+void solve_tet_batches_in_pairs(const KernelArguments& arguments, int first, int last) noexcept;
 
 }  // namespace placode::sim

@@ -52,7 +52,7 @@ class Substep {
         arguments_.springs = state.springs.data();
         arguments_.h = static_cast<float>(h);
         arguments_.over_relaxation = static_cast<float>(s.over_relaxation);
-        arguments_.pair = s.method == Method::kXpbdPair;
+        if (s.method == Method::kXpbdPair) solve_tets_ = solve_tet_batches_in_pairs;
         for (size_t i = 0; i < 3; ++i) {
             const double g = s.gravity_m_s2[static_cast<Eigen::Index>(i)];
             arguments_.planned_fall_m[i] = static_cast<float>(h * h * g);
@@ -180,15 +180,14 @@ class Substep {
         const size_t job = as_index(first_job_ + number);
         const AwakeRuns& awake = state_.awake;
         if (awake.all) {
-            solve_tet_batches(arguments_, packed_.tet_job_start[job],
-                              packed_.tet_job_start[job + 1]);
+            solve_tets_(arguments_, packed_.tet_job_start[job], packed_.tet_job_start[job + 1]);
             return;
         }
         const int start = awake.tet_job_start[job], end = awake.tet_job_start[job + 1];
         for (int r = start; r < end; ++r) {
             const auto& [first, last] =
                 awake.tets[as_index(arguments_.direction < 0 ? start + end - 1 - r : r)];
-            solve_tet_batches(arguments_, first, last);
+            solve_tets_(arguments_, first, last);
         }
     }
 
@@ -244,6 +243,7 @@ class Substep {
     const KernelLayout& packed_;
     Workers& workers_;
     KernelArguments arguments_;
+    decltype(&solve_tet_batches) solve_tets_ = solve_tet_batches;
     MotionArguments motion_;
     VertexMotion by_hand_;
     double h_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // XPBD on 16 disjoint tets: C_D = sqrt(tr F^T F) with compliance 1 / (mu V), C_H = J - gamma with
-// 1 / (lambda V), as a coupled 2x2 block or one after the other.
+// 1 / (lambda V), as a coupled 2x2 block.
 //
 // With C = C_D, G_i = C grad_i C_D = sum_j a_ij (x_i - x_j), c_i = grad_i J, b = h^2 mu V and
 // dlambda_D = b C y, dlambda_H = b z, the block system times C (first row) and b reads
@@ -96,16 +96,6 @@ HWY_INLINE void Move(const TetPoints& corners, const V* w, const Gradient& u) {
     for (int i = 1; i < 4; ++i) corners.Move(i, w[i], u.corner[i - 1]);
 }
 
-/// x_i += w_i s u_i
-HWY_INLINE void Move(const TetPoints& corners, V s, const Gradient& u) {
-    const V4* p = corners.p;
-    const V w[4] = {hn::Mul(p[0].w, s), hn::Mul(p[1].w, s), hn::Mul(p[2].w, s), hn::Mul(p[3].w, s)};
-    Move(corners, w, u);
-}
-
-/// Zero unless finite.
-HWY_INLINE V Finite(V a) { return hn::IfThenElseZero(FiniteLanes(a), a); }
-
 /// C^2 is dimensionless and 3 at rest; a collapsed tet may have 0.
 constexpr float kLeastC2 = 1e-6F;
 
@@ -146,105 +136,64 @@ struct Ahead {
     }
 };
 
-/// The constraints one after the other.
-template <bool kKept>
-HWY_INLINE void ProjectPair(const TetPoints& corners, const float* rows, V b, Multipliers& l,
-                            const Ahead& ahead) {
-    const D d;
-    const V4* p = corners.p;
-    const V r = hn::Load(d, rows + 6 * kLanes);
-    const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
-    TetGradients g = Gradients(corners, rows);
-    ahead.Load(0);
-    const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
-    V c = hn::Zero(d), right = hn::Neg(c2);
-    if constexpr (kKept) {
-        c = hn::Sqrt(c2);
-        right = hn::NegMulAdd(c, l.deviatoric, right);
+/// Both at once, what `xpbd` does. With m = half of b S, a = m + compliance and left_D = C^2 + C
+/// l_D, y = -(m12 right_H + a22 left_D) / det and z = (m12 left_D + a11 right_H) / det; they are
+/// kept doubled, because b comes in halved, and y with its sign turned.
+struct BlockProjection {
+    template <bool kKept>
+    static HWY_INLINE void Project(const TetPoints& corners, const float* rows, V half_b,
+                                   Multipliers& l, const Ahead& ahead) {
+        const D d;
+        const V4* p = corners.p;
+        const V r = hn::Load(d, rows + 6 * kLanes);
+        const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
+        const TetGradients g = Gradients(corners, rows);
+        const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
+        V c = hn::Zero(d), left_d = c2;
+        V right_h = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
+        if constexpr (kKept) {
+            c = hn::Sqrt(c2);
+            left_d = hn::MulAdd(c, l.deviatoric, left_d);
+            right_h = hn::NegMulAdd(ratio, l.volume, right_h);
+        }
+        const V half_br = hn::Mul(half_b, r);  // g.volume is the gradient of J / r.
+        V m11 = hn::Mul(half_b, Weighted(p, g.deviatoric, g.deviatoric));
+        V m22 = hn::Mul(hn::Mul(half_br, r), Weighted(p, g.volume, g.volume));
+        ahead.Load(0);
+        V m12 = hn::Mul(half_br, Weighted(p, g.deviatoric, g.volume));
+        TakeOwnShare(c2, ratio, m11, m12, m22);
+        const V a11 = hn::Add(m11, c2), a22 = hn::Add(m22, ratio);
+        // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
+        const V product = hn::Mul(a11, a22);
+        const V determinant =
+            hn::Max(hn::NegMulAdd(m12, m12, product), hn::Mul(hn::Set(d, 1e-6F), product));
+        const V twice = hn::Div(hn::Set(d, 2.0F), determinant);
+        ahead.Load(1);
+        // While the division runs: what is finite here stays so, for m12^2 <= a11 a22.
+        const M finite = hn::Le(hn::MulAdd(right_h, right_h, product),
+                                hn::Set(d, std::numeric_limits<float>::max()));
+        const V y2 = hn::IfThenElseZero(
+            finite, hn::Mul(twice, hn::MulAdd(m12, right_h, hn::Mul(a22, left_d))));
+        const V z2 = hn::IfThenElseZero(
+            finite, hn::Mul(twice, hn::MulAdd(m12, left_d, hn::Mul(a11, right_h))));
+        ahead.Load(2);
+        // At rest the two parts cancel: add them before they meet the position, one rounding.
+        const V by = hn::Mul(half_b, y2), brz = hn::Mul(half_br, z2);
+        Gradient sum;
+        for (int i = 0; i < 3; ++i) {
+            sum.corner[i] = NegMulAdd(by, g.deviatoric.corner[i], Scale(brz, g.volume.corner[i]));
+        }
+        sum.minus = Add(Add(sum.corner[0], sum.corner[1]), sum.corner[2]);
+        ahead.Load(3);
+        const V w[4] = {p[0].w, p[1].w, p[2].w, p[3].w};
+        Move(corners, w, sum);
+        if constexpr (kKept) {
+            const V half = hn::Set(d, 0.5F);
+            l.deviatoric = hn::NegMulAdd(hn::Mul(half, c), y2, l.deviatoric);
+            l.volume = hn::MulAdd(half, z2, l.volume);
+        }
     }
-    const V s11 = hn::Mul(b, Weighted(p, g.deviatoric, g.deviatoric));
-    ahead.Load(1);
-    const V y = Finite(hn::Div(right, hn::Add(s11, c2)));
-    Move(corners, hn::Mul(b, y), g.deviatoric);
-    if constexpr (kKept) l.deviatoric = hn::MulAdd(c, y, l.deviatoric);
-    g = Gradients(corners, rows);
-    ahead.Load(2);
-    right = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
-    if constexpr (kKept) right = hn::NegMulAdd(ratio, l.volume, right);
-    const V br = hn::Mul(b, r), s22 = hn::Mul(hn::Mul(br, r), Weighted(p, g.volume, g.volume));
-    const V z = Finite(hn::Div(right, hn::Add(s22, ratio)));
-    ahead.Load(3);
-    Move(corners, hn::Mul(br, z), g.volume);
-    if constexpr (kKept) l.volume = hn::Add(l.volume, z);
-}
-
-/// Both at once. With m = half of b S, a = m + compliance and left_D = C^2 + C l_D,
-/// y = -(m12 right_H + a22 left_D) / det and z = (m12 left_D + a11 right_H) / det; they are kept
-/// doubled, because b comes in halved, and y with its sign turned.
-template <bool kKept>
-HWY_INLINE void ProjectBlock(const TetPoints& corners, const float* rows, V half_b, Multipliers& l,
-                             const Ahead& ahead) {
-    const D d;
-    const V4* p = corners.p;
-    const V r = hn::Load(d, rows + 6 * kLanes);
-    const V ratio = hn::Load(d, rows + 7 * kLanes);  // mu / lambda
-    const TetGradients g = Gradients(corners, rows);
-    const V c2 = hn::Max(g.c2, hn::Set(d, kLeastC2));
-    V c = hn::Zero(d), left_d = c2;
-    V right_h = hn::NegMulAdd(r, g.j_over_r, hn::Add(hn::Set(d, 1.0F), ratio));
-    if constexpr (kKept) {
-        c = hn::Sqrt(c2);
-        left_d = hn::MulAdd(c, l.deviatoric, left_d);
-        right_h = hn::NegMulAdd(ratio, l.volume, right_h);
-    }
-    const V half_br = hn::Mul(half_b, r);  // g.volume is the gradient of J / r.
-    V m11 = hn::Mul(half_b, Weighted(p, g.deviatoric, g.deviatoric));
-    V m22 = hn::Mul(hn::Mul(half_br, r), Weighted(p, g.volume, g.volume));
-    ahead.Load(0);
-    V m12 = hn::Mul(half_br, Weighted(p, g.deviatoric, g.volume));
-    TakeOwnShare(c2, ratio, m11, m12, m22);
-    const V a11 = hn::Add(m11, c2), a22 = hn::Add(m22, ratio);
-    // Positive by Cauchy-Schwarz; the guard is relative to a11 a22.
-    const V product = hn::Mul(a11, a22);
-    const V determinant =
-        hn::Max(hn::NegMulAdd(m12, m12, product), hn::Mul(hn::Set(d, 1e-6F), product));
-    const V twice = hn::Div(hn::Set(d, 2.0F), determinant);
-    ahead.Load(1);
-    // While the division runs: what is finite here stays so, for m12^2 <= a11 a22.
-    const M finite = hn::Le(hn::MulAdd(right_h, right_h, product),
-                            hn::Set(d, std::numeric_limits<float>::max()));
-    const V y2 =
-        hn::IfThenElseZero(finite, hn::Mul(twice, hn::MulAdd(m12, right_h, hn::Mul(a22, left_d))));
-    const V z2 =
-        hn::IfThenElseZero(finite, hn::Mul(twice, hn::MulAdd(m12, left_d, hn::Mul(a11, right_h))));
-    ahead.Load(2);
-    // At rest the two parts cancel: add them before they meet the position, one rounding.
-    const V by = hn::Mul(half_b, y2), brz = hn::Mul(half_br, z2);
-    Gradient sum;
-    for (int i = 0; i < 3; ++i) {
-        sum.corner[i] = NegMulAdd(by, g.deviatoric.corner[i], Scale(brz, g.volume.corner[i]));
-    }
-    sum.minus = Add(Add(sum.corner[0], sum.corner[1]), sum.corner[2]);
-    ahead.Load(3);
-    const V w[4] = {p[0].w, p[1].w, p[2].w, p[3].w};
-    Move(corners, w, sum);
-    if constexpr (kKept) {
-        const V half = hn::Set(d, 0.5F);
-        l.deviatoric = hn::NegMulAdd(hn::Mul(half, c), y2, l.deviatoric);
-        l.volume = hn::MulAdd(half, z2, l.volume);
-    }
-}
-
-/// half_b: half of b = h^2 mu V.
-template <bool kPair, bool kKept>
-HWY_INLINE void Project(const TetPoints& corners, const float* rows, V half_b, Multipliers& l,
-                        const Ahead& ahead) {
-    if constexpr (kPair) {
-        ProjectPair<kKept>(corners, rows, hn::Add(half_b, half_b), l, ahead);
-    } else {
-        ProjectBlock<kKept>(corners, rows, half_b, l, ahead);
-    }
-}
+};
 
 }  // namespace HWY_NAMESPACE
 }  // namespace placode::sim

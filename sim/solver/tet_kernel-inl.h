@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XPBD's sweep over batches of up to 16 disjoint tets, there or back.
+// XPBD's sweep over batches of up to 16 disjoint tets, there or back. `Projection` says what is
+// done to a tet (BlockProjection in tet_constraints-inl.h).
 
 #if defined(PLACODE_SIM_TET_KERNEL_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLACODE_SIM_TET_KERNEL_INL
@@ -43,7 +44,7 @@ HWY_INLINE TetGroup After(const KernelArguments& a, TetGroup g) {
 
 /// Solves `now`, whose corners are in `p`, and loads those of the group after it into `q`.
 /// `end` is the batch behind the last one, in the sweep's direction.
-template <bool kPair, bool kKept, bool kLow>
+template <typename Projection, bool kKept, bool kLow>
 HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V4* p, V4* q) {
     const D d;
     const KernelLayout& packed = *a.packed;
@@ -76,11 +77,11 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V
         char* lows = Points(a, a.x_low, now);
         V3 low[4];
         for (size_t c = 0; c < 4; ++c) low[c] = Gather3(lows, corners + c * kLanes);
-        Project<kPair, kKept>({x, low}, rows, half_b, l, ahead);
+        Projection::template Project<kKept>({x, low}, rows, half_b, l, ahead);
         for (size_t c = 0; c < 4; ++c)
             Scatter({low[c].x, low[c].y, low[c].z, hn::Zero(d)}, lows, corners + c * kLanes, count);
     } else {
-        Project<kPair, kKept>({x, nullptr}, rows, half_b, l, ahead);
+        Projection::template Project<kKept>({x, nullptr}, rows, half_b, l, ahead);
     }
     if constexpr (kKept) {
         hn::Store(l.deviatoric, d, memory);
@@ -95,7 +96,7 @@ HWY_INLINE TetGroup SolveTets(const KernelArguments& a, TetGroup now, int end, V
     return next;
 }
 
-template <bool kPair, bool kKept, bool kLow>
+template <typename Projection, bool kKept, bool kLow>
 void SolveTetBatches(const KernelArguments& a, int first, int last) {
     if (first >= last) return;
     const bool backward = a.direction < 0;
@@ -104,10 +105,23 @@ void SolveTetBatches(const KernelArguments& a, int first, int last) {
     TetGroup now{backward ? last - 1 : first, 0};
     Ahead{Points(a, a.x, now), Corners(a, now), p}.LoadAll();
     while (true) {
-        now = SolveTets<kPair, kKept, kLow>(a, now, end, p, q);
+        now = SolveTets<Projection, kKept, kLow>(a, now, end, p, q);
         if (now.batch == end) return;
-        now = SolveTets<kPair, kKept, kLow>(a, now, end, q, p);
+        now = SolveTets<Projection, kKept, kLow>(a, now, end, q, p);
         if (now.batch == end) return;
+    }
+}
+
+/// Batches [first, last) of one job; each of the four sweeps is compiled for itself.
+template <typename Projection>
+void SolveTetJob(const KernelArguments& a, int first, int last) {
+    const bool kept = a.packed->tet_lambda_start >= 0;
+    if (a.x_low != nullptr) {
+        kept ? SolveTetBatches<Projection, true, true>(a, first, last)
+             : SolveTetBatches<Projection, false, true>(a, first, last);
+    } else {
+        kept ? SolveTetBatches<Projection, true, false>(a, first, last)
+             : SolveTetBatches<Projection, false, false>(a, first, last);
     }
 }
 
