@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/csv_table.h"
 
+#include "assessment/csv_reader.h"
 #include "reports/report.h"
 
 namespace placode::reports {
@@ -45,42 +46,12 @@ std::string csv_line(const std::vector<std::string>& cells, char separator) {
 
 std::vector<std::vector<std::string>> parse_csv(const std::string& text, char separator) {
     std::vector<std::vector<std::string>> rows;
-    std::vector<std::string> row;
-    std::string cell;
-    bool quoted = false, begun = false;
-    const auto end_row = [&] {
-        row.push_back(cell);
-        rows.push_back(row);
-        row.clear();
-        cell.clear();
-        begun = false;
-    };
-    for (size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c != '"') {
-                cell += c;
-            } else if (i + 1 < text.size() && text[i + 1] == '"') {
-                cell += '"';
-                ++i;
-            } else {
-                quoted = false;
-            }
-        } else if (c == '"' && cell.empty()) {
-            quoted = begun = true;
-        } else if (c == separator) {
-            row.push_back(cell);
-            cell.clear();
-            begun = true;
-        } else if (c == '\n') {
-            end_row();
-        } else if (c != '\r') {
-            cell += c;
-            begun = true;
-        }
+    try {
+        for (auto& row : assessment::read_csv(text, separator))
+            rows.push_back(std::move(row.cells));
+    } catch (const assessment::CsvError& error) {
+        throw ReportError(std::string("read CSV: ") + error.what());
     }
-    if (quoted) throw ReportError("read CSV: a quote is not closed before the end of the file");
-    if (begun || !cell.empty()) end_row();
     return rows;
 }
 

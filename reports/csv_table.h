@@ -18,7 +18,7 @@ namespace placode::reports {
 /// One line with its end; cells are quoted where they need it.
 [[nodiscard]] std::string csv_line(const std::vector<std::string>& cells, char separator = ',');
 
-/// All rows, the head too. Throws ReportError when a quote is not closed.
+/// The cells of assessment::read_csv(), the head too. Throws ReportError.
 [[nodiscard]] std::vector<std::vector<std::string>> parse_csv(const std::string& text,
                                                               char separator = ',');
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "assessment/csv_reader.h"
 #include "db/password.h"
 #include "reports/csv_table.h"
 #include "reports/export.h"
@@ -25,13 +26,23 @@ constexpr std::array<std::pair<const char*, db::Role>, 4> kRoles{
      {"administrator", db::Role::kAdministrator}}};
 constexpr std::array<const char*, 5> kColumns{"login", "name", "roles", "group", "password"};
 
-using CsvRow = std::vector<std::string>;
+using RowCells = std::vector<std::string>;
 
-size_t column(const CsvRow& head, const std::string& name) {
+std::vector<assessment::CsvRow> rows_of(const std::string& csv, const std::string& origin) {
+    try {
+        auto rows = assessment::read_csv(csv);
+        assessment::leave_out_empty_lines(rows);
+        return rows;
+    } catch (const assessment::CsvError& error) {
+        throw PeopleFileError(origin + ": " + error.what());
+    }
+}
+
+size_t column(const RowCells& head, const std::string& name) {
     return static_cast<size_t>(std::find(head.begin(), head.end(), name) - head.begin());
 }
 
-void check_head(const CsvRow& head, const std::string& origin) {
+void check_head(const RowCells& head, const std::string& origin) {
     if (column(head, "login") == head.size() || column(head, "name") == head.size())
         throw PeopleFileError(origin +
                               ":1: expected the columns login,name[,roles][,group][,password]");
@@ -47,7 +58,7 @@ int64_t group_of(db::Store& store, const std::string& name) {
     throw PeopleFileError("there is no group \"" + name + "\" in " + store.url());
 }
 
-PersonLine read_line(db::Store& store, const CsvRow& head, const CsvRow& row,
+PersonLine read_line(db::Store& store, const RowCells& head, const RowCells& row,
                      const std::string& place) {
     if (row.size() != head.size())
         throw PeopleFileError(place + "found " + std::to_string(row.size()) +
@@ -150,14 +161,15 @@ db::Roles roles_of_text(const std::string& text) {
 
 std::vector<PersonLine> read_people(db::Store& store, const std::string& csv,
                                     const std::string& origin) {
-    const auto rows = parse_csv(csv);
-    check_head(rows.empty() ? CsvRow{} : rows[0], origin);
+    const auto rows = rows_of(csv, origin);
+    const RowCells head = rows.empty() ? RowCells{} : rows[0].cells;
+    check_head(head, origin);
     std::set<std::string> logins;
     std::vector<PersonLine> people;
     for (size_t i = 1; i < rows.size(); ++i) {
-        const std::string place = origin + ":" + std::to_string(i + 1) + ": ";
-        PersonLine line = read_line(store, rows[0], rows[i], place);
-        line.line = static_cast<int>(i) + 1;
+        const std::string place = origin + ":" + std::to_string(rows[i].line) + ": ";
+        PersonLine line = read_line(store, head, rows[i].cells, place);
+        line.line = rows[i].line;
         if (!logins.insert(line.user.login).second || store.user_by_login(line.user.login))
             throw PeopleFileError(place + "the login \"" + line.user.login + "\" is taken");
         people.push_back(std::move(line));

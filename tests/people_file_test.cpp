@@ -45,6 +45,16 @@ TEST_F(PeopleFile, NamesTheLineAndWhatIsExpected) {
                 HasSubstr("list.csv:3: the login \"a\" is taken"));
 }
 
+TEST_F(PeopleFile, TakesWhatSpreadsheetsSave) {
+    // A byte order mark, quoted line ends and empty lines; the line is that of the file.
+    const auto people = read_people(
+        *store_, "\xef\xbb\xbflogin,name\r\nanna,\"Anna\nA\"\r\n\r\nbert,B\r\n\r\n", "list.csv");
+    ASSERT_EQ(people.size(), 2u);
+    EXPECT_EQ(people[1].line, 5);
+    EXPECT_THAT(problem("login,name\na,\"A\nb,B\n"),
+                HasSubstr("list.csv: line 2, column 2: a quoted cell is not closed"));
+}
+
 TEST_F(PeopleFile, MakesAccountsWithRolesGroupsAndPasswords) {
     const int64_t group = store_->create_group("Autumn");
     auto people = read_people(*store_,

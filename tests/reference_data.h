@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/csv_reader.h"
+
 namespace placode::testing_data {
 
 inline std::string path(const std::string& name) {
@@ -26,30 +28,15 @@ inline nlohmann::json json(const std::string& name) {
 
 /// Text cells by column name; quoted cells may hold commas.
 inline std::map<std::string, std::vector<std::string>> table(const std::string& name) {
-    std::ifstream in(path(name));
+    std::ifstream in(path(name), std::ios::binary);
     if (!in) throw std::runtime_error("cannot open " + path(name));
-    const auto cells_of = [](const std::string& line) {
-        std::vector<std::string> cells(1);
-        bool quoted = false;
-        for (const char c : line) {
-            if (c == '"')
-                quoted = !quoted;
-            else if (c == ',' && !quoted)
-                cells.emplace_back();
-            else if (c != '\r')
-                cells.back() += c;
-        }
-        return cells;
-    };
+    std::ostringstream text;
+    text << in.rdbuf();
+    const auto rows = assessment::read_csv(text.str());
     std::map<std::string, std::vector<std::string>> columns;
-    std::string line;
-    std::getline(in, line);
-    const std::vector<std::string> header = cells_of(line);
-    while (std::getline(in, line)) {
-        const std::vector<std::string> cells = cells_of(line);
-        for (size_t i = 0; i < header.size() && i < cells.size(); ++i)
-            columns[header[i]].push_back(cells[i]);
-    }
+    for (size_t r = 1; r < rows.size(); ++r)
+        for (size_t i = 0; i < rows[0].cells.size() && i < rows[r].cells.size(); ++i)
+            columns[rows[0].cells[i]].push_back(rows[r].cells[i]);
     return columns;
 }
 

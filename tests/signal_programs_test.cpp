@@ -229,5 +229,10 @@ TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {
     EXPECT_EQ(bad.status, 2);
     EXPECT_THAT(bad.err, AllOf(HasSubstr("bad.csv"), HasSubstr("line 3"), HasSubstr("column B"),
                                HasSubstr("four")));
+    write_text(file("gap.csv"), "A,B\n\n1,2\n3,four\n");
+    EXPECT_THAT(ctl("stats alpha gap.csv").err, HasSubstr("line 4")) << "the line of the file";
+    write_text(file("open.csv"), "A,B\n1,\"2\n");
+    EXPECT_THAT(ctl("stats alpha open.csv").err,
+                HasSubstr("open.csv: line 2, column 2: a quoted cell is not closed"));
     EXPECT_EQ(ctl("stats nothing " + table).status, 2);
 }

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "assessment/csv_reader.h"
+
 namespace placode::tests {
 
 struct Table {
@@ -49,22 +51,17 @@ inline std::string reference_path(const std::string& name) {
 }
 
 inline Table read_table(const std::string& name) {
-    std::ifstream in(reference_path(name));
+    std::ifstream in(reference_path(name), std::ios::binary);
     if (!in) throw std::runtime_error("cannot open " + reference_path(name));
+    std::ostringstream text;
+    text << in.rdbuf();
+    const auto rows = assessment::read_csv(text.str());
     Table table;
-    std::string line;
-    while (std::getline(in, line)) {
-        std::erase_if(line, [](char c) { return c == '"' || c == '\r'; });
-        std::stringstream cells(line);
-        std::vector<std::string> row;
-        for (std::string cell; std::getline(cells, cell, ',');) row.push_back(cell);
-        if (table.header.empty()) {
-            table.header = row;
-            table.columns.resize(row.size());
-            continue;
-        }
-        for (size_t i = 0; i < row.size(); ++i) table.columns.at(i).push_back(row[i]);
-    }
+    table.header = rows.at(0).cells;
+    table.columns.resize(table.header.size());
+    for (size_t r = 1; r < rows.size(); ++r)
+        for (size_t i = 0; i < rows[r].cells.size(); ++i)
+            table.columns.at(i).push_back(rows[r].cells[i]);
     return table;
 }
 

@@ -6,25 +6,32 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 
+#include "assessment/csv_reader.h"
 #include "ui/cli/cli.h"
 
 namespace placode::cli {
 namespace {
 
-std::vector<std::string> split(std::string line) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    std::vector<std::string> cells;
-    size_t begin = 0;
-    for (;;) {
-        const size_t comma = line.find(',', begin);
-        std::string cell = line.substr(begin, comma - begin);
-        cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
-        cell.erase(cell.find_last_not_of(" \t") + 1);
-        cells.push_back(std::move(cell));
-        if (comma == std::string::npos) return cells;
-        begin = comma + 1;
+std::vector<assessment::CsvRow> rows_of(const std::string& path) {
+    std::ifstream in(path, std::ios::binary);
+    if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    try {
+        auto rows = assessment::read_csv(text);
+        if (rows.empty()) rows.push_back({{""}, 1});  // no column at all is said by the caller
+        return rows;
+    } catch (const assessment::CsvError& error) {
+        throw InputError(path + ": " + error.what());
     }
+}
+
+/// Without the blanks around it, which tables for people have.
+std::string trimmed(std::string cell) {
+    cell.erase(0, std::min(cell.find_first_not_of(" \t"), cell.size()));
+    cell.erase(cell.find_last_not_of(" \t") + 1);
+    return cell;
 }
 
 double parse(const std::string& cell, const std::string& place) {
@@ -46,26 +53,22 @@ std::string joined(const std::vector<std::string>& words) {
 }
 
 SignalFile read_signal_file(const std::string& path) {
-    std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
+    const auto rows = rows_of(path);
     SignalFile file;
     file.path = path;
-    std::string line;
-    std::getline(in, line);
-    if (line.rfind("\xef\xbb\xbf", 0) == 0) line.erase(0, 3);  // A byte order mark.
-    file.columns = split(line);
+    for (const std::string& name : rows[0].cells) file.columns.push_back(trimmed(name));
     file.values.resize(file.columns.size());
-    for (int number = 2; std::getline(in, line); ++number) {
-        if (line.empty() || line == "\r") continue;
-        const auto cells = split(line);
-        const std::string place = path + ":" + std::to_string(number);
+    for (size_t r = 1; r < rows.size(); ++r) {
+        const auto& cells = rows[r].cells;
+        if (cells.size() == 1 && cells[0].empty()) continue;
+        const std::string place = path + ":" + std::to_string(rows[r].line);
         if (cells.size() != file.columns.size())
             throw InputError(place + ": found " + std::to_string(cells.size()) +
                              " columns; expected " + std::to_string(file.columns.size()) + " (" +
                              joined(file.columns) + ")");
         for (size_t i = 0; i < cells.size(); ++i)
-            file.values[i].push_back(parse(cells[i], place + ": " + file.columns[i]));
-        file.lines.push_back(number);
+            file.values[i].push_back(parse(trimmed(cells[i]), place + ": " + file.columns[i]));
+        file.lines.push_back(rows[r].line);
     }
     return file;
 }

@@ -9,55 +9,10 @@
 #include <iterator>
 #include <sstream>
 
+#include "assessment/csv_reader.h"
+
 namespace placode::cli {
 namespace {
-
-/// Splits CSV text into records; quoted cells may hold commas, quotes and line breaks.
-std::vector<std::vector<std::string>> records(const std::string& text, const std::string& path) {
-    std::vector<std::vector<std::string>> result;
-    std::vector<std::string> row;
-    std::string cell;
-    bool quoted = false;
-    const auto end_row = [&] {
-        row.push_back(cell);
-        cell.clear();
-        result.push_back(row);
-        row.clear();
-    };
-    for (size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c != '"')
-                cell += c;
-            else if (i + 1 < text.size() && text[i + 1] == '"')
-                cell += text[++i];
-            else
-                quoted = false;
-        } else if (c == '"') {
-            quoted = true;
-        } else if (c == ',') {
-            row.push_back(cell);
-            cell.clear();
-        } else if (c == '\n') {
-            end_row();
-        } else if (c != '\r') {
-            cell += c;
-        }
-    }
-    if (quoted)
-        throw InputError(path +
-                         ": a quoted cell is not closed; expected a \" before the end of the file");
-    if (!cell.empty() || !row.empty()) end_row();
-    // An empty line says nothing, except in a table of one column, where it is a missing value;
-    // empty lines at the end are never one.
-    const auto empty = [](const std::vector<std::string>& line) {
-        return line.size() == 1 && line[0].empty();
-    };
-    while (!result.empty() && empty(result.back())) result.pop_back();
-    while (!result.empty() && empty(result.front())) result.erase(result.begin());
-    if (!result.empty() && result.front().size() > 1) std::erase_if(result, empty);
-    return result;
-}
 
 constexpr double kLargest = 1e100;
 constexpr int kWidestScale = 1000;  ///< Every value of it is counted.
@@ -81,6 +36,10 @@ bool StatsTable::has(const std::string& name) const {
     return std::find(header.begin(), header.end(), name) != header.end();
 }
 
+std::string StatsTable::place(size_t row, size_t column) const {
+    return path + ": line " + std::to_string(lines[row]) + ", column " + header[column];
+}
+
 std::optional<double> StatsTable::number(size_t row, size_t column) const {
     const std::string& cell = rows[row][column];
     if (is_missing(cell)) return std::nullopt;
@@ -88,13 +47,11 @@ std::optional<double> StatsTable::number(size_t row, size_t column) const {
     const char* begin = cell.data() + (cell[0] == '+' ? 1 : 0);
     const auto [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
     if (error != std::errc() || end != cell.data() + cell.size() || !std::isfinite(value)) {
-        throw InputError(path + ": line " + std::to_string(row + 2) + ", column " + header[column] +
-                         ": found \"" + cell +
+        throw InputError(place(row, column) + ": found \"" + cell +
                          "\", expected a number with '.' (empty or NA when missing)");
     }
     if (std::abs(value) > kLargest) {
-        throw InputError(path + ": line " + std::to_string(row + 2) + ", column " + header[column] +
-                         ": found " + cell +
+        throw InputError(place(row, column) + ": found " + cell +
                          ", expected a number of at most 1e100: squares of larger ones are none");
     }
     return value;
@@ -102,26 +59,32 @@ std::optional<double> StatsTable::number(size_t row, size_t column) const {
 
 double StatsTable::needed(size_t row, size_t column) const {
     if (const auto value = number(row, column)) return *value;
-    throw InputError(path + ": line " + std::to_string(row + 2) + ", column " + header[column] +
-                     ": a number is missing here");
+    throw InputError(place(row, column) + ": a number is missing here");
 }
 
 StatsTable read_stats_table(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
     if (!in)
         throw InputError("read " + path + ": the file cannot be opened; check name and rights");
-    std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
-    if (text.rfind("\xef\xbb\xbf", 0) == 0) text.erase(0, 3);
-    auto all = records(text, path);
+    const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
+    std::vector<assessment::CsvRow> all;
+    try {
+        all = assessment::read_csv(text);
+    } catch (const assessment::CsvError& error) {
+        throw InputError(path + ": " + error.what());
+    }
+    assessment::leave_out_empty_lines(all);
     if (all.size() < 2)
         throw InputError(path +
                          ": expected a line with column names and at least one line of data");
-    StatsTable table{path, all.front(), {all.begin() + 1, all.end()}};
-    for (size_t i = 0; i < table.rows.size(); ++i) {
-        if (table.rows[i].size() == table.header.size()) continue;
-        throw InputError(path + ": line " + std::to_string(i + 2) + ": found " +
-                         std::to_string(table.rows[i].size()) + " cells, expected " +
-                         std::to_string(table.header.size()) + " as in the header");
+    StatsTable table{path, all.front().cells, {}, {}};
+    for (size_t i = 1; i < all.size(); ++i) {
+        if (all[i].cells.size() != table.header.size())
+            throw InputError(path + ": line " + std::to_string(all[i].line) + ": found " +
+                             std::to_string(all[i].cells.size()) + " cells, expected " +
+                             std::to_string(table.header.size()) + " as in the header");
+        table.rows.push_back(std::move(all[i].cells));
+        table.lines.push_back(all[i].line);
     }
     return table;
 }

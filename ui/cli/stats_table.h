@@ -19,18 +19,21 @@ struct StatsTable {
     std::string path;
     std::vector<std::string> header;
     std::vector<std::vector<std::string>> rows;
+    std::vector<int> lines;  ///< Of the file, for each row.
 
     /// Throws InputError naming file, column and what there is.
     [[nodiscard]] size_t column(const std::string& name) const;
     [[nodiscard]] bool has(const std::string& name) const;
+    /// "FILE: line 3, column NAME", for messages.
+    [[nodiscard]] std::string place(size_t row, size_t column) const;
     /// nullopt when missing. Throws InputError naming line, column and what was found.
     [[nodiscard]] std::optional<double> number(size_t row, size_t column) const;
     /// Throws InputError where a number is missing.
     [[nodiscard]] double needed(size_t row, size_t column) const;
 };
 
-/// RFC 4180 quoting, with or without a byte order mark, any line ends. In a table of one column an
-/// empty line above the last value is a missing value. Throws InputError for an unreadable file, no
+/// As assessment::read_csv() reads it; in a table of one column an empty line above the last value
+/// is a missing value. Throws InputError for an unreadable file, no
 /// header or a row of another length.
 [[nodiscard]] StatsTable read_stats_table(const std::string& path);
 

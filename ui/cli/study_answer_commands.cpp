@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "assessment/csv_reader.h"
 #include "db/participant.h"
 #include "db/study_conduct.h"
 #include "db/study_records.h"
@@ -70,18 +71,17 @@ db::AnswerRecord row_answers(const curriculum::Questionnaire& questionnaire,
     return record;
 }
 
-/// The table of a file as spreadsheets save it: with or without a byte order mark.
-std::vector<std::vector<std::string>> table_of(const std::string& file) {
-    std::string text = reports::read_file(file);
-    if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
-    std::vector<std::vector<std::string>> rows;
+/// The table of a file, with at least one row below its head.
+std::vector<assessment::CsvRow> table_of(const std::string& file) {
+    std::vector<assessment::CsvRow> rows;
     try {
-        rows = reports::parse_csv(text);
-    } catch (const reports::ReportError& error) {
+        rows = assessment::read_csv(reports::read_file(file));
+    } catch (const assessment::CsvError& error) {
         throw InputError(file + ": " + error.what());
     }
     if (rows.size() < 2) throw InputError(file + ": holds no rows");
-    if (rows[0].size() == 1 && rows[0][0].find(';') != std::string::npos)
+    const auto& head = rows[0].cells;
+    if (head.size() == 1 && head[0].find(';') != std::string::npos)
         throw InputError(file +
                          ":1: found semicolons between the names; expected commas: save it as "
                          "CSV with commas");
@@ -138,19 +138,21 @@ int study_import(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
     const auto questionnaire = questionnaire_named(session, options.questionnaire);
     const auto rows = table_of(options.file);
-    const auto whose = std::find(rows[0].begin(), rows[0].end(), "participant");
-    if (whose == rows[0].end())
+    const auto& head = rows[0].cells;
+    const auto whose = std::find(head.begin(), head.end(), "participant");
+    if (whose == head.end())
         throw InputError(options.file + ":1: there is no column \"participant\"");
-    if (std::none_of(rows[0].begin(), rows[0].end(),
+    if (std::none_of(head.begin(), head.end(),
                      [&](const auto& name) { return questionnaire.item(name) != nullptr; }))
         throw InputError(options.file + ":1: there is no column of " + questionnaire.id +
                          "; its items are called " + questionnaire.items.front().id + ", ...");
     std::vector<db::AnswerRecord> records;
     std::set<std::string> seen;
     for (size_t r = 1; r < rows.size(); ++r) {
-        const std::string place = options.file + ":" + std::to_string(r + 1);
-        db::AnswerRecord record = row_answers(questionnaire, rows[0], rows[r], place);
-        record.participant = need_code(rows[r][static_cast<size_t>(whose - rows[0].begin())]);
+        const std::string place = options.file + ":" + std::to_string(rows[r].line);
+        const auto& cells = rows[r].cells;
+        db::AnswerRecord record = row_answers(questionnaire, head, cells, place);
+        record.participant = need_code(cells[static_cast<size_t>(whose - head.begin())]);
         if (!seen.insert(record.participant).second)
             throw InputError(place + ": " + record.participant + " has a row above already");
         need_active(session, options.id, record.participant, place);
@@ -184,15 +186,15 @@ int study_demo(const Context& context) {
     session.store().publish(definition);
     const std::string file =
         (curriculum::data_folder() / "studies" / "face_content_validity_simulated.csv").string();
-    const auto rows = reports::parse_csv(reports::read_file(file));
+    const auto rows = table_of(file);
     for (size_t r = 1; r < rows.size(); ++r) {
         const std::string code = session.store().new_participant(study.id, true);
         db::record_consent(session.store(), study.id, code, "en",
                            required_statements(session, study.id));
         for (const char* id : {"demographics", "face_validity"}) {
             const auto questionnaire = curriculum::load_questionnaire(id);
-            db::AnswerRecord record =
-                row_answers(questionnaire, rows[0], rows[r], file + ":" + std::to_string(r + 1));
+            db::AnswerRecord record = row_answers(questionnaire, rows[0].cells, rows[r].cells,
+                                                  file + ":" + std::to_string(rows[r].line));
             record.study_id = study.id;
             record.participant = code;
             record.demonstration = true;
