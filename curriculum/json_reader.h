@@ -39,6 +39,13 @@ void check_schema(const Json& value, const std::string& schema, const std::strin
 /// {"en": ..., "pl": ...} or a plain string, which is English.
 [[nodiscard]] LocalText local_text(const Json& value);
 
+/// A scene on top of the one that it "extends" (RFC 7396), and so on, as one complete object
+/// without that key, checked against the scene schema. `origin` is its file. Throws
+/// DefinitionError, also for a base that is not there and for scenes that extend one another in a
+/// circle.
+[[nodiscard]] Json whole_scene(Json scene, const std::string& origin,
+                               const std::string& prefix = "");
+
 /// Scene file content to specification and back. Keys are the C++ field names.
 /// @pre checked against the scene schema.
 [[nodiscard]] sim::OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,

@@ -100,15 +100,16 @@ Json resolve_scene(const Json& task, const std::string& origin) {
     Json scene;
     if (task["scene"].is_string()) {
         const std::filesystem::path file = find_definition("scenes", task["scene"]);
-        scene = parse_json(read_definition(file), file.string());
-        check_schema(scene, "scene", file.string());
+        scene = whole_scene(parse_json(read_definition(file), file.string()), file.string());
     } else {
-        scene = task["scene"];
-        check_schema(scene, "scene", origin, "/scene");
+        scene = whole_scene(task["scene"], origin, "/scene");
     }
     if (task.contains("scene_overrides")) {
         check_schema(task["scene_overrides"], "scene", origin, "/scene_overrides",
                      Completeness::kPartial);
+        if (task["scene_overrides"].contains("extends"))
+            throw DefinitionError(origin, "/scene_overrides/extends",
+                                  "changes of a task extend its scene already");
         scene.merge_patch(task["scene_overrides"]);
         check_schema(scene, "scene", origin, "/scene_overrides");
     }
