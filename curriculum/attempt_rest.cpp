@@ -29,6 +29,8 @@ bool AttemptLoop::rest() noexcept {
         speed_.start(next_, pictures_.load(std::memory_order_relaxed));
         return false;
     }
+    // The tuning panel stands open meanwhile: its wishes must not pile up in a short ring.
+    take_tunings();
     publish();
     std::this_thread::sleep_for(waiting_ && !paused ? kPublishEvery / 4 : kPublishEvery);
     next_ = Clock::now();

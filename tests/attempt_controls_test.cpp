@@ -226,6 +226,40 @@ TEST(AttemptControls, HelpStopsTheClockAndItsKeyIsUsedUp) {
     EXPECT_EQ(bench.controls.for_devices().mouse_x, 0);
 }
 
+TEST(AttemptControls, TheTuningPanelStopsTheClockAndGivesEveryKeyBack) {
+    Bench bench;
+    bench.tap(Key::kF1);  // its cause must not stay
+    bench.tap(Key::kF1);
+    bench.tap(Key::kF2);
+    EXPECT_TRUE(bench.panel().shown());
+    EXPECT_TRUE(bench.controls.paused()) << "time does not run behind the panel";
+    EXPECT_EQ(bench.controls.pause_cause(), sim::PauseCause::kMenu);
+    EXPECT_FALSE(bench.controls.captures_pointer());
+    bench.tap(Key::kDown);
+    bench.tap(Key::kRight);
+    EXPECT_TRUE(bench.panel().tuned());
+    EXPECT_FALSE(bench.controls.for_devices().is_down(Key::kRight));
+    bench.step({key(Key::kEnter)});
+    bench.step({}, 2);
+    bench.step({key(Key::kEnter, false)});
+    EXPECT_FALSE(bench.controls.end());
+    for (const Key closing : {Key::kF2, Key::kEscape}) {
+        bench.tap(closing);
+        EXPECT_FALSE(bench.panel().shown());
+        EXPECT_FALSE(bench.controls.paused());
+        EXPECT_TRUE(bench.controls.captures_pointer());
+        const sim::WindowInput& seen = bench.controls.for_devices();
+        for (const Key arrow : {Key::kUp, Key::kDown, Key::kLeft, Key::kRight}) {
+            const uint32_t before = seen.presses[static_cast<size_t>(arrow)];
+            bench.step({key(arrow)});
+            EXPECT_TRUE(seen.is_down(arrow)) << "the arrows are the hands' again";
+            EXPECT_EQ(seen.presses[static_cast<size_t>(arrow)], before + 1);
+            bench.step({key(arrow, false)});
+        }
+        if (closing == Key::kF2) bench.tap(Key::kF2);
+    }
+}
+
 TEST(AttemptControls, BeginsWithTheHelpUntilSomebodyMeansToMove) {
     ControlsSetup setup;
     setup.help_first = true;

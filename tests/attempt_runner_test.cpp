@@ -225,6 +225,33 @@ TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
     EXPECT_TRUE(replay(*recording, 1).identical);
 }
 
+// The tuning panel stands open in a pause, and somebody may turn at it for long.
+TEST(AttemptRunner, EveryWishOfTheTuningPanelArrivesWhileTimeStandsStill) {
+    AttemptOptions options = fast(0);
+    options.fast = false;
+    auto recording = std::make_shared<sim::Recording>();
+    AttemptRunner runner(quick_task(), 3, options, std::make_unique<test::MemorySink>(recording));
+    runner.set_paused(true);
+    runner.start();
+    until([&] { return runner.snapshot().paused != 0; });
+    constexpr int kWishes = 90;  // more than wait for a frame
+    for (int i = 0; i < kWishes; ++i) {
+        runner.tune(sim::TuneParameter::kFriction, sim::Tissue::kSkin, i % 2 == 0 ? 0.1 : 0.2);
+        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    EXPECT_EQ(runner.snapshot().frame, 0);
+    runner.set_paused(false);
+    until([&] { return runner.status().time_s > 0.05; });
+    runner.request_finish(sim::EndReason::kFinished);
+    runner.wait();
+    int tuned = 0;
+    for (const sim::Event& event : recording->events)
+        tuned += event.kind == sim::EventKind::kTuned ? 1 : 0;
+    EXPECT_EQ(tuned, kWishes);
+    EXPECT_TRUE(replay(*recording, 1).identical);
+}
+
 TEST(AttemptRunner, LeavesBeforeAnyMotion) {
     sim::Latest<sim::WindowInput> window;
     window.publish({});

@@ -71,7 +71,7 @@ class Monkey {
     struct Before {
         Screen screen;
         int selected, items;
-        bool panel, pointer_panel, typing, may_finish;
+        bool panel, typing, may_finish;
         std::bitset<static_cast<size_t>(Key::kCount)> down;
         std::array<uint32_t, static_cast<size_t>(Key::kCount)> presses;
         bool buttons;
@@ -133,7 +133,6 @@ class Monkey {
                 controls_.menu().selected,
                 static_cast<int>(controls_.menu().items.size()),
                 panel_.shown(),
-                panel_.takes_pointer(),
                 panel_.typing(),
                 !asks,
                 seen.down,
@@ -146,7 +145,7 @@ class Monkey {
         if (event.kind == Kind::kButton && event.down) enter_since_ = -1;
         if (event.kind != Kind::kKey) return;
         if (event.key == Key::kEnter && event.down && before.screen == Screen::kOperate &&
-            !before.pointer_panel && !before.typing)
+            !before.panel)
             enter_since_ = now_s_;
         // Enter let go, or anything else pressed.
         if ((event.key == Key::kEnter) != event.down) enter_since_ = -1;
@@ -182,7 +181,7 @@ class Monkey {
             press && (seen.presses != before.presses ||
                       (!before.buttons && (seen.left || seen.right || seen.middle)));
         EXPECT_FALSE(screen_took && hands_took);
-        if (before.screen != Screen::kOperate || before.pointer_panel) {
+        if (before.screen != Screen::kOperate || before.panel) {
             EXPECT_FALSE(hands_took);
         }
     }

@@ -55,7 +55,6 @@ TEST_F(TuningPanelTest, ArrowsChangeWhatIsSelectedAtOnce) {
 TEST_F(TuningPanelTest, TheMouseDoesTheSameAndResetPutsEverythingBack) {
     TuningPanel panel = make();
     panel.toggle();
-    EXPECT_TRUE(panel.takes_pointer());
     panel.click(sim::kTuningParts * 5 + sim::kTuningMore);  // cut power
     ASSERT_EQ(made_.size(), 1U);
     EXPECT_EQ(made_[0].parameter, TuneParameter::kCutPower);
@@ -67,17 +66,18 @@ TEST_F(TuningPanelTest, TheMouseDoesTheSameAndResetPutsEverythingBack) {
     panel.click(999);
 }
 
-TEST_F(TuningPanelTest, F2GoesFromThePointerToTheArrowsToClosed) {
+TEST_F(TuningPanelTest, F2OpensAndF2ClosesAndThenNoKeyTunes) {
     TuningPanel panel = make();
     EXPECT_FALSE(panel.key(Key::kRight));  // closed: keys are nobody's
     panel.toggle();
-    EXPECT_TRUE(panel.takes_pointer());
-    panel.toggle();
     EXPECT_TRUE(panel.shown());
-    EXPECT_FALSE(panel.takes_pointer());
-    EXPECT_FALSE(panel.key(Key::kEnter));  // finishing the attempt stays possible
+    EXPECT_TRUE(panel.key(Key::kDown));
+    EXPECT_TRUE(panel.key(Key::kEnter)) << "no Enter of the panel ends an attempt";
     panel.toggle();
     EXPECT_FALSE(panel.shown());
+    for (const Key k : {Key::kUp, Key::kDown, Key::kLeft, Key::kRight, Key::kEnter})
+        EXPECT_FALSE(panel.key(k));
+    EXPECT_TRUE(made_.empty());
 }
 
 TEST_F(TuningPanelTest, ItSaysBeforeAChangeThatSuchAnAttemptDoesNotCount) {

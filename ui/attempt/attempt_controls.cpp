@@ -35,7 +35,7 @@ AttemptControls::AttemptControls(ControlsSetup setup, TuningPanel& panel)
 }
 
 bool AttemptControls::captures_pointer() const {
-    return screen_ != Screen::kMenu && screen_ != Screen::kQuestion && !panel_.takes_pointer();
+    return screen_ != Screen::kMenu && screen_ != Screen::kQuestion && !panel_.shown();
 }
 
 std::vector<Command> AttemptControls::take_commands() { return std::exchange(commands_, {}); }
@@ -47,12 +47,12 @@ void AttemptControls::update(const sim::WindowEvents& events, const sim::WindowI
     attempt_s_ = attempt_s;
     if (first_) last_totals_ = totals;
     first_ = false;
-    left_operating_ = screen_ != Screen::kOperate || panel_.takes_pointer();
+    left_operating_ = paused();
     hover(pointer);
     for (const WindowEvent& event : events) {
         if (end_) break;
         take(event);
-        left_operating_ = left_operating_ || screen_ != Screen::kOperate || panel_.takes_pointer();
+        left_operating_ = left_operating_ || paused();
     }
     if (!end_) watch_hold();
     if (first_help_ && screen_ == Screen::kHelp) {
@@ -65,7 +65,7 @@ void AttemptControls::update(const sim::WindowEvents& events, const sim::WindowI
         if (moved_ > kMeantCounts || (totals.gamepad && pad))
             show(Screen::kOperate, PauseCause::kHelp);
     }
-    publish(totals, !left_operating_ && screen_ == Screen::kOperate);
+    publish(totals, !left_operating_);
 }
 
 /// One event, for one screen.
@@ -117,6 +117,7 @@ bool AttemptControls::panel_takes(const WindowEvent& event) {
             return true;
         }
         panel_.toggle();
+        cause_ = PauseCause::kMenu;
         hands_off();
         return true;
     }
@@ -139,7 +140,6 @@ bool AttemptControls::panel_takes(const WindowEvent& event) {
         return true;
     }
     if (event.kind == Kind::kKey && press && panel_.key(event.key)) return true;
-    if (!panel_.takes_pointer()) return false;
     // The hands stand still: whatever the panel does not know goes to nobody.
     if (event.kind == Kind::kButton && press && event.button == 0)
         panel_.click(pointer_.tuning_item);
@@ -217,7 +217,7 @@ void AttemptControls::letter(char32_t code) {
 void AttemptControls::watch_hold() {
     holding_ = 0;
     if (!held_since_s_) return;
-    if (screen_ != Screen::kOperate || panel_.takes_pointer()) return held_since_s_.reset();
+    if (paused()) return held_since_s_.reset();
     holding_ = std::clamp((now_s_ - *held_since_s_) / kHoldS, 0.0, 1.0);
     if (holding_ < 1) return;
     held_since_s_.reset();

@@ -62,7 +62,8 @@ class AttemptControls {
     /// How the attempt is to end; set once, by a confirmed wish.
     [[nodiscard]] std::optional<sim::EndReason> end() const { return end_; }
     [[nodiscard]] Screen screen() const { return screen_; }
-    [[nodiscard]] bool paused() const { return screen_ != Screen::kOperate; }
+    /// Simulated time stands still: behind every screen, and behind the tuning panel.
+    [[nodiscard]] bool paused() const { return screen_ != Screen::kOperate || panel_.shown(); }
     [[nodiscard]] sim::PauseCause pause_cause() const { return cause_; }
     [[nodiscard]] bool captures_pointer() const;
     /// What the devices see: nothing of what was meant for a screen, and never Enter or Start.

@@ -95,9 +95,7 @@ void TuningPanel::toggle() {
     if (!setup_.allowed) return;
     said_.clear();
     typing_ = warn_ = false;
-    mode_ = mode_ == Mode::kClosed    ? Mode::kPointer
-            : mode_ == Mode::kPointer ? Mode::kArrows
-                                      : Mode::kClosed;
+    shown_ = !shown_;
 }
 
 bool TuningPanel::key(sim::Key key) {
@@ -122,9 +120,9 @@ bool TuningPanel::key(sim::Key key) {
             return true;
         case sim::Key::kEnter:
             if (selected_ >= kResetRow) press(selected_);
-            return selected_ >= kResetRow || takes_pointer();
+            return true;
         case sim::Key::kEscape:
-            mode_ = Mode::kClosed;
+            shown_ = false;
             return true;
         default:
             return false;
@@ -250,7 +248,6 @@ void TuningPanel::save() {
 const sim::TuningOverlay& TuningPanel::picture() {
     picture_.shown = shown();
     if (!shown()) return picture_;
-    picture_.pointer = takes_pointer();
     picture_.title = say("Tuning");
     picture_.note = tuned_ ? say("This attempt was tuned: it does not count.")
                            : say("Once something is changed, this attempt does not count.");
@@ -271,9 +268,7 @@ const sim::TuningOverlay& TuningPanel::picture() {
     picture_.warn = warn_;
     picture_.foot = !said_.empty() ? said_
                     : typing_      ? say("Enter saves, Esc does not")
-                    : takes_pointer()
-                        ? say("The hands stand still. F2 once more: operate, arrows tune.")
-                        : say("Arrows tune while you operate. F2 closes.");
+                                   : say("Time stands still. Arrows or mouse tune, F2 goes on.");
     return picture_;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The clinician's tuning panel (F2): tissue and generator changed while operating, at once, and
-// saved as a preset with who and when. F2 opens it with the pointer on it (the instrument stays
-// where it is and the tissue goes on), F2 again gives the pointer back to the instrument while the
-// arrows still tune, F2 a third time closes it. Main thread.
+// The clinician's tuning panel (F2): tissue and generator changed in the middle of an attempt, and
+// saved as a preset with who and when. While it is open the attempt stands still and every key is
+// its own; F2 or Esc closes it and gives everything back to the instruments. Main thread.
 
 #include <array>
 #include <functional>
@@ -29,10 +28,9 @@ class TuningPanel {
  public:
     TuningPanel(const curriculum::Task& task, TuningSetup setup);
 
-    void toggle();  ///< F2.
-    [[nodiscard]] bool shown() const { return mode_ != Mode::kClosed; }
-    /// The pointer belongs to the panel; the hands stand still.
-    [[nodiscard]] bool takes_pointer() const { return mode_ == Mode::kPointer; }
+    void toggle();  ///< F2: opens and closes.
+    /// Pointer and keys belong to the panel; the hands stand still.
+    [[nodiscard]] bool shown() const { return shown_; }
     /// Letters go into the name of a preset.
     [[nodiscard]] bool typing() const { return typing_; }
     /// A key while the panel is shown. True when it was for the panel.
@@ -45,7 +43,6 @@ class TuningPanel {
     [[nodiscard]] const sim::TuningOverlay& picture();
 
  private:
-    enum class Mode : uint8_t { kClosed, kPointer, kArrows };
     void change(int row, int direction);
     void press(int row);
     void set(sim::TuneParameter parameter, sim::Tissue tissue, double value);
@@ -59,10 +56,9 @@ class TuningPanel {
     TuningSetup setup_;
     std::string scene_id_;
     Values now_{}, before_{};
-    Mode mode_ = Mode::kClosed;
     sim::Tissue tissue_ = sim::Tissue::kZone;
     int selected_ = 0;
-    bool typing_ = false, tuned_ = false, warn_ = false;
+    bool shown_ = false, typing_ = false, tuned_ = false, warn_ = false;
     std::string name_, said_;
     sim::TuningOverlay picture_;
 };

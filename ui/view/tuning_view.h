@@ -20,7 +20,6 @@ struct TuningRow {
 
 struct TuningOverlay {
     bool shown = false;
-    bool pointer = true;  ///< The pointer works on the panel, not on the instrument.
     std::string title;
     std::string note;  ///< What a change means; stands above the rows.
     std::vector<TuningRow> rows;
