@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/attempt_counting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -31,12 +32,24 @@ std::string slow_machine_reason(const std::vector<sim::Event>& events) {
     return reason;
 }
 
+std::string tuned_reason(const std::vector<sim::Event>& events) {
+    const bool tuned = std::any_of(events.begin(), events.end(), [](const sim::Event& event) {
+        return event.kind == sim::EventKind::kTuned;
+    });
+    return tuned ? std::string(kTunedReason) : std::string();
+}
+
 std::string joined_reasons(const std::string& a, const std::string& b) {
     return a.empty() || b.empty() ? a + b : a + "; " + b;
 }
 
 bool counts(const AttemptRecord& attempt) noexcept {
     return was_tried(attempt) && attempt.void_reason.empty();
+}
+
+bool machine_at_fault(const AttemptRecord& attempt) noexcept {
+    return was_tried(attempt) && !attempt.void_reason.empty() &&
+           attempt.void_reason.find(kTunedReason) == std::string::npos;
 }
 
 std::vector<AttemptRecord> attempts_beside(Store& store, const AttemptRecord& attempt) {

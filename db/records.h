@@ -89,8 +89,8 @@ struct AttemptRecord {
     StudyContext study;
     std::string haptic_grade;  ///< not_applicable, sound, bad; empty: no certificate was kept.
     /// Why the attempt is void for cause: the computer was too slow or, in an exam, the haptic loop
-    /// failed; the person did not. Empty: it is not. A void attempt is kept, counts for nothing and
-    /// uses up no attempt.
+    /// failed, and the person did not; or tissue was tuned by hand. Empty: it is not. A void
+    /// attempt is kept, counts for nothing and uses up no attempt.
     std::string void_reason;
 };
 

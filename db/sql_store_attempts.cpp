@@ -153,7 +153,8 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
     }
     const HapticVerdict haptics = haptic_verdict(result);
     const std::string void_reason =
-        joined_reasons(haptics.void_reason, slow_machine_reason(result.events));
+        joined_reasons(tuned_reason(result.events),
+                       joined_reasons(haptics.void_reason, slow_machine_reason(result.events)));
     UnitOfWork work(connection_);
     (void)need_user(user_id);
     const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);

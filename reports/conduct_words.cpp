@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "reports/text.h"
 #include "reports/words.h"
 
 namespace placode::reports {
@@ -13,7 +14,8 @@ namespace {
 
 /// As slow_machine_reason() says them; %1 is a whole number, and of pictures there may be one.
 constexpr const char* kVoidPatterns[]{
-    "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed"};
+    "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed",
+    "Tissue or generator was tuned"};
 constexpr const char* kPictures =
     "The computer was too slow: %n picture(s) a second, 20 are needed";
 
@@ -90,12 +92,27 @@ QString void_words(const std::string& english) {
             QString text = QRegularExpression::escape(QString::fromUtf8(pattern));
             text.replace(QStringLiteral("\\%1"), QStringLiteral("(-?\\d+)"));
             const auto match = QRegularExpression("^" + text + "$").match(part);
-            if (match.hasMatch())
-                said = QCoreApplication::translate("Deviation", pattern).arg(match.captured(1));
+            if (!match.hasMatch()) continue;
+            said = QCoreApplication::translate("Deviation", pattern);
+            if (match.lastCapturedIndex() > 0) said = said.arg(match.captured(1));
         }
         parts << said;
     }
     return parts.join(QStringLiteral("; "));
+}
+
+QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
+    const Speaker say(language);
+    if (attempt.end == sim::EndReason::kInterrupted)
+        return say("left after %1").arg(duration_words(attempt.duration_s));
+    if (attempt.verdict == assessment::Verdict::kNotAttempted) return say("nothing was done");
+    if (attempt.void_reason.empty()) return {};
+    const QString all = language == Language::kEnglish ? QString::fromStdString(attempt.void_reason)
+                                                       : void_words(attempt.void_reason);
+    // The figures behind the colon stand where there is room for them.
+    QString cause = all.section(QStringLiteral("; "), 0, 0).section(QStringLiteral(": "), 0, 0);
+    if (!cause.isEmpty()) cause[0] = cause[0].toLower();
+    return cause;
 }
 
 QString not_done_words(const std::string& english) {

@@ -93,7 +93,7 @@ void draw_path(QPainter& painter, const sim::Recording& recording, const Map& ma
     ink.setAlphaF(0.7F);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(ink, 0.8));
-    painter.drawPath(path);
+    if (!path.isEmpty()) painter.drawPath(path);
 }
 
 /// Harm to the placode and torn tissue: a cross each, never by colour alone.

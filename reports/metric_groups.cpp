@@ -100,6 +100,21 @@ bool task_has(MetricGroup group, const sim::RecordingHeader& header) {
     }
 }
 
+bool contains(const std::vector<std::string>& list, std::string_view id) {
+    return std::find(list.begin(), list.end(), id) != list.end();
+}
+
+/// Counted above a speed that slow hands never reach.
+constexpr std::string_view kFastOnly[]{"movements", "translational_actions", "rotational_actions",
+                                       "speed_peaks_per_min"};
+
+/// Says what another one has said, or only that nothing was fast.
+bool superfluous(std::string_view id, const assessment::MetricSet& metrics) {
+    if (id == "neither_moving_percent") return metrics.find("idle_percent").has_value();
+    return std::find(std::begin(kFastOnly), std::end(kFastOnly), id) != std::end(kFastOnly) &&
+           nothing_moved_fast(metrics) && metrics.find(id).value_or(0) == 0;
+}
+
 }  // namespace
 
 const char* group_title(MetricGroup group) noexcept {
@@ -134,6 +149,17 @@ MetricGroup group_of_metric(std::string_view id) noexcept {
     return MetricGroup::kMotion;
 }
 
+bool looks_at_ring(const std::vector<std::string>& scored) noexcept {
+    return std::any_of(scored.begin(), scored.end(), [](const std::string& id) {
+        return group_of_metric(id) == MetricGroup::kIncision;
+    });
+}
+
+bool nothing_moved_fast(const assessment::MetricSet& metrics) {
+    return metrics.find("movements").value_or(1) == 0 &&
+           metrics.find("path_length_mm").value_or(0) > 0;
+}
+
 std::vector<GroupedMetrics> grouped_metrics(const assessment::MetricSet& metrics,
                                             const sim::RecordingHeader& header,
                                             const std::vector<std::string>& scored) {
@@ -141,11 +167,12 @@ std::vector<GroupedMetrics> grouped_metrics(const assessment::MetricSet& metrics
     const auto definitions = assessment::metric_definitions();
     for (const MetricGroup group : kGroups) {
         GroupedMetrics shown{group, {}};
-        const bool has = task_has(group, header);
+        const bool ring = group != MetricGroup::kIncision || scored.empty();
+        const bool has = task_has(group, header) && (ring || looks_at_ring(scored));
         for (const assessment::MetricDefinition& each : definitions) {
             if (group_of_metric(each.id) != group || !metrics.find(each.id)) continue;
-            const bool counts = std::find(scored.begin(), scored.end(), each.id) != scored.end();
-            if (has || counts) shown.metrics.push_back(each);
+            const bool counts = contains(scored, each.id);
+            if (counts || (has && !superfluous(each.id, metrics))) shown.metrics.push_back(each);
         }
         if (!shown.metrics.empty()) groups.push_back(std::move(shown));
     }

@@ -27,14 +27,23 @@ enum class MetricGroup : uint8_t {
 [[nodiscard]] const char* group_title(MetricGroup group) noexcept;
 [[nodiscard]] MetricGroup group_of_metric(std::string_view id) noexcept;
 
+/// True when one of these metrics (what a score looks at) is about the incision around the placode:
+/// where none is, ring and phase say nothing.
+[[nodiscard]] bool looks_at_ring(const std::vector<std::string>& scored) noexcept;
+
+/// Too slow for any movement to be counted: the counts are 0 beside a way that is not, and left out
+/// of a report.
+[[nodiscard]] bool nothing_moved_fast(const assessment::MetricSet& metrics);
+
 struct GroupedMetrics {
     MetricGroup group = MetricGroup::kTime;
     std::vector<assessment::MetricDefinition> metrics;
 };
 
 /// Of the metrics that were measured those of groups that the task has: no energy where nothing
-/// can be switched on, no hands where only one instrument is held. In the order of MetricGroup;
-/// none is empty. What the score looks at always stands in it.
+/// can be switched on, no hands where only one instrument is held, no ring where the score does not
+/// look at one. Of two measures of the same (idle share, no hand moving) the first. In the order of
+/// MetricGroup; none is empty. What the score looks at always stands in it.
 [[nodiscard]] std::vector<GroupedMetrics> grouped_metrics(
     const assessment::MetricSet& metrics, const sim::RecordingHeader& header,
     const std::vector<std::string>& scored = {});

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "curriculum/task.h"
+#include "db/attempt_counting.h"
 #include "reports/attempt_figures.h"
 #include "reports/metric_groups.h"
 #include "reports/report.h"
@@ -69,6 +70,17 @@ QString mode_words(const db::AttemptRecord& record, const std::string& mode) {
              escaped(record.exam.stage_id));
 }
 
+/// Instead of verdict and points, which such an attempt has none of.
+QString not_counted_html(const db::AttemptRecord& record) {
+    QString html = QStringLiteral("<p style='font-size:22px'><b>Does not count: %1</b></p>")
+                       .arg(not_counted_words(record, Language::kEnglish).toHtmlEscaped());
+    QString more = QStringLiteral("The attempt is kept without a score.");
+    if (!record.void_reason.empty()) more = escaped(record.void_reason) + ". " + more;
+    if (db::machine_at_fault(record))
+        more += QStringLiteral(" The machine failed, not the person.");
+    return html + QStringLiteral("<p style='background-color:#fff1d6'>&nbsp;%1</p>").arg(more);
+}
+
 QString head_html(const Subject& subject, const ChartStyle& style) {
     const db::AttemptRecord& record = subject.attempt.record;
     const assessment::Score& score = subject.attempt.score;
@@ -81,16 +93,13 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
         html += QStringLiteral(
             "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - made by a script or "
             "with a demonstration account; proves nothing about a person.</p>");
-    html += QStringLiteral(
-                "<p style='font-size:22px'><b><span style='color:%1'>%2</span> - %3 of 100 "
-                "points</b></p>")
-                .arg(verdict_colour(score.verdict, style).name(), verdict_word(score.verdict),
-                     number(score.points, 1));
-    if (!record.void_reason.empty())
-        html += QStringLiteral(
-                    "<p style='background-color:#fff1d6'><b>&nbsp;Does not count.</b> %1. The "
-                    "attempt is kept; the machine failed, not the person.</p>")
-                    .arg(escaped(record.void_reason));
+    html += db::counts(record)
+                ? QStringLiteral(
+                      "<p style='font-size:22px'><b><span style='color:%1'>%2</span> - %3 of 100 "
+                      "points</b></p>")
+                      .arg(verdict_colour(score.verdict, style).name(), verdict_word(score.verdict),
+                           number(score.points, 1))
+                : not_counted_html(record);
     std::vector<std::pair<QString, QString>> facts{
         {QStringLiteral("Person"), escaped(record.user_name)},
         {QStringLiteral("Task"),
@@ -98,7 +107,7 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
         {QStringLiteral("Date"),
          escaped(record.started_utc).replace('T', ' ').remove('Z') + QStringLiteral(" UTC")},
         {QStringLiteral("Duration"),
-         QStringLiteral("%1 s, %2").arg(number(record.duration_s, 1), end_word(record.end))},
+         QStringLiteral("%1, %2").arg(duration_words(record.duration_s), end_word(record.end))},
         {QStringLiteral("Kind"), mode_words(record, subject.recording.header.mode)},
         {QStringLiteral("Device"), escaped(record.device)}};
     if (!record.exam.proctor.empty())
@@ -108,15 +117,18 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
     return html + facts_html(facts);
 }
 
-std::vector<QString> reason_rows(const assessment::Score& score) {
+/// Of an attempt that does not count: what happened, and no points.
+std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
     std::vector<QString> rows;
     for (const assessment::Reason& reason : score.reasons) {
-        const QString when =
-            reason.time_s < 0 ? QString() : QStringLiteral("at %1 s").arg(number(reason.time_s, 1));
-        rows.push_back(QStringLiteral("<tr><td align='right' width='46'>-%1</td><td>&nbsp;%2%3</td>"
+        if (reason.item == assessment::kNotAttemptedItem) continue;
+        const QString when = reason.time_s < 0
+                                 ? QString()
+                                 : QStringLiteral("at %1").arg(duration_words(reason.time_s));
+        rows.push_back(QStringLiteral("<tr><td align='right' width='46'>%1</td><td>&nbsp;%2%3</td>"
                                       "<td align='right' width='90' style='color:#5f666e'>%4</td>"
                                       "</tr>")
-                           .arg(number(reason.points, 1),
+                           .arg(scored ? "-" + number(reason.points, 1) : QString(),
                                 reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
                                 reason_words(reason.text).toHtmlEscaped(), when));
     }
@@ -141,8 +153,12 @@ QString metric_row(const assessment::MetricDefinition& definition, double value,
                "<tr><td width='46%'>%1</td><td align='right' width='14%'>%2</td><td "
                "width='14%'>&nbsp;%3</td><td style='color:#5f666e'>%4</td></tr>")
         .arg(counts ? QStringLiteral("<b>%1</b>").arg(name) : name,
-             is_count(definition, value) ? number(value, 0) : metric_number(value),
-             unit_sign(definition.unit).toHtmlEscaped(), better_word(definition.direction));
+             in_minutes(definition, value) ? minute_second(value)
+             : is_count(definition, value) ? number(value, 0)
+                                           : metric_number(value),
+             in_minutes(definition, value) ? QStringLiteral("min")
+                                           : unit_sign(definition.unit).toHtmlEscaped(),
+             better_word(definition.direction));
 }
 
 void add_metrics(Sheets& sheets, const Subject& subject) {
@@ -162,6 +178,10 @@ void add_metrics(Sheets& sheets, const Subject& subject) {
                            "<td>&nbsp;unit</td><td>direction</td></tr>"),
             rows);
     }
+    if (nothing_moved_fast(subject.attempt.metrics))
+        sheets.html(
+            QStringLiteral("<p style='color:#5f666e'>No movements are counted: no tip was "
+                           "faster than 20 mm/s.</p>"));
 }
 
 QString provenance_html(const Subject& subject) {
@@ -231,14 +251,24 @@ void add_first_page(Sheets& sheets, const Subject& subject, const ChartStyle& st
         draw_incision(painter, QRectF(kMargin, y, kInner * 0.52, 330), subject.recording, style);
         sheets.draw(QStringLiteral("<b>Own history of this task</b>"), {kMargin + kInner * 0.56, y},
                     kInner * 0.44, true);
-        draw_history(painter, QRectF(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240),
-                     subject.history, 70, style);
+        std::vector<db::AttemptRecord> counted;
+        for (const db::AttemptRecord& each : subject.history)
+            if (db::counts(each)) counted.push_back(each);
+        const QRectF place(kMargin + kInner * 0.56, y + 22, kInner * 0.44, 240);
+        if (counted.empty())
+            sheets.draw(QStringLiteral("No attempt at this task counts yet."), place.topLeft(),
+                        place.width(), true);
+        else
+            draw_history(painter, place, counted, 70, style);
     });
-    const auto rows = reason_rows(subject.attempt.score);
-    if (rows.empty())
+    const bool scored = db::counts(subject.attempt.record);
+    const auto rows = reason_rows(subject.attempt.score, scored);
+    if (!rows.empty())
+        sheets.table(
+            scored ? QStringLiteral("Reasons") : QStringLiteral("What was noticed (not scored)"),
+            {}, rows);
+    else if (scored)
         sheets.html(QStringLiteral("<h3>Reasons</h3><p>No points were lost.</p>"));
-    else
-        sheets.table(QStringLiteral("Reasons"), {}, rows);
 }
 
 /// Everything, on paper or only counted; how many pages it takes.

@@ -3,6 +3,7 @@
 #include "reports/text.h"
 
 #include <QLocale>
+#include <algorithm>
 #include <cmath>
 
 namespace placode::reports {
@@ -25,6 +26,16 @@ QString metric_number(double value) {
     if (size < 10) return number(value, 2);
     if (size < 100) return number(value, 1);
     return number(value, 0);
+}
+
+QString duration_words(double seconds) {
+    const auto whole = static_cast<long>(std::lround(std::max(0.0, seconds)));
+    if (whole < 60) return QStringLiteral("%1 s").arg(whole);
+    return QStringLiteral("%1:%2 min").arg(whole / 60).arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+bool in_minutes(const assessment::MetricDefinition& metric, double value) {
+    return metric.unit == "s" && std::lround(value) >= 60;
 }
 
 bool is_count(const assessment::MetricDefinition& metric, double value) {

@@ -20,8 +20,12 @@ namespace placode::reports {
 [[nodiscard]] std::string shortest_text(double value);
 /// Enough places for the metric's size: 0.034, 3.42, 34.2, 342.
 [[nodiscard]] QString metric_number(double value);
+/// "34 s", "1:05 min": a length of time as people read it, whole seconds.
+[[nodiscard]] QString duration_words(double seconds);
 /// A whole number without a unit, which is shown without places. More than 1e5 is a dose.
 [[nodiscard]] bool is_count(const assessment::MetricDefinition& metric, double value);
+/// A time of a minute or more: written "9:08" with the unit "min", as every length of time.
+[[nodiscard]] bool in_minutes(const assessment::MetricDefinition& metric, double value);
 /// "mm3" as it is printed: "mm³"; "C" as "°C".
 [[nodiscard]] QString unit_sign(std::string_view unit);
 /// "Passed", "Not yet", "Failed".

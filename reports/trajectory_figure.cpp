@@ -121,12 +121,13 @@ void draw_way(QPainter& painter, const sim::Recording& recording, size_t tool, c
     QColor thin = ink;
     thin.setAlphaF(0.75F);
     painter.setPen(QPen(thin, 1, dash));
-    painter.drawPath(way);
+    if (!way.isEmpty()) painter.drawPath(way);
     QPen thick(ink, 2.8);
     thick.setCapStyle(Qt::RoundCap);
     thick.setJoinStyle(Qt::RoundJoin);
     painter.setPen(thick);
-    painter.drawPath(hot);
+    // Of a tool without energy: an empty path becomes one that is closed before it begins in a PDF.
+    if (!hot.isEmpty()) painter.drawPath(hot);
 }
 
 /// Which way is which: words at the left and right, top and bottom.

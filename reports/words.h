@@ -27,12 +27,18 @@ namespace placode::reports {
 /// Why an attempt is void, as the store keeps it (English), said again in the program's language.
 [[nodiscard]] QString void_words(const std::string& english);
 
+/// In which language something is said: the program's, or English for files.
+enum class Language : uint8_t { kProgram, kEnglish };
+
+/// Why an attempt does not count, in a few words that go on a sentence ("left after 5 s", "nothing
+/// was done", "the computer was too slow"): what the person did comes first. Empty when it counts.
+[[nodiscard]] QString not_counted_words(const db::AttemptRecord& attempt,
+                                        Language language = Language::kProgram);
+
 /// Why a step of a study is still to be done, as its record keeps it (English), said again in the
 /// program's language.
 [[nodiscard]] QString not_done_words(const std::string& english);
 
-/// In which language something is said: the program's, or English for files.
-enum class Language : uint8_t { kProgram, kEnglish };
 /// "Stood still twice, 12 s in all (menu, help)."
 [[nodiscard]] QString deviation_words(const db::Deviation& deviation,
                                       Language language = Language::kProgram);

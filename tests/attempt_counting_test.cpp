@@ -101,6 +101,24 @@ TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
     EXPECT_EQ(db::attempts_beside(*store, record).size(), 2u);
 }
 
+TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {
+    sim::Event tuned;
+    tuned.kind = sim::EventKind::kTuned;
+    const auto record = store->attempt(save("2026-01-03T03:00:00.000Z", {tuned})).record;
+    EXPECT_EQ(record.void_reason, db::kTunedReason);
+    EXPECT_FALSE(db::counts(record));
+    EXPECT_FALSE(db::machine_at_fault(record));
+    const auto both =
+        store->attempt(save("2026-01-04T03:00:00.000Z", {tuned, machine(1, 12)})).record;
+    EXPECT_THAT(both.void_reason, HasSubstr("12 pictures a second"));
+    EXPECT_FALSE(db::machine_at_fault(both)) << "who tuned would not have counted anyway";
+    auto slow = store->attempt(save("2026-01-05T03:00:00.000Z", {machine(1, 12)})).record;
+    EXPECT_TRUE(db::machine_at_fault(slow));
+    slow.end = sim::EndReason::kInterrupted;
+    EXPECT_FALSE(db::machine_at_fault(slow)) << "left after five seconds";
+    EXPECT_TRUE(store->task_standings(0).empty());
+}
+
 TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     const curriculum::Course course = curriculum::load_course("first_steps");
     const curriculum::CourseStage& stage = course.stages.front();

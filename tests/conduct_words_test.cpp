@@ -58,6 +58,19 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
     EXPECT_EQ(void_words("40 drop-outs"), "40 drop-outs") << "figures for technicians stay";
 }
 
+TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
+    db::AttemptRecord attempt;
+    attempt.duration_s = 5;
+    EXPECT_EQ(not_counted_words(attempt), "") << "it counts";
+    attempt.void_reason = "The computer was too slow: 14 pictures a second, 20 are needed";
+    EXPECT_EQ(not_counted_words(attempt, Language::kEnglish), "the computer was too slow");
+    attempt.verdict = assessment::Verdict::kNotAttempted;
+    EXPECT_EQ(not_counted_words(attempt), "~nothing was done");
+    attempt.end = sim::EndReason::kInterrupted;
+    EXPECT_EQ(not_counted_words(attempt), "~left after 5 s");
+    EXPECT_EQ(void_words(std::string(db::kTunedReason)), "~Tissue or generator was tuned");
+}
+
 TEST_F(ConductWords, WhyAStepIsStillToBeDone) {
     EXPECT_EQ(not_done_words("interrupted"), "~broken off");
     EXPECT_EQ(not_done_words("ended after 12 s, before the least duration of 60 s"),

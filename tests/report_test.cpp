@@ -118,6 +118,56 @@ TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
     }
 }
 
+TEST(Report, ThePdfHasNoPathThatEndsBeforeItBegins) {
+    application();
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    // A grasper without energy beside the needle, and nothing cut at all.
+    sim::Recording still = recording();
+    still.header.tools[1].kind = sim::ToolKind::kGrasper;
+    for (sim::Sample& sample : still.samples) sample.tools[1].tip_m = sample.tools[0].tip_m;
+    still.events.clear();
+    reports::write_attempt_pdf(attempt(), still, {}, path.toStdString());
+    QProcess process;
+    process.start(pdftotext, {path, "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    const QString complaints = QString::fromUtf8(process.readAllStandardError());
+    EXPECT_FALSE(complaints.contains("Syntax")) << complaints.toStdString();
+}
+
+TEST(Report, AnAttemptThatDoesNotCountHasNoScoreOnPaper) {
+    application();
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    db::AttemptDetail slow = attempt();
+    slow.record.duration_s = 548;
+    slow.record.void_reason = "The computer was too slow: 14 pictures a second, 20 are needed";
+    reports::write_attempt_pdf(slow, recording(), {slow.record}, path.toStdString());
+    const auto text = [&] {
+        QProcess process;
+        process.start(pdftotext, {"-layout", path, "-"});
+        return process.waitForFinished() ? QString::fromUtf8(process.readAllStandardOutput())
+                                         : QString();
+    };
+    const QString voided = text();
+    for (const char* said : {"Does not count: the computer was too slow", "14 pictures a second",
+                             "9:08 min, finished", "The machine failed, not the person",
+                             "What was noticed (not scored)", "No attempt at this task counts yet"})
+        EXPECT_TRUE(voided.contains(said)) << said << "\nnot in\n" << voided.toStdString();
+    EXPECT_FALSE(voided.contains("of 100 points"));
+    EXPECT_FALSE(voided.contains("-26.5"));
+    slow.record.end = sim::EndReason::kInterrupted;
+    slow.record.duration_s = 5;
+    reports::write_attempt_pdf(slow, recording(), {slow.record}, path.toStdString());
+    const QString left = text();
+    EXPECT_TRUE(left.contains("Does not count: left after 5 s"));
+    EXPECT_FALSE(left.contains("not the person"));
+}
+
 namespace {
 
 /// The text of each page.
@@ -223,6 +273,33 @@ TEST(MetricGroups, WhatTheScoreLooksAtIsNeverLeftOut) {
     EXPECT_FALSE(has({}, "energy_on_s")) << "a grasper has no energy";
     EXPECT_TRUE(has({"energy_on_s"}, "energy_on_s"));
     EXPECT_TRUE(has({}, "grasps"));
+}
+
+TEST(MetricGroups, ATaskWithoutARingHasNoRingNumbers) {
+    sim::RecordingHeader header = recording().header;
+    const assessment::MetricSet metrics = attempt().metrics;
+    const auto has = [&](const std::vector<std::string>& scored, const assessment::MetricSet& of,
+                         const char* id) {
+        for (const auto& group : reports::grouped_metrics(of, header, scored))
+            for (const auto& each : group.metrics)
+                if (each.id == id) return true;
+        return false;
+    };
+    EXPECT_FALSE(has({"steps_done_percent"}, metrics, "ring_completeness_percent"));
+    EXPECT_TRUE(has({"outside_band_mm"}, metrics, "ring_completeness_percent"));
+    EXPECT_TRUE(has({}, metrics, "ring_completeness_percent")) << "nobody knows the task any more";
+    // Two names for nearly the same, and counts that are 0 because every hand was calm.
+    header.tools[1].kind = sim::ToolKind::kGrasper;
+    EXPECT_TRUE(has({}, metrics, "idle_percent"));
+    EXPECT_FALSE(has({}, metrics, "neither_moving_percent"));
+    EXPECT_TRUE(has({"neither_moving_percent"}, metrics, "neither_moving_percent"));
+    EXPECT_TRUE(has({}, metrics, "movements"));
+    assessment::MetricSet calm;
+    calm.values = {{"path_length_mm", 125}, {"movements", 0}, {"speed_peaks_per_min", 0}};
+    EXPECT_FALSE(has({}, calm, "movements"));
+    EXPECT_FALSE(has({}, calm, "speed_peaks_per_min"));
+    EXPECT_TRUE(has({"movements"}, calm, "movements"));
+    EXPECT_TRUE(reports::nothing_moved_fast(calm));
 }
 
 TEST(Report, TheIncisionPictureShowsWhatWasCut) {

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "db/attempt_counting.h"
+#include "reports/text.h"
 
 namespace placode::ui {
 namespace {
@@ -232,9 +233,8 @@ QString format_value(double value) {
 }
 
 QString format_duration(double seconds) {
-    const int whole = static_cast<int>(std::lround(seconds));
-    if (whole < 60) return Parts::tr("%1 s").arg(whole);
-    return QString("%1:%2").arg(whole / 60).arg(whole % 60, 2, 10, QChar('0')) + " min";
+    // One style on the screen and on paper.
+    return reports::duration_words(seconds);
 }
 
 QString format_when(const std::string& utc) {

@@ -8,6 +8,9 @@
 #include <set>
 
 #include "reports/attempt_figures.h"
+#include "reports/metric_groups.h"
+#include "reports/text.h"
+#include "reports/words.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/result_cards.h"
@@ -22,14 +25,22 @@ struct Metrics {
 
 constexpr int kStripWidth = 150, kNarrowStrip = 104;
 
-/// What the rubric looks at, and what everybody asks for first.
-std::set<std::string> metrics_that_count(AppContext& context, const std::string& task_id) {
-    std::set<std::string> ids{"task_time_s", "ring_completeness_percent", "contour_deviation_mm",
-                              "path_length_mm"};
+/// What the rubric looks at; empty when the task is not installed.
+std::vector<std::string> scored_metrics(AppContext& context, const std::string& task_id) {
+    std::vector<std::string> ids;
     (void)context.problemOf([&] {
         const curriculum::Task task = curriculum::load_task(task_id);
-        for (const assessment::RubricItem& item : task.rubric.items) ids.insert(item.metric);
+        for (const assessment::RubricItem& item : task.rubric.items) ids.push_back(item.metric);
     });
+    return ids;
+}
+
+/// And what everybody asks for first.
+std::set<std::string> metrics_that_count(const std::vector<std::string>& scored) {
+    std::set<std::string> ids(scored.begin(), scored.end());
+    ids.insert({"task_time_s", "path_length_mm"});
+    if (scored.empty() || reports::looks_at_ring(scored))
+        ids.insert({"ring_completeness_percent", "contour_deviation_mm"});
     return ids;
 }
 
@@ -101,8 +112,14 @@ class MetricsTable {
         table_ = make_table(head, Metrics::tr("Measures"));
         table_->setObjectName("metrics");
         table_->setSortingEnabled(false);
-        for (const assessment::MetricDefinition& each : assessment::metric_definitions())
+        // Without a ring in the task its numbers are those of an incision nobody was to make.
+        const auto scored = scored_metrics(context, data.detail.record.task_id);
+        const bool ring = scored.empty() || reports::looks_at_ring(scored);
+        for (const assessment::MetricDefinition& each : assessment::metric_definitions()) {
+            if (!ring && reports::group_of_metric(each.id) == reports::MetricGroup::kIncision)
+                continue;
             if (const auto value = data.detail.metrics.find(each.id)) add(each, *value);
+        }
         fit_columns(table_, 0);
         for (int c = 5; c < table_->columnCount(); ++c)
             table_->setColumnWidth(c, (groups_.empty() ? kStripWidth : kNarrowStrip) + 16);
@@ -122,11 +139,15 @@ class MetricsTable {
         name->setToolTip(metric_explanation(definition));
         name->setData(Qt::UserRole, qstr(std::string(definition.id)));
         table_->setItem(row, 0, name);
-        table_->setItem(row, 1, make_number_cell(metric_value(definition, value), value));
-        table_->setItem(row, 2, make_cell(unit_sign(definition.unit)));
-        table_->setItem(
-            row, 3,
-            make_number_cell(before ? metric_value(definition, *before) : "–", before.value_or(0)));
+        // One unit for the row: minutes when one of the two is that long.
+        const bool minutes =
+            reports::in_minutes(definition, std::max(value, before.value_or(value)));
+        const auto text = [&](double of) {
+            return minutes ? reports::minute_second(of) : metric_value(definition, of);
+        };
+        table_->setItem(row, 1, make_number_cell(text(value), value));
+        table_->setItem(row, 2, make_cell(minutes ? "min" : unit_sign(definition.unit)));
+        table_->setItem(row, 3, make_number_cell(before ? text(*before) : "–", before.value_or(0)));
         table_->setItem(row, 4, change_cell(context_, definition.direction, value, before));
         std::vector<double> values;
         for (const db::AttemptDetail& each : data_.earlier)
@@ -191,8 +212,8 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
                      });
     layout->addWidget(explained);
     const auto show = [table, all,
-                       wanted = metrics_that_count(context, data.detail.record.task_id)](
-                          bool everything) {
+                       wanted = metrics_that_count(
+                           scored_metrics(context, data.detail.record.task_id))](bool everything) {
         int shown = 0;
         for (int row = 0; row < table->rowCount(); ++row) {
             const std::string id = table->item(row, 0)->data(Qt::UserRole).toString().toStdString();

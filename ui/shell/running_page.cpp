@@ -10,6 +10,8 @@
 #include <QProgressBar>
 #include <QTimer>
 
+#include "curriculum/task.h"
+#include "reports/metric_groups.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -37,6 +39,13 @@ class RunningPage : public Page {
         context.require(db::Action::kPerformAttempt);  // Everybody who is signed in.
         QVBoxLayout* column = make_column(this, 860);
         const AttemptLauncher& launcher = context.launcher();
+        (void)context.problemOf([&] {
+            std::vector<std::string> scored;
+            for (const auto& item :
+                 curriculum::load_task(launcher.order().task.toStdString()).rubric.items)
+                scored.push_back(item.metric);
+            ring_task_ = reports::looks_at_ring(scored);
+        });
         auto* head = new QHBoxLayout;
         head->setSpacing(kSpace12);
         QLabel* name = make_label(launcher.order().title, "display");
@@ -215,7 +224,8 @@ class RunningPage : public Page {
                                 : tr("The fetoscope's window is opening."));
         time_->setText(begun ? format_duration(live.time_s) : "–");
         // An exam and a study have no read-outs but the time, here neither.
-        const bool numbers = mode() == curriculum::AttemptMode::kPractice;
+        // Phase and ring are those of an incision: other tasks have none.
+        const bool numbers = mode() == curriculum::AttemptMode::kPractice && ring_task_;
         for (QWidget* part : read_outs_) part->setVisible(numbers);
         bar_->setVisible(numbers);
         phase_->setText(phaseName(live.phase));
@@ -224,7 +234,8 @@ class RunningPage : public Page {
         ring_->setText(begun ? format_number(100 * live.cut_fraction, 0) + " %" : "–");
         bar_->setValue(static_cast<int>(100 * live.cut_fraction));
         QStringList warnings;
-        if (numbers && !live.warning.isEmpty()) warnings << live.warning;
+        if (mode() == curriculum::AttemptMode::kPractice && !live.warning.isEmpty())
+            warnings << live.warning;
         if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
         warning_->setText(warnings.join(" "));
         warning_->setVisible(!warnings.isEmpty());
@@ -241,6 +252,7 @@ class RunningPage : public Page {
         }
     }
 
+    bool ring_task_ = true;
     QList<QWidget*> read_outs_;  ///< All numbers but the time, with their names.
     QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
            *ring_ = nullptr, *warning_ = nullptr;
