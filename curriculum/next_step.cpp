@@ -76,13 +76,19 @@ LocalText why_start(const Case& c) {
                     "\"; any finished attempt counts.",
                 "Poznaj narzędzia i pole w zadaniu „" + c.title.pl +
                     "”; liczy się każda ukończona próba."};
-    LocalText text{
-        "\"" + c.title.en + "\" is the first open stage that you have not tried: " +
-            points(c.stage.benchmark_points) + " points, " + std::to_string(c.stage.consecutive) +
-            (c.stage.consecutive == 1 ? " time." : " times in a row."),
-        "„" + c.title.pl + "” to pierwszy otwarty etap, którego jeszcze nie było: " +
-            points_pl(c.stage.benchmark_points) + " pkt, " + std::to_string(c.stage.consecutive) +
-            (c.stage.consecutive == 1 ? " raz." : " razy z rzędu.")};
+    // Attempts that do not count may have been made: nothing is said of trying.
+    const int times = c.stage.consecutive;
+    const std::string n = std::to_string(times);
+    LocalText text{"\"" + c.title.en +
+                       "\" is the first open stage in which no attempt of yours counts yet. "
+                       "To master it, reach at least " +
+                       points(c.stage.benchmark_points) + " points" +
+                       (times == 1 ? ", once." : ", " + n + " times in a row."),
+                   "„" + c.title.pl +
+                       "” to pierwszy otwarty etap, w którym nie liczy się jeszcze żadna Twoja "
+                       "próba. Aby go zaliczyć, zdobądź co najmniej " +
+                       points_pl(c.stage.benchmark_points) + " pkt" +
+                       (times == 1 ? ", jeden raz." : ", " + n + " razy z rzędu.")};
     add_limit(c, text);
     return text;
 }

@@ -67,7 +67,13 @@ TEST(NextStep, SaysWhatIsNextAndWhyInEveryState) {
         const char *en, *pl;
     };
     const Case cases[]{
-        {{}, "2026-01-02", "start", "ring", 2, "not tried", "nie było"},
+        {{},
+         "2026-01-02",
+         "start",
+         "ring",
+         2,
+         "at least 70 points, 2 times in a row",
+         "co najmniej 70 pkt, 2 razy z rzędu"},
         {{ring(50)}, "2026-01-02", "continue", "ring", 2, "50 of the 70", "50 z potrzebnych 70"},
         {{ring(80)}, "2026-01-02", "continue", "ring", 1, "1 more attempt at 70", "1 próba na 70"},
         {{ring(80), ring(90, true)},

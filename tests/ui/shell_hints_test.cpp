@@ -22,6 +22,9 @@ class ShellHintsTest : public QObject {
 
     void aLockedStageSaysWhatOpensIt();
     void idleAttemptsLeaveASentenceInsteadOfAnEmptyChart();
+    void anAttemptThatDoesNotCountHasNoScore();
+    void todayNamesNewRemarksUntilTheyAreRead();
+    void theHistoryOpensOnTheTaskBeforeTheEyes();
     void afterTheEndThePageSaysThatItScores();
     void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
     void aStudySaysTheLimitThatTheWindowShows();
@@ -55,6 +58,8 @@ int64_t ShellHintsTest::add(const std::string& task, assessment::Verdict verdict
     result.end.reason = end;
     result.end.duration_s = 20;
     result.metrics.values = {{"task_time_s", 20}};
+    if (!void_reason.empty())
+        result.score.reasons.push_back({"time", "Slower than the target time.", 3, -1, false});
     result.score.verdict = verdict;
     result.score.rubric_id = "ring_incision";
     if (verdict == assessment::Verdict::kNotAttempted)
@@ -101,6 +106,9 @@ void ShellHintsTest::idleAttemptsLeaveASentenceInsteadOfAnEmptyChart() {
     QVERIFY(shell_->arrives(PageId::kResult));
     QVERIFY2(shell_->text("themes_empty").contains("Nothing was done"),
              qPrintable(shell_->text("themes_empty")));
+    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: nothing was done"));
+    QVERIFY(shell_->find<QLabel>("result_points") == nullptr);
+    QVERIFY2(shell_->find<QLabel>("reason_0") == nullptr, "nothing cost any points");
     shell_->whole("36_result_nothing_done");
     shell_->window().open({PageId::kToday, 0, {}, {}});
     QVERIFY(shell_->arrives(PageId::kToday));
@@ -110,6 +118,84 @@ void ShellHintsTest::idleAttemptsLeaveASentenceInsteadOfAnEmptyChart() {
     add("touch_targets", assessment::Verdict::kPassed, sim::EndReason::kFinished);
     shell_->window().open({PageId::kHistory, 0, {}, {{"task", "touch_targets"}}});
     QVERIFY(QTest::qWaitFor([&] { return shell_->find<QWidget>("history_chart") != nullptr; }));
+}
+
+void ShellHintsTest::anAttemptThatDoesNotCountHasNoScore() {
+    // Left at once on a slow computer: that it was slow is no excuse.
+    const int64_t left =
+        add("trace_contour", assessment::Verdict::kNotYet, sim::EndReason::kInterrupted, "slow");
+    shell_->window().open({PageId::kResult, left, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: left after 20 s"));
+    QVERIFY(shell_->find<QLabel>("result_points") == nullptr);
+    QVERIFY(!shell_->text("void_for_cause").contains("fault"));
+    const int64_t slow =
+        add("trace_contour", assessment::Verdict::kNotYet, sim::EndReason::kFinished, "slow");
+    shell_->window().open({PageId::kResult, slow, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: the computer was too slow"));
+    QVERIFY(shell_->text("void_for_cause").contains("This was not your fault."));
+    QCOMPARE(shell_->text("reasons_heading"), QString("What was noticed (not scored)"));
+    for (const QLabel* label : shell_->window().page()->findChildren<QLabel*>())
+        QVERIFY2(!label->text().contains("−3"), qPrintable(label->text()));
+    shell_->whole("36_result_too_slow");
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    QCOMPARE(shell_->text("today_last_points"), QString("–"));
+    QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+    shell_->window().open({PageId::kResult, slow, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    const QString told = shell_->text("void_for_cause");
+    QVERIFY2(told.contains("The machine was the cause") && !told.contains("your"),
+             qPrintable(told));
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+}
+
+void ShellHintsTest::todayNamesNewRemarksUntilTheyAreRead() {
+    const int64_t attempt =
+        add("touch_targets", assessment::Verdict::kPassed, sim::EndReason::kFinished);
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    QVERIFY(shell_->find<QPushButton>("new_remarks") == nullptr);
+    db::CommentRecord remark;
+    remark.attempt_id = attempt;
+    for (const auto& user : shell_->context().store().users())
+        if (user.login == "demo.educator") remark.author_id = user.id;
+    remark.text = "Calm and even.";
+    QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+    (void)shell_->context().store().add_comment(remark);
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    QCOMPARE(shell_->text("new_remarks_words"), QString("1 new remark from your educator"));
+    shell_->shot("37_today_new_remark");
+    QVERIFY(shell_->click("new_remarks"));
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QCOMPARE(shell_->text("comment_1"), QString("Calm and even."));
+    shell_->window().open({PageId::kToday, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kToday));
+    QVERIFY2(shell_->find<QPushButton>("new_remarks") == nullptr, "it was read");
+}
+
+void ShellHintsTest::theHistoryOpensOnTheTaskBeforeTheEyes() {
+    const int64_t first =
+        add("trace_contour", assessment::Verdict::kPassed, sim::EndReason::kFinished);
+    add("touch_targets", assessment::Verdict::kPassed, sim::EndReason::kFinished);
+    const auto shown = [this] {
+        auto* box = shell_->find<QComboBox>("history_task");
+        return box != nullptr ? box->currentData().toString() : QString();
+    };
+    shell_->window().open({PageId::kResult, first, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QVERIFY(shell_->click("rail_history"));
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    QCOMPARE(shown(), QString("trace_contour"));
+    // Of a task never tried it opens on the last one done, not on the first one ever.
+    shell_->window().open({PageId::kTask, 0, "two_handed_traction", {}});
+    QVERIFY(shell_->arrives(PageId::kTask));
+    QVERIFY(shell_->click("rail_history"));
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    QCOMPARE(shown(), QString("touch_targets"));
 }
 
 void ShellHintsTest::afterTheEndThePageSaysThatItScores() {

@@ -74,8 +74,10 @@ QTableWidget* make_attempts_table(AppContext& context,
             table->setItem(row, column++, make_cell(title->second));
             table->item(row, column - 1)->setToolTip(title->second);
         }
+        const bool counts = db::counts(attempt);
         table->setItem(row, column++,
-                       make_number_cell(format_points(attempt.points), attempt.points));
+                       make_number_cell(counts ? format_points(attempt.points) : "–",
+                                        counts ? attempt.points : -1));
         table->setItem(row, column++, verdict_cell(context, attempt));
         table->setItem(row, column++,
                        make_number_cell(format_duration(attempt.duration_s), attempt.duration_s));
@@ -101,14 +103,17 @@ QTableWidget* make_attempts_table(AppContext& context,
 }
 
 QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
-    int slow = 0, broken_off = 0, idle = 0;
+    int slow = 0, broken_off = 0, idle = 0, tuned = 0;
     for (const db::AttemptRecord& each : attempts) {
-        if (!each.void_reason.empty())
-            ++slow;
-        else if (each.end == sim::EndReason::kInterrupted)
+        // What the person did comes first, as on the result.
+        if (each.end == sim::EndReason::kInterrupted)
             ++broken_off;
         else if (each.verdict == assessment::Verdict::kNotAttempted)
             ++idle;
+        else if (db::machine_at_fault(each))
+            ++slow;
+        else if (!each.void_reason.empty())
+            ++tuned;
     }
     QStringList why, what;
     if (idle > 0) {
@@ -120,9 +125,13 @@ QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
         what << AttemptsTable::tr("Let an attempt come to its end, or hold Enter to end it.");
     }
     if (slow > 0) {
-        why << AttemptsTable::tr("void, as the table says: %1").arg(slow);
+        why << AttemptsTable::tr("computer too slow or device at fault: %1").arg(slow);
         what << AttemptsTable::tr(
             "On a computer that is too slow close other programs, or use another one.");
+    }
+    if (tuned > 0) {
+        why << AttemptsTable::tr("tuned: %1").arg(tuned);
+        what << AttemptsTable::tr("Leave the tuning panel (F2) closed.");
     }
     return AttemptsTable::tr("There is no score to show: no attempt at this task counts yet (%1).")
                .arg(why.join(", ")) +

@@ -7,6 +7,7 @@
 
 #include "reports/words.h"
 #include "ui/shell/result_cards.h"
+#include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
@@ -100,6 +101,7 @@ class CommentsCard : public QFrame {
                                         "muted"));
         int number = 0;
         for (const db::CommentRecord& each : comments) list_->addWidget(line(each, ++number));
+        if (owner_id_ == context_.user().id) remarks_read(context_, attempt_id_, comments);
         if (changed_) changed_(comments);
     }
 

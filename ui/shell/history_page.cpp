@@ -43,8 +43,9 @@ class HistoryPage : public Page {
             const QString id = qstr(attempt.task_id);
             if (tasks_->findData(id) < 0) tasks_->addItem(task_title(context, attempt.task_id), id);
         }
-        tasks_->setCurrentIndex(
-            std::max(0, tasks_->findData(place.state.value("task", qstr(all_.back().task_id)))));
+        // A task without an attempt of this person is none to show: then the last one done.
+        const int asked = tasks_->findData(place.state.value("task"));
+        tasks_->setCurrentIndex(asked >= 0 ? asked : tasks_->findData(qstr(all_.back().task_id)));
         head->addWidget(tasks_);
         connect(tasks_, &QComboBox::currentIndexChanged, this, [this] { showTask(); });
         body_ = new QVBoxLayout;

@@ -18,6 +18,11 @@ bool MainWindow::isMine(const AttemptOrder& order) const {
     return context_.signedIn() && context_.user().id == order.user_id;
 }
 
+QVariantMap MainWindow::historyState() const {
+    const QString task = page_ ? page_->aboutTask() : QString();
+    return task.isEmpty() ? QVariantMap{} : QVariantMap{{"task", task}};
+}
+
 void MainWindow::leaveRunning(const AttemptOrder& order) {
     showPlace(isMine(order) ? placeOf(order) : home());
 }

@@ -109,7 +109,7 @@ QWidget* MainWindow::buildRail() {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         button->setMinimumHeight(kTouchTarget);
         connect(button, &QToolButton::clicked, this, [this, page] {
-            open({page, 0, {}, {}});
+            open({page, 0, {}, page == PageId::kHistory ? historyState() : QVariantMap{}});
             updateFrame();
         });
         layout->addWidget(button);

@@ -62,6 +62,8 @@ class Page : public QWidget {
     [[nodiscard]] virtual QString title() const = 0;
     /// What to hand back in Place::state after a change of language or theme.
     [[nodiscard]] virtual QVariantMap state() const { return {}; }
+    /// Which task the page is about, empty = none: the history opens on it.
+    [[nodiscard]] virtual QString aboutTask() const { return {}; }
     /// False keeps the user here (unsaved answers).
     [[nodiscard]] virtual bool mayLeave() { return true; }
 

@@ -36,11 +36,14 @@ QPushButton* show_button(AppContext& context, double time_s, const ShowMoment& s
     return button;
 }
 
+/// Of an attempt that does not count: what happened, without points.
 QHBoxLayout* reason_line(AppContext& context, const assessment::Reason& reason, size_t number,
-                         const ShowMoment& show) {
+                         bool scored, const ShowMoment& show) {
     auto* line = new QHBoxLayout;
     line->setSpacing(kSpace12);
-    const QString cost = reason.points >= 0.5 ? "−" + format_points(reason.points) : QString("!");
+    const QString cost = !scored                ? QString(reason.critical ? "!" : "·")
+                         : reason.points >= 0.5 ? "−" + format_points(reason.points)
+                                                : QString("!");
     QLabel* points = make_badge(cost, reason.critical ? "critical" : "warn");
     points->setAlignment(Qt::AlignCenter);
     points->setMinimumWidth(48);
@@ -120,16 +123,20 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
     std::vector<assessment::Reason> reasons = data.detail.score.reasons;
     std::stable_partition(reasons.begin(), reasons.end(),
                           [](const assessment::Reason& reason) { return reason.critical; });
-    layout->addWidget(make_label(
-        reasons.empty() ? Result::tr("No points were lost") : Result::tr("What cost most"),
-        "heading"));
+    const bool scored = db::counts(data.detail.record);
+    QLabel* heading = make_label(!scored           ? Result::tr("What was noticed (not scored)")
+                                 : reasons.empty() ? Result::tr("No points were lost")
+                                                   : Result::tr("What cost most"),
+                                 "heading");
+    heading->setObjectName("reasons_heading");
+    layout->addWidget(heading);
     if (reasons.empty())
         layout->addWidget(
             make_label(Result::tr("Nothing in the rubric took points off."), "muted"));
     const size_t shown = std::min(kShownReasons, reasons.size());
     for (size_t i = 0; i < shown; ++i) {
         if (i > 0) layout->addWidget(make_rule());
-        layout->addLayout(reason_line(context, reasons[i], i, show));
+        layout->addLayout(reason_line(context, reasons[i], i, scored, show));
     }
     if (reasons.size() > shown) {
         auto* rest = new QWidget;
@@ -140,14 +147,16 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
         for (size_t i = shown; i < reasons.size(); ++i) {
             lost += reasons[i].points;
             more->addWidget(make_rule());
-            more->addLayout(reason_line(context, reasons[i], i, show));
+            more->addLayout(reason_line(context, reasons[i], i, scored, show));
         }
         rest->hide();
         layout->addWidget(rest);
         QPushButton* all = make_button(context,
-                                       Result::tr("Other reasons: %1, together −%2 points")
-                                           .arg(reasons.size() - shown)
-                                           .arg(format_number(lost, 1)),
+                                       scored ? Result::tr("Other reasons: %1, together −%2 "
+                                                           "points")
+                                                    .arg(reasons.size() - shown)
+                                                    .arg(format_number(lost, 1))
+                                              : Result::tr("More: %1").arg(reasons.size() - shown),
                                        "quiet");
         all->setObjectName("more_reasons");
         QObject::connect(all, &QPushButton::clicked, rest, [rest, all] {

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <memory>
 
+#include "db/attempt_counting.h"
 #include "reports/words.h"
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
@@ -32,8 +33,12 @@ class ResultPage : public Page {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         const auto show = [this](double time_s) { watch(time_s); };
-        row->addWidget(make_reasons_card(context, data_, show), 3);
-        row->addWidget(make_themes_card(context, data_), 2);
+        const bool scored = db::counts(record);
+        const bool idle = record.verdict == assessment::Verdict::kNotAttempted;
+        if (scored || (!idle && !data_.detail.score.reasons.empty()))
+            row->addWidget(make_reasons_card(context, data_, show), 3);
+        // Strengths and weaknesses are points; of an idle attempt the card says how to begin.
+        if (scored || idle) row->addWidget(make_themes_card(context, data_), 2);
         column->addLayout(row);
         pictures_ = new QVBoxLayout;
         pictures_->setSpacing(kSpace16);
@@ -47,24 +52,17 @@ class ResultPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Result"); }
+    [[nodiscard]] QString aboutTask() const override { return qstr(data_.detail.record.task_id); }
 
  private:
     QWidget* headCard(bool own) {
         const db::AttemptRecord& record = data_.detail.record;
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
-        auto* line = new QHBoxLayout;
-        line->setSpacing(kSpace12);
-        QLabel* points =
-            make_label(tr("%n point(s)", nullptr, whole_points(record.points)), "display");
-        points->setObjectName("result_points");
-        points->setWordWrap(false);
-        line->addWidget(points);
-        QLabel* verdict = make_badge(verdict_word(record), verdict_tone(record));
-        verdict->setObjectName("result_verdict");
-        line->addWidget(verdict);
-        line->addStretch();
-        layout->addLayout(line);
+        if (db::counts(record))
+            addScore(layout);
+        else
+            addNotCounted(layout);
         QStringList facts{task_title(context_, record.task_id), format_when(record.started_utc),
                           format_duration(record.duration_s), device_name(record.device),
                           end_word(record.end)};
@@ -83,23 +81,10 @@ class ResultPage : public Page {
         addButtons(buttons, own);
         buttons->addStretch();
         layout->addLayout(buttons);
-        if (record.end == sim::EndReason::kInterrupted) {
-            layout->addWidget(make_label(
-                tr("The attempt was interrupted: it is kept, and does not count for the course."),
-                "warn"));
-        }
-        if (!record.void_reason.empty()) {
-            // Of an exam also the force device; its reasons are figures for technicians.
-            const bool exam = !record.exam.course_id.empty() && record.haptic_grade == "bad";
-            const QString text =
-                exam
-                    ? tr("Void for cause: the force device did not work as it must. The attempt is "
-                         "kept, does not count and uses up no attempt of the exam. (%1)")
-                    : tr("This attempt does not count, and it is not your fault. %1. It is kept, "
-                         "and uses up no attempt of an exam.");
-            QLabel* voided = make_label(text.arg(reports::void_words(record.void_reason)), "warn");
-            voided->setObjectName("void_for_cause");
-            layout->addWidget(voided);
+        if (!db::counts(record)) {
+            QLabel* why = make_label(whyNotCounted(own), "warn");
+            why->setObjectName("void_for_cause");
+            layout->addWidget(why);
         } else if (record.haptic_grade == "bad") {
             layout->addWidget(make_label(
                 tr("The force device did not work as it must: forces of this attempt may have been "
@@ -109,6 +94,50 @@ class ResultPage : public Page {
             layout->addWidget(make_label(tr("Haptic certificate: sound."), "small"));
         }
         return make_card(layout);
+    }
+
+    void addScore(QVBoxLayout* layout) {
+        const db::AttemptRecord& record = data_.detail.record;
+        auto* line = new QHBoxLayout;
+        line->setSpacing(kSpace12);
+        QLabel* points =
+            make_label(tr("%n point(s)", nullptr, whole_points(record.points)), "display");
+        points->setObjectName("result_points");
+        points->setWordWrap(false);
+        line->addWidget(points);
+        QLabel* verdict = make_badge(verdict_word(record), verdict_tone(record));
+        verdict->setObjectName("result_verdict");
+        line->addWidget(verdict);
+        line->addStretch();
+        layout->addLayout(line);
+    }
+
+    /// No points and no verdict of the rubric: they would read like a score.
+    void addNotCounted(QVBoxLayout* layout) {
+        QLabel* verdict = make_label(
+            tr("Does not count: %1").arg(reports::not_counted_words(data_.detail.record)), "title");
+        verdict->setObjectName("result_verdict");
+        layout->addWidget(verdict);
+    }
+
+    /// What became of it, for who reads it.
+    [[nodiscard]] QString whyNotCounted(bool own) const {
+        const db::AttemptRecord& record = data_.detail.record;
+        QStringList said;
+        if (!record.void_reason.empty() && db::was_tried(record)) {
+            // Of an exam also the force device; its reasons are figures for technicians.
+            const bool exam = !record.exam.course_id.empty() && record.haptic_grade == "bad";
+            const QString reason = reports::void_words(record.void_reason);
+            said << (exam ? tr("The force device did not work as it must (%1).") : tr("%1."))
+                        .arg(reason);
+            if (db::machine_at_fault(record))
+                said << (own ? tr("This was not your fault.")
+                             : tr("The machine was the cause, not the person."));
+        }
+        said << (db::machine_at_fault(record)
+                     ? tr("The attempt is kept, and uses up no attempt of an exam.")
+                     : tr("The attempt is kept, and does not count for the course."));
+        return said.join(' ');
     }
 
     void addButtons(QHBoxLayout* line, bool own) {

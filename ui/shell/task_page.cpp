@@ -99,6 +99,7 @@ class TaskPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Task"); }
+    [[nodiscard]] QString aboutTask() const override { return qstr(task_.id); }
     [[nodiscard]] QVariantMap state() const override {
         return {{"device", devices_->currentData()},
                 {"exam_course", qstr(course_)},

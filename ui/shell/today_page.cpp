@@ -23,6 +23,7 @@ class TodayPage : public Page {
         const QString name = qstr(context.user().display_name);
         column->addWidget(make_label(tr("Good to see you, %1.").arg(name), "display"));
         column->addWidget(nextCard());
+        addRemarks(column);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
         row->addWidget(lastScoreCard(), 1);
@@ -81,6 +82,25 @@ class TodayPage : public Page {
         return card;
     }
 
+    /// One line for remarks that nobody has opened on this computer yet.
+    void addRemarks(QVBoxLayout* column) {
+        const NewRemarks remarks = new_remarks(context_, training_.attempts);
+        if (remarks.count == 0) return;
+        auto* row = new QHBoxLayout;
+        row->setSpacing(kSpace12);
+        QLabel* words = make_label(
+            tr("%n new remark(s) from your educator", nullptr, remarks.count), "heading");
+        words->setObjectName("new_remarks_words");
+        row->addWidget(words, 1);
+        QPushButton* open = make_button(context_, tr("Read"), "secondary", "next");
+        open->setObjectName("new_remarks");
+        connect(open, &QPushButton::clicked, this, [this, id = remarks.attempt_id] {
+            Q_EMIT go({PageId::kResult, id, {}, {}});
+        });
+        row->addWidget(open);
+        column->addWidget(make_card(row));
+    }
+
     QWidget* lastScoreCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
@@ -92,7 +112,11 @@ class TodayPage : public Page {
         } else {
             const db::AttemptRecord& last = training_.attempts.back();
             auto* line = new QHBoxLayout;
-            line->addWidget(make_label(format_points(last.points), "display"));
+            // A number would read like a score where there is none.
+            QLabel* points =
+                make_label(db::counts(last) ? format_points(last.points) : "–", "display");
+            points->setObjectName("today_last_points");
+            line->addWidget(points);
             line->addWidget(make_badge(verdict_word(last), verdict_tone(last)));
             if (last.demonstration) line->addWidget(make_demonstration_badge());
             line->addStretch();
@@ -100,7 +124,9 @@ class TodayPage : public Page {
             layout->addWidget(make_label(
                 training_.taskTitle(context_, last.task_id) + ", " + format_when(last.started_utc),
                 "small"));
-            QPushButton* open = make_button(context_, tr("Why this score"), "quiet", "next");
+            QPushButton* open = make_button(
+                context_, db::counts(last) ? tr("Why this score") : tr("Why it does not count"),
+                "quiet", "next");
             open->setObjectName("open_last");
             connect(open, &QPushButton::clicked, this, [this, id = last.id] {
                 Q_EMIT go({PageId::kResult, id, {}, {}});
@@ -114,15 +140,21 @@ class TodayPage : public Page {
     QWidget* streakCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
-        layout->addWidget(make_label(tr("Streak"), "muted"));
+        layout->addWidget(make_label(tr("Towards mastery"), "muted"));
         const TrainingStage* stage = next();
         const int streak = stage ? stage->progress.streak : 0;
         const int wanted = stage ? stage->rule.consecutive : 0;
         layout->addWidget(
             make_label(stage ? tr("%1 of %2").arg(streak).arg(wanted) : "–", "display"));
-        layout->addWidget(make_label(
-            stage ? tr("benchmarks met in a row on the next task") : tr("nothing is open"),
-            "small"));
+        QLabel* words = make_label(
+            stage == nullptr ? tr("nothing is open")
+            : wanted == 1    ? tr("attempts with at least %1 points, on the next task")
+                                .arg(format_points(stage->rule.benchmark_points))
+                          : tr("attempts in a row with at least %1 points, on the next task")
+                                .arg(format_points(stage->rule.benchmark_points)),
+            "small");
+        words->setObjectName("today_streak");
+        layout->addWidget(words);
         layout->addStretch();
         return make_card(layout);
     }

@@ -63,6 +63,46 @@ void require_sight(AppContext& context, const db::AttemptRecord& attempt) {
     context.require(db::Action::kViewAttempts, own ? db::Scope::kOwn : db::Scope::kOther);
 }
 
+namespace {
+
+constexpr size_t kRemarkedAttempts = 30;
+constexpr int kRemarksDays = 14;
+
+/// Id of the last remark that was read.
+QString read_key(const AppContext& context, int64_t attempt_id) {
+    return QString("remarks_read/%1/%2").arg(context.user().id).arg(attempt_id);
+}
+
+}  // namespace
+
+NewRemarks new_remarks(AppContext& context, const std::vector<db::AttemptRecord>& own) {
+    NewRemarks found;
+    std::string newest;
+    const QDateTime since = QDateTime::currentDateTimeUtc().addDays(-kRemarksDays);
+    const size_t from = own.size() > kRemarkedAttempts ? own.size() - kRemarkedAttempts : 0;
+    for (size_t i = from; i < own.size(); ++i) {
+        const qlonglong read = context.storeSetting(read_key(context, own[i].id)).toLongLong();
+        for (const db::CommentRecord& each : context.store().comments(own[i].id)) {
+            if (each.author_id == context.user().id || each.id <= read) continue;
+            const auto at = QDateTime::fromString(QString::fromStdString(each.at_utc), Qt::ISODate);
+            if (at < since) continue;
+            ++found.count;
+            if (each.at_utc < newest) continue;
+            newest = each.at_utc;
+            found.attempt_id = own[i].id;
+        }
+    }
+    return found;
+}
+
+void remarks_read(AppContext& context, int64_t attempt_id,
+                  const std::vector<db::CommentRecord>& comments) {
+    int64_t last = 0;
+    for (const db::CommentRecord& each : comments) last = std::max(last, each.id);
+    if (last > 0)
+        context.setStoreSetting(read_key(context, attempt_id), static_cast<qlonglong>(last));
+}
+
 QVariantMap task_state(const curriculum::Course& course, const curriculum::CourseStage& stage) {
     if (stage.mode != curriculum::StageMode::kExam) return {};
     return {{"exam_course", QString::fromStdString(course.id)},

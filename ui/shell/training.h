@@ -45,6 +45,18 @@ struct Training {
 /// educator those of others, a coordinator those of studies.
 void require_sight(AppContext& context, const db::AttemptRecord& attempt);
 
+/// Remarks of others on the own attempts, not older than two weeks and not read on this computer.
+struct NewRemarks {
+    int count = 0;
+    int64_t attempt_id = 0;  ///< With the newest of them.
+};
+/// Looks at the last attempts only (of `own`, oldest first): remarks come soon or not at all.
+[[nodiscard]] NewRemarks new_remarks(AppContext& context,
+                                     const std::vector<db::AttemptRecord>& own);
+/// The user has the remarks on an own attempt before the eyes.
+void remarks_read(AppContext& context, int64_t attempt_id,
+                  const std::vector<db::CommentRecord>& comments);
+
 /// What the task page must know to open this stage: an exam is asked for as one.
 [[nodiscard]] QVariantMap task_state(const curriculum::Course& course,
                                      const curriculum::CourseStage& stage);

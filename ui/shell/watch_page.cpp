@@ -55,6 +55,7 @@ class WatchPage : public Page {
     }
 
     [[nodiscard]] QString title() const override { return tr("Watch"); }
+    [[nodiscard]] QString aboutTask() const override { return qstr(record_.task_id); }
     [[nodiscard]] QVariantMap state() const override {
         return {{"from_s", replay_->running() ? replay_->state().time_s : from_s_},
                 {"blinded", blinded_},

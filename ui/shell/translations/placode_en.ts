@@ -153,4 +153,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>TodayPage</name>
+    <message numerus="yes">
+        <source>%n new remark(s) from your educator</source>
+        <translation>
+            <numerusform>%n new remark from your educator</numerusform>
+            <numerusform>%n new remarks from your educator</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

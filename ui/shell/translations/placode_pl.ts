@@ -309,10 +309,6 @@
         <translation>przerwano: %1</translation>
     </message>
     <message>
-        <source>void, as the table says: %1</source>
-        <translation>nieważne, jak mówi tabela: %1</translation>
-    </message>
-    <message>
         <source>Begin the first step of the task and go on as far as you can.</source>
         <translation>Zacznij pierwszy krok zadania i wykonaj tyle, ile potrafisz.</translation>
     </message>
@@ -323,6 +319,18 @@
     <message>
         <source>On a computer that is too slow close other programs, or use another one.</source>
         <translation>Na zbyt wolnym komputerze zamknij inne programy albo użyj innego.</translation>
+    </message>
+    <message>
+        <source>computer too slow or device at fault: %1</source>
+        <translation>komputer za wolny lub wadliwe urządzenie: %1</translation>
+    </message>
+    <message>
+        <source>tuned: %1</source>
+        <translation>strojone: %1</translation>
+    </message>
+    <message>
+        <source>Leave the tuning panel (F2) closed.</source>
+        <translation>Nie otwieraj panelu strojenia (F2).</translation>
     </message>
 </context>
 <context>
@@ -2959,10 +2967,6 @@
         <translation>Zostaw</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
         <source>Interrupted</source>
         <translation>Przerwana</translation>
     </message>
@@ -3821,10 +3825,6 @@
         <translation>Wynik</translation>
     </message>
     <message>
-        <source>The attempt was interrupted: it is kept, and does not count for the course.</source>
-        <translation>Próba została przerwana: jest zachowana i nie liczy się do kursu.</translation>
-    </message>
-    <message>
         <source>Report</source>
         <translation>Raport</translation>
     </message>
@@ -4057,10 +4057,6 @@
         <translation>Grubo tam, gdzie energia płynęła do tkanki. Linia przerywana: plan.</translation>
     </message>
     <message>
-        <source>Void for cause: the force device did not work as it must. The attempt is kept, does not count and uses up no attempt of the exam. (%1)</source>
-        <translation>Unieważniona z przyczyn technicznych: urządzenie siłowe nie działało tak, jak musi. Próba zostaje w historii, nie liczy się i nie zużywa podejścia do egzaminu. (%1)</translation>
-    </message>
-    <message>
         <source>The force device did not work as it must: forces of this attempt may have been wrong.</source>
         <translation>Urządzenie siłowe nie działało tak, jak musi: siły w tej próbie mogły być błędne.</translation>
     </message>
@@ -4109,10 +4105,6 @@
         <translation>Badanie %1</translation>
     </message>
     <message>
-        <source>This attempt does not count, and it is not your fault. %1. It is kept, and uses up no attempt of an exam.</source>
-        <translation>Ta próba się nie liczy i nie jest to Pani/Pana wina. %1. Jest zachowana i nie zużywa próby egzaminu.</translation>
-    </message>
-    <message>
         <source>Nothing was done that could be judged. Begin the first step of the task: from then on this card says what went well and what to practise.</source>
         <translation>Nie zrobiono nic, co można ocenić. Zacznij pierwszy krok zadania: od tej chwili ta karta powie, co się udało i co ćwiczyć.</translation>
     </message>
@@ -4143,6 +4135,42 @@
             <numerusform>Własny zakres: średnia i odchylenie standardowe z ostatnich %n prób przed tą; kropka to ta próba.</numerusform>
             <numerusform>Własny zakres: średnia i odchylenie standardowe z ostatnich %n prób przed tą; kropka to ta próba.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Does not count: %1</source>
+        <translation>Nie liczy się: %1</translation>
+    </message>
+    <message>
+        <source>The force device did not work as it must (%1).</source>
+        <translation>Urządzenie siłowe nie działało tak, jak powinno (%1).</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>This was not your fault.</source>
+        <translation>To nie Twoja wina.</translation>
+    </message>
+    <message>
+        <source>The machine was the cause, not the person.</source>
+        <translation>Przyczyną był sprzęt, nie osoba.</translation>
+    </message>
+    <message>
+        <source>The attempt is kept, and uses up no attempt of an exam.</source>
+        <translation>Próba zostaje zapisana i nie zużywa żadnej próby egzaminu.</translation>
+    </message>
+    <message>
+        <source>The attempt is kept, and does not count for the course.</source>
+        <translation>Próba zostaje zapisana i nie liczy się w kursie.</translation>
+    </message>
+    <message>
+        <source>What was noticed (not scored)</source>
+        <translation>Co zauważono (bez oceny)</translation>
+    </message>
+    <message>
+        <source>More: %1</source>
+        <translation>Więcej: %1</translation>
     </message>
 </context>
 <context>
@@ -4981,16 +5009,8 @@
         <translation>Skąd ten wynik</translation>
     </message>
     <message>
-        <source>Streak</source>
-        <translation>Seria</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 z %2</translation>
-    </message>
-    <message>
-        <source>benchmarks met in a row on the next task</source>
-        <translation>progów z rzędu w następnym zadaniu</translation>
     </message>
     <message>
         <source>nothing is open</source>
@@ -5011,6 +5031,34 @@
     <message>
         <source>The same numbers stand in the history table.</source>
         <translation>Te same liczby są w tabeli historii.</translation>
+    </message>
+    <message>
+        <source>Towards mastery</source>
+        <translation>Droga do zaliczenia</translation>
+    </message>
+    <message>
+        <source>attempts with at least %1 points, on the next task</source>
+        <translation>próby z co najmniej %1 pkt w następnym zadaniu</translation>
+    </message>
+    <message>
+        <source>attempts in a row with at least %1 points, on the next task</source>
+        <translation>prób z rzędu z co najmniej %1 pkt w następnym zadaniu</translation>
+    </message>
+    <message>
+        <source>Why it does not count</source>
+        <translation>Dlaczego się nie liczy</translation>
+    </message>
+    <message>
+        <source>Read</source>
+        <translation>Przeczytaj</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n new remark(s) from your educator</source>
+        <translation>
+            <numerusform>%n nowa uwaga od osoby prowadzącej</numerusform>
+            <numerusform>%n nowe uwagi od osoby prowadzącej</numerusform>
+            <numerusform>%n nowych uwag od osoby prowadzącej</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -8443,6 +8491,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
             <numerusform>Komputer był za wolny: %n obrazy na sekundę, potrzeba 20</numerusform>
             <numerusform>Komputer był za wolny: %n obrazów na sekundę, potrzeba 20</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>left after %1</source>
+        <translation>przerwana po %1</translation>
+    </message>
+    <message>
+        <source>nothing was done</source>
+        <translation>nic nie zrobiono</translation>
+    </message>
+    <message>
+        <source>Tissue or generator was tuned</source>
+        <translation>Tkanka lub generator były strojone</translation>
     </message>
 </context>
 <context>
