@@ -28,6 +28,8 @@ struct MetricDefinition {
     std::string_view source;
 };
 [[nodiscard]] std::vector<MetricDefinition> metric_definitions();
+/// nullptr for an unknown id.
+[[nodiscard]] const MetricDefinition* metric_definition(std::string_view id);
 
 struct Metric {
     std::string id;

@@ -3,10 +3,9 @@
 #include "assessment/scoring.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
-#include <system_error>
+#include <utility>
 
 #include "assessment/loci.h"
 #include "assessment/tissue_metrics.h"
@@ -16,53 +15,11 @@ namespace placode::assessment {
 
 namespace {
 
-/// At most one decimal, none where it says nothing; '.' in every locale. Beyond a million in the
-/// short form: "1e+300".
-std::string number(double value) {
-    const double size = std::abs(value);
-    const int decimals = size >= 100 || value == std::floor(value) ? 0 : size >= 1 ? 1 : 2;
-    char text[64];
-    const auto done =
-        size < 1e6
-            ? std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals)
-            : std::to_chars(text, text + sizeof text, value, std::chars_format::general, 4);
-    return done.ec == std::errc() ? std::string(text, done.ptr) : "?";
-}
-
-std::string times(int count) {
-    if (count == 1) return "once";
-    if (count == 2) return "twice";
-    return std::to_string(count) + " times";
-}
-
-void replace_all(std::string& text, std::string_view what, const std::string& with) {
-    for (size_t at = text.find(what); at != std::string::npos;
-         at = text.find(what, at + with.size()))
-        text.replace(at, what.size(), with);
-}
-
-const MetricDefinition* definition_of(std::string_view id) {
-    static const std::vector<MetricDefinition> all = metric_definitions();
-    for (const MetricDefinition& definition : all)
-        if (definition.id == id) return &definition;
-    return nullptr;
-}
-
-std::string reason_text(const RubricItem& item, double value, double points, const Locus& locus) {
-    const MetricDefinition* definition = definition_of(item.metric);
-    std::string text = item.reason;
-    replace_all(text, "{value}", number(value));
-    replace_all(text, "{unit}", definition != nullptr ? std::string(definition->unit) : "");
-    replace_all(text, "{points}", number(points));
-    replace_all(text, "{count}", std::to_string(locus.count));
-    replace_all(text, "{times}", times(locus.count));
-    const std::string where =
-        locus.at_m
-            ? " at " + std::to_string(clock_hour(locus.at_m->x(), locus.at_m->y())) + " o'clock"
-            : "";
-    replace_all(text, " {where}", where);
-    replace_all(text, "{where}", where);
-    return text;
+Reason make_reason(std::string item, ReasonMeaning meaning, double points, double time_s,
+                   bool critical) {
+    Reason reason{std::move(item), {}, points, time_s, critical, std::move(meaning)};
+    reason.text = english_words(reason.meaning, points);
+    return reason;
 }
 
 /// Everything that a line is judged by.
@@ -88,18 +45,16 @@ double cost(const Sight& sight, const RubricItem& item, double value) {
 /// are taken, and no pass is given. Else nothing was done that could be measured: the line counts
 /// in full.
 Reason missing(const Sight& sight, const RubricItem& item, bool recorded) {
-    const MetricDefinition* definition = definition_of(item.metric);
-    const std::string name = definition != nullptr ? std::string(definition->name) : item.metric;
-    Reason reason;
-    reason.item = item.id;
+    ReasonMeaning meaning;
+    meaning.metric = item.metric;
     if (!recorded) {
-        reason.text = "Not recorded, so this is no pass: " + name + ".";
-        return reason;
+        meaning.pattern = "Not recorded, so this is no pass: {metric}.";
+        return make_reason(item.id, std::move(meaning), 0, -1, false);
     }
     constexpr double kFar = 1e9;
-    reason.text = "It could not be measured and counts in full: " + name + ".";
-    reason.points = cost(sight, item, item.below ? -kFar : kFar);
-    return reason;
+    meaning.pattern = "It could not be measured and counts in full: {metric}.";
+    return make_reason(item.id, std::move(meaning), cost(sight, item, item.below ? -kFar : kFar),
+                       -1, false);
 }
 
 /// True when the recording shows that something was done: rubrics that do not say what counts as
@@ -135,8 +90,10 @@ std::vector<Reason> judge_lines(const Sight& sight, bool& proven) {
         // Less than a twentieth of a point is no reason worth reading.
         if (!(beyond > 0) || (lost < 0.05 && !item.critical)) continue;
         const Locus locus = locate(item.metric, item.threshold, sight.recording);
-        reasons.push_back(
-            {item.id, reason_text(item, *value, lost, locus), lost, locus.time_s, item.critical});
+        const int hour = locus.at_m ? clock_hour(locus.at_m->x(), locus.at_m->y()) : 0;
+        reasons.push_back(make_reason(
+            item.id, {item.reason, item.reason_pl, item.metric, *value, locus.count, hour}, lost,
+            locus.time_s, item.critical));
     }
     return reasons;
 }
@@ -146,10 +103,10 @@ std::vector<Reason> judge_lines(const Sight& sight, bool& proven) {
 void add_tuned(const sim::Recording& recording, std::vector<Reason>& reasons) {
     for (const sim::Event& event : recording.events) {
         if (event.kind != sim::EventKind::kTuned) continue;
-        reasons.insert(
-            reasons.begin(),
-            {"tuned", "Tissue or generator was tuned: this attempt is not scored as a pass.", 0,
-             event.time_s, true});
+        ReasonMeaning meaning;
+        meaning.pattern = "Tissue or generator was tuned: this attempt is not scored as a pass.";
+        reasons.insert(reasons.begin(),
+                       make_reason("tuned", std::move(meaning), 0, event.time_s, true));
         return;
     }
 }
@@ -179,9 +136,10 @@ Score score_attempt(const Rubric& rubric, const MetricSet& metrics,
     add_tuned(recording, tuned);
     if (tuned.empty() && !attempted(rubric, metrics)) {
         score.verdict = Verdict::kNotAttempted;
-        score.reasons.push_back({std::string(kNotAttemptedItem),
-                                 "Nothing was done: this attempt does not count.",
-                                 rubric.start_points, -1, false});
+        ReasonMeaning meaning;
+        meaning.pattern = "Nothing was done: this attempt does not count.";
+        score.reasons.push_back(make_reason(std::string(kNotAttemptedItem), std::move(meaning),
+                                            rubric.start_points, -1, false));
         return score;
     }
     Sight sight{rubric, metrics, recording, 0};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/metrics.h"
+#include "assessment/reason.h"
 
 namespace placode::assessment {
 
@@ -16,7 +17,8 @@ namespace placode::assessment {
 struct RubricItem {
     std::string id;              ///< "placode_burned"
     std::string metric;          ///< Metric id it looks at.
-    std::string reason;          ///< Plain words with {value}, {unit}, {points}, {where}, {count}.
+    std::string reason;          ///< English sentence with places (reason.h).
+    std::string reason_pl;       ///< The same in Polish; may be empty.
     double threshold = 0;        ///< Free up to here.
     double points_per_unit = 0;  ///< Points for each unit beyond the threshold.
     double points_fixed = 0;     ///< Points as soon as it is beyond the threshold.
@@ -37,15 +39,6 @@ struct Rubric {
     /// Metrics that show that something was done, beside those that earn points: where all are 0
     /// the attempt is "not attempted". Empty: not asked.
     std::vector<std::string> attempted_by;
-};
-
-/// Why points were lost, with the place in the recording that shows it.
-struct Reason {
-    std::string item;    ///< RubricItem::id
-    std::string text;    ///< "The needle rested 3.2 s on one spot at 4 o'clock."
-    double points = 0;   ///< Lost.
-    double time_s = -1;  ///< Where to look in the recording; -1 = whole attempt.
-    bool critical = false;
 };
 
 /// Stored as a number: append only. An attempt in which nothing was done is neither passed nor a

@@ -32,7 +32,10 @@ assessment::RubricItem read_item(const Json& json, const std::string& origin,
     assessment::RubricItem item;
     item.id = json["id"];
     item.metric = read_metric(json["metric"], origin, pointer + "/metric");
-    item.reason = json["reason"];
+    const LocalText reason =
+        json["reason"].is_string() ? LocalText{json["reason"], {}} : local_text(json["reason"]);
+    item.reason = reason.en;
+    item.reason_pl = reason.pl;
     item.threshold = json.value("threshold", item.threshold);
     item.points_per_unit = json.value("points_per_unit", item.points_per_unit);
     item.points_fixed = json.value("points_fixed", item.points_fixed);

@@ -108,9 +108,10 @@ void add_lists(Connection& connection, LoadResult& result) {
         "t.generated_from <> 0");
     copy(
         "INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, time_s, "
-        "critical) "
-        "SELECT t.id, r.position, r.item, r.reason, r.points, r.time_s, r.critical FROM attempts t "
-        "JOIN attempt_reasons r ON r.attempt_id = t.generated_from WHERE t.generated_from <> 0");
+        "critical, meaning) "
+        "SELECT t.id, r.position, r.item, r.reason, r.points, r.time_s, r.critical, r.meaning FROM "
+        "attempts t JOIN attempt_reasons r ON r.attempt_id = t.generated_from WHERE "
+        "t.generated_from <> 0");
     copy(
         "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, value, "
         "value2, rest_x_m, rest_y_m, rest_z_m, element) SELECT t.id, e.position, e.time_s, e.kind, "

@@ -10,6 +10,7 @@
 #include "db/attempt_counting.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
+#include "db/reason_json.h"
 #include "db/recording_chunks.h"
 #include "db/sql_store.h"
 #include "sim/core/event.h"
@@ -107,10 +108,11 @@ void insert_lists(Connection& connection, int64_t id, const AttemptResult& resul
         metric.run(id, position++, value.id, value.value);
     Statement reason(connection,
                      "INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, "
-                     "time_s, critical) VALUES (?, ?, ?, ?, ?, ?, ?)");
+                     "time_s, critical, meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     position = 0;
     for (const auto& one : result.score.reasons)
-        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical);
+        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
+                   reason_json(one.meaning));
     Statement event(
         connection,
         "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, "
@@ -206,13 +208,15 @@ AttemptDetail SqlStore::attempt(int64_t id) {
     detail.score.rubric_id = detail.record.rubric_id;
     detail.score.rubric_version = detail.record.rubric_version;
     detail.score.metric_set_version = detail.record.metric_set_version;
-    Statement reason(connection_,
-                     "SELECT item, reason, points, time_s, critical FROM attempt_reasons WHERE "
-                     "attempt_id = ? ORDER BY position");
+    Statement reason(
+        connection_,
+        "SELECT item, reason, points, time_s, critical, meaning FROM attempt_reasons WHERE "
+        "attempt_id = ? ORDER BY position");
     reason.run(id);
     while (reason.next())
         detail.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
-                                        reason.real(3), reason.integer(4) != 0});
+                                        reason.real(3), reason.integer(4) != 0,
+                                        reason_from_json(reason.text(5))});
     Statement haptics(connection_, "SELECT haptic_certificate FROM attempts WHERE id = ?");
     haptics.run(id);
     if (haptics.next()) detail.haptic_certificate = haptics.text(0);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scores beyond the first one of an attempt: both are kept.
 
+#include "db/reason_json.h"
 #include "db/sql_store.h"
 
 namespace placode::db {
@@ -32,10 +33,11 @@ int64_t SqlStore::save_rescore(const RescoreRecord& rescore) {
         metric.run(id, position++, value.id, value.value);
     Statement reason(connection_,
                      "INSERT INTO attempt_score_reasons (score_id, position, item, reason, points, "
-                     "time_s, critical) VALUES (?, ?, ?, ?, ?, ?, ?)");
+                     "time_s, critical, meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
     position = 0;
     for (const auto& one : score.reasons)
-        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical);
+        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
+                   reason_json(one.meaning));
     append_audit(actor_, "attempt.rescore", "attempt " + std::to_string(rescore.attempt_id),
                  score.rubric_id + " version " + std::to_string(score.rubric_version));
     work.commit();
@@ -71,13 +73,15 @@ std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
                          "ORDER BY position");
         metric.run(record.id);
         while (metric.next()) record.metrics.values.push_back({metric.text(0), metric.real(1)});
-        Statement reason(connection_,
-                         "SELECT item, reason, points, time_s, critical FROM attempt_score_reasons "
-                         "WHERE score_id = ? ORDER BY position");
+        Statement reason(
+            connection_,
+            "SELECT item, reason, points, time_s, critical, meaning FROM attempt_score_reasons "
+            "WHERE score_id = ? ORDER BY position");
         reason.run(record.id);
         while (reason.next())
             record.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
-                                            reason.real(3), reason.integer(4) != 0});
+                                            reason.real(3), reason.integer(4) != 0,
+                                            reason_from_json(reason.text(5))});
     }
     return found;
 }

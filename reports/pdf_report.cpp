@@ -130,7 +130,7 @@ std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
                                       "</tr>")
                            .arg(scored ? "-" + number(reason.points, 1) : QString(),
                                 reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
-                                reason_words(reason.text).toHtmlEscaped(), when));
+                                reason_words(reason).toHtmlEscaped(), when));
     }
     return rows;
 }

@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QRegularExpression>
 #include <cmath>
 
 namespace placode::reports {
@@ -12,96 +11,25 @@ namespace {
 
 using sim::EventKind;
 
-constexpr const char* kPatterns[]{
-    "Energy was on for {value} s while touching the placode{where}.",
-    "More than 2 % of the placode was burned.",
-    "No piece of tissue was taken out.",
-    "Only {value} % of the marked tissue is out.",
-    "The force on the tissue was too high {times}, worst{where}.",
-    "The instrument stayed {value} s on the placode{where}.",
-    "The needle rested {value} s with energy on one spot{where}.",
-    "The pedal was pressed in the air for over 1 s, {times}.",
-    "The placode is free over {value} degrees only.",
-    "The placode was burned{where}: {value} % of its volume is beyond the injury dose.",
-    "The placode was overheated{where}.",
-    "The placode was pressed with {value} mN{where}; 20 mN is the limit.",
-    "The placode was touched {times}, first{where}.",
-    "The ring is {value} % complete; the largest gap is{where}.",
-    "The ring was left open: only {value} % is cut through.",
-    "The scissors cut {value} mm2 of skin{where}.",
-    "The scissors cut {value} mm2 of the placode{where}.",
-    "The tissue was pulled too hard {times}{where}.",
-    "Tissue slid out of the jaws {times}{where}.",
-    "Tissue was crushed between the jaws {times}{where}.",
-    "Tissue was grasped {value} times; three places were the goal.",
-    "Tissue was held lifted for {value} s; three times 3 s was the goal.",
-    "{value} mm of the incision came within 0.5 mm of the placode{where}.",
-    "{value} mm of the incision left the planned line by more than 0.5 mm{where}.",
-    "{value} mm of the incision went more than 1 mm into healthy skin{where}.",
-    "{value} mm3 of skin tore{where}.",
-    "{value} mm3 of the placode was cut{where}.",
-    "{value} s is more than the target time.",
-    "{value} % of the steps were done.",
-    "Tissue was touched beside the marked place {times}.",
-    "{value} % of the places were touched.",
-    "The first touch was {value} mm beside the centre on average.",
-    "The tissue was pressed with up to {value} mN{where}; 100 mN is enough.",
-    "The tip was out of view for {value} s.",
-    "{value} % of the line was followed within 1 mm.",
-    "The tip was {value} mm beside the line on average.",
-    "In places the tip was {value} mm beside the line.",
-    "The tissue was pulled with up to {value} mN{where}; 25 mN is the limit.",
-    "{value} mm3 of tissue tore{where}.",
-    "Tissue was grasped {value} times; four are enough.",
-    "Tissue or generator was tuned: this attempt is not scored as a pass.",
-    "{value} % of the ring is cut, and points are given for that share; the largest gap is{where}.",
-    "{value} % of the steps were done, and points are given for that share.",
-    "{value} % of the places were touched, and points are given for that share.",
-    "{value} % of the line was followed within 1 mm, and points are given for that share.",
-    "The placode is free over {value} degrees, and points are given for that share; it still hangs "
-    "on{where}.",
-    "The placode is not released: it is free over {value} of 360 degrees only.",
-    "{value} % of the marked tissue is gone, and points are given for that share; most of the rest "
-    "hangs{where}.",
-    "More than 15 % of the marked tissue was left behind.",
-    "Tissue was held lifted for {value} s of 9 s, and points are given for that share.",
-    "Tissue was grasped {value} times of three, and points are given for that share.",
-    "More than 5 mm3 of skin tore.",
-    "Tissue was held beyond its limit of stretch: {value} mm3 s, most{where}.",
-    "The tip was below the surface for {value} s{where}.",
-    "Not recorded, so this is no pass: {metric}.",
-    "It could not be measured and counts in full: {metric}.",
-    "Nothing was done: this attempt does not count.",
-};
-
 QString translated(const char* context, const char* english) {
     return QCoreApplication::translate(context, english);
 }
 
-/// The pattern as a regular expression with named groups.
-QRegularExpression expression_of(const char* pattern) {
-    QString text = QRegularExpression::escape(QString::fromUtf8(pattern));
-    text.replace(QStringLiteral("\\{value\\}"),
-                 QStringLiteral("(?<value>-?[0-9.]+(e[+-]?[0-9]+)?|inf|nan)"));
-    text.replace(QStringLiteral("\\{times\\}"), QStringLiteral("(?<times>once|twice|\\d+ times)"));
-    text.replace(QStringLiteral("\\{where\\}"), QStringLiteral("( at (?<hour>\\d+) o'clock)?"));
-    text.replace(QStringLiteral("\\{metric\\}"), QStringLiteral("(?<metric>.+)"));
-    return QRegularExpression(QStringLiteral("^") + text + QStringLiteral("$"));
-}
-
-QString times_words(const QString& english) {
-    if (english == QLatin1String("once")) return translated("Reason", "once");
-    if (english == QLatin1String("twice")) return translated("Reason", "twice");
-    return translated("Reason", "%1 times").arg(english.section(QLatin1Char(' '), 0, 0));
+QString times_words(int count) {
+    if (count == 1) return translated("Reason", "once");
+    if (count == 2) return translated("Reason", "twice");
+    return translated("Reason", "%1 times").arg(count);
 }
 
 QString local(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
 
 /// A number as a reason has it, with the decimal sign of the language; beyond a million as it is.
-QString local_number(const QString& said) {
-    if (said.contains(QLatin1Char('e')) || said.contains(QLatin1Char('n'))) return said;
+std::string local_number(const std::string& number) {
+    const QString said = QString::fromStdString(number);
+    if (said.contains(QLatin1Char('e')) || said.contains(QLatin1Char('n'))) return number;
     const qsizetype dot = said.indexOf(QLatin1Char('.'));
-    return local(said.toDouble(), dot < 0 ? 0 : static_cast<int>(said.size() - dot - 1));
+    return local(said.toDouble(), dot < 0 ? 0 : static_cast<int>(said.size() - dot - 1))
+        .toStdString();
 }
 
 QString seconds(double s) { return translated("Ledger", "%1 s").arg(local(s, 1)); }
@@ -182,31 +110,28 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
 
 QString figure_word(const char* english) { return translated("Figure", english); }
 
-std::vector<std::string> reason_patterns() { return {std::begin(kPatterns), std::end(kPatterns)}; }
-
-QString reason_words(const std::string& english) {
-    const QString said = QString::fromStdString(english);
-    for (const char* pattern : kPatterns) {
-        const QString other = translated("Reason", pattern);
-        if (other == QLatin1String(pattern)) continue;
-        const QRegularExpressionMatch match = expression_of(pattern).match(said);
-        if (!match.hasMatch()) continue;
-        QString text = other;
-        const QString value = match.captured(QStringLiteral("value"));
-        if (!value.isEmpty()) text.replace(QLatin1String("{value}"), local_number(value));
-        const QString times = match.captured(QStringLiteral("times"));
-        if (!times.isEmpty()) text.replace(QLatin1String("{times}"), times_words(times));
-        const QString metric = match.captured(QStringLiteral("metric"));
-        if (!metric.isEmpty())
-            text.replace(QLatin1String("{metric}"),
-                         translated("Metric", metric.toUtf8().constData()));
-        const QString hour = match.captured(QStringLiteral("hour"));
-        text.replace(QLatin1String("{where}"),
-                     hour.isEmpty() ? QString() : translated("Reason", " at %1 o'clock").arg(hour));
-        return text.replace(QLatin1String("mm2"), QStringLiteral("mm²"))
-            .replace(QLatin1String("mm3"), QStringLiteral("mm³"));
+QString reason_words(const assessment::Reason& reason) {
+    const assessment::ReasonMeaning& meaning = reason.meaning;
+    std::string said = reason.text;
+    if (!meaning.pattern.empty()) {
+        const bool own = QLocale().language() == QLocale::Polish && !meaning.pattern_pl.empty();
+        const assessment::MetricDefinition* metric = assessment::metric_definition(meaning.metric);
+        assessment::ReasonWords words;
+        words.value = local_number(assessment::reason_number(meaning.value));
+        words.unit = metric != nullptr ? std::string(metric->unit) : "";
+        words.points = local_number(assessment::reason_number(reason.points));
+        words.count = std::to_string(meaning.count);
+        words.times = times_words(meaning.count).toStdString();
+        if (meaning.hour > 0)
+            words.where = translated("Reason", " at %1 o'clock").arg(meaning.hour).toStdString();
+        words.metric = metric == nullptr
+                           ? meaning.metric
+                           : translated("Metric", std::string(metric->name).c_str()).toStdString();
+        said = assessment::fill_places(
+            own ? meaning.pattern_pl : translated("Reason", meaning.pattern.c_str()).toStdString(),
+            words);
     }
-    return QString(said)
+    return QString::fromStdString(said)
         .replace(QLatin1String("mm2"), QStringLiteral("mm²"))
         .replace(QLatin1String("mm3"), QStringLiteral("mm³"));
 }

@@ -17,12 +17,9 @@ namespace placode::reports {
 /// A word of the figures, translated.
 [[nodiscard]] QString figure_word(const char* english);
 
-/// The reason as a score keeps it (English), said again in the program's language: the sentence is
-/// recognised by its pattern, and its numbers are kept. A sentence that no pattern knows stays as
-/// it is.
-[[nodiscard]] QString reason_words(const std::string& english);
-/// Patterns of the shipped rubrics; a test compares them with data/tasks.
-[[nodiscard]] std::vector<std::string> reason_patterns();
+/// Why points were lost, in the program's language. What an older program scored stays English;
+/// scored again it has its meaning, too.
+[[nodiscard]] QString reason_words(const assessment::Reason& reason);
 
 /// Why an attempt is void, as the store keeps it (English), said again in the program's language.
 [[nodiscard]] QString void_words(const std::string& english);

@@ -186,7 +186,8 @@ TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
     record.score.verdict = assessment::Verdict::kFailed;
     record.score.rubric_id = "ring";
     record.score.rubric_version = 2;
-    record.score.reasons = {{"late", "Late.", 45, 3, true}};
+    record.score.reasons = {
+        {"late", "Late.", 45, 3, true, {"Late, {value}.", "Późno.", "time_s", 1e300, 2, 12}}};
     record.metrics.values = {{"task_time_s", 101}};
     store->save_rescore(record);
     EXPECT_EQ(failure_of([&] { store->save_rescore(record); }).kind(), StoreError::Kind::kConflict);
@@ -197,6 +198,7 @@ TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
     EXPECT_EQ(further[0].score.verdict, assessment::Verdict::kFailed);
     EXPECT_EQ(further[0].score.rubric_version, 2);
     EXPECT_EQ(further[0].score.reasons.at(0).text, "Late.");
+    EXPECT_EQ(further[0].score.reasons[0].meaning, record.score.reasons[0].meaning);
     EXPECT_DOUBLE_EQ(*further[0].metrics.find("task_time_s"), 101);
     EXPECT_EQ(further[0].preprocessing_version, 1);
     record.attempt_id = 99;

@@ -39,9 +39,14 @@ inline db::AttemptResult make_result(const std::string& task = "diathermy_ring")
     result.score.verdict = assessment::Verdict::kPassed;
     result.score.rubric_id = "ring";
     result.score.rubric_version = 4;
-    result.score.reasons = {
-        {"dwell", "Rested 3.2 s at 4 o'clock; \"zażółć\" -- ?", 12.5, 7.25, false},
-        {"burn", "Placode burned", 0.1, -1, true}};
+    result.score.reasons = {{"dwell",
+                             "Rested 3.2 s at 4 o'clock; \"zażółć\" -- ?",
+                             12.5,
+                             7.25,
+                             false,
+                             {"Rested {value} s{where}; \"zażółć\" -- ?", "Stała {value} s{where}.",
+                              "dwell_s", 1.0 / 3.0, 2, 4}},
+                            {"burn", "Placode burned", 0.1, -1, true}};
     sim::Event event;
     event.time_s = 0.1;
     event.kind = sim::EventKind::kDwell;

@@ -116,6 +116,8 @@ TEST_P(StoreTest, AnAttemptComesBackExactly) {
     EXPECT_EQ(detail.score.reasons[0].time_s, 7.25);
     EXPECT_FALSE(detail.score.reasons[0].critical);
     EXPECT_TRUE(detail.score.reasons[1].critical);
+    for (size_t i = 0; i < 2; ++i)
+        EXPECT_EQ(detail.score.reasons[i].meaning, result.score.reasons[i].meaning) << i;
 
     ASSERT_EQ(detail.events.size(), 1u) << "vaporised elements and hashes stay in the recording";
     const sim::Event& event = detail.events[0];

@@ -127,7 +127,7 @@ void ShellReviewTest::reasonsAreToldInPolish() {
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(picturesAreThere());
     for (const auto& reason : reasons) {
-        const QString words = reports::reason_words(reason.text);
+        const QString words = reports::reason_words(reason);
         QVERIFY2(words != QString::fromStdString(reason.text), reason.text.c_str());
         QVERIFY2(!words.contains('{') && !words.contains("the "), qPrintable(words));
     }

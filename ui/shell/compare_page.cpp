@@ -161,7 +161,7 @@ class ComparePage : public Page {
         for (const assessment::Reason& reason : half.detail.score.reasons) {
             if (&reason - half.detail.score.reasons.data() >= 3) break;
             layout->addWidget(make_label("−" + format_points(reason.points) + "  " +
-                                         reports::reason_words(reason.text)));
+                                         reports::reason_words(reason)));
         }
         if (half.detail.score.reasons.empty())
             layout->addWidget(make_label(tr("No points were lost"), "good"));

@@ -50,7 +50,7 @@ QHBoxLayout* reason_line(AppContext& context, const assessment::Reason& reason, 
     line->addWidget(points, 0, Qt::AlignTop);
     auto* text = new QVBoxLayout;
     text->setSpacing(kSpace4);
-    QLabel* words = make_label(reports::reason_words(reason.text));
+    QLabel* words = make_label(reports::reason_words(reason));
     words->setObjectName(QString("reason_%1").arg(number));
     text->addWidget(words);
     QStringList remarks;

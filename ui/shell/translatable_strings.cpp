@@ -209,21 +209,13 @@ namespace {
 };
 
 [[maybe_unused]] const char* const kReasons[] = {
-    QT_TRANSLATE_NOOP("Reason", "Energy was on for {value} s while touching the placode{where}."),
-    QT_TRANSLATE_NOOP("Reason", "More than 2 % of the placode was burned."),
-    QT_TRANSLATE_NOOP("Reason", "No piece of tissue was taken out."),
-    QT_TRANSLATE_NOOP("Reason", "Only {value} % of the marked tissue is out."),
-    QT_TRANSLATE_NOOP("Reason", "The force on the tissue was too high {times}, worst{where}."),
-    QT_TRANSLATE_NOOP("Reason", "The instrument stayed {value} s on the placode{where}."),
-    QT_TRANSLATE_NOOP("Reason", "The needle rested {value} s with energy on one spot{where}."),
-    QT_TRANSLATE_NOOP("Reason", "The pedal was pressed in the air for over 1 s, {times}."),
-    QT_TRANSLATE_NOOP("Reason", "The placode is free over {value} degrees only."),
-    QT_TRANSLATE_NOOP(
-        "Reason",
-        "The placode was burned{where}: {value} % of its volume is beyond the injury dose."),
-    QT_TRANSLATE_NOOP("Reason", "The placode was overheated{where}."),
     QT_TRANSLATE_NOOP("Reason",
-                      "The placode was pressed with {value} mN{where}; 20 mN is the limit."),
+                      "Tissue or generator was tuned: this attempt is not scored as a pass."),
+    QT_TRANSLATE_NOOP("Reason", "Not recorded, so this is no pass: {metric}."),
+    QT_TRANSLATE_NOOP("Reason", "It could not be measured and counts in full: {metric}."),
+    QT_TRANSLATE_NOOP("Reason", "Nothing was done: this attempt does not count."),
+};
+20 mN is the limit."),
     QT_TRANSLATE_NOOP("Reason", "The placode was touched {times}, first{where}."),
     QT_TRANSLATE_NOOP("Reason", "The ring is {value} % complete; the largest gap is{where}."),
     QT_TRANSLATE_NOOP("Reason", "The ring was left open: only {value} % is cut through."),
@@ -292,10 +284,8 @@ namespace {
     QT_TRANSLATE_NOOP("Reason", "Not recorded, so this is no pass: {metric}."),
     QT_TRANSLATE_NOOP("Reason", "It could not be measured and counts in full: {metric}."),
     QT_TRANSLATE_NOOP("Reason", "Nothing was done: this attempt does not count."),
-    QT_TRANSLATE_NOOP("Reason", "once"),
-    QT_TRANSLATE_NOOP("Reason", "twice"),
-    QT_TRANSLATE_NOOP("Reason", "%1 times"),
-    QT_TRANSLATE_NOOP("Reason", " at %1 o'clock"),
+    QT_TRANSLATE_NOOP("Reason", "once"), QT_TRANSLATE_NOOP("Reason", "twice"),
+    QT_TRANSLATE_NOOP("Reason", "%1 times"), QT_TRANSLATE_NOOP("Reason", " at %1 o'clock"),
 };
 
 [[maybe_unused]] const char* const kFigures[] = {
