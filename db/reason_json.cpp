@@ -2,14 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/reason_json.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <charconv>
-#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "db/store.h"
 
 namespace placode::db {
 namespace {
+
+[[noreturn]] void damaged(const std::string& what) {
+    throw StoreError(StoreError::Kind::kDamaged,
+                     "reason: " + what + "; score the attempt again (placodectl rescore)");
+}
 
 std::string exact(double value) {
     char text[64];
@@ -20,39 +26,40 @@ double number(const std::string& text) {
     double value = 0;
     const auto done = std::from_chars(text.data(), text.data() + text.size(), value);
     if (done.ec != std::errc() || done.ptr != text.data() + text.size())
-        throw StoreError(StoreError::Kind::kDamaged, "reason: \"" + text + "\" is no number");
+        damaged("\"" + text + "\" is no number");
     return value;
 }
+
+QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
 }  // namespace
 
 std::string reason_json(const assessment::ReasonMeaning& meaning) {
     if (meaning.pattern.empty()) return {};
-    nlohmann::ordered_json json;
-    json["pattern"]["en"] = meaning.pattern;
-    if (!meaning.pattern_pl.empty()) json["pattern"]["pl"] = meaning.pattern_pl;
-    json["metric"] = meaning.metric;
-    json["value"] = exact(meaning.value);
-    json["count"] = meaning.count;
-    json["hour"] = meaning.hour;
-    return json.dump();
+    QJsonObject pattern{{"en", text_of(meaning.pattern)}};
+    if (!meaning.pattern_pl.empty()) pattern["pl"] = text_of(meaning.pattern_pl);
+    const QJsonObject json{{"pattern", pattern},
+                           {"metric", text_of(meaning.metric)},
+                           {"value", text_of(exact(meaning.value))},
+                           {"count", meaning.count},
+                           {"hour", meaning.hour}};
+    return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();
 }
 
 assessment::ReasonMeaning reason_from_json(const std::string& text) {
     assessment::ReasonMeaning meaning;
     if (text.empty()) return meaning;
-    try {
-        const auto json = nlohmann::json::parse(text);
-        meaning.pattern = json.at("pattern").at("en");
-        meaning.pattern_pl = json.at("pattern").value("pl", "");
-        meaning.metric = json.at("metric");
-        meaning.value = number(json.at("value"));
-        meaning.count = json.at("count");
-        meaning.hour = json.at("hour");
-    } catch (const nlohmann::json::exception& error) {
-        throw StoreError(StoreError::Kind::kDamaged,
-                         std::string("reason: what it means is damaged: ") + error.what());
-    }
+    const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text));
+    if (!document.isObject()) damaged("\"" + text + "\" is no JSON object");
+    const QJsonObject json = document.object();
+    const QJsonObject pattern = json["pattern"].toObject();
+    meaning.pattern = pattern["en"].toString().toStdString();
+    if (meaning.pattern.empty()) damaged("it has no pattern");
+    meaning.pattern_pl = pattern["pl"].toString().toStdString();
+    meaning.metric = json["metric"].toString().toStdString();
+    meaning.value = number(json["value"].toString().toStdString());
+    meaning.count = json["count"].toInt();
+    meaning.hour = json["hour"].toInt();
     return meaning;
 }
 

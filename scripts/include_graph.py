@@ -3,29 +3,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which room of sim/ includes which, and every include that points upwards:
 scripts/include_graph.py [--dot]. Exit status 1 when there is one. The order is that of
-tests/architecture_test.cpp."""
+CMakeLists.txt."""
 import collections
 import pathlib
 import re
 import sys
 
-ROOMS = ["core", "mesh", "solver", "heat", "world", "contact", "cutting", "ledger", "step",
-         "anatomy", "mesh_io", "verify"]
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOMS = re.search(r"set\(sim_rooms ([^)]*)\)", (ROOT / "CMakeLists.txt").read_text())[1].split()
 
 
 def main() -> int:
-    root = pathlib.Path(__file__).resolve().parent.parent
     arrows, upwards = collections.Counter(), []
-    for path in sorted((root / "sim").rglob("*")):
+    for path in sorted((ROOT / "sim").rglob("*")):
         if path.suffix not in (".h", ".cpp"):
             continue
-        room = path.relative_to(root / "sim").parts[0]
+        room = path.relative_to(ROOT / "sim").parts[0]
         for target in re.findall(r'^#include "sim/(\w+)/([^"]+)"', path.read_text(), re.M):
             if target[0] == room:
                 continue
             arrows[room, target[0]] += 1
             if ROOMS.index(target[0]) > ROOMS.index(room):
-                upwards.append(f"{path.relative_to(root)} includes sim/{target[0]}/{target[1]}")
+                upwards.append(f"{path.relative_to(ROOT)} includes sim/{target[0]}/{target[1]}")
     if "--dot" in sys.argv[1:]:
         print("digraph sim {")
         for (a, b), n in sorted(arrows.items()):
