@@ -145,8 +145,10 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
         for (const StepRecord& step : steps[participant.code]) {
             progress.last_utc = std::max(progress.last_utc, step.at_utc);
             if (step.superseded()) continue;
-            if (step.state != StepState::kStarted)
-                progress.finished.push_back(std::to_string(step.visit) + "/" + step.step);
+            if (step.state == StepState::kStarted) continue;
+            progress.finished.push_back(std::to_string(step.visit) + "/" + step.step);
+            if (step.attempt_id != 0 && step.detail == kNothingDone)
+                progress.idle.push_back(progress.finished.back());
         }
         const int version = participant.protocol_version;
         if (version > 0 && !protocols.contains(version))
@@ -182,6 +184,8 @@ void record_attempt_step(Store& store, StepRecord step) {
     const AttemptRecord attempt = store.attempt(step.attempt_id).record;
     step.detail = why_not_done(store, step, attempt);
     step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;
+    if (step.detail.empty() && attempt.verdict == assessment::Verdict::kNotAttempted)
+        step.detail = kNothingDone;
     store.record_step(step);
 }
 

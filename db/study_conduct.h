@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "curriculum/study.h"
@@ -34,8 +35,12 @@ void record_consent(Store& store, const std::string& study_id, const std::string
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
                        const AnswerRecord& answers);
 
+/// Detail of a step that is done by an attempt in which nobody operated.
+inline constexpr std::string_view kNothingDone = "nothing was done";
+
 /// Marks the step as done by an attempt that is in the store; one that was broken off, was shorter
-/// than the protocol asks, or is void is noted with the reason, and the step stays open. Does
+/// than the protocol asks, or is void is noted with the reason, and the step stays open. One in
+/// which nothing was done is kept as done, with kNothingDone as its detail. Does
 /// nothing for an attempt that a step names already. Throws as Store::record_step().
 /// @param step without state and detail.
 void record_attempt_step(Store& store, StepRecord step);
@@ -49,6 +54,8 @@ struct Progress {
     std::vector<std::string> finished;  ///< "visit/step", done or skipped, and not superseded.
     std::string open_because;           ///< Why the next step was tried and is not done; or empty.
     std::string last_utc;               ///< Of the newest step.
+    /// "visit/step" of the finished ones in which nothing was done: whoever runs the study sees it.
+    std::vector<std::string> idle;
 };
 [[nodiscard]] std::vector<Progress> study_progress(Store& store, const std::string& study_id);
 

@@ -14,8 +14,8 @@ namespace placode::db {
 namespace {
 
 constexpr std::array<const char*, kDeviationKinds> kNames{
-    "paused",   "slow_machine", "ended_early", "interrupted",
-    "repeated", "other_device", "skipped",     "note"};
+    "paused",       "slow_machine", "ended_early", "interrupted", "repeated",
+    "other_device", "skipped",      "note",        "nothing_done"};
 
 /// The attempt, unless it is gone.
 std::optional<AttemptDetail> attempt_of(Store& store, int64_t id) {
@@ -76,6 +76,9 @@ class Reader {
             one.seconds = duration;
             one.expected_s = step->min_s;
         }
+        // Short or broken off says it already.
+        else if (attempt.record.verdict == assessment::Verdict::kNotAttempted)
+            add(DeviationKind::kNothingDone, record).seconds = duration;
         // Where neither the protocol nor the coordinator named one, the first one is the rule.
         if (device_.empty()) device_ = attempt.record.device;
         const std::string& expected =

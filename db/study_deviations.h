@@ -21,9 +21,10 @@ enum class DeviationKind : uint8_t {
     kRepeated,     ///< Done again: text = the reason, by = whose decision.
     kOtherDevice,  ///< text = the device, expected = the one that was set.
     kSkipped,
-    kNote  ///< text = what the coordinator remarked; no deviation by itself.
+    kNote,        ///< text = what the coordinator remarked; no deviation by itself.
+    kNothingDone  ///< A procedure of seconds, long enough for the protocol, without any operating.
 };
-inline constexpr int kDeviationKinds = 8;
+inline constexpr int kDeviationKinds = 9;
 /// "paused", "slow_machine", ...: for files and programs.
 [[nodiscard]] const char* deviation_name(DeviationKind kind) noexcept;
 

@@ -151,6 +151,9 @@ QString deviation_words(const db::Deviation& deviation, Language language) {
             return say("Skipped.");
         case db::DeviationKind::kNote:
             return text;
+        case db::DeviationKind::kNothingDone:
+            return say("Nothing was done in %1; the attempt is kept and no analysis uses it.")
+                .arg(say.seconds(deviation.seconds));
     }
     return text;
 }
@@ -158,7 +161,7 @@ QString deviation_words(const db::Deviation& deviation, Language language) {
 QString deviation_title(db::DeviationKind kind, Language language) {
     static constexpr const char* kTitles[]{"Pauses",       "Slow computer", "Ended too early",
                                            "Broken off",   "Done again",    "Another device",
-                                           "Step skipped", "Note"};
+                                           "Step skipped", "Note",          "Nothing was done"};
     return Speaker(language)(kTitles[static_cast<size_t>(kind)]);
 }
 

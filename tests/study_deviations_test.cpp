@@ -54,8 +54,10 @@ class StudyDeviations : public EngineTest {
     }
     int64_t perform(const std::string& name, const std::string& device, double duration_s,
                     std::vector<sim::Event> events = {},
-                    sim::EndReason end = sim::EndReason::kFinished) {
+                    sim::EndReason end = sim::EndReason::kFinished,
+                    assessment::Verdict verdict = assessment::Verdict::kNotYet) {
         db::AttemptResult result;
+        result.score.verdict = verdict;
         result.header.task_id = "diathermy_ring";
         result.header.started_utc = "2026-01-02T03:04:05.000Z";
         result.header.device = device;
@@ -132,6 +134,23 @@ TEST_P(StudyDeviations, EndedEarlyBrokenOffSlowAndRepeatedAreListedInOrder) {
     EXPECT_EQ(found[3].text, "the pedal was unplugged");
     EXPECT_EQ(found[3].by, "carl");
     EXPECT_EQ(found[4].text, "coughed");
+}
+
+TEST_P(StudyDeviations, AProcedureInWhichNothingWasDoneIsKeptAndSaidEverywhere) {
+    perform("run", "mouse", 45, {}, sim::EndReason::kFinished, assessment::Verdict::kNotAttempted);
+    const auto found = db::study_deviations(*store, "pilot");
+    ASSERT_EQ(kinds(), std::vector<DeviationKind>{DeviationKind::kNothingDone});
+    EXPECT_EQ(found[0].seconds, 45);
+    EXPECT_EQ(found[0].step, "run");
+    EXPECT_STREQ(db::deviation_name(found[0].kind), "nothing_done");
+    const auto progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_EQ(progress.done, 1) << "it is kept, and the coordinator decides";
+    EXPECT_EQ(progress.idle, std::vector<std::string>{"1/run"});
+    store->records().repeat_step("pilot", code, 1, "run", "nobody operated");
+    EXPECT_TRUE(db::study_progress(*store, "pilot").at(0).idle.empty());
+    // Too short says it already.
+    perform("run", "mouse", 5, {}, sim::EndReason::kFinished, assessment::Verdict::kNotAttempted);
+    EXPECT_EQ(kinds().back(), DeviationKind::kEndedEarly);
 }
 
 TEST_P(StudyDeviations, AnotherDeviceThanTheProtocolsOrTheChosenOne) {

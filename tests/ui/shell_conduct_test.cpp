@@ -56,6 +56,7 @@ class ShellConductTest : public QObject {
     void anAmendmentKeepsTheVersionOfWhoIsIn();
     void withdrawalKeepsStopsOrErases();
     void onlyUsableDataLeave();
+    void aParticipantMayRefuseOrStop();
 
  private:
     [[nodiscard]] db::Store& store() { return shell_->context().store(); }
@@ -250,6 +251,39 @@ void ShellConductTest::onlyUsableDataLeave() {
     const Rows people = table_of(shell_->save_as + "/" + kStudy + "_participants.csv");
     QCOMPARE(people.size(), size_t(5));
     QCOMPARE(cell(people, 4, "status"), std::string("3"));
+}
+
+void ShellConductTest::aParticipantMayRefuseOrStop() {
+    overview();
+    const auto last = [this] { return store().participants(kStudy).back(); };
+    QVERIFY(press("enrol"));
+    QVERIFY(shell_->arrives(PageId::kStudyRun));
+    QVERIFY2(shell_->find<QPushButton>("stop_taking_part") == nullptr, "the consent refuses");
+    shell_->shot("70_consent_refuse");
+    shell_->refuseNext();
+    QVERIFY(press("consent_refused"));
+    QVERIFY2(!last().withdrawal, "asked first");
+    shell_->confirmNext();
+    QVERIFY(press("consent_refused"));
+    QVERIFY(QTest::qWaitFor([&] { return last().withdrawal.has_value(); }, 10000));
+    QVERIFY2(!last().usable(), "nothing of who did not consent is used");
+    QCOMPARE(last().withdrawal_reason, std::string("did not consent"));
+    QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("run_finished") != nullptr; }));
+    shell_->shot("71_run_ended");
+    overview();
+
+    const std::string code = enrol();
+    QVERIFY(!code.empty());
+    shell_->shot("72_run_stop");
+    shell_->confirmNext();
+    QVERIFY(press("stop_taking_part"));
+    QVERIFY(QTest::qWaitFor([&] { return last().withdrawal.has_value(); }, 10000));
+    QVERIFY(last().withdrawal == db::WithdrawalMode::kKeep);
+    QVERIFY(last().withdrawal_reason.find("stopped by the participant") == 0);
+    QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("run_finished") != nullptr; }));
+    QVERIFY(shell_->find<QPushButton>("stop_taking_part") == nullptr);
+    // The participant's wish: the coordinator may still use the data less.
+    store().withdraw(kStudy, code, db::WithdrawalMode::kErase, "asked afterwards");
 }
 
 }  // namespace placode::ui

@@ -86,11 +86,21 @@ class ProtocolCard : public QFrame {
 
     void addPublish(QVBoxLayout* layout, const curriculum::StudyProtocol& protocol) {
         layout->addWidget(make_label(
-            tr("Not published yet. Publishing keeps this version for good; a change is a new "
+            tr("Not published yet. Publishing keeps this protocol for good; a change is a new "
                "version with a reason. Check the consent text first."),
             "muted"));
         auto* row = new QHBoxLayout;
-        row->addStretch();
+        QLabel* version = make_label(
+            tr("The protocol that came with this program carries version %1: those before it were "
+               "replaced before anybody published them here.")
+                .arg(protocol.version),
+            "small");
+        version->setObjectName("version_words");
+        version->setVisible(protocol.version > 1);
+        row->addWidget(version, 1);
+        button(row, tr("Check the consent text"), "secondary", "search", "check_consent", [this] {
+            Q_EMIT page_.go({PageId::kProtocols, 0, {}, {{"kind", "study"}, {"id", qstr(study_)}}});
+        });
         button(row, tr("Publish version %1").arg(protocol.version), "primary", "check",
                "publish_study", [this, protocol] { publish(protocol); });
         layout->addLayout(row);
@@ -215,6 +225,14 @@ class ProtocolCard : public QFrame {
                 remark =
                     tr("to be done again: %1").arg(reports::not_done_words(each.open_because)) +
                     " " + remark;
+            if (!each.idle.empty()) {
+                QStringList names;
+                for (const std::string& key : each.idle) {
+                    const auto* step = protocol.step(key.substr(key.find('/') + 1));
+                    names << (step != nullptr ? context_.in(step->title) : qstr(key));
+                }
+                remark = tr("nothing was done: %1").arg(names.join(", ")) + " " + remark;
+            }
             table_->setItem(row, 0, make_cell(qstr(each.participant.code)));
             table_->setItem(
                 row, 1, make_number_cell(tr("%1 of %2").arg(each.done).arg(each.total), each.done));

@@ -46,7 +46,14 @@ class ProtocolsPage : public Page {
         preview_ = new QVBoxLayout;
         column->addLayout(preview_);
         column->addStretch();
-        const QString text = place.state.value("text").toString();
+        QString text = place.state.value("text").toString();
+        // A link names the definition, shipped or published.
+        if (const QString id = place.state.value("id").toString(); text.isEmpty() && !id.isEmpty())
+            for (int i = 0; i < chooser_->count() && text.isEmpty(); ++i)
+                if (chooser_->itemData(i).toString().section('/', 0, 0) == id) {
+                    chooser_->setCurrentIndex(i);
+                    text = textOf(chooser_->itemData(i).toString());
+                }
         setText(text.isEmpty() ? firstText() : text);
         unsaved_ = place.state.value("unsaved").toBool();
     }

@@ -60,6 +60,13 @@ class StudyRunPage : public Page {
         connect(leave, &QPushButton::clicked, this, [this] { backToStudy(); });
         row->addWidget(leave);
         row->addStretch();
+        // Everybody may stop without saying why, and finds the way to it on every step.
+        if (step != nullptr && step->kind != StepKind::kConsent) {
+            QPushButton* stop = make_button(context, tr("I want to stop"), "secondary", "close");
+            stop->setObjectName("stop_taking_part");
+            connect(stop, &QPushButton::clicked, this, [this] { stopTakingPart(); });
+            row->addWidget(stop);
+        }
         column->addLayout(row);
         column->addStretch();
     }
@@ -178,7 +185,42 @@ class StudyRunPage : public Page {
         row->addStretch();
         row->addWidget(clear);
         layout->addLayout(row);
-        layout->addWidget(agree, 0, Qt::AlignRight);
+        QPushButton* refuse = make_button(context_, tr("I do not consent"), "secondary", "close");
+        refuse->setObjectName("consent_refused");
+        connect(refuse, &QPushButton::clicked, this, [this] { refuseConsent(); });
+        auto* answer = new QHBoxLayout;
+        answer->addStretch();
+        answer->addWidget(refuse);
+        answer->addWidget(agree);
+        layout->addLayout(answer);
+    }
+
+    /// Nothing of who does not consent may be used.
+    void refuseConsent() {
+        if (!confirm(window(), tr("You do not consent?"),
+                     tr("You take no part, and nothing of you is used. You need not give a "
+                        "reason. Please hand the screen back to the coordinator afterwards."),
+                     tr("I do not consent")))
+            return;
+        end(db::WithdrawalMode::kStop, "did not consent");
+    }
+
+    /// What becomes of the data is asked in person: it may be used less later, never more.
+    void stopTakingPart() {
+        if (!confirm(window(), tr("Stop taking part?"),
+                     tr("Your run ends here for good. You need not give a reason. Tell the "
+                        "coordinator whether your data to date may be used, are used no more, or "
+                        "are erased."),
+                     tr("I want to stop")))
+            return;
+        end(db::WithdrawalMode::kKeep, "stopped by the participant; use of the data to be asked");
+    }
+
+    void end(db::WithdrawalMode mode, const char* reason) {
+        context_.guard(tr("Ending the run"), [&] {
+            context_.store().withdraw(study_, code_.toStdString(), mode, reason);
+            again();
+        });
     }
 
     void giveConsent(
@@ -260,7 +302,8 @@ class StudyRunPage : public Page {
         layout->addWidget(make_label(tr("Thank you."), "title"));
         layout->addWidget(make_label(
             progress_.participant.withdrawal
-                ? tr("%1 has withdrawn; nothing more is recorded.").arg(code_)
+                ? tr("Your run has ended; nothing more is recorded. Please hand the screen back to "
+                     "the coordinator.")
                 : tr("Everything is done. Please hand the screen back to the coordinator."),
             "muted"));
         addButton(layout, tr("Back to the study"), "run_finished", [this] { backToStudy(); });

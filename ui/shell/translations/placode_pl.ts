@@ -3181,10 +3181,6 @@
         <translation>Badanie</translation>
     </message>
     <message>
-        <source>Not published yet. Publishing keeps this version for good; a change is a new version with a reason. Check the consent text first.</source>
-        <translation>Jeszcze nieopublikowane. Publikacja utrwala tę wersję na stałe; zmiana to nowa wersja z uzasadnieniem. Najpierw sprawdź tekst zgody.</translation>
-    </message>
-    <message>
         <source>Publish version %1</source>
         <translation>Opublikuj wersję %1</translation>
     </message>
@@ -3395,6 +3391,22 @@
             <numerusform>%n pliki, odczytane i porównane z bazą: %1</numerusform>
             <numerusform>%n plików, odczytanych i porównanych z bazą: %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Not published yet. Publishing keeps this protocol for good; a change is a new version with a reason. Check the consent text first.</source>
+        <translation>Jeszcze nieopublikowany. Publikacja zachowuje ten protokół na zawsze; zmiana to nowa wersja z podaniem przyczyny. Najpierw sprawdź tekst zgody.</translation>
+    </message>
+    <message>
+        <source>The protocol that came with this program carries version %1: those before it were replaced before anybody published them here.</source>
+        <translation>Protokół dostarczony z programem ma wersję %1: wcześniejsze zastąpiono, zanim ktoś je tu opublikował.</translation>
+    </message>
+    <message>
+        <source>Check the consent text</source>
+        <translation>Sprawdź tekst zgody</translation>
+    </message>
+    <message>
+        <source>nothing was done: %1</source>
+        <translation>nic nie zrobiono: %1</translation>
     </message>
 </context>
 <context>
@@ -4119,6 +4131,10 @@
         <source>%1 so far.</source>
         <translation>Trwa już %1.</translation>
     </message>
+    <message>
+        <source>About %1 left.</source>
+        <translation>Jeszcze około %1.</translation>
+    </message>
 </context>
 <context>
     <name>SetupPage</name>
@@ -4532,10 +4548,6 @@
         <translation>Dziękujemy.</translation>
     </message>
     <message>
-        <source>%1 has withdrawn; nothing more is recorded.</source>
-        <translation>Uczestnik %1 wycofał się; nic więcej nie jest zapisywane.</translation>
-    </message>
-    <message>
         <source>Everything is done. Please hand the screen back to the coordinator.</source>
         <translation>Wszystko zrobione. Proszę oddać ekran koordynatorowi.</translation>
     </message>
@@ -4574,6 +4586,38 @@
     <message>
         <source>Device: %1</source>
         <translation>Urządzenie: %1</translation>
+    </message>
+    <message>
+        <source>I want to stop</source>
+        <translation>Chcę przerwać</translation>
+    </message>
+    <message>
+        <source>I do not consent</source>
+        <translation>Nie wyrażam zgody</translation>
+    </message>
+    <message>
+        <source>You do not consent?</source>
+        <translation>Nie wyrażasz zgody?</translation>
+    </message>
+    <message>
+        <source>You take no part, and nothing of you is used. You need not give a reason. Please hand the screen back to the coordinator afterwards.</source>
+        <translation>Nie bierzesz udziału i żadne Twoje dane nie są używane. Nie trzeba podawać przyczyny. Potem proszę oddać ekran koordynatorowi.</translation>
+    </message>
+    <message>
+        <source>Stop taking part?</source>
+        <translation>Zakończyć udział?</translation>
+    </message>
+    <message>
+        <source>Your run ends here for good. You need not give a reason. Tell the coordinator whether your data to date may be used, are used no more, or are erased.</source>
+        <translation>Twój udział kończy się tu na dobre. Nie trzeba podawać przyczyny. Powiedz koordynatorowi, czy dotychczasowe dane mogą być używane, mają nie być używane, czy mają zostać usunięte.</translation>
+    </message>
+    <message>
+        <source>Ending the run</source>
+        <translation>Kończenie udziału</translation>
+    </message>
+    <message>
+        <source>Your run has ended; nothing more is recorded. Please hand the screen back to the coordinator.</source>
+        <translation>Udział jest zakończony; nic więcej nie jest zapisywane. Proszę oddać ekran koordynatorowi.</translation>
     </message>
 </context>
 <context>
@@ -8292,6 +8336,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>Tissue or generator was tuned</source>
         <translation>Tkanka lub generator były strojone</translation>
     </message>
+    <message>
+        <source>Nothing was done in %1; the attempt is kept and no analysis uses it.</source>
+        <translation>Przez %1 nic nie zrobiono; próba zostaje, lecz żadna analiza jej nie używa.</translation>
+    </message>
+    <message>
+        <source>Nothing was done</source>
+        <translation>Nic nie zrobiono</translation>
+    </message>
 </context>
 <context>
     <name>TakeBackDialog</name>
@@ -9172,6 +9224,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>More messages: %1</source>
         <translation>Więcej wiadomości: %1</translation>
+    </message>
+    <message>
+        <source>%1, about %2 left</source>
+        <translation>%1, jeszcze około %2</translation>
     </message>
 </context>
 </TS>
