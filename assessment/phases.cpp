@@ -45,20 +45,4 @@ std::vector<PhasePart> compute_phase_metrics(const sim::Recording& recording) {
     return parts;
 }
 
-std::vector<PhaseLedger> ledger_by_phase(std::span<const sim::Event> events, double duration_s) {
-    std::vector<PhaseLedger> parts{{sim::Phase::kInspect, 0, duration_s, {}}};
-    for (const sim::Event& event : events) {
-        if (event.kind == sim::EventKind::kStateHash) continue;
-        if (event.kind == sim::EventKind::kPhase) {
-            const auto phase = static_cast<sim::Phase>(static_cast<int>(event.value));
-            if (phase == parts.back().phase) continue;
-            parts.back().to_s = event.time_s;
-            parts.push_back({phase, event.time_s, duration_s, {}});
-            continue;
-        }
-        ++parts.back().counts[event.kind];
-    }
-    return parts;
-}
-
 }  // namespace placode::assessment

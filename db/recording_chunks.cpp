@@ -158,10 +158,6 @@ void decode(std::span<const std::byte> packed, size_t count, std::vector<Record>
 
 }  // namespace
 
-size_t record_size(const sim::Input&) { return size_of<sim::Input>(); }
-size_t record_size(const sim::Sample&) { return size_of<sim::Sample>(); }
-size_t record_size(const sim::Event&) { return size_of<sim::Event>(); }
-
 Bytes encode_chunk(std::span<const sim::Input> records) { return encode(records); }
 Bytes encode_chunk(std::span<const sim::Sample> records) { return encode(records); }
 Bytes encode_chunk(std::span<const sim::Event> records) { return encode(records); }

@@ -17,11 +17,6 @@ namespace placode::db {
 /// "PLRC" in the file's header says that it is a recording.
 inline constexpr int kRecordingApplicationId = 0x504c5243;
 
-/// Bytes of one record in a chunk.
-[[nodiscard]] size_t record_size(const sim::Input& record);
-[[nodiscard]] size_t record_size(const sim::Sample& record);
-[[nodiscard]] size_t record_size(const sim::Event& record);
-
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Input> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Sample> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Event> records);

@@ -41,8 +41,7 @@ class Coupling {
     [[nodiscard]] bool plausible(const DeviceState& device, double dt_s) const noexcept;
     /// Starts the ramp to zero that ends a session; takes 50 ms.
     void release() noexcept { releasing_ = true; }
-    /// Energy that the virtual side has absorbed so far [J]; negative = it has created energy.
-    [[nodiscard]] double observed_energy_j() const noexcept { return passivity_.energy_j(); }
+    /// Least energy that the virtual side had absorbed at any time [J]; negative = it created some.
     [[nodiscard]] double least_energy_j() const noexcept { return passivity_.least_j(); }
     [[nodiscard]] double rms_force_n() const noexcept { return heat_.rms_n(); }
     [[nodiscard]] const CouplingSettings& settings() const noexcept { return settings_; }

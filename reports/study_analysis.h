@@ -15,8 +15,6 @@
 
 namespace placode::reports {
 
-enum class AnalysisKind : uint8_t { kConstruct, kRetest, kLearning, kRaters };
-
 struct AnalysisCell {
     std::string text;             ///< As printed.
     std::optional<double> value;  ///< The whole number behind it.

@@ -613,7 +613,9 @@ TEST(PlainPicture, ShowsTheSameInTheSamePlaces) {
         }
         for (int i = 0; i < 3; ++i) view->draw(field().snapshot, quiet());  // the iris settles
         EXPECT_EQ(view->gl_error(), 0U);
-        EXPECT_EQ(view->frame_times().plain, plain);
+        if (plain) {
+            EXPECT_FALSE(view->simplify()) << "drawing made it less plain";
+        }
         pictures[plain ? 1 : 0].rgb = view->pixels();
     }
     EXPECT_GT(difference(pictures[0], pictures[1]), 0.5) << "nothing was left out";

@@ -64,20 +64,6 @@ TEST(Phases, EveryPartHasMetricsOfItsOwn) {
     EXPECT_EQ(sum, *compute_metrics(attempt()).find("over_force_count")) << "none is lost";
 }
 
-TEST(Phases, TheLedgerIsCountedByPhase) {
-    const auto recording = attempt();
-    const auto parts = ledger_by_phase(recording.events, 7);
-    ASSERT_EQ(parts.size(), 4u);
-    EXPECT_EQ(parts[0].counts.at(EventKind::kOverForce), 1);
-    EXPECT_EQ(parts[1].counts.at(EventKind::kOverForce), 2);
-    EXPECT_FALSE(parts[1].counts.contains(EventKind::kStateHash));
-    EXPECT_TRUE(parts[2].counts.empty());
-    EXPECT_EQ(parts[3].phase, Phase::kIncise) << "entered again";
-    EXPECT_DOUBLE_EQ(parts[1].to_s, 5);
-    EXPECT_DOUBLE_EQ(parts[3].to_s, 7);
-    EXPECT_EQ(ledger_by_phase({}, 3).size(), 1u);
-}
-
 TEST(Phases, NothingRecordedHasNoParts) { EXPECT_TRUE(compute_phase_metrics({}).empty()); }
 
 }  // namespace

@@ -32,8 +32,6 @@ class SurfaceTree {
     void insert(int slot, int tet) noexcept;
     void remove(int slot) noexcept;
     void renumber(int from, int to) noexcept;
-    /// A tet that was split off from another lives where the other does.
-    void place_like(int tet, int other) noexcept { leaf_of_tet_[tet] = leaf_of_tet_[other]; }
 
     /// Boxes from the present positions. Sum over the leaves: every triangle is read once.
     void refit(std::span<const SurfaceTriangle> triangles, std::span<const Float4> x) noexcept;

@@ -429,7 +429,6 @@ int FetoscopeView::tuning_item_under_pointer() const {
 }
 int FetoscopeView::width() const { return impl_->context->width(); }
 int FetoscopeView::height() const { return impl_->context->height(); }
-FrameTimes FetoscopeView::frame_times() const { return impl_->times; }
 unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
 
 std::vector<uint8_t> FetoscopeView::pixels() {

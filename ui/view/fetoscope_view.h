@@ -67,7 +67,6 @@ class FetoscopeView {
     void save_png(const std::string& path);
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
-    [[nodiscard]] FrameTimes frame_times() const;
     /// First OpenGL error since the last call, 0 = none.
     [[nodiscard]] unsigned gl_error();
 

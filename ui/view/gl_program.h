@@ -111,7 +111,6 @@ class GlMesh {
     void indices(const std::vector<unsigned>& data);
     /// Draws the indices, or `count` vertices when there are none.
     void draw(GLenum mode, int count = 0) const;
-    [[nodiscard]] int index_count() const { return index_count_; }
 
  private:
     GLuint array_ = 0, vertex_buffer_ = 0, index_buffer_ = 0;
