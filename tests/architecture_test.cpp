@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::vector<std::string> kOrder{"sim", "haptics", "assessment", "curriculum",
-                                      "db",  "reports", "ui"};
+                                      "db",  "reports", "bench",      "ui"};
 
 struct Include {
     std::string file, folder, target;

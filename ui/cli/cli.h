@@ -58,6 +58,8 @@ void add_demo_commands(CLI::App& app, Context& context);
 
 /// Processor, system, compiler, kernels and load, for benchmarks.
 [[nodiscard]] Json machine();
+/// A warning when other programs were running at the start, and so the figures are too low.
+void warn_if_busy(const Json& machine);
 
 /// Prints one JSON document with --json, else the text.
 void print(const Context& context, const Json& json, const std::string& text);

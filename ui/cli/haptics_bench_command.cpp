@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl bench haptics.
 
+#include <iostream>
 #include <memory>
 
-#include "ui/cli/bench_timing.h"
-#include "ui/cli/haptics_bench.h"
+#include "ui/cli/haptics_bench_report.h"
 #include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
@@ -18,13 +18,16 @@ struct Options {
 
 int run(const Context& context, const Options& options) {
     const Json computer = machine();  // the load before, not our own
-    HapticsBench bench;
+    haptics::HapticBenchSuite bench;
     bench.quick = options.quick;
+    bench.checked = [](const haptics::PortCheck& check) {
+        if (!check.passed()) std::cerr << "not within its limit: " << check.name << '\n';
+    };
     bench.run();
     Json json{{"benchmark", "haptics"}, {"machine", computer}};
-    json.update(bench.json());
+    json.update(haptics_bench_json(bench));
     if (!options.out.empty()) write_haptics_bench(bench, json, options.out);
-    print(context, json, bench.text());
+    print(context, json, haptics_bench_text(bench));
     return bench.passed() ? 0 : 1;
 }
 

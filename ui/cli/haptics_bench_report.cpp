@@ -8,12 +8,16 @@
 
 #include "haptics/real_time.h"
 #include "reports/report.h"
-#include "ui/cli/haptics_bench.h"
+#include "ui/cli/haptics_bench_report.h"
 
 namespace placode::cli {
 namespace {
 
+using haptics::HapticBenchSuite;
+using haptics::PortCheck;
 using haptics::PortResult;
+using haptics::PortRow;
+using haptics::PortRun;
 constexpr const char* kShipped = "as shipped";
 
 /// Small numbers keep their digits.
@@ -27,16 +31,16 @@ std::string milli(double v, int decimals) {
     return text.find_first_of("123456789") == std::string::npos ? fixed(0, decimals) : text;
 }
 
-std::string k_max_table(const HapticsBench& bench) {
+std::string k_max_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{
         {"world", "law", "grip", "physics [Hz]", "K_max [N/m]"}};
     for (const PortRow& row : bench.rows)
         cells.push_back({row.world, row.law, row.grip, fixed(row.physics_hz, 0),
-                         (row.k_max > kSweepTopNM ? ">= " : "") + fixed(row.k_max, 0)});
+                         (row.k_max > haptics::kSweepTopNM ? ">= " : "") + fixed(row.k_max, 0)});
     return table(cells);
 }
 
-std::string run_table(const HapticsBench& bench) {
+std::string run_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{{"run", "grip", "physics [Hz]", "oscillation [mm]",
                                                  "peak force [N]", "least energy [mJ]",
                                                  "given at rest [mJ/s]"}};
@@ -50,7 +54,7 @@ std::string run_table(const HapticsBench& bench) {
     return table(cells);
 }
 
-std::string check_table(const HapticsBench& bench) {
+std::string check_table(const HapticBenchSuite& bench) {
     std::vector<std::vector<std::string>> cells{{"check", "value", "limit", ""}};
     for (const PortCheck& one : bench.checks)
         cells.push_back({one.name, number(one.value),
@@ -72,7 +76,7 @@ reports::Curve curve_of(const std::string& name, const std::vector<float>& value
 /// K_max over the rate of the physics: a curve for each grip and what `kind_of` says of a row;
 /// empty: left out.
 template <class KindOf>
-reports::CurveChart k_max_chart(const HapticsBench& bench, const std::string& title,
+reports::CurveChart k_max_chart(const HapticBenchSuite& bench, const std::string& title,
                                 KindOf&& kind_of) {
     reports::CurveChart chart;
     chart.title = title;
@@ -91,11 +95,11 @@ reports::CurveChart k_max_chart(const HapticsBench& bench, const std::string& ti
     }
     const double standard = haptics::CouplingSettings{}.stiffness_n_m;
     chart.levels = {{"default stiffness", standard},
-                    {"three times the default: least allowed", kStableTimes * standard}};
+                    {"three times the default: least allowed", haptics::kStableTimes * standard}};
     return chart;
 }
 
-void write_figures(const HapticsBench& bench, const std::string& folder) {
+void write_figures(const HapticBenchSuite& bench, const std::string& folder) {
     const auto save = [&](const reports::CurveChart& chart, const std::string& name) {
         reports::write_chart_png(chart, folder + "/bench_haptics_" + name + ".png");
     };
@@ -125,7 +129,7 @@ void write_figures(const HapticsBench& bench, const std::string& folder) {
     save(time, "energy");
 }
 
-void write_traces(const HapticsBench& bench, std::ostream& out) {
+void write_traces(const HapticBenchSuite& bench, std::ostream& out) {
     out << "t_s,wall_position_m,wall_force_n,wall_energy_j,tissue_position_m,tissue_force_n,"
            "tissue_energy_j,control_position_m,control_force_n,control_energy_j\n";
     const auto cell = [](const std::vector<float>& v, size_t i) {
@@ -142,9 +146,10 @@ void write_traces(const HapticsBench& bench, std::ostream& out) {
 
 }  // namespace
 
-std::string HapticsBench::text() const {
+std::string haptics_bench_text(const HapticBenchSuite& bench) {
+    const haptics::HapticCertificate& thread = bench.thread;
     std::string out =
-        k_max_table(*this) + "\n" + run_table(*this) + "\n" + check_table(*this) + "\n";
+        k_max_table(bench) + "\n" + run_table(bench) + "\n" + check_table(bench) + "\n";
     out += "Attempts run at 1000 Hz. Servo thread beside a physics thread with tissue, " +
            fixed(thread.duration_s, 1) + " s: period p50 " + fixed(thread.period_p50_us, 0) +
            ", p99 " + fixed(thread.period_p99_us, 0) + ", p99.9 " +
@@ -159,20 +164,20 @@ std::string HapticsBench::text() const {
     return out;
 }
 
-Json HapticsBench::json() const {
+Json haptics_bench_json(const HapticBenchSuite& bench) {
     Json json{{"checks", Json::array()}, {"k_max", Json::array()}, {"cases", Json::array()}};
-    for (const PortCheck& check : checks)
+    for (const PortCheck& check : bench.checks)
         json["checks"].push_back({{"name", check.name},
                                   {"value", check.value},
                                   {check.at_most ? "at_most" : "at_least", check.limit},
                                   {"passed", check.passed()}});
-    for (const PortRow& row : rows)
+    for (const PortRow& row : bench.rows)
         json["k_max"].push_back({{"world", row.world},
                                  {"law", row.law},
                                  {"grip", row.grip},
                                  {"physics_hz", row.physics_hz},
                                  {"k_max_n_m", row.k_max}});
-    for (const PortRun& run : runs)
+    for (const PortRun& run : bench.runs)
         json["cases"].push_back({{"case", run.name},
                                  {"grip", run.grip},
                                  {"physics_hz", run.physics_hz},
@@ -185,13 +190,14 @@ Json HapticsBench::json() const {
                                  {"drift_j_s", run.result.drift_j_s},
                                  {"compared_ticks", run.result.certificate.compared},
                                  {"differing_ticks", run.result.certificate.differing}});
-    json["servo_thread"] = Json::parse(haptics::certificate_to_json(thread));
+    json["servo_thread"] = Json::parse(haptics::certificate_to_json(bench.thread));
     json["servo_thread"]["missing"] =
-        haptics::missing_rights(thread.real_time, thread.memory_locked);
+        haptics::missing_rights(bench.thread.real_time, bench.thread.memory_locked);
     return json;
 }
 
-void write_haptics_bench(const HapticsBench& bench, const Json& json, const std::string& folder) {
+void write_haptics_bench(const HapticBenchSuite& bench, const Json& json,
+                         const std::string& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     std::ofstream csv(folder + "/bench_haptics.csv");

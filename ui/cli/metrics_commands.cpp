@@ -9,13 +9,13 @@
 #include "assessment/phases.h"
 #include "assessment/scoring.h"
 #include "assessment/signal.h"
+#include "assessment/signal_metrics.h"
 #include "assessment/tissue_metrics.h"
 #include "curriculum/task.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/certificate.h"
 #include "ui/cli/cli.h"
-#include "ui/cli/signal_metrics.h"
 
 namespace placode::cli {
 namespace {
@@ -25,12 +25,22 @@ struct Options {
     double tolerance_mm = 1;
     bool recover = false, phases = false;
     double threshold_n = -1;
-    SignalOptions signal;
+    assessment::SignalOptions signal;
 };
 
 bool ends_with(const std::string& text, const std::string& end) {
     return text.size() >= end.size() &&
            text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/// A signal that cannot be used is bad input.
+template <class Work>
+auto as_input(Work&& work) {
+    try {
+        return work();
+    } catch (const assessment::SignalError& error) {
+        throw InputError(error.what());
+    }
 }
 
 // A recording that cannot be read is bad input.
@@ -107,12 +117,12 @@ int metrics_of_recording(const Context& context, const Options& options) {
 }
 
 int metrics_of_signal(const Context& context, const Options& options) {
-    SignalOptions signal = options.signal;
+    assessment::SignalOptions signal = options.signal;
     if (options.threshold_n >= 0) signal.threshold_n = options.threshold_n;
-    const SignalFile file = read_signal_file(options.file);
+    const assessment::SignalFile file = assessment::read_signal_file(options.file);
     Json json = Json::object();
     std::vector<std::vector<std::string>> rows{{"metric", "value"}};
-    const SignalMetrics metrics = signal_metrics(file, signal);
+    const assessment::SignalMetrics metrics = assessment::signal_metrics(file, signal);
     for (const auto& [key, value] : metrics.values) {
         json[key] = value;
         rows.push_back({key, shortest(value)});
@@ -120,7 +130,7 @@ int metrics_of_signal(const Context& context, const Options& options) {
     std::string text = table(rows);
     if (!metrics.columns_not_used.empty()) {
         json["columns_not_used"] = metrics.columns_not_used;
-        text += "columns not used: " + joined(metrics.columns_not_used) + "\n";
+        text += "columns not used: " + assessment::joined(metrics.columns_not_used) + "\n";
     }
     print(context, json, text);
     return 0;
@@ -128,13 +138,14 @@ int metrics_of_signal(const Context& context, const Options& options) {
 
 int metrics(const Context& context, const Options& options) {
     if (ends_with(options.file, ".placode")) return metrics_of_recording(context, options);
-    if (ends_with(options.file, ".csv")) return metrics_of_signal(context, options);
+    if (ends_with(options.file, ".csv"))
+        return as_input([&] { return metrics_of_signal(context, options); });
     throw InputError(options.file + ": expected FILE.placode (a recording) or FILE.csv (a signal)");
 }
 
 std::vector<assessment::Vec3> read_line(const std::string& path) {
-    const SignalFile file = read_signal_file(path);
-    const std::string columns = joined(file.columns);
+    const assessment::SignalFile file = assessment::read_signal_file(path);
+    const std::string columns = assessment::joined(file.columns);
     if (columns != "x_mm,y_mm" && columns != "x_mm,y_mm,z_mm") {
         throw InputError(path + ":1: found the columns \"" + columns +
                          "\"; expected x_mm,y_mm[,z_mm]");
@@ -157,8 +168,10 @@ int contour(const Context& context, const Options& options) {
         throw InputError("--tolerance " + shortest(options.tolerance_mm) +
                          ": expected a distance above 0 mm");
     }
-    const auto c = assessment::compare_contours(read_line(options.plan), read_line(options.file),
-                                                options.tolerance_mm);
+    const auto c = as_input([&] {
+        return assessment::compare_contours(read_line(options.plan), read_line(options.file),
+                                            options.tolerance_mm);
+    });
     const Json json{{"mean_abs_dev_mm", c.mean_abs},
                     {"rms_mm", c.rms},
                     {"p95_mm", c.p95},

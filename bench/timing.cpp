@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cli/bench_timing.h"
+#include "bench/timing.h"
 
 #include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
-#include <iostream>
 
-namespace placode::cli {
+namespace placode::bench {
 
 double median(std::vector<double> values) {
     assert(!values.empty());
@@ -72,11 +71,4 @@ double log_slope(const std::vector<double>& x, const std::vector<double>& y) {
     return xx > 0 ? xy / xx : 0;
 }
 
-void warn_if_busy(const Json& machine) {
-    const double busy = machine["load_average_1min_before"].get<double>();
-    if (busy > 0.5)
-        std::cerr << "placodectl: other programs were running (load " << fixed(busy, 1)
-                  << "): the figures are too low; measure again on an idle machine\n";
-}
-
-}  // namespace placode::cli
+}  // namespace placode::bench

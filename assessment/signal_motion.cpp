@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cli/signal_motion.h"
+#include "assessment/signal_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -11,12 +11,10 @@
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/tremor.h"
-#include "ui/cli/cli.h"
+#include "sim/core/number_text.h"
 
-namespace placode::cli {
+namespace placode::assessment {
 
-using assessment::Quat;
-using assessment::Vec3;
 using Values = SignalValues;
 
 double rate_of(const SignalFile& file, bool must_be_even) {
@@ -26,12 +24,13 @@ double rate_of(const SignalFile& file, bool must_be_even) {
         const double step = time[i] - time[i - 1];
         const std::string place = file.path + ":" + std::to_string(file.line(i)) + ": t_s";
         if (step <= 0)
-            throw InputError(place + ": found " + shortest(time[i]) + " after " +
-                             shortest(time[i - 1]) + "; expected a time that grows");
+            throw SignalError(place + ": found " + sim::shortest_text(time[i]) + " after " +
+                              sim::shortest_text(time[i - 1]) + "; expected a time that grows");
         // 1 %: decimals cut off at 1/30 s stay far below it.
         if (must_be_even && std::abs(step - mean) > 0.01 * mean)
-            throw InputError(place + ": a step of " + shortest(step) + " s among steps of " +
-                             shortest(mean) + " s; --raw needs even steps, leave it out");
+            throw SignalError(place + ": a step of " + sim::shortest_text(step) +
+                              " s among steps of " + sim::shortest_text(mean) +
+                              " s; --raw needs even steps, leave it out");
     }
     return 1 / mean;
 }
@@ -56,13 +55,13 @@ void add_speed(Values& out, std::span<const double> speed, double rate_hz,
                const SignalOptions& options) {
     const double dt = 1 / rate_hz;
     add(out, "peak_speed_mm_s", *std::max_element(speed.begin(), speed.end()));
-    add(out, "sparc", assessment::sparc(speed, rate_hz));
-    add(out, "ldlj_speed", assessment::ldlj_speed(speed, rate_hz));
-    add(out, "movements", assessment::movement_count(speed, options.movement_threshold_mm_s));
-    const int peaks = assessment::speed_peaks(speed, options.movement_threshold_mm_s);
+    add(out, "sparc", sparc(speed, rate_hz));
+    add(out, "ldlj_speed", ldlj_speed(speed, rate_hz));
+    add(out, "movements", movement_count(speed, options.movement_threshold_mm_s));
+    const int peaks = speed_peaks(speed, options.movement_threshold_mm_s);
     add(out, "speed_peaks", peaks);
     add(out, "speed_peaks_per_min", peaks / (static_cast<double>(speed.size() - 1) * dt) * 60);
-    const double idle = assessment::idle_time(speed, dt, options.idle_threshold_mm_s);
+    const double idle = idle_time(speed, dt, options.idle_threshold_mm_s);
     add(out, "idle_time_s", idle);
     add(out, "idle_fraction", idle / (static_cast<double>(speed.size() - 1) * dt));
 }
@@ -74,7 +73,7 @@ void add_extent(Values& out, const std::vector<Vec3>& position) {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
-    const double path = assessment::path_length(position), volume = (high - low).prod();
+    const double path = path_length(position), volume = (high - low).prod();
     const double straight = (position.back() - position.front()).norm();
     add(out, "bounding_box_volume_mm3", volume);
     if (!(path > 0)) return;
@@ -94,7 +93,7 @@ bool has_even_steps(const SignalFile& file) {
 
 std::vector<double> on_analysis_rate(const std::vector<double>& time,
                                      const std::vector<double>& signal) {
-    const double rate = assessment::kAnalysisRateHz;
+    const double rate = kAnalysisRateHz;
     const auto count = static_cast<size_t>((time.back() - time.front()) * rate + 1e-9) + 1;
     std::vector<double> even(count);
     size_t at = 0;
@@ -110,7 +109,7 @@ std::vector<double> on_analysis_rate(const std::vector<double>& time,
 /// Tremor of unfiltered positions, as recorded or (uneven steps) on the analysis rate.
 void add_tremor(Values& out, const SignalFile& file, size_t axes) {
     const bool even = has_even_steps(file);
-    const double rate_hz = even ? rate_of(file, false) : assessment::kAnalysisRateHz;
+    const double rate_hz = even ? rate_of(file, false) : kAnalysisRateHz;
     double power = 0, acceleration = 0;
     for (size_t axis = 1; axis <= axes; ++axis) {
         const std::vector<double> x =
@@ -119,8 +118,8 @@ void add_tremor(Values& out, const SignalFile& file, size_t axes) {
         for (size_t i = 1; i + 1 < x.size(); ++i) {
             second.push_back((x[i + 1] - 2 * x[i] + x[i - 1]) * rate_hz * rate_hz);
         }
-        const auto p = assessment::band_power(x, rate_hz);
-        const auto a = assessment::band_power(second, rate_hz);
+        const auto p = band_power(x, rate_hz);
+        const auto a = band_power(second, rate_hz);
         if (!p || !a) return;
         power += *p;
         acceleration += *a;
@@ -135,7 +134,7 @@ std::vector<double> filtered_speed(const SignalFile& file, size_t column) {
     std::vector<Vec3> line;
     for (const double speed : file.values[column]) line.emplace_back(speed, 0, 0);
     std::vector<double> filtered;
-    for (const Vec3& point : assessment::make_track(file.values[0], line, {}).position_m)
+    for (const Vec3& point : make_track(file.values[0], line, {}).position_m)
         filtered.push_back(point.x());
     return filtered;
 }
@@ -144,7 +143,7 @@ std::vector<double> filtered_speed(const SignalFile& file, size_t column) {
 
 Values speed_metrics(const SignalFile& file, const SignalOptions& options) {
     const double recorded = rate_of(file, options.raw);
-    const double rate = options.raw ? recorded : assessment::kAnalysisRateHz;
+    const double rate = options.raw ? recorded : kAnalysisRateHz;
     const std::vector<double> speed = options.raw ? file.values[1] : filtered_speed(file, 1);
     Values out;
     add(out, "time_s", file.values[0].back() - file.values[0].front());
@@ -165,61 +164,60 @@ Values pose_metrics(const SignalFile& file, const SignalOptions& options) {
     for (size_t i = 0; v.size() == 8 && i < count; ++i) {
         const Quat q(v[4][i], v[5][i], v[6][i], v[7][i]);
         if (!(q.norm() > 0.5))
-            throw InputError(file.path + ":" + std::to_string(file.line(i)) +
-                             ": qw..qz: not a rotation; expected a quaternion of length 1");
+            throw SignalError(file.path + ":" + std::to_string(file.line(i)) +
+                              ": qw..qz: not a rotation; expected a quaternion of length 1");
         orientation.push_back(q.normalized());
     }
     std::vector<double> speed;
-    const double recorded_path = assessment::path_length(position);
+    const double recorded_path = path_length(position);
     if (options.raw) {
         for (size_t i = 0; i + 1 < count; ++i)
             velocity.emplace_back((position[i + 1] - position[i]) * rate);
         for (const Vec3& one : velocity) speed.push_back(one.norm());
     } else {
-        const assessment::Track track = assessment::make_track(v[0], position, orientation);
-        rate = assessment::kAnalysisRateHz;
+        const Track track = make_track(v[0], position, orientation);
+        rate = kAnalysisRateHz;
         position = track.position_m;  // Millimetres here: the track keeps the unit it is given.
         orientation = track.orientation;
         velocity = track.velocity_m_s;
         speed = track.speed_m_s;
     }
     if (speed.size() < 3)
-        throw InputError(file.path + ": too short; expected at least 0.03 s of movement");
+        throw SignalError(file.path + ": too short; expected at least 0.03 s of movement");
     Values out;
     const double time = v[0].back() - v[0].front();
     add(out, "time_s", time);
-    add(out, "path_length_mm", assessment::path_length(position));
+    add(out, "path_length_mm", path_length(position));
     // Tremor and noise lengthen it: what the filter took away is worth knowing.
     if (!options.raw) add(out, "path_length_recorded_mm", recorded_path);
-    add(out, "mean_speed_mm_s", assessment::path_length(position) / time);
+    add(out, "mean_speed_mm_s", path_length(position) / time);
     add_speed(out, speed, rate, options);
-    add(out, "ldlj_vector", assessment::ldlj_vector(velocity, rate));
-    add(out, "jerk_normalised", assessment::normalised_jerk(velocity, rate));
-    add(out, "translational_actions",
-        assessment::action_count(speed, 1 / rate, kActionMmS, kActionRestS));
+    add(out, "ldlj_vector", ldlj_vector(velocity, rate));
+    add(out, "jerk_normalised", normalised_jerk(velocity, rate));
+    add(out, "translational_actions", action_count(speed, 1 / rate, kActionMmS, kActionRestS));
     if (axes == 3) add_extent(out, position);
     add_tremor(out, file, axes);
     if (!orientation.empty()) {
-        add(out, "depth_path_mm", assessment::depth_path(position, orientation));
-        add(out, "angular_path_deg", assessment::angular_path(orientation) * kDegrees);
-        add(out, "roll_path_deg", assessment::roll_path(orientation) * kDegrees);
-        const auto pivot = assessment::pivot_paths(orientation);
+        add(out, "depth_path_mm", depth_path(position, orientation));
+        add(out, "angular_path_deg", angular_path(orientation) * kDegrees);
+        add(out, "roll_path_deg", roll_path(orientation) * kDegrees);
+        const auto pivot = pivot_paths(orientation);
         add(out, "pitch_path_deg", pivot.pitch_rad * kDegrees);
         add(out, "yaw_path_deg", pivot.yaw_rad * kDegrees);
         add(out, "rotational_actions",
-            assessment::action_count(assessment::angular_speed(orientation, 1 / rate), 1 / rate,
-                                     kActionDegS / kDegrees, kActionRestS));
+            action_count(angular_speed(orientation, 1 / rate), 1 / rate, kActionDegS / kDegrees,
+                         kActionRestS));
     }
     return out;
 }
 
 Values bimanual_metrics(const SignalFile& file, const SignalOptions& options) {
     const double recorded = rate_of(file, options.raw);
-    const double rate = options.raw ? recorded : assessment::kAnalysisRateHz;
+    const double rate = options.raw ? recorded : kAnalysisRateHz;
     std::array<std::vector<double>, 2> speed{file.values[1], file.values[2]};
     if (!options.raw) speed = {filtered_speed(file, 1), filtered_speed(file, 2)};
-    const auto b = assessment::bimanual_dexterity(speed[0], speed[1], 1 / rate,
-                                                  options.bimanual_threshold_mm_s);
+    const auto b =
+        bimanual_dexterity(speed[0], speed[1], 1 / rate, options.bimanual_threshold_mm_s);
     Values out;
     add(out, "time_s", file.values[0].back() - file.values[0].front());
     add(out, "pearson_r", b.pearson_r);
@@ -243,4 +241,4 @@ Values unitless_speed_metrics(const SignalFile& file, const SignalOptions& optio
     return values;
 }
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

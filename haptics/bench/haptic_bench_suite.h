@@ -4,14 +4,13 @@
 // What `bench haptics` measures: the law held by a simulated operator against walls, air and the
 // tissue solver, and the real servo thread of this computer beside a real physics thread.
 
+#include <functional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "haptics/bench/haptic_bench.h"
-#include "ui/cli/cli.h"
 
-namespace placode::cli {
+namespace placode::haptics {
 
 /// Three times the default stiffness must be stable with every grip.
 inline constexpr double kStableTimes = 3;
@@ -42,22 +41,21 @@ struct PortRow {
 struct PortRun {
     std::string name, grip;
     double physics_hz = 0;
-    haptics::PortResult result;
+    PortResult result;
 };
 
-struct HapticsBench {
+struct HapticBenchSuite {
     bool quick = false;
+    std::function<void(const PortCheck&)> checked;  ///< Told every check as it is made.
     std::vector<PortCheck> checks;
     std::vector<PortRow> rows;
     std::vector<PortRun> runs;
     /// Time lines for the figures: a light grip.
-    haptics::PortResult wall, tissue, control;
-    haptics::HapticCertificate thread;
+    PortResult wall, tissue, control;
+    HapticCertificate thread;
 
     void run();
     [[nodiscard]] bool passed() const;
-    [[nodiscard]] Json json() const;
-    [[nodiscard]] std::string text() const;
 
  private:
     void check(const std::string& name, double value, double limit, bool at_most = true);
@@ -69,7 +67,4 @@ struct HapticsBench {
     void run_air();
 };
 
-/// bench_haptics.csv, .json, time lines and figures. Throws InputError.
-void write_haptics_bench(const HapticsBench& bench, const Json& json, const std::string& folder);
-
-}  // namespace placode::cli
+}  // namespace placode::haptics

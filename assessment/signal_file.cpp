@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cli/signal_file.h"
+#include "assessment/signal_file.h"
 
 #include <algorithm>
 #include <charconv>
@@ -9,21 +9,20 @@
 #include <iterator>
 
 #include "assessment/csv_reader.h"
-#include "ui/cli/cli.h"
 
-namespace placode::cli {
+namespace placode::assessment {
 namespace {
 
-std::vector<assessment::CsvRow> rows_of(const std::string& path) {
+std::vector<CsvRow> rows_of(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
-    if (!in) throw InputError(path + ": cannot be read; expected a CSV file");
+    if (!in) throw SignalError(path + ": cannot be read; expected a CSV file");
     const std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
     try {
-        auto rows = assessment::read_csv(text);
+        auto rows = read_csv(text);
         if (rows.empty()) rows.push_back({{""}, 1});  // no column at all is said by the caller
         return rows;
-    } catch (const assessment::CsvError& error) {
-        throw InputError(path + ": " + error.what());
+    } catch (const CsvError& error) {
+        throw SignalError(path + ": " + error.what());
     }
 }
 
@@ -39,8 +38,8 @@ double parse(const std::string& cell, const std::string& place) {
     const char* end = cell.data() + cell.size();
     const auto [rest, error] = std::from_chars(cell.data(), end, value);
     if (error != std::errc{} || rest != end || !std::isfinite(value))
-        throw InputError(place + ": found \"" + cell +
-                         "\"; expected a number with '.' as decimal sign");
+        throw SignalError(place + ": found \"" + cell +
+                          "\"; expected a number with '.' as decimal sign");
     return value;
 }
 
@@ -63,9 +62,9 @@ SignalFile read_signal_file(const std::string& path) {
         if (cells.size() == 1 && cells[0].empty()) continue;
         const std::string place = path + ":" + std::to_string(rows[r].line);
         if (cells.size() != file.columns.size())
-            throw InputError(place + ": found " + std::to_string(cells.size()) +
-                             " columns; expected " + std::to_string(file.columns.size()) + " (" +
-                             joined(file.columns) + ")");
+            throw SignalError(place + ": found " + std::to_string(cells.size()) +
+                              " columns; expected " + std::to_string(file.columns.size()) + " (" +
+                              joined(file.columns) + ")");
         for (size_t i = 0; i < cells.size(); ++i)
             file.values[i].push_back(parse(trimmed(cells[i]), place + ": " + file.columns[i]));
         file.lines.push_back(rows[r].line);
@@ -86,4 +85,4 @@ int drop_repeated_times(SignalFile& file) {
     return dropped;
 }
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

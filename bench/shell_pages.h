@@ -9,7 +9,7 @@
 
 #include "db/store.h"
 
-namespace placode::cli {
+namespace placode::bench {
 
 struct ShellPage {
     std::string who, page;
@@ -28,4 +28,4 @@ struct ShellPages {
 [[nodiscard]] ShellPages time_shell_pages(const std::string& store_url, db::Store& store,
                                           int64_t trainee);
 
-}  // namespace placode::cli
+}  // namespace placode::bench

@@ -5,16 +5,16 @@
 
 #include <optional>
 
-#include "ui/cli/signal_metrics.h"
+#include "assessment/signal_metrics.h"
 
-namespace placode::cli {
+namespace placode::assessment {
 
 using SignalValues = std::vector<std::pair<std::string, double>>;
 
 /// Appends what is known.
 void add(SignalValues& out, const char* key, std::optional<double> value);
 
-/// Sampling rate [Hz]; throws InputError when times do not grow or, with `must_be_even`, are not
+/// Sampling rate [Hz]; throws SignalError when times do not grow or, with `must_be_even`, are not
 /// evenly spaced.
 [[nodiscard]] double rate_of(const SignalFile& file, bool must_be_even);
 
@@ -28,4 +28,4 @@ void add(SignalValues& out, const char* key, std::optional<double> value);
 /// Columns: t_s, speed of the left and of the right hand in mm/s.
 [[nodiscard]] SignalValues bimanual_metrics(const SignalFile& file, const SignalOptions& options);
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

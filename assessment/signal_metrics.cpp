@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cli/signal_metrics.h"
+#include "assessment/signal_metrics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "assessment/signal_motion.h"
 #include "assessment/tissue_metrics.h"
-#include "ui/cli/cli.h"
-#include "ui/cli/signal_motion.h"
+#include "sim/core/number_text.h"
 
-namespace placode::cli {
+namespace placode::assessment {
 namespace {
 
 using Values = SignalValues;
@@ -57,23 +57,25 @@ void check_ranges(const SignalFile& file, bool raw) {
         for (size_t i = 0; range != nullptr && i < file.values[c].size(); ++i) {
             const double value = file.values[c][i];
             if (value > range->low && value < range->high) continue;
-            throw InputError(file.path + ":" + std::to_string(file.line(i)) + ": " +
-                             file.columns[c] + ": found " + shortest(value) +
-                             "; expected more than " + shortest(range->low) + " and less than " +
-                             shortest(range->high) + " " + range->unit);
+            throw SignalError(file.path + ":" + std::to_string(file.line(i)) + ": " +
+                              file.columns[c] + ": found " + sim::shortest_text(value) +
+                              "; expected more than " + sim::shortest_text(range->low) +
+                              " and less than " + sim::shortest_text(range->high) + " " +
+                              range->unit);
         }
     }
     const double span = file.values[0].back() - file.values[0].front();
     if (!raw && span > kLongestS)
-        throw InputError(file.path + ":" + std::to_string(file.line(file.lines.size() - 1)) +
-                         ": t_s: the signal spans " + shortest(span) + " s; expected at most " +
-                         shortest(kLongestS) + " s: cut it into parts, and give times in seconds");
+        throw SignalError(file.path + ":" + std::to_string(file.line(file.lines.size() - 1)) +
+                          ": t_s: the signal spans " + sim::shortest_text(span) +
+                          " s; expected at most " + sim::shortest_text(kLongestS) +
+                          " s: cut it into parts, and give times in seconds");
 }
 
 Values force_metrics(const SignalFile& file, const SignalOptions& options) {
     (void)rate_of(file, false);
-    const auto force = assessment::summarise_force(file.values[0], file.values[1],
-                                                   options.threshold_n.value_or(0));
+    const auto force =
+        summarise_force(file.values[0], file.values[1], options.threshold_n.value_or(0));
     Values out;
     add(out, "time_s", file.values[0].back() - file.values[0].front());
     add(out, "peak_force_n", force.peak_n);
@@ -94,14 +96,12 @@ Values temperature_metrics(const SignalFile& file, const SignalOptions& /*option
     Values out;
     add(out, "time_s", time.back() - time.front());
     add(out, "peak_temperature_c", *std::max_element(celsius.begin(), celsius.end()));
-    add(out, "cem43_min", assessment::cem43_min(time, celsius));
-    const double skin = assessment::arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol);
+    add(out, "cem43_min", cem43_min(time, celsius));
+    const double skin = arrhenius_damage(time, celsius, kSkinAPerS, kSkinEaJMol);
     add(out, "arrhenius_skin", skin);
     add(out, "dead_fraction_skin", -std::expm1(-skin));
-    add(out, "arrhenius_liver",
-        assessment::arrhenius_damage(time, celsius, kLiverAPerS, kLiverEaJMol));
-    add(out, "arrhenius_artery",
-        assessment::arrhenius_damage(time, celsius, kArteryAPerS, kArteryEaJMol));
+    add(out, "arrhenius_liver", arrhenius_damage(time, celsius, kLiverAPerS, kLiverEaJMol));
+    add(out, "arrhenius_artery", arrhenius_damage(time, celsius, kArteryAPerS, kArteryEaJMol));
     return out;
 }
 
@@ -169,8 +169,8 @@ SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& option
         parts.emplace_back(&kind, std::move(*part));
     }
     if (parts.empty())
-        throw InputError(file.path + ":1: found the columns \"" + joined(file.columns) +
-                         "\"; expected one of " + kKnownColumns);
+        throw SignalError(file.path + ":1: found the columns \"" + joined(file.columns) +
+                          "\"; expected one of " + kKnownColumns);
     SignalMetrics all;
     for (size_t c = 0; c < file.columns.size(); ++c)
         if (!used.contains(c)) all.columns_not_used.push_back(file.columns[c]);
@@ -179,8 +179,8 @@ SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& option
         // Devices stamp two samples with one time now and then; what is raw is clean already.
         dropped = options.raw ? 0 : drop_repeated_times(part);
         if (part.values[0].size() < 4)
-            throw InputError(file.path + ": found " + std::to_string(part.values[0].size()) +
-                             " rows; expected at least 4");
+            throw SignalError(file.path + ": found " + std::to_string(part.values[0].size()) +
+                              " rows; expected at least 4");
         check_ranges(part, options.raw);
         for (auto& [key, value] : kind->metrics(part, options)) {
             // What is no number is not known: no metric, rather than null.
@@ -192,4 +192,4 @@ SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& option
     return all;
 }
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/cli/page_bench.h"
+#include "bench/shell_pages.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QProcess>
 #include <algorithm>
 #include <random>
 
-#include "ui/cli/cli.h"
-
-namespace placode::cli {
+namespace placode::bench {
 namespace {
 
 constexpr int kPatienceMs = 600000;
@@ -37,15 +38,17 @@ void measure_as(const std::string& login, const std::string& password, const QSt
         shell.kill();
         return;
     }
-    const Json said = Json::parse(shell.readAllStandardOutput().toStdString(), nullptr, false);
-    if (!said.is_object() || !said.contains("pages")) {
+    const QJsonObject said = QJsonDocument::fromJson(shell.readAllStandardOutput()).object();
+    if (!said.contains("pages")) {
         out.problem = "`placode --time-pages` said nothing that can be read";
         return;
     }
-    for (const Json& each : said["pages"])
-        out.pages.push_back({login, each["page"], each["first_ms"], each["median_ms"],
-                             each["worst_ms"], each["processor_ms"], each["complete_ms"]});
-    out.peak_memory_mb = std::max(out.peak_memory_mb, said["peak_memory_mb"].get<double>());
+    for (const QJsonValue& each : said["pages"].toArray())
+        out.pages.push_back({login, each["page"].toString().toStdString(),
+                             each["first_ms"].toDouble(), each["median_ms"].toDouble(),
+                             each["worst_ms"].toDouble(), each["processor_ms"].toDouble(),
+                             each["complete_ms"].toDouble()});
+    out.peak_memory_mb = std::max(out.peak_memory_mb, said["peak_memory_mb"].toDouble());
 }
 
 }  // namespace
@@ -66,4 +69,4 @@ ShellPages time_shell_pages(const std::string& store_url, db::Store& store, int6
     return out;
 }
 
-}  // namespace placode::cli
+}  // namespace placode::bench

@@ -3,10 +3,17 @@
 #pragma once
 // A table of numbers in a CSV file whose header carries the units.
 
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-namespace placode::cli {
+namespace placode::assessment {
+
+/// A signal that cannot be used: file, line, column, what was found and what is expected.
+class SignalError : public std::runtime_error {
+ public:
+    using std::runtime_error::runtime_error;
+};
 
 struct SignalFile {
     std::string path;
@@ -16,7 +23,7 @@ struct SignalFile {
     [[nodiscard]] int line(size_t row) const { return lines.at(row); }
 };
 
-/// Throws InputError naming file, line, column, what was found and what is expected.
+/// Throws SignalError.
 [[nodiscard]] SignalFile read_signal_file(const std::string& path);
 
 /// Removes rows whose first column repeats that of the row before; returns how many.
@@ -25,4 +32,4 @@ int drop_repeated_times(SignalFile& file);
 /// Column names with commas between them.
 [[nodiscard]] std::string joined(const std::vector<std::string>& words);
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

@@ -3,12 +3,13 @@
 #pragma once
 // What the benchmarks of the solver share: repeated runs on the wall clock, and the plain slab.
 
+#include <array>
+#include <functional>
 #include <vector>
 
 #include "sim/solver/soft_body.h"
-#include "ui/cli/cli.h"
 
-namespace placode::cli {
+namespace placode::bench {
 
 /// Of the middle value, or of the two in the middle. @pre not empty.
 [[nodiscard]] double median(std::vector<double> values);
@@ -35,7 +36,4 @@ struct Rates {
 /// Slope of log(y) over log(x), least squares.
 [[nodiscard]] double log_slope(const std::vector<double>& x, const std::vector<double>& y);
 
-/// A warning when other programs were running at the start, and so the figures are too low.
-void warn_if_busy(const Json& machine);
-
-}  // namespace placode::cli
+}  // namespace placode::bench

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "ui/cli/signal_file.h"
+#include "assessment/signal_file.h"
 
-namespace placode::cli {
+namespace placode::assessment {
 
 struct SignalOptions {
     bool raw = false;                   ///< No filter, no resampling: the signal is clean already.
@@ -25,8 +25,8 @@ struct SignalMetrics {
     std::vector<std::string> columns_not_used;           ///< Nothing is computed from them.
 };
 
-/// Every metric that the columns allow, in whatever order they stand. Throws InputError where there
-/// is nothing that it knows, and for values that cannot be.
+/// Every metric that the columns allow, in whatever order they stand. Throws SignalError where
+/// there is nothing that it knows, and for values that cannot be.
 [[nodiscard]] SignalMetrics signal_metrics(const SignalFile& file, const SignalOptions& options);
 
-}  // namespace placode::cli
+}  // namespace placode::assessment

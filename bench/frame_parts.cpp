@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench/frame_parts.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "curriculum/attempt_recorder.h"
+#include "db/recording_file.h"
+#include "haptics/trocar.h"
+#include "sim/step/step.h"
+
+namespace placode::bench {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr WorkCase kCases[] = {{"hands off", Work::kAway},
+                               {"needle presses", Work::kPress},
+                               {"needle drags", Work::kDrag},
+                               {"needle cuts", Work::kCut}};
+
+/// The first instrument of every port but the scope's works at the planned contour, its shaft
+/// through its trocar.
+void move_hands(const sim::Scene& scene, const std::vector<sim::Vec3>& contour, Work work,
+                int frame, std::vector<sim::ToolInput>& inputs) {
+    for (size_t i = 0; i < inputs.size(); ++i) {
+        const sim::ToolSpec& tool = scene.tools[i];
+        const bool scope = tool.kind == sim::ToolKind::kScope;
+        // 3 mm/s along the contour where the hand moves.
+        const bool moves = work == Work::kDrag || work == Work::kCut;
+        double way = moves ? 3e-6 * frame : 0;
+        size_t n = 0;
+        sim::Vec3 target = contour.front();
+        for (; n + 1 < contour.size(); ++n) {
+            const double length = (contour[n + 1] - contour[n]).norm();
+            if (way < length) {
+                target = contour[n] + way / length * (contour[n + 1] - contour[n]);
+                break;
+            }
+            way -= length;
+        }
+        const double down = std::min(0.0003, 2e-5 * frame - 0.0005);
+        target.z() -= work == Work::kAway ? -0.010 : down;
+        if (scope) target = sim::Vec3(0, 0, 0.030);
+        const sim::Vec3 along = (target - tool.pivot_m).normalized();
+        inputs[i].set_pose({target, sim::Quat::FromTwoVectors(sim::Vec3::UnitZ(), along)});
+        const uint32_t before = (1U << i) - 1;
+        inputs[i].engaged = (haptics::others_in_port(scene.tools, i) & before) != 0 ? 0 : 1;
+        inputs[i].pedals = work == Work::kCut && !scope ? sim::kPedalCut : 0;
+    }
+}
+
+}  // namespace
+
+std::span<const WorkCase> work_cases() noexcept { return kCases; }
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const auto last = static_cast<double>(values.size() - 1);
+    return values[static_cast<size_t>(std::ceil(share * last))];
+}
+
+double sum(const std::vector<double>& values) {
+    double total = 0;
+    for (const double v : values) total += v;
+    return total;
+}
+
+double other_share(const FrameParts& costs) {
+    const double all = sum(costs.us[kParts]);
+    return all > 0 ? 1 - sum(costs.us[0]) / all : 0;
+}
+
+double other_of_frame(const FrameParts& costs, double frame_s) {
+    return 1e-6 * (sum(costs.us[kParts]) - sum(costs.us[0])) / (costs.frames * frame_s);
+}
+
+FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads, int frames) {
+    FrameParts costs;
+    costs.case_name = what.name;
+    costs.threads = threads;
+    sim::State state(scene, threads);
+    sim::settle(scene, state, 0.3);
+    costs.substeps = state.substeps;
+    std::vector<sim::Vec3> contour(scene.contour_anchors.size());
+    sim::deformed_contour(scene, state, contour);
+    std::vector<sim::ToolInput> inputs(scene.tools.size());
+    std::vector<sim::ToolFeedback> feedback(inputs.size());
+
+    // Recorded as in an attempt, into a file that is thrown away.
+    const auto path =
+        std::filesystem::temp_directory_path() /
+        ("placode-bench-" + std::to_string(Clock::now().time_since_epoch().count()) + ".placode");
+    sim::RecordingHeader header;
+    header.task_id = "bench";
+    header.tools = scene.tools;
+    header.geometry = scene.geometry;
+    curriculum::AttemptRecorder recorder(db::create_recording_file(path.string()), header);
+    recorder.start();
+    constexpr int kWarmUp = 100;
+    int64_t dropped = 0;
+    for (int frame = 0; frame < frames + kWarmUp; ++frame) {
+        move_hands(scene, contour, what.work, frame, inputs);
+        const auto start = Clock::now();
+        const sim::StepReport report = sim::step(scene, state, inputs, feedback);
+        const auto stepped = Clock::now();
+        sim::Input input;
+        input.frame = state.frame;
+        input.substeps = state.substeps;
+        input.tool_count = static_cast<int32_t>(inputs.size());
+        std::copy(inputs.begin(), inputs.end(), input.tools);
+        dropped += !recorder.put(input);
+        for (int e = 0; e < state.event_count; ++e) {
+            dropped += !recorder.put(state.events[static_cast<size_t>(e)]);
+        }
+        const auto end = Clock::now();
+        if (frame < kWarmUp) continue;
+        ++costs.frames;
+        costs.contacts += report.contacts;
+        costs.awake += state.sleep.enabled() ? 1 - static_cast<double>(state.sleep.asleep_count) /
+                                                       state.sleep.blocks()
+                                             : 1;
+        for (int p = 0; p < kParts - 1; ++p) {
+            costs.us[p].push_back(1e-3 *
+                                  static_cast<double>(report.cost_ns[static_cast<size_t>(p)]));
+        }
+        const auto us = [](auto d) { return std::chrono::duration<double, std::micro>(d).count(); };
+        costs.us[kParts - 1].push_back(us(end - stepped));
+        costs.us[kParts].push_back(us(end - start));
+    }
+    recorder.finish({sim::EndReason::kFinished, state.time_s, 0, dropped});
+    std::error_code ignored;
+    for (const char* tail : {"", "-wal", "-shm"}) {
+        std::filesystem::remove(path.string() + tail, ignored);
+    }
+    costs.contacts /= costs.frames;
+    costs.awake /= costs.frames;
+    return costs;
+}
+
+}  // namespace placode::bench
