@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every metric measures, in the words of assessment/metrics.cpp: listed here so that the
-// translation tool finds them; a test compares the list with what is said there.
+// What every metric measures, in the words of assessment/metric_definitions.cpp: listed here so
+// that the translation tool finds them; a test compares the list with what is said there.
 
 #include <QtGlobal>
 
