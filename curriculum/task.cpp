@@ -8,6 +8,7 @@
 
 #include "curriculum/json_reader.h"
 #include "sim/core/near_word.h"
+#include "sim/core/number_text.h"
 
 namespace placode::curriculum {
 
@@ -66,9 +67,20 @@ assessment::Rubric read_rubric(const Json& json, const std::string& origin) {
     return rubric;
 }
 
+constexpr std::string_view kHoldMark = "{hold_s}";
+
 constexpr std::array<const char*, sim::kPracticeKinds> kStepKinds{
     "move",  "depth",   "turn",  "touch",    "cut",     "coag",
     "grasp", "release", "trace", "traction", "withdraw"};
+
+/// "{hold_s}" in a step's text is the number that the step asks for: no text can promise another.
+void fill_hold(std::string& text, double hold_s, char decimal_sign) {
+    const size_t mark = text.find(kHoldMark);
+    if (mark == std::string::npos) return;
+    std::string number = sim::rounded_text(hold_s, 3);
+    std::replace(number.begin(), number.end(), '.', decimal_sign);
+    text.replace(mark, kHoldMark.size(), number);
+}
 
 TaskStep read_step(const Json& json, const std::string& origin, const std::string& pointer) {
     TaskStep step;
@@ -91,6 +103,8 @@ TaskStep read_step(const Json& json, const std::string& origin, const std::strin
     if (goal.low_n >= goal.high_n)
         throw DefinitionError(origin, pointer + "/low_n", "must be below high_n");
     step.text = local_text(json["text"]);
+    fill_hold(step.text.en, goal.hold_s, '.');
+    fill_hold(step.text.pl, goal.hold_s, ',');
     if (json.contains("hints"))
         for (const auto& [device, text] : json["hints"].items())
             step.hints[device] = local_text(text);

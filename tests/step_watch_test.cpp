@@ -27,6 +27,20 @@ void look(StepWatch& watch, const PracticeGoal& g, double& clock_s, double secon
         watch.look(g, clock_s += 1.0 / 30, waits);
 }
 
+TEST(ContactLost, IsSaidWhileEnergyFlowsBesideTheTissueAndOnlyThen) {
+    PracticeStep step;
+    step.kind = PracticeKind::kCut;
+    EXPECT_TRUE(contact_lost(step, kPedalCut, false, 0.3));
+    EXPECT_FALSE(contact_lost(step, kPedalCut, true, 0)) << "it touches";
+    EXPECT_FALSE(contact_lost(step, 0, false, 0.3)) << "no pedal: the step's own words help";
+    EXPECT_FALSE(contact_lost(step, kPedalCoag, false, 0.3)) << "the wrong pedal comes first";
+    EXPECT_FALSE(contact_lost(step, kPedalCut, false, 9)) << "far away";
+    step.kind = PracticeKind::kCoag;
+    EXPECT_TRUE(contact_lost(step, kPedalCoag, false, 0.3));
+    step.kind = PracticeKind::kTouch;
+    EXPECT_FALSE(contact_lost(step, kPedalCut, false, 0.3));
+}
+
 }  // namespace
 
 TEST(StepWatch, SomebodyIsStuckAfterEightSecondsWithoutProgress) {

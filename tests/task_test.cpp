@@ -111,6 +111,20 @@ TEST(Task, AnImpossibleValueNamesFieldValueAndRange) {
                    {"found \"explicit\"", "\"vbd\"", "\"xpbd_pair\""});
 }
 
+TEST(Task, AStepSaysTheVeryTimeThatItAsksFor) {
+    int said = 0;
+    for (const std::string& id : list_definitions("tasks"))
+        for (const TaskStep& step : load_task(id).steps) {
+            EXPECT_EQ(step.text.en.find('{'), std::string::npos) << step.text.en;
+            EXPECT_EQ(step.text.pl.find('{'), std::string::npos) << step.text.pl;
+            if (step.text.en.find("0.4 s") == std::string::npos) continue;
+            EXPECT_DOUBLE_EQ(step.goal.hold_s, 0.4);
+            EXPECT_NE(step.text.pl.find("0,4 s"), std::string::npos) << step.text.pl;
+            ++said;
+        }
+    EXPECT_EQ(said, 2) << "cutting and coagulating in the familiarisation";
+}
+
 TEST(Task, WhatIsMissingOrUnknownIsNamed) {
     expect_refused("task_without_rubric", "/", {"key \"rubric\" is missing"});
     expect_refused("task_title_is_text", "/title", {"found \"Ring\"", "an object"});

@@ -52,6 +52,9 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
         // The spot right below the tip: it has to come into the ring.
         paint_->ring(below.x(), below.y(), 0.42 * unit_, 0.55, above ? kGood : kAccent);
         const Vec2 way = px - below;
+        // Seen aslant it lies far from the tip: nobody knows what it is without a word.
+        if (!above && way.norm() > radius + 3.5 * unit_)
+            label(below - Vec2(0, 1.3 * unit_), say("below the tip"), kAccent);
         if (!above && way.norm() > radius + 1.2 * unit_) {
             const Vec2 unit = way.normalized();
             shapes::arrow(*paint_, below + 0.6 * unit_ * unit, px - (radius + 4) * unit,
@@ -64,6 +67,10 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
     }
     const bool touches = seen.in_contact != 0;
     const double gap = gap_mm(tool);
+    if (contact_lost(step, seen.pedals, touches, gap)) {
+        label(place, say("no contact: a little deeper"), kWarn);
+        return;
+    }
     if (!touches && gap > 0.15) {
         // The gauge beside the tip says how far.
         const bool gauge = state_->depth_aid && gap < kGaugeMm;

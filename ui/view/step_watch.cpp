@@ -9,6 +9,7 @@ namespace placode::sim {
 namespace {
 
 constexpr double kSomeProgress = 0.02;  // of a step; less is a hand that trembles
+constexpr double kLostMm = 1.5;         // farther away it was never meant to touch
 constexpr double kLongestPictureS = 5;  // between two of them; more is a jump in time
 
 }  // namespace
@@ -57,6 +58,13 @@ StepAmount step_amount(const PracticeGoal& goal) {
         default:
             return {};
     }
+}
+
+bool contact_lost(const PracticeStep& step, uint8_t pedals, bool touches, double gap_mm) noexcept {
+    const uint8_t wanted = step.kind == PracticeKind::kCut    ? kPedalCut
+                           : step.kind == PracticeKind::kCoag ? kPedalCoag
+                                                              : uint8_t{0};
+    return wanted != 0 && pedals == wanted && !touches && gap_mm < kLostMm;
 }
 
 }  // namespace placode::sim

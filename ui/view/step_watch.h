@@ -40,4 +40,9 @@ struct StepAmount {
 };
 [[nodiscard]] StepAmount step_amount(const PracticeGoal& goal);
 
+/// Energy of a step flows beside the tissue: cutting takes away what the tip stood on.
+/// @param gap_mm between tip and tissue.
+[[nodiscard]] bool contact_lost(const PracticeStep& step, uint8_t pedals, bool touches,
+                                double gap_mm) noexcept;
+
 }  // namespace placode::sim

@@ -33,6 +33,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"%1 mm above", "%1 mm nad tkanką"},
     {"%1 mm away", "do celu %1 mm"},
     {"straight down", "prosto w dół"},
+    {"below the tip", "pod końcówką"},
+    {"no contact: a little deeper", "brak kontaktu: trochę głębiej"},
     {"touches", "dotyka"},
     {"now the yellow pedal", "teraz żółty pedał"},
     {"now the blue pedal", "teraz niebieski pedał"},
