@@ -28,6 +28,7 @@ enum class PracticeKind : uint8_t {
     kWithdraw   ///< Take the instrument `distance_m` away from the tissue.
 };
 inline constexpr int kPracticeKinds = 11;
+inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
 struct PracticeStep {
