@@ -8,7 +8,12 @@
 #include <QClipboard>
 #include <QFile>
 #include <QPlainTextEdit>
+#include <QProgressBar>
 #include <QRegularExpression>
+#include <QScreen>
+#include <QSettings>
+#include <QThread>
+#include <atomic>
 #include <filesystem>
 #include <new>
 
@@ -18,6 +23,7 @@
 #include "reports/report.h"
 #include "shell_harness.h"
 #include "ui/shell/messages.h"
+#include "ui/shell/parts.h"
 #include "ui/shell/replay_place.h"
 
 namespace placode::ui {
@@ -74,6 +80,8 @@ class ShellMessagesTest : public QObject {
     }
 
     void messagesMoveNothing();
+    void workInProgressHidesNothingAndSaysHowLong();
+    void aQuestionHasAFrameAndDimsThePage();
     void escapeAndTheCrossCloseTheNewest();
     void manyAreStackedAndTheSameIsShownOnce();
     void goodNewsGoesByItselfAndTroubleStays();
@@ -128,6 +136,57 @@ void ShellMessagesTest::messagesMoveNothing() {
     window.grab().save(shell_->shotFile("63_messages_float"));
     Q_EMIT shell_->context().busyChanged({});
     QVERIFY(!notices()->findChild<QWidget*>("busy")->isVisible());
+}
+
+void ShellMessagesTest::workInProgressHidesNothingAndSaysHowLong() {
+    auto& context = shell_->context();
+    QSettings& settings = context.settings();
+    settings.setValue("pace/reading", 0.05);
+    std::atomic<bool> go = false;
+    bool over = false;
+    context.background(
+        &shell_->window(), "Reading the recording",
+        [&go](db::Store&) {
+            while (!go) QThread::msleep(10);
+        },
+        [&over](bool) { over = true; }, {"reading", 1000});  // some 50 s
+    QVERIFY(QTest::qWaitFor([&] {
+        return notices()->findChild<QWidget*>("busy")->isVisible() &&
+               notices()->findChild<QProgressBar*>()->maximum() == 100;
+    }));
+    QTest::qWait(1300);
+    const auto pace = context.busyPace();
+    QVERIFY(pace && pace->share > 0.005 && pace->share < 0.9);
+    QVERIFY2(pace->left_s > 40 && pace->left_s < 50, qPrintable(QString::number(pace->left_s)));
+    // In the bar above: over no page and no button.
+    const QRect there = place(notices());
+    QVERIFY(!there.intersects(place(shell_->window().page())));
+    for (const auto* button : shell_->window().findChildren<QAbstractButton*>())
+        if (button->isVisible() && !notices()->isAncestorOf(button))
+            QVERIFY2(!there.intersects(place(button)), qPrintable(button->objectName()));
+    shell_->window().grab().save(shell_->shotFile("64_busy_in_the_bar"));
+    go = true;
+    QVERIFY(QTest::qWaitFor([&] { return over; }));
+    QVERIFY2(settings.value("pace/reading").toDouble() < 0.05, "it was quicker than last time");
+    QVERIFY(!context.busyPace());
+}
+
+void ShellMessagesTest::aQuestionHasAFrameAndDimsThePage() {
+    bool framed = false, dimmed = false;
+    QTimer::singleShot(300, &shell_->window(), [&] {
+        QWidget* dialog = QApplication::activeModalWidget();
+        framed = dialog != nullptr && dialog->findChild<QWidget*>("dialog_frame") != nullptr &&
+                 dialog->findChild<QWidget*>("dialog_frame")->size() == dialog->size();
+        auto* dim = shell_->window().findChild<QWidget*>("dimmed");
+        dimmed = dim != nullptr && dim->isVisible() && dim->size() == shell_->window().size();
+        QScreen* screen = shell_->window().screen();
+        screen->grabWindow(0).save(shell_->shotFile("65_question"));
+        shell_->refuseNext();
+    });
+    QVERIFY(!confirm(&shell_->window(), "Remove it?", "It goes for good.", "Remove"));
+    QVERIFY(framed);
+    QVERIFY(dimmed);
+    QVERIFY2(shell_->window().findChild<QWidget*>("dimmed") == nullptr, "the page is bright again");
 }
 
 void ShellMessagesTest::escapeAndTheCrossCloseTheNewest() {

@@ -21,6 +21,18 @@ namespace {
 
 constexpr const char* kLastFolder = "last_folder";
 
+constexpr double kWorthAnEstimateS = 2;  ///< Shorter work is over before anybody reads it.
+constexpr double kLateShare = 0.9;       ///< From here on the estimate was too short.
+constexpr double kTeachingS = 5;         ///< Of a recording: a shorter one tells of the start-up.
+
+/// Remembers how long a second of a recording takes, half of it from before.
+void learn_pace(QSettings& settings, const WorkSize& size, double took_s) {
+    if (size.kind.isEmpty() || size.recorded_s < kTeachingS || took_s <= 0) return;
+    const QString key = "pace/" + size.kind;
+    const double now = took_s / size.recorded_s, before = settings.value(key).toDouble();
+    settings.setValue(key, before > 0 ? 0.5 * (before + now) : now);
+}
+
 }  // namespace
 
 AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
@@ -208,13 +220,17 @@ bool AppContext::guard(const QString& doing, const std::function<void()>& work) 
 }
 
 void AppContext::background(QObject* receiver, const QString& doing,
-                            std::function<void(db::Store&)> work, std::function<void(bool)> done) {
+                            std::function<void(db::Store&)> work, std::function<void(bool)> done,
+                            const WorkSize& size) {
     ++busy_;
+    work_size_ = size;
+    work_started_.start();
     Q_EMIT busyChanged(doing);
     const QPointer<QObject> alive(receiver);
+    const QElapsedTimer began = work_started_;
     QThreadPool::globalInstance()->start([this, alive, doing, work = std::move(work),
                                           done = std::move(done), url = store_url_,
-                                          actor = user_ ? user_->login : "unknown"] {
+                                          actor = user_ ? user_->login : "unknown", size, began] {
         std::exception_ptr error;
         try {
             const std::unique_ptr<db::Store> own = db::open_store(url);
@@ -223,13 +239,28 @@ void AppContext::background(QObject* receiver, const QString& doing,
         } catch (...) {
             error = std::current_exception();
         }
-        const auto deliver = [this, alive, doing, done, error] {
+        const auto deliver = [this, alive, doing, done, error, size, began] {
+            if (!error) learn_pace(*settings_, size, static_cast<double>(began.elapsed()) / 1000);
             if (--busy_ == 0) Q_EMIT busyChanged({});
             if (error) report(problem_of(error, doing));
             if (alive) done(!error);
         };
         QMetaObject::invokeMethod(this, deliver, Qt::QueuedConnection);
     });
+}
+
+std::optional<WorkPace> AppContext::busyPace() const {
+    if (busy_ != 1 || work_size_.kind.isEmpty() || work_size_.recorded_s <= 0) return std::nullopt;
+    const double per_s = settings_->value("pace/" + work_size_.kind).toDouble();
+    if (per_s <= 0) return std::nullopt;
+    const double whole = per_s * work_size_.recorded_s;
+    if (whole < kWorthAnEstimateS) return std::nullopt;
+    const double passed = static_cast<double>(work_started_.elapsed()) / 1000;
+    // Late work does not stand at its end: what is left shrinks ever more slowly.
+    const double share = passed < kLateShare * whole
+                             ? passed / whole
+                             : 1 - (1 - kLateShare) * kLateShare * whole / passed;
+    return WorkPace{share, passed / share - passed};
 }
 
 }  // namespace placode::ui

@@ -5,6 +5,7 @@
 // runs. The one place of the shell that catches exceptions and turns them into a banner.
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <QObject>
 #include <QSettings>
 #include <QString>
@@ -42,6 +43,16 @@ struct ShellOptions {
 };
 
 /// Main thread. Outlives all pages.
+/// Work whose time grows with the length of a recording.
+struct WorkSize {
+    QString kind;           ///< "scoring", "reading"; empty = nobody knows.
+    double recorded_s = 0;  ///< Length of the recording [s].
+};
+struct WorkPace {
+    double share = 0;   ///< 0..1, and 1 never before the end.
+    double left_s = 0;  ///< An estimate.
+};
+
 class AppContext : public QObject {
     Q_OBJECT
  public:
@@ -102,8 +113,13 @@ class AppContext : public QObject {
     [[nodiscard]] std::optional<Problem> problemOf(const std::function<void()>& work);
     /// Runs `work` on a worker thread with a store of its own, then `done` on this thread if
     /// `receiver` still lives. An exception becomes a banner; `done` then gets false.
+    /// @param size what the work grows with, where earlier work of that kind is to tell how long it
+    /// takes: busyPace().
     void background(QObject* receiver, const QString& doing, std::function<void(db::Store&)> work,
-                    std::function<void(bool)> done);
+                    std::function<void(bool)> done, const WorkSize& size = {});
+    /// How far the work in progress is, by what work of its kind took on this computer before;
+    /// nullopt when there is none, several at once, or nothing known of it.
+    [[nodiscard]] std::optional<WorkPace> busyPace() const;
     void report(const Problem& problem) { Q_EMIT problemReported(problem); }
 
  Q_SIGNALS:
@@ -131,6 +147,8 @@ class AppContext : public QObject {
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;
     std::unique_ptr<AttemptLauncher> launcher_;
     int busy_ = 0;
+    WorkSize work_size_;  ///< Of the last work that began.
+    QElapsedTimer work_started_;
 };
 
 }  // namespace placode::ui

@@ -18,6 +18,7 @@ struct AttemptsTable {
     Q_DECLARE_TR_FUNCTIONS(AttemptsTable)
 };
 
+constexpr int kTaskPx = 240, kRemarkPx = 260;  ///< Widths of "Task" and "Remark" [px].
 constexpr int kAttemptIdRole = Qt::UserRole + 1;
 
 /// Time as shown; sorted by the time itself.
@@ -93,9 +94,11 @@ QTableWidget* make_attempts_table(AppContext& context,
     // Device and time stand on the result page, a click away.
     const int last = table->columnCount() - 1, stretch = everybody ? 2 : last;
     fit_columns(table, stretch);
+    // A long remark gives way to the name of the task, and stands in its tool tip.
+    if (everybody) table->setColumnWidth(last, std::min(table->columnWidth(last), kRemarkPx));
     keep_within(table, {.stretch = stretch,
                         .least_px = everybody ? 320 : 140,
-                        .keep_px = everybody ? 128 : 110,
+                        .keep_px = everybody ? kTaskPx : 110,
                         .drop = {last - 1, last - 2}});
     table->setSortingEnabled(true);
     table->sortByColumn(0, Qt::DescendingOrder);

@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "ui/shell/dialog_frame.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -53,6 +54,7 @@ class TakeBackDialog : public QDialog {
         layout->addLayout(row);
         connect(stay, &QPushButton::clicked, this, &QDialog::reject);
         connect(back, &QPushButton::clicked, this, [this] { check(); });
+        frame_dialog(this);
         password_->setFocus();
     }
 

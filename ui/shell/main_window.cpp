@@ -40,6 +40,7 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     announce_banners_as_alerts();
     notices_ = new Notices(context, this);
     buildFrame();
+    notices_->setStrip([this] { return barStrip(); });
     connect(&context, &AppContext::appearanceChanged, this, &MainWindow::rebuild);
     connect(&context, &AppContext::userChanged, this, &MainWindow::onUserChanged);
     connect(&context, &AppContext::problemReported, this,
@@ -289,6 +290,20 @@ void MainWindow::placeNotices() {
     const int rail = rail_ == nullptr || rail_->isHidden() ? 0 : rail_->maximumWidth();
     const int bar = bar_ == nullptr ? 0 : bar_->maximumHeight();
     notices_->setArea(QRect(rail, bar, width() - rail, height() - bar));
+}
+
+/// Between the title of the page and the first button of the bar, in the window.
+QRect MainWindow::barStrip() const {
+    if (bar_ == nullptr || title_ == nullptr) return {};
+    bar_->layout()->activate();
+    int right = bar_->width();
+    for (const auto* button : bar_->findChildren<QToolButton*>())
+        if (!button->isHidden()) right = std::min(right, button->x());
+    int left = title_->x() + title_->sizeHint().width();
+    if (const auto* badge = bar_->findChild<QLabel*>("bar_demonstration"))
+        left = std::max(left, badge->geometry().right());
+    const QRect free(left + kSpace16, 2, right - left - 2 * kSpace16, bar_->height() - 4);
+    return {bar_->mapTo(this, free.topLeft()), free.size()};
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

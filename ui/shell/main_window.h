@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
     /// Whoever is signed in may be another than the one who made the attempt.
     [[nodiscard]] bool isMine(const AttemptOrder& order) const;
     /// From the page of an attempt that came to nothing.
+    [[nodiscard]] QRect barStrip() const;
     /// The history opens on the task that is before the eyes.
     [[nodiscard]] QVariantMap historyState() const;
     void leaveRunning(const AttemptOrder& order);

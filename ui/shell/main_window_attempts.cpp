@@ -89,7 +89,8 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 tr("Your attempt was saved."),
                 {order.study.isEmpty() ? tr("Open the result") : tr("Go on with the study"),
                  [this, result] { open(result); }});
-        });
+        },
+        {"scoring", context_.launcher().status().time_s});
 }
 
 void MainWindow::offerLeftovers() {

@@ -158,8 +158,11 @@ QWidget* MainWindow::buildTopBar() {
     title_ = make_label({}, "heading");
     title_->setWordWrap(false);
     row->addWidget(title_);
-    if (context_.signedIn() && context_.user().demonstration)
-        row->addWidget(make_demonstration_badge());
+    if (context_.signedIn() && context_.user().demonstration) {
+        QLabel* badge = make_demonstration_badge();
+        badge->setObjectName("bar_demonstration");
+        row->addWidget(badge);
+    }
     row->addStretch();
     running_ = new QToolButton;
     running_->setObjectName("running_chip");

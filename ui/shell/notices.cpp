@@ -15,7 +15,8 @@ namespace placode::ui {
 namespace {
 
 constexpr int kMargin = 16;  ///< From the edges of the page [px].
-constexpr int kBusyAfterMs = 400;
+constexpr int kBusyAfterMs = 400, kPaceMs = 500;
+constexpr int kLeastStrip = 220;  ///< Width for a few words [px].
 
 }  // namespace
 
@@ -31,12 +32,14 @@ Notices::Notices(AppContext& context, QWidget* window) : QWidget(window), contex
     inside->setContentsMargins(kSpace16, kSpace8, kSpace16, kSpace12);
     inside->setSpacing(kSpace4);
     busy_text_ = make_label({}, "small");
-    auto* bar = new QProgressBar;
-    bar->setRange(0, 0);
-    bar->setTextVisible(false);
-    bar->setAccessibleName(tr("Work in progress"));
+    busy_bar_ = new QProgressBar;
+    busy_bar_->setRange(0, 0);
+    busy_bar_->setTextVisible(false);
+    busy_bar_->setAccessibleName(tr("Work in progress"));
     inside->addWidget(busy_text_);
-    inside->addWidget(bar);
+    inside->addWidget(busy_bar_);
+    pace_.setInterval(kPaceMs);
+    connect(&pace_, &QTimer::timeout, this, &Notices::showPace);
     column_->addWidget(busy_);
     waiting_ = make_badge({});
     waiting_->setObjectName("notices_waiting");
@@ -90,14 +93,47 @@ void Notices::showWritten(const QString& text, const QString& path) {
 }
 
 void Notices::showBusy(const QString& what) {
-    busy_text_->setText(what);
+    doing_ = what;
+    showPace();
     if (!what.isEmpty()) {
+        pace_.start();
         if (busy_->isHidden()) busy_soon_.start();
         return;
     }
+    pace_.stop();
     busy_soon_.stop();
     busy_->hide();
     arrange();
+}
+
+/// How far the work is, where earlier work of its kind tells how long it takes.
+void Notices::showPace() {
+    const auto pace = context_.busyPace();
+    busy_bar_->setRange(0, pace ? 100 : 0);
+    if (pace) busy_bar_->setValue(static_cast<int>(100 * pace->share));
+    const QString text =
+        pace ? tr("%1, about %2 left").arg(doing_, format_duration(std::max(1.0, pace->left_s)))
+             : doing_;
+    if (text == busy_text_->text()) return;
+    busy_text_->setText(text);
+    if (!busy_->isHidden()) arrange();
+}
+
+/// Work alone, without a message: in the frame's free strip, where it covers nothing.
+bool Notices::standInStrip() {
+    if (count() > 0 || busy_->isHidden() || !strip_) return false;
+    const QRect strip = strip_();
+    if (strip.width() < kLeastStrip) return false;
+    const int width = std::min(kWidth, strip.width());
+    setFixedWidth(width);
+    column_->activate();
+    const int height =
+        std::min(strip.height(), column_->hasHeightForWidth() ? column_->totalHeightForWidth(width)
+                                                              : column_->totalSizeHint().height());
+    resize(width, height);
+    move(strip.right() - width + 1, strip.top() + (strip.height() - height) / 2);
+    raise();
+    return true;
 }
 
 void Notices::remove(Banner* banner) {
@@ -148,6 +184,7 @@ void Notices::arrange() {
     setVisible(count() > 0 || !busy_->isHidden());
     count() > 0 ? ticks_.start() : ticks_.stop();
     if (!isVisible() && isHidden()) return;
+    if (standInStrip()) return;
     const int width = std::min(kWidth, std::max(240, area_.width() - 2 * kMargin));
     setFixedWidth(width);
     // What was folded or hidden just now tells its parents only later otherwise, inmost first.

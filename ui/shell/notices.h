@@ -6,6 +6,7 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <functional>
 #include <vector>
 
 #include "ui/shell/banner.h"
@@ -35,6 +36,9 @@ class Notices : public QWidget {
     [[nodiscard]] bool isShown() const { return !banners_.empty() && isVisible(); }
     /// Where pages are, in the window; messages stay within it.
     void setArea(const QRect& area);
+    /// Free room in the frame, in the window: work in progress without a message is said there and
+    /// covers nothing. Asked each time; an empty one: there is none.
+    void setStrip(std::function<QRect()> strip) { strip_ = std::move(strip); }
     void restyle();
     static constexpr int kMostShown = 3, kWidth = 460;
 
@@ -46,6 +50,8 @@ class Notices : public QWidget {
     [[nodiscard]] QPoint freePlace(QSize size) const;
     [[nodiscard]] int covered(const QRect& place) const;
     void tick();
+    void showPace();
+    [[nodiscard]] bool standInStrip();
 
     AppContext& context_;
     QRect area_;
@@ -53,7 +59,10 @@ class Notices : public QWidget {
     std::vector<Banner*> banners_;  ///< Oldest first.
     QFrame* busy_ = nullptr;
     QLabel *busy_text_ = nullptr, *waiting_ = nullptr;
-    QTimer ticks_, busy_soon_;
+    QProgressBar* busy_bar_ = nullptr;
+    QString doing_;
+    std::function<QRect()> strip_;
+    QTimer ticks_, busy_soon_, pace_;
 };
 
 }  // namespace placode::ui

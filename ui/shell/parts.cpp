@@ -12,6 +12,7 @@
 
 #include "db/attempt_counting.h"
 #include "reports/text.h"
+#include "ui/shell/dialog_frame.h"
 
 namespace placode::ui {
 namespace {
@@ -173,6 +174,7 @@ bool confirm(QWidget* parent, const QString& title, const QString& text, const Q
              const QString& stay) {
     QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, parent);
     box.setObjectName("confirm");
+    frame_dialog(&box);
     QPushButton* yes = box.addButton(verb, QMessageBox::DestructiveRole);
     yes->setObjectName("confirm_yes");
     yes->setProperty("role", "danger");

@@ -206,7 +206,8 @@ class ResultPage : public Page {
                 pictures_->addWidget(make_ledger_card(context_, data_, *recording, show));
                 pictures_->addWidget(make_map_card(context_, recording));
                 pictures_->addWidget(make_ways_card(context_, recording));
-            });
+            },
+            {"reading", data_.detail.record.duration_s});
     }
 
     void withoutRecording(QLabel* said) {

@@ -131,11 +131,11 @@ class RunningPage : public Page {
         scoring_words_ = make_label({});
         scoring_words_->setObjectName("scoring_words");
         layout->addWidget(scoring_words_);
-        auto* busy = new QProgressBar;
-        busy->setRange(0, 0);  // How long it takes nobody knows: longer attempts take longer.
-        busy->setTextVisible(false);
-        busy->setAccessibleName(tr("Scoring the attempt"));
-        layout->addWidget(busy);
+        scoring_bar_ = new QProgressBar;
+        scoring_bar_->setRange(0, 0);  // The first time nobody knows how long it takes.
+        scoring_bar_->setTextVisible(false);
+        scoring_bar_->setAccessibleName(tr("Scoring the attempt"));
+        layout->addWidget(scoring_bar_);
         scoring_ = make_card(layout);
         scoring_->setObjectName("scoring");
         scoring_->hide();
@@ -149,6 +149,15 @@ class RunningPage : public Page {
                     : tr("The attempt is over. Its recording is measured and scored; the result "
                          "opens by itself.");
         const double seconds = static_cast<double>(since_end_.elapsed()) / 1000;
+        const auto pace = context_.busyPace();
+        scoring_bar_->setRange(0, pace ? 100 : 0);
+        if (pace) {
+            scoring_bar_->setValue(static_cast<int>(100 * pace->share));
+            scoring_words_->setText(
+                said + " " +
+                tr("About %1 left.").arg(format_duration(std::max(1.0, pace->left_s))));
+            return;
+        }
         scoring_words_->setText(
             seconds < 2 ? said : said + " " + tr("%1 so far.").arg(format_duration(seconds)));
     }
@@ -257,7 +266,7 @@ class RunningPage : public Page {
     QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
            *ring_ = nullptr, *warning_ = nullptr;
     QLabel *explained_ = nullptr, *scoring_words_ = nullptr;
-    QProgressBar* bar_ = nullptr;
+    QProgressBar *bar_ = nullptr, *scoring_bar_ = nullptr;
     QFrame* scoring_ = nullptr;
     QTimer scored_;
     QElapsedTimer since_end_;

@@ -188,7 +188,8 @@ class WatchPage : public Page {
                 refresh();
                 // Whoever comes here has asked to watch.
                 if (std::exchange(begin_, false)) start(from_s_);
-            });
+            },
+            {"reading", record_.duration_s});
     }
 
     void showLedger(const sim::Recording& recording) {

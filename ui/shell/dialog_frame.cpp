@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/dialog_frame.h"
+
+#include <QDialog>
+#include <QEvent>
+#include <QFrame>
+#include <QPainter>
+#include <QPointer>
+
+namespace placode::ui {
+namespace {
+
+constexpr int kDimAlpha = 110;  ///< Of black over the page; 255 hides it.
+
+/// Lies over all of its parent, whatever size that takes, and lets every click through.
+class Cover : public QFrame {
+ public:
+    Cover(QWidget* parent, QColor fill) : QFrame(parent), fill_(fill) {
+        setAttribute(Qt::WA_TransparentForMouseEvents);
+        parent->installEventFilter(this);
+        setGeometry(parent->rect());
+        raise();
+    }
+
+ protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::Show ||
+            event->type() == QEvent::ChildAdded) {
+            setGeometry(parentWidget()->rect());
+            raise();
+        }
+        return QFrame::eventFilter(watched, event);
+    }
+    void paintEvent(QPaintEvent* event) override {
+        if (fill_.isValid())
+            QPainter(this).fillRect(rect(), fill_);
+        else
+            QFrame::paintEvent(event);
+    }
+
+ private:
+    QColor fill_;
+};
+
+/// Dims the window as long as the dialog is on the screen.
+class Dimming : public QObject {
+ public:
+    Dimming(QDialog* dialog, QWidget* behind)
+        : QObject(dialog), cover_(new Cover(behind, QColor(0, 0, 0, kDimAlpha))) {
+        cover_->setObjectName("dimmed");
+        cover_->hide();
+        dialog->installEventFilter(this);
+    }
+    ~Dimming() override { delete cover_; }
+
+ protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (cover_ && event->type() == QEvent::Show) cover_->show();
+        if (cover_ && event->type() == QEvent::Hide) cover_->hide();
+        return QObject::eventFilter(watched, event);
+    }
+
+ private:
+    QPointer<Cover> cover_;  ///< Goes with the window, if that goes first.
+};
+
+}  // namespace
+
+void frame_dialog(QDialog* dialog) {
+    auto* frame = new Cover(dialog, {});
+    frame->setObjectName("dialog_frame");
+    frame->setProperty("role", "dialog_frame");
+    if (dialog->parentWidget() != nullptr) new Dimming(dialog, dialog->parentWidget()->window());
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What sets a question apart from the page that it is asked over: a frame around it, and the page
+// behind it dimmed. Window managers without title bars draw neither.
+
+class QDialog;
+
+namespace placode::ui {
+
+/// Before the dialog is shown; frame and dimming live as long as it does. Main thread.
+void frame_dialog(QDialog* dialog);
+
+}  // namespace placode::ui
