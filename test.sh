@@ -11,7 +11,8 @@ placode_prepare release all
 export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
 
 log=build/release/test.log
-run=(ctest --test-dir build/release --output-on-failure "$@")
+# Two at a time: some tests run simulator and shell at once, and more would make them late.
+run=(ctest --test-dir build/release --output-on-failure -j 2 "$@")
 if [ -z "${DISPLAY:-}" ]; then
   run=(xvfb-run -a -s "-screen 0 1600x1000x24 +extension GLX" "${run[@]}")
 fi

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Why points were lost: what it means is kept, and put into words at the end, in whichever language.
+// Why points were lost: what it means is kept, and put into words at the end, in whichever
+// language.
 
 #include <string>
 
