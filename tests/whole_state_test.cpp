@@ -132,7 +132,7 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
     auto other = saved;
     other[0] ^= 1;
     refused(other, "another format");
-    const Rerun larger({"scissors_resection", 0, 0.05});
+    const test::Rerun larger("scissors_resection", 0.05);
     refused(sim::save_state(*larger.scene, *larger.start()), "another scene");
 }
 
