@@ -39,19 +39,24 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
     return last;
 }
 
-/// Why an attempt does not do the step; empty = it does.
-std::string why_not_done(Store& store, const StepRecord& step, const AttemptRecord& attempt) {
-    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
-        return "interrupted";
-    if (!attempt.void_reason.empty()) return "void: " + attempt.void_reason;
+/// The step as the participant's version of the protocol has it; nullopt when none is known.
+std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& step) {
     int version = 0;
     for (const ParticipantRecord& each : store.participants(step.study_id))
         if (each.code == step.participant) version = each.protocol_version;
-    if (version == 0) return {};
+    if (version == 0) return std::nullopt;
     const auto protocol = published_study(store, step.study_id, version);
     const auto* asked = protocol ? protocol->step(step.step) : nullptr;
-    if (asked == nullptr) return {};
-    if (attempt.duration_s >= asked->min_s) return {};
+    return asked == nullptr ? std::nullopt : std::optional(*asked);
+}
+
+/// Why an attempt does not do the step; empty = it does.
+std::string why_not_done(const AttemptRecord& attempt,
+                         const std::optional<curriculum::StudyStep>& asked) {
+    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
+        return "interrupted";
+    if (!attempt.void_reason.empty()) return "void: " + attempt.void_reason;
+    if (!asked || attempt.duration_s >= asked->min_s) return {};
     const auto whole = [](double s) { return std::to_string(static_cast<int>(s)) + " s"; };
     return "ended after " + whole(attempt.duration_s) + ", before the least duration of " +
            whole(asked->min_s);
@@ -182,9 +187,12 @@ void record_attempt_step(Store& store, StepRecord step) {
     for (const StepRecord& each : store.steps(step.study_id))
         if (each.attempt_id == step.attempt_id) return;
     const AttemptRecord attempt = store.attempt(step.attempt_id).record;
-    step.detail = why_not_done(store, step, attempt);
+    const auto asked = asked_step(store, step);
+    step.detail = why_not_done(attempt, asked);
     step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;
-    if (step.detail.empty() && attempt.verdict == assessment::Verdict::kNotAttempted)
+    // Getting used to the instruments is no data: nobody has to operate in it.
+    if (step.detail.empty() && asked && asked->kind == curriculum::StepKind::kProcedure &&
+        attempt.verdict == assessment::Verdict::kNotAttempted)
         step.detail = kNothingDone;
     store.record_step(step);
 }

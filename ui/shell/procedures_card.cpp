@@ -64,10 +64,15 @@ QString ProceduresCard::titleOf(const std::string& step) const {
     return found == titles_.end() || found->second.isEmpty() ? qstr(step) : found->second;
 }
 
+bool ProceduresCard::idle(const db::StepRecord& record) {
+    return record.state == db::StepState::kDone && record.detail == db::kNothingDone;
+}
+
 QString ProceduresCard::stateWords(const db::StepRecord& record) const {
     if (record.superseded())
         return tr("done again: %1 (%2)")
             .arg(qstr(record.superseded_reason), qstr(record.superseded_by));
+    if (idle(record)) return tr("kept, but no analysis uses it: nothing was done");
     if (record.state == db::StepState::kDone) return tr("counts");
     return tr("does not count: %1").arg(reports::not_done_words(record.detail));
 }
@@ -94,7 +99,8 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
         table_->setItem(row, 4, make_cell(state));
         table_->item(row, 4)->setToolTip(state);
         const Tokens& colors = context_.colors();
-        const bool counts = record.state == db::StepState::kDone && !record.superseded();
+        const bool counts =
+            record.state == db::StepState::kDone && !record.superseded() && !idle(record);
         table_->item(row, 4)->setForeground(counts ? colors.good : colors.warn);
         ++row;
     }

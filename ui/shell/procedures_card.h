@@ -29,6 +29,8 @@ class ProceduresCard : public QFrame {
     void fillTable(QVBoxLayout* layout);
     void fillDeviations(QVBoxLayout* layout);
     [[nodiscard]] QLayout* actions();
+    /// Done, and nobody operated: the coordinator decides whether it is done again.
+    [[nodiscard]] static bool idle(const db::StepRecord& record);
     [[nodiscard]] QString stateWords(const db::StepRecord& record) const;
     [[nodiscard]] QString titleOf(const std::string& step) const;
     [[nodiscard]] const db::StepRecord* selected() const;

@@ -8510,6 +8510,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>What happened</source>
         <translation>Co się stało</translation>
     </message>
+    <message>
+        <source>kept, but no analysis uses it: nothing was done</source>
+        <translation>zachowane, ale żadna analiza tego nie używa: nic nie zrobiono</translation>
+    </message>
 </context>
 <context>
     <name>Messages</name>
