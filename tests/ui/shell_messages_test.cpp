@@ -7,6 +7,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QFile>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QRegularExpression>
@@ -172,9 +173,11 @@ void ShellMessagesTest::workInProgressHidesNothingAndSaysHowLong() {
 }
 
 void ShellMessagesTest::aQuestionHasAFrameAndDimsThePage() {
-    bool framed = false, dimmed = false;
+    bool framed = false, dimmed = false, titled = false;
     QTimer::singleShot(300, &shell_->window(), [&] {
         QWidget* dialog = QApplication::activeModalWidget();
+        auto* box = qobject_cast<QMessageBox*>(dialog);
+        titled = box != nullptr && box->text().contains("Remove it?");
         framed = dialog != nullptr && dialog->findChild<QWidget*>("dialog_frame") != nullptr &&
                  dialog->findChild<QWidget*>("dialog_frame")->size() == dialog->size();
         auto* dim = shell_->window().findChild<QWidget*>("dimmed");
@@ -185,6 +188,7 @@ void ShellMessagesTest::aQuestionHasAFrameAndDimsThePage() {
     });
     QVERIFY(!confirm(&shell_->window(), "Remove it?", "It goes for good.", "Remove"));
     QVERIFY(framed);
+    QVERIFY2(titled, "a desktop without title bars shows the question, too");
     QVERIFY(dimmed);
     QVERIFY2(shell_->window().findChild<QWidget*>("dimmed") == nullptr, "the page is bright again");
 }

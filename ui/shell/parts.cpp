@@ -172,7 +172,12 @@ void fit_columns(QTableWidget* table, int stretch) {
 
 bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb,
              const QString& stay) {
-    QMessageBox box(QMessageBox::NoIcon, title, text, QMessageBox::NoButton, parent);
+    // The question itself stands in the box, too: not every desktop draws title bars.
+    const QString words =
+        QString("<p><b>%1</b></p><p>%2</p>")
+            .arg(title.toHtmlEscaped(), text.toHtmlEscaped().replace('\n', "<br>"));
+    QMessageBox box(QMessageBox::NoIcon, title, words, QMessageBox::NoButton, parent);
+    box.setTextFormat(Qt::RichText);
     box.setObjectName("confirm");
     frame_dialog(&box);
     QPushButton* yes = box.addButton(verb, QMessageBox::DestructiveRole);

@@ -165,7 +165,7 @@ QMenu::item:selected { background: @accent_soft@; }
 QMenu::separator { height: 1px; background: @line@; margin: 4px 8px; }
 QToolTip { background: @raised@; color: @text@; border: 1px solid @line@; padding: 6px; }
 QDialog, QMessageBox { background: @raised@; }
-QFrame[role="dialog_frame"] { background: transparent; border: 2px solid @field@; }
+QFrame[role="dialog_frame"] { background: transparent; border: 2px solid @accent@; }
 QFrame[role="choice"] { background: @raised@; border: 1px solid @line@; border-radius: 8px; }
 )";
 
