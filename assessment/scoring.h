@@ -18,7 +18,6 @@ struct RubricItem {
     std::string id;              ///< "placode_burned"
     std::string metric;          ///< Metric id it looks at.
     std::string reason;          ///< English sentence with places (reason.h).
-    std::string reason_pl;       ///< The same in Polish; may be empty.
     double threshold = 0;        ///< Free up to here.
     double points_per_unit = 0;  ///< Points for each unit beyond the threshold.
     double points_fixed = 0;     ///< Points as soon as it is beyond the threshold.
@@ -28,6 +27,7 @@ struct RubricItem {
     /// Weight of this line (with `below`) among those that earn the start points: at `threshold`
     /// its share is earned, at 0 nothing of it, in proportion between. 0 = an ordinary line.
     double earns = 0;
+    std::string reason_pl = {};  ///< `reason` in Polish; may be empty.
 };
 
 struct Rubric {

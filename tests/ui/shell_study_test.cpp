@@ -351,7 +351,7 @@ void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
     QVERIFY(shell.arrives(PageId::kStudies));
     QVERIFY(press("continue_participant"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
-    perform(6.5);
+    perform(20.5);
     if (QTest::currentTestFailed()) return;
     QVERIFY(progress().next.empty());
     shell.takeBackNext();
