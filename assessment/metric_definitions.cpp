@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of metrics: what each is called, measured in and good for. How they are computed:
 // metrics.cpp. Sources: docs/training.md, "Metrics".
-#include <iterator>
-
 #include "assessment/metrics.h"
 
 namespace placode::assessment {
@@ -261,8 +259,12 @@ constexpr MetricDefinition kMetrics[] = {
 
 }  // namespace
 
-std::vector<MetricDefinition> metric_definitions() {
-    return {std::begin(kMetrics), std::end(kMetrics)};
+std::span<const MetricDefinition> metric_definitions() { return kMetrics; }
+
+const MetricDefinition* metric_definition(std::string_view id) {
+    for (const MetricDefinition& definition : kMetrics)
+        if (definition.id == id) return &definition;
+    return nullptr;
 }
 
 }  // namespace placode::assessment

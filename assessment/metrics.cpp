@@ -35,11 +35,4 @@ MetricSet compute_metrics(const sim::Recording& recording) {
     return set;
 }
 
-const MetricDefinition* metric_definition(std::string_view id) {
-    static const std::vector<MetricDefinition> all = metric_definitions();
-    for (const MetricDefinition& definition : all)
-        if (definition.id == id) return &definition;
-    return nullptr;
-}
-
 }  // namespace placode::assessment

@@ -5,6 +5,7 @@
 // Definitions with sources: docs/training.md, "Metrics"; every metric knows its unit and direction.
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,7 @@ struct MetricDefinition {
     std::string_view definition;  ///< One sentence.
     std::string_view source;
 };
-[[nodiscard]] std::vector<MetricDefinition> metric_definitions();
+[[nodiscard]] std::span<const MetricDefinition> metric_definitions();
 /// nullptr for an unknown id.
 [[nodiscard]] const MetricDefinition* metric_definition(std::string_view id);
 

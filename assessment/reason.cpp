@@ -49,7 +49,7 @@ std::string reason_number(double value) {
     return done.ec == std::errc() ? std::string(text, done.ptr) : "?";
 }
 
-std::string english_words(const ReasonMeaning& meaning, double points) {
+ReasonWords english_places(const ReasonMeaning& meaning, double points) {
     const MetricDefinition* metric = metric_definition(meaning.metric);
     ReasonWords words;
     words.value = reason_number(meaning.value);
@@ -59,7 +59,11 @@ std::string english_words(const ReasonMeaning& meaning, double points) {
     words.times = times(meaning.count);
     if (meaning.hour > 0) words.where = " at " + std::to_string(meaning.hour) + " o'clock";
     words.metric = metric != nullptr ? std::string(metric->name) : meaning.metric;
-    return fill_places(meaning.pattern, words);
+    return words;
+}
+
+std::string english_words(const ReasonMeaning& meaning, double points) {
+    return fill_places(meaning.pattern, english_places(meaning, points));
 }
 
 }  // namespace placode::assessment

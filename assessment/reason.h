@@ -41,6 +41,8 @@ struct ReasonWords {
 /// million in the short form: "1e+300".
 [[nodiscard]] std::string reason_number(double value);
 
+/// The words of the sentence in English; another language says some of them again.
+[[nodiscard]] ReasonWords english_places(const ReasonMeaning& meaning, double points);
 /// The sentence in English.
 [[nodiscard]] std::string english_words(const ReasonMeaning& meaning, double points);
 

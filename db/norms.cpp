@@ -16,9 +16,8 @@ using assessment::Direction;
 
 Direction direction_of(const std::string& metric) {
     if (metric == "points") return Direction::kHigherIsBetter;
-    for (const auto& definition : assessment::metric_definitions())
-        if (definition.id == metric) return definition.direction;
-    return Direction::kNeutral;
+    const assessment::MetricDefinition* definition = assessment::metric_definition(metric);
+    return definition != nullptr ? definition->direction : Direction::kNeutral;
 }
 
 namespace {

@@ -8,18 +8,14 @@
 #include <system_error>
 
 #include "db/store.h"
+#include "sim/core/number_text.h"
 
 namespace placode::db {
 namespace {
 
 [[noreturn]] void damaged(const std::string& what) {
     throw StoreError(StoreError::Kind::kDamaged,
-                     "reason: " + what + "; score the attempt again (placodectl rescore)");
-}
-
-std::string exact(double value) {
-    char text[64];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
+                     "reason: " + what + "; restore a backup (placodectl restore)");
 }
 
 double number(const std::string& text) {
@@ -40,7 +36,7 @@ std::string reason_json(const assessment::ReasonMeaning& meaning) {
     if (!meaning.pattern_pl.empty()) pattern["pl"] = text_of(meaning.pattern_pl);
     const QJsonObject json{{"pattern", pattern},
                            {"metric", text_of(meaning.metric)},
-                           {"value", text_of(exact(meaning.value))},
+                           {"value", text_of(sim::shortest_text(meaning.value))},
                            {"count", meaning.count},
                            {"hour", meaning.hour}};
     return QJsonDocument(json).toJson(QJsonDocument::Compact).toStdString();

@@ -115,18 +115,14 @@ QString reason_words(const assessment::Reason& reason) {
     std::string said = reason.text;
     if (!meaning.pattern.empty()) {
         const bool own = QLocale().language() == QLocale::Polish && !meaning.pattern_pl.empty();
-        const assessment::MetricDefinition* metric = assessment::metric_definition(meaning.metric);
-        assessment::ReasonWords words;
-        words.value = local_number(assessment::reason_number(meaning.value));
-        words.unit = metric != nullptr ? std::string(metric->unit) : "";
-        words.points = local_number(assessment::reason_number(reason.points));
-        words.count = std::to_string(meaning.count);
+        assessment::ReasonWords words = assessment::english_places(meaning, reason.points);
+        words.value = local_number(words.value);
+        words.points = local_number(words.points);
         words.times = times_words(meaning.count).toStdString();
         if (meaning.hour > 0)
             words.where = translated("Reason", " at %1 o'clock").arg(meaning.hour).toStdString();
-        words.metric = metric == nullptr
-                           ? meaning.metric
-                           : translated("Metric", std::string(metric->name).c_str()).toStdString();
+        // An id that no metric has is no word to translate: it stays.
+        words.metric = translated("Metric", words.metric.c_str()).toStdString();
         said = assessment::fill_places(
             own ? meaning.pattern_pl : translated("Reason", meaning.pattern.c_str()).toStdString(),
             words);

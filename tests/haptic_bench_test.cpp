@@ -15,13 +15,7 @@ const Vec3 kDirections[] = {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, -0.8}};
 // Without this nothing below proves anything.
 TEST(PortBench, SeesThatTheControlCaseIsUnstable) {
     for (const Grip& grip : grips()) {
-        PortCase wild;
-        wild.grip = grip;
-        wild.physics_hz = 250;
-        wild.hold_ticks = 4;
-        wild.seconds = 3.5;
-        wild.settings.stiffness_n_m = 4000;
-        wild.settings.damping_ns_m = wild.settings.passivity_ns_m = 0;
+        PortCase wild = control_case(grip);
         EXPECT_FALSE(calm(run_port(wild))) << grip.name;
         wild.settings = {};
         wild.hold_ticks = 1;

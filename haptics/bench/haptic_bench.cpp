@@ -254,6 +254,17 @@ class Run {
 
 std::span<const Grip> grips() noexcept { return kGrips; }
 
+PortCase control_case(const Grip& grip) {
+    PortCase what;
+    what.grip = grip;
+    what.physics_hz = 250;
+    what.hold_ticks = 4;
+    what.seconds = 3.5;
+    what.settings.stiffness_n_m = 4000;
+    what.settings.damping_ns_m = what.settings.passivity_ns_m = 0;
+    return what;
+}
+
 PortResult run_port(const PortCase& what) { return Run(what).all(); }
 
 bool calm(const PortResult& result) noexcept { return result.peak_to_peak_m < 3e-4; }

@@ -109,17 +109,9 @@ void HapticBenchSuite::run() {
     thread = measure_thread(quick ? 2 : 20);
 }
 
-// The test of the test: a law that must buzz. If it does not, nothing here proves anything.
 void HapticBenchSuite::run_control() {
     for (const Grip& grip : grips()) {
-        PortCase what;
-        what.grip = grip;
-        what.physics_hz = 250;
-        what.hold_ticks = 4;
-        what.seconds = 3.5;
-        what.settings.stiffness_n_m = 4000;
-        what.settings.damping_ns_m = what.settings.passivity_ns_m = 0;
-        const PortResult result = run_port(what);
+        const PortResult result = run_port(control_case(grip));
         check("control, " + std::string(grip.name) + ": seen to be unstable [m]",
               result.peak_to_peak_m, 3e-4, false);
         if (grip.name == "light") control = result;

@@ -80,13 +80,11 @@ Json to_json(const assessment::MetricSet& metrics) {
 }
 
 std::string metric_table(const assessment::MetricSet& metrics) {
-    const auto definitions = assessment::metric_definitions();
     std::vector<std::vector<std::string>> rows{{"metric", "value", "unit"}};
     for (const auto& metric : metrics.values) {
-        const auto found = std::find_if(definitions.begin(), definitions.end(),
-                                        [&](const auto& one) { return one.id == metric.id; });
-        const std::string unit = found == definitions.end() ? "" : std::string(found->unit);
-        rows.push_back({metric.id, fixed(metric.value, 3), unit});
+        const auto* known = assessment::metric_definition(metric.id);
+        rows.push_back(
+            {metric.id, fixed(metric.value, 3), known == nullptr ? "" : std::string(known->unit)});
     }
     return table(rows);
 }

@@ -67,14 +67,11 @@ class AngoffCard : public QFrame {
 
  private:
     void fillItems() {
-        const auto definitions = assessment::metric_definitions();
         table_->setRowCount(static_cast<int>(items_.size()));
         for (int row = 0; row < table_->rowCount(); ++row) {
             const assessment::RubricItem& item = items_[static_cast<size_t>(row)];
-            const auto known = std::find_if(definitions.begin(), definitions.end(),
-                                            [&](const auto& d) { return d.id == item.metric; });
-            auto* name =
-                make_cell(known == definitions.end() ? qstr(item.id) : metric_name(known->name));
+            const auto* known = assessment::metric_definition(item.metric);
+            auto* name = make_cell(known == nullptr ? qstr(item.id) : metric_name(known->name));
             auto* most = make_number_cell(format_points(weight(item)), weight(item));
             for (auto* cell : {name, static_cast<QTableWidgetItem*>(most)})
                 cell->setFlags(cell->flags() & ~Qt::ItemIsEditable);

@@ -91,15 +91,12 @@ class QualityCard : public QFrame {
         table->setObjectName("quality_table");
         table->setSortingEnabled(false);
         table->setRowCount(static_cast<int>(panel.size()));
-        const auto definitions = assessment::metric_definitions();
         int without = 0;
         for (int row = 0; row < table->rowCount(); ++row) {
             const assessment::MetricQuality& one = panel[static_cast<size_t>(row)];
-            const auto known = std::find_if(definitions.begin(), definitions.end(),
-                                            [&](const auto& d) { return d.id == one.metric; });
-            table->setItem(
-                row, 0,
-                make_cell(known == definitions.end() ? tr("Points") : metric_name(known->name)));
+            const auto* known = assessment::metric_definition(one.metric);
+            table->setItem(row, 0,
+                           make_cell(known == nullptr ? tr("Points") : metric_name(known->name)));
             table->setItem(row, 1, number(one.g, 2));
             table->setItem(row, 2,
                            make_cell(one.g ? tr("%1 to %2")

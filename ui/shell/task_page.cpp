@@ -250,10 +250,9 @@ class TaskPage : public Page {
 
     [[nodiscard]] static QString itemRule(const assessment::RubricItem& item) {
         QString name = qstr(item.metric), unit;
-        for (const assessment::MetricDefinition& metric : assessment::metric_definitions()) {
-            if (metric.id != item.metric) continue;
-            name = metric_name(metric.name);
-            unit = unit_sign(metric.unit);
+        if (const auto* metric = assessment::metric_definition(item.metric)) {
+            name = metric_name(metric->name);
+            unit = unit_sign(metric->unit);
         }
         const QString limit = QLocale().toString(item.threshold, 'g', 4) + " " + unit;
         if (item.earns > 0)
