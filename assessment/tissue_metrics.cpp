@@ -323,7 +323,7 @@ double lifted_s(const sim::Recording& recording) {
         for (; next < recording.events.size() && recording.events[next].time_s <= sample.time_s;
              ++next) {
             const sim::Event& e = recording.events[next];
-            if (e.tool < 0) continue;
+            if (e.tool < 0 || e.tool >= sim::kMaxTools) continue;
             const auto t = static_cast<size_t>(e.tool);
             if (e.kind == sim::EventKind::kGrasped) {
                 holding[t] = true;

@@ -45,7 +45,7 @@ check_build() {
     { grep -E -A 30 -m 3 'ERROR: |WARNING: Thread|runtime error|Assertion|\*\*\*' "$log"; return 1; }
   grep 'tests passed' "$log"
 }
-slow='operator_levels_test|lift_operator_test|practice_operator_test|whole_state_test|frame_allocation_test'
+slow='operator_levels_test|lift_operator_test|practice_operator_test|mouse_person_device_test|whole_state_test|frame_allocation_test'
 
 case "${1:-}" in
   format) check_format ;;

@@ -43,7 +43,8 @@ struct CutField {
         const Inside& inside, const Inside& hangs = [](const Vec3&) { return false; }) {
         for (int t = 0; t < scene.body.tet_count(); ++t) {
             const Vec3 here = rest_centroid(scene, t);
-            if (!inside(here) || hangs(here)) continue;
+            if (!state.body.tet_alive[static_cast<size_t>(t)] || !inside(here) || hangs(here))
+                continue;
             for (int f = 0; f < 4; ++f) {
                 const int other =
                     scene.surface.neighbours()[static_cast<size_t>(t)][static_cast<size_t>(f)];

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "sim/cutting/grasp.h"
 #include "sim/solver/topology.h"
@@ -92,6 +93,7 @@ void queue_separation(const Scene&, State& state, int vertex) noexcept {
 }
 
 bool cut_face(const Scene& scene, State& state, int tet, int f) noexcept {
+    assert(state.body.tet_alive[tet] != 0);
     if (!state.body.topology || state.surface.on_surface(tet, f)) return false;
     state.surface.cut_face(scene.surface, scene.body.mesh(), tet, f, current_tets(state.body));
     const auto& c = corners(scene.body, state.body, tet);

@@ -21,8 +21,8 @@ constexpr double kContactStiffness = 300, kContactRatio = 6;
 
 }  // namespace
 
-SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& units,
-                                 const SoftBody& body, SoftBodyState& state, double h_body)
+ConstrainedVertices::ConstrainedVertices(const SolveSetup& setup, const KernelUnits& units,
+                                         const SoftBody& body, SoftBodyState& state, double h_body)
     : setup_(setup),
       units_(units),
       body_(body),
@@ -38,22 +38,22 @@ SpecialVertices::SpecialVertices(const SolveSetup& setup, const KernelUnits& uni
     force_.assign(spheres_.size(), Vec3::Zero());
 }
 
-void SpecialVertices::start_frame() {
+void ConstrainedVertices::start_frame() {
     std::fill(force_.begin(), force_.end(), Vec3::Zero());
     frame_substeps_ = 0;
 }
 
-Vec3 SpecialVertices::force(size_t sphere) const {
+Vec3 ConstrainedVertices::force(size_t sphere) const {
     return force_[sphere] / (units_.force() * std::max(1, frame_substeps_));
 }
 
-double SpecialVertices::held_at(int32_t v, int axis) const {
+double ConstrainedVertices::held_at(int32_t v, int axis) const {
     // The way as a float, which is the same in all units.
     const auto way = static_cast<float>(units_.length * setup_.held_way(v, axis, time_));
     return body_.mesh().rest[as_index(v)][axis] + static_cast<double>(way);
 }
 
-void SpecialVertices::put_on_axes(int32_t v) {
+void ConstrainedVertices::put_on_axes(int32_t v) {
     const uint8_t axes = setup_.held[as_index(v)];
     if (axes == 0) return;
     Vec3 place = exact_position(state_, v);
@@ -63,14 +63,14 @@ void SpecialVertices::put_on_axes(int32_t v) {
     put_vertex(state_, v, place);
 }
 
-void SpecialVertices::add(int32_t v) {
+void ConstrainedVertices::add(int32_t v) {
     if (slot_[as_index(v)] >= 0) return;
     slot_[as_index(v)] = static_cast<int32_t>(special_.size());
     special_.push_back(v);
     state_.contact_vertex[as_index(v)] = 1;
 }
 
-void SpecialVertices::find(const RigidModes* modes) {
+void ConstrainedVertices::find(const RigidModes* modes) {
     for (const int32_t v : special_) {
         slot_[as_index(v)] = -1;
         state_.contact_vertex[as_index(v)] = 0;
@@ -92,7 +92,7 @@ void SpecialVertices::find(const RigidModes* modes) {
 /// Between sphere and tissue a vertex starts from where it was, see sim/contact/contact.cpp; and
 /// goes with the body as a whole, or a body that slides would be held back by it. Not into the
 /// sphere: what overlaps much at the start of an impact is pressed and rubbed too hard.
-void SpecialVertices::start_where_they_were(const RigidModes* modes) {
+void ConstrainedVertices::start_where_they_were(const RigidModes* modes) {
     for (size_t i = 0; i < special_.size(); ++i) {
         if (incidence_[i].empty()) continue;
         const int32_t v = special_[i];
@@ -113,11 +113,12 @@ void SpecialVertices::start_where_they_were(const RigidModes* modes) {
 
 /// Who may be touched for the first time sticks to where it comes from: friction acts from the
 /// first substep on, and contacts that last for no more than one are not without.
-void SpecialVertices::anchor_newcomers() {
+void ConstrainedVertices::anchor_newcomers() {
     const double h = setup_.scene.solver.frame_s / setup_.scene.solver.substeps;
     for (size_t i = 0; i < special_.size(); ++i) {
+        if (incidence_[i].empty()) continue;
         Anchor& anchor = anchor_[as_index(special_[i])];
-        if (incidence_[i].empty() || anchor.sphere >= 0) continue;
+        if (anchor.sphere >= 0) continue;
         const int sphere = touches_[as_index(incidence_[i].front() / 4)].sphere;
         const Vec3 before =
             exact_position(state_, special_[i]) - way_in_substep(state_, special_[i]);
@@ -125,7 +126,7 @@ void SpecialVertices::anchor_newcomers() {
     }
 }
 
-void SpecialVertices::find_touches() {
+void ConstrainedVertices::find_touches() {
     touches_.clear();
     if (!contacts_) return;
     double fastest = 0;
@@ -147,7 +148,7 @@ void SpecialVertices::find_touches() {
 }
 
 /// A corner or an edge is touched once, however many triangles meet there.
-void SpecialVertices::drop_doubles() {
+void ConstrainedVertices::drop_doubles() {
     std::set<std::array<int32_t, 4>> seen;
     std::erase_if(touches_, [&](const SphereTouch& t) {
         std::array<int32_t, 4> key{-1, -1, -1, t.sphere};
@@ -159,7 +160,7 @@ void SpecialVertices::drop_doubles() {
     });
 }
 
-void SpecialVertices::set_stiffness() {
+void ConstrainedVertices::set_stiffness() {
     answer_.resize(special_.size());
     for (size_t i = 0; i < special_.size() && !touches_.empty(); ++i)
         answer_[i] = vertex_system(body_, state_, special_[i], h_body_).hessian;
@@ -174,19 +175,19 @@ void SpecialVertices::set_stiffness() {
     }
 }
 
-double SpecialVertices::gap(const SphereTouch& t) const {
+double ConstrainedVertices::gap(const SphereTouch& t) const {
     double g = t.gap_m;
     for (int i = 0; i < 3; ++i)
         g += t.b[i] * t.n.dot(exact_position(state_, t.vertex[as_index(i)]));
     return g;
 }
 
-double SpecialVertices::grip_n_m(int32_t v) const {
+double ConstrainedVertices::grip_n_m(int32_t v) const {
     return std::min(k_, kContactRatio * answer_[as_index(slot_[as_index(v)])].trace() / 3);
 }
 
 /// Dry friction with a memory: a spring to the place where the vertex sticks to the sphere.
-SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) const {
+ConstrainedVertices::Grip ConstrainedVertices::grip_of(int32_t v, const Vec3& load) const {
     Grip grip;
     const Anchor& a = anchor_[as_index(v)];
     const double size = load.norm();
@@ -202,7 +203,7 @@ SpecialVertices::Grip SpecialVertices::grip_of(int32_t v, const Vec3& load) cons
     return grip;
 }
 
-void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
+void ConstrainedVertices::hold_axes(int32_t v, VertexSystem& system) const {
     for (int a = 0; a < 3; ++a) {
         if ((setup_.held[as_index(v)] >> a & 1) == 0) continue;
         system.gradient[a] = 0;
@@ -213,12 +214,12 @@ void SpecialVertices::hold_axes(int32_t v, VertexSystem& system) const {
 }
 
 /// What only axes hold is a vertex among others: as they, over-relaxed and once a sweep.
-double SpecialVertices::relaxation_of(size_t i) const {
+double ConstrainedVertices::relaxation_of(size_t i) const {
     const SolverSettings& solver = body_.spec().solver;
     return solver.method == Method::kVbd && incidence_[i].empty() ? solver.over_relaxation : 1;
 }
 
-void SpecialVertices::solve_vertex(size_t i) {
+void ConstrainedVertices::solve_vertex(size_t i) {
     const int32_t v = special_[i];
     if (state_.x[as_index(v)].w == 0) return;
     put_on_axes(v);
@@ -247,7 +248,7 @@ void SpecialVertices::solve_vertex(size_t i) {
     move_vertex(state_, v, step);
 }
 
-void SpecialVertices::solve() {
+void ConstrainedVertices::solve() {
     for (int pass = 0; pass < kPasses; ++pass) {
         for (size_t i = 0; i < special_.size(); ++i) {
             if (pass == 0 || !incidence_[i].empty()) solve_vertex(i);
@@ -255,7 +256,7 @@ void SpecialVertices::solve() {
     }
 }
 
-const std::vector<ContactPush>& SpecialVertices::pushes() {
+const std::vector<ContactPush>& ConstrainedVertices::pushes() {
     pushes_.clear();
     load_.assign(special_.size(), Vec3::Zero());
     load_sphere_.assign(special_.size(), -1);
@@ -283,7 +284,7 @@ const std::vector<ContactPush>& SpecialVertices::pushes() {
     return pushes_;
 }
 
-void SpecialVertices::finish() {
+void ConstrainedVertices::finish() {
     if (!contacts_) return;
     ++frame_substeps_;
     for (const ContactPush& p : pushes()) force_[as_index(p.sphere)] -= p.force_n;
@@ -293,7 +294,7 @@ void SpecialVertices::finish() {
 }
 
 /// Anchors of friction are dragged along where they slip.
-void SpecialVertices::stick() {
+void ConstrainedVertices::stick() {
     for (size_t i = 0; i < special_.size(); ++i) {
         const int32_t v = special_[i];
         Anchor& anchor = anchor_[as_index(v)];

@@ -17,10 +17,10 @@
 namespace placode::sim {
 
 /// Positions and forces in the kernels' units, times in the scene's.
-class SpecialVertices {
+class ConstrainedVertices {
  public:
-    SpecialVertices(const SolveSetup& setup, const KernelUnits& units, const SoftBody& body,
-                    SoftBodyState& state, double h_body);
+    ConstrainedVertices(const SolveSetup& setup, const KernelUnits& units, const SoftBody& body,
+                        SoftBodyState& state, double h_body);
 
     /// Start of a frame: forces are summed anew.
     void start_frame();

@@ -274,7 +274,7 @@ class FastRun {
     bool pushed_ = false;
     SoftBody body_;
     SoftBodyState state_;
-    SpecialVertices special_;
+    ConstrainedVertices special_;
     RigidModes modes_;
     Workers workers_;
     std::vector<int32_t> held_;
