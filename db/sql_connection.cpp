@@ -6,9 +6,13 @@
 
 #include <QDateTime>
 #include <QSqlDriver>
+#include <QSqlField>
+#include <QSqlRecord>
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace placode::db {
 namespace {
@@ -199,6 +203,27 @@ int64_t Statement::returned_id() {
     const int64_t id = integer(0);
     query_.finish();
     return id;
+}
+
+const std::vector<std::string>& Statement::names() const {
+    if (names_.empty()) {
+        const QSqlRecord record = query_.record();
+        for (int i = 0; i < record.count(); ++i)
+            names_.push_back(record.fieldName(i).toStdString());
+    }
+    return names_;
+}
+
+int Statement::columns() const { return static_cast<int>(names().size()); }
+
+int Statement::search(std::string_view name) const {
+    const std::vector<std::string>& all = names();
+    const auto found = std::find(all.begin(), all.end(), name);
+    if (found == all.end())
+        throw std::logic_error("no column \"" + std::string(name) +
+                               "\" in: " + query_.lastQuery().toStdString());
+    next_ = static_cast<size_t>(found - all.begin());
+    return static_cast<int>(next_++);
 }
 
 int64_t Statement::integer(int column) const { return query_.value(column).toLongLong(); }

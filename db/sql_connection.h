@@ -8,6 +8,8 @@
 #include <QSqlQuery>
 #include <QVariant>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "db/store.h"
 #include "db/store_url.h"
@@ -75,14 +77,31 @@ class Statement {
     /// The id that `INSERT ... RETURNING id` answers. Ends the statement: an open one would keep
     /// the transaction from committing.
     [[nodiscard]] int64_t returned_id();
+    /// A value of the row, by column from 0: where the question stands beside, with a column or
+    /// two.
     [[nodiscard]] int64_t integer(int column) const;
     [[nodiscard]] double real(int column) const;  ///< NULL = not a number.
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] QByteArray bytes(int column) const;
+    /// The same by name: `AS name` in the question, or the column's own. Throws std::logic_error
+    /// for a name that the question does not have.
+    [[nodiscard]] int64_t integer(std::string_view name) const { return integer(place_of(name)); }
+    [[nodiscard]] double real(std::string_view name) const { return real(place_of(name)); }
+    [[nodiscard]] std::string text(std::string_view name) const { return text(place_of(name)); }
+    [[nodiscard]] QByteArray bytes(std::string_view name) const { return bytes(place_of(name)); }
+    [[nodiscard]] int columns() const;  ///< Of the answer.
     [[nodiscard]] int64_t affected() const { return query_.numRowsAffected(); }
 
  private:
     void execute();
+    /// Names of the answer's columns, read once: they stay the same however often it is run.
+    [[nodiscard]] const std::vector<std::string>& names() const;
+    /// Readers ask in the order of the columns, for 100,000 rows: the next one is the likely one.
+    [[nodiscard]] int place_of(std::string_view name) const {
+        if (next_ < names_.size() && names_[next_] == name) return static_cast<int>(next_++);
+        return search(name);
+    }
+    [[nodiscard]] int search(std::string_view name) const;
     static QVariant to_variant(const std::string& text);
     static QVariant to_variant(const char* text) { return to_variant(std::string(text)); }
     static QVariant to_variant(int64_t number) { return QVariant(qlonglong(number)); }
@@ -97,6 +116,8 @@ class Statement {
 
     Connection& connection_;
     QSqlQuery query_;
+    mutable std::vector<std::string> names_;
+    mutable size_t next_ = 0;  ///< The place after the one that was asked for last.
 };
 
 /// A write transaction: all or nothing. Rolls back unless commit() was reached.

@@ -26,6 +26,11 @@ std::string chain_link(const std::string& previous, const AuditRecord& row) {
     return checksum_hex(text);
 }
 
+AuditRecord read_audit(const Statement& row) {
+    return {row.integer("id"),  row.text("at_utc"), row.text("actor"),
+            row.text("action"), row.text("object"), row.text("detail")};
+}
+
 // Two programs may update a store within one millisecond, so the name also says which.
 std::string file_stamp() {
     return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString() + "-" +
@@ -83,9 +88,7 @@ std::vector<AuditRecord> SqlStore::audit_trail(int limit) {
                     "LIMIT ?");
     query.run(limit);
     std::vector<AuditRecord> trail;
-    while (query.next())
-        trail.push_back({query.integer(0), query.text(1), query.text(2), query.text(3),
-                         query.text(4), query.text(5)});
+    while (query.next()) trail.push_back(read_audit(query));
     return trail;
 }
 
@@ -96,14 +99,14 @@ void SqlStore::check_audit_chain(std::vector<std::string>& problems) {
     query.run();
     std::string previous;
     while (query.next()) {
-        const AuditRecord row{query.integer(0), query.text(1), query.text(2),
-                              query.text(3),    query.text(4), query.text(5)};
-        if (query.text(6) != chain_link(previous, row)) {
+        const AuditRecord row = read_audit(query);
+        const std::string chain = query.text("chain");
+        if (chain != chain_link(previous, row)) {
             problems.push_back("audit: entry " + std::to_string(row.id) +
                                " or the one before it was changed or removed");
             return;
         }
-        previous = query.text(6);
+        previous = chain;
     }
 }
 
@@ -119,10 +122,10 @@ void SqlStore::check_recordings(std::vector<std::string>& problems) {
         query.run(id);
         if (!query.next()) continue;
         try {
-            const QByteArray content = query.bytes(2);
+            const QByteArray content = query.bytes("content");
             const Bytes file = decompress(std::as_bytes(std::span(content.data(), content.size())),
-                                          static_cast<size_t>(query.integer(0)));
-            if (checksum_hex(file) == query.text(1)) continue;
+                                          static_cast<size_t>(query.integer("size_bytes")));
+            if (checksum_hex(file) == query.text("checksum")) continue;
         } catch (const StoreError&) {
             // Reported below, like a wrong checksum.
         }
@@ -140,8 +143,8 @@ std::vector<std::string> SqlStore::check() {
         Statement keys(connection_, "PRAGMA foreign_key_check");
         keys.run();
         if (keys.next())
-            problems.push_back("references: a row of " + keys.text(0) + " refers to a missing " +
-                               keys.text(2));
+            problems.push_back("references: a row of " + keys.text("table") +
+                               " refers to a missing " + keys.text("parent"));
     }
     try {
         check_audit_chain(problems);

@@ -17,6 +17,8 @@ namespace placode::db {
 /// SELECT ... FROM attempts t ..., for read_attempt(). sql_store_attempts.cpp
 [[nodiscard]] const std::string& attempt_columns();
 [[nodiscard]] AttemptRecord read_attempt(const Statement& row);
+/// From a question for item, reason, points, time_s, critical, meaning.
+[[nodiscard]] assessment::Reason read_reason(const Statement& row);
 
 /// WHERE over `attempts t`. Conditions are written only where they are asked for: "(? = 0 OR ...)"
 /// would keep the engine from using an index. sql_store_lists.cpp

@@ -23,13 +23,13 @@ const std::string kUserColumns =
 
 UserRecord read_user(const Statement& row) {
     UserRecord user;
-    user.id = row.integer(0);
-    user.login = row.text(1);
-    user.display_name = row.text(2);
-    user.roles = static_cast<Roles>(row.integer(3));
-    user.active = row.integer(4) != 0;
-    user.demonstration = row.integer(5) != 0;
-    user.created_utc = row.text(6);
+    user.id = row.integer("id");
+    user.login = row.text("login");
+    user.display_name = row.text("display_name");
+    user.roles = static_cast<Roles>(row.integer("roles"));
+    user.active = row.integer("active") != 0;
+    user.demonstration = row.integer("demonstration") != 0;
+    user.created_utc = row.text("created_utc");
     return user;
 }
 
@@ -87,8 +87,8 @@ int SqlStore::wait_before_sign_in(const std::string& key) {
     query.run(key);
     if (query.next()) {
         // A clock that was set back must not lock anybody out for longer than one wait.
-        const int64_t since = std::max<int64_t>(0, now - query.integer(1));
-        const int64_t left = int64_t{1000} * wait_s(query.integer(0)) - since;
+        const int64_t since = std::max<int64_t>(0, now - query.integer("last_ms"));
+        const int64_t left = int64_t{1000} * wait_s(query.integer("failures")) - since;
         if (left > 0) return static_cast<int>((left + 999) / 1000);
     }
     return 0;
@@ -117,8 +117,8 @@ SignIn SqlStore::sign_in(const std::string& login, const std::string& password) 
                           "p.account_id = a.id WHERE p.login_key = ?");
         account.run(key);
         if (account.next()) {
-            id = account.integer(0);
-            hash = account.text(1);
+            id = account.integer("id");
+            hash = account.text("password_hash");
         }
         work.commit();
     }
@@ -172,7 +172,8 @@ void SqlStore::need_another_administrator(const UserRecord& user) {
     others.run(user.id);
     bool another = false;
     while (others.next())
-        another = another || has_role(static_cast<Roles>(others.integer(1)), Role::kAdministrator);
+        another =
+            another || has_role(static_cast<Roles>(others.integer("roles")), Role::kAdministrator);
     if (!another)
         connection_.fail(Kind::kRefused, "\"" + user.login +
                                              "\" is the last active administrator; make another "

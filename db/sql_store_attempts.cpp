@@ -21,8 +21,10 @@ namespace {
 using Kind = StoreError::Kind;
 
 const std::string kAttemptColumns =
-    "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END, CASE WHEN t.study = '' THEN "
-    "COALESCE(p.display_name, '') ELSE t.participant END, t.task_id, t.task_version, "
+    "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END AS user_id, CASE WHEN "
+    "t.study "
+    "= '' THEN COALESCE(p.display_name, '') ELSE t.participant END AS user_name, t.task_id, "
+    "t.task_version, "
     "t.started_utc, t.duration_s, t.device, t.seed, t.build, t.end_reason, t.demonstration, "
     "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version, "
     "t.preprocessing_version, t.generated_from, t.exam_course, t.exam_course_version, "
@@ -44,34 +46,55 @@ const std::string& attempt_columns() { return kAttemptColumns; }
 
 AttemptRecord read_attempt(const Statement& row) {
     AttemptRecord record;
-    record.id = row.integer(0);
-    record.user_id = row.integer(1);
-    record.user_name = row.text(2);
-    record.task_id = row.text(3);
-    record.task_version = static_cast<int>(row.integer(4));
-    record.started_utc = row.text(5);
-    record.duration_s = row.real(6);
-    record.device = row.text(7);
-    record.seed = unsigned_of(row.text(8));
-    record.build = row.text(9);
-    record.end = static_cast<sim::EndReason>(row.integer(10));
-    record.demonstration = row.integer(11) != 0;
-    record.points = row.real(12);
-    record.verdict = static_cast<assessment::Verdict>(row.integer(13));
-    record.rubric_id = row.text(14);
-    record.rubric_version = static_cast<int>(row.integer(15));
-    record.metric_set_version = static_cast<int>(row.integer(16));
-    record.preprocessing_version = static_cast<int>(row.integer(17));
-    record.generated = row.integer(18) != 0;
-    record.exam = {row.text(19), static_cast<int>(row.integer(20)), row.text(21), row.text(22),
-                   row.text(23)};
-    record.haptic_grade = row.text(24);
-    record.void_reason = row.text(25);
-    record.study = {row.text(26), row.text(27)};
+    record.id = row.integer("id");
+    record.user_id = row.integer("user_id");
+    record.user_name = row.text("user_name");
+    record.task_id = row.text("task_id");
+    record.task_version = static_cast<int>(row.integer("task_version"));
+    record.started_utc = row.text("started_utc");
+    record.duration_s = row.real("duration_s");
+    record.device = row.text("device");
+    record.seed = unsigned_of(row.text("seed"));
+    record.build = row.text("build");
+    record.end = static_cast<sim::EndReason>(row.integer("end_reason"));
+    record.demonstration = row.integer("demonstration") != 0;
+    record.points = row.real("points");
+    record.verdict = static_cast<assessment::Verdict>(row.integer("verdict"));
+    record.rubric_id = row.text("rubric_id");
+    record.rubric_version = static_cast<int>(row.integer("rubric_version"));
+    record.metric_set_version = static_cast<int>(row.integer("metric_set_version"));
+    record.preprocessing_version = static_cast<int>(row.integer("preprocessing_version"));
+    record.generated = row.integer("generated_from") != 0;
+    record.exam = {row.text("exam_course"), static_cast<int>(row.integer("exam_course_version")),
+                   row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
+    record.haptic_grade = row.text("haptic_grade");
+    record.void_reason = row.text("void_reason");
+    record.study = {row.text("study"), row.text("participant")};
     return record;
 }
 
+assessment::Reason read_reason(const Statement& row) {
+    return {
+        row.text("item"),   row.text("reason"),           row.real("points"),
+        row.real("time_s"), row.integer("critical") != 0, reason_from_json(row.text("meaning"))};
+}
+
 namespace {
+
+sim::Event read_event(const Statement& row) {
+    sim::Event event;
+    event.time_s = row.real("time_s");
+    event.kind = static_cast<sim::EventKind>(row.integer("kind"));
+    event.tool = static_cast<int8_t>(row.integer("tool"));
+    event.tissue = static_cast<sim::Tissue>(row.integer("tissue"));
+    event.value = static_cast<float>(row.real("value"));
+    event.value2 = static_cast<float>(row.real("value2"));
+    event.rest_position_m[0] = static_cast<float>(row.real("rest_x_m"));
+    event.rest_position_m[1] = static_cast<float>(row.real("rest_y_m"));
+    event.rest_position_m[2] = static_cast<float>(row.real("rest_z_m"));
+    event.element = static_cast<int32_t>(row.integer("element"));
+    return event;
+}
 
 int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics, const std::string& void_reason) {
@@ -213,10 +236,7 @@ AttemptDetail SqlStore::attempt(int64_t id) {
         "SELECT item, reason, points, time_s, critical, meaning FROM attempt_reasons WHERE "
         "attempt_id = ? ORDER BY position");
     reason.run(id);
-    while (reason.next())
-        detail.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
-                                        reason.real(3), reason.integer(4) != 0,
-                                        reason_from_json(reason.text(5))});
+    while (reason.next()) detail.score.reasons.push_back(read_reason(reason));
     Statement haptics(connection_, "SELECT haptic_certificate FROM attempts WHERE id = ?");
     haptics.run(id);
     if (haptics.next()) detail.haptic_certificate = haptics.text(0);
@@ -224,20 +244,7 @@ AttemptDetail SqlStore::attempt(int64_t id) {
                     "SELECT time_s, kind, tool, tissue, value, value2, rest_x_m, rest_y_m, "
                     "rest_z_m, element FROM attempt_events WHERE attempt_id = ? ORDER BY position");
     event.run(id);
-    while (event.next()) {
-        sim::Event one;
-        one.time_s = event.real(0);
-        one.kind = static_cast<sim::EventKind>(event.integer(1));
-        one.tool = static_cast<int8_t>(event.integer(2));
-        one.tissue = static_cast<sim::Tissue>(event.integer(3));
-        one.value = static_cast<float>(event.real(4));
-        one.value2 = static_cast<float>(event.real(5));
-        for (int axis = 0; axis < 3; ++axis)
-            one.rest_position_m[static_cast<size_t>(axis)] =
-                static_cast<float>(event.real(6 + axis));
-        one.element = static_cast<int32_t>(event.integer(9));
-        detail.events.push_back(one);
-    }
+    while (event.next()) detail.events.push_back(read_event(event));
     return detail;
 }
 
@@ -248,15 +255,15 @@ void SqlStore::extract_recording(int64_t attempt_id, const std::string& path) {
                     "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = ?");
     query.run(attempt_id);
     if (!query.next()) connection_.fail(Kind::kNotFound, "the attempt has no recording");
-    const QByteArray content = query.bytes(2);
+    const QByteArray content = query.bytes("content");
     Bytes file;
     try {
         file = decompress(std::as_bytes(std::span(content.data(), content.size())),
-                          static_cast<size_t>(query.integer(0)));
+                          static_cast<size_t>(query.integer("size_bytes")));
     } catch (const StoreError&) {
         file.clear();
     }
-    if (checksum_hex(file) != query.text(1))
+    if (checksum_hex(file) != query.text("checksum"))
         connection_.fail(Kind::kDamaged,
                          "the recording in the store is damaged; a backup may still have it");
     // Written beside and renamed: never half a file.

@@ -22,10 +22,10 @@ AnswerRecord SqlStore::need_answers(int64_t answer_id, int entry) {
                                                   "; they may have "
                                                   "been erased with a withdrawal");
         record.id = answer_id;
-        record.study_id = query.text(0);
-        record.participant = query.text(1);
-        record.questionnaire_id = query.text(2);
-        record.questionnaire_version = static_cast<int>(query.integer(3));
+        record.study_id = query.text("study_id");
+        record.participant = query.text("participant");
+        record.questionnaire_id = query.text("questionnaire_id");
+        record.questionnaire_version = static_cast<int>(query.integer("questionnaire_version"));
     }
     Statement items(connection_, entry == 1
                                      ? "SELECT item, answer FROM answer_items WHERE answer_id = ?"
@@ -98,9 +98,10 @@ std::vector<Correction> SqlStore::corrections(const std::string& study_id) {
     query.run(study_id);
     std::vector<Correction> found;
     while (query.next())
-        found.push_back({query.integer(0), query.integer(1), static_cast<int>(query.integer(2)),
-                         query.text(3), query.text(4), query.text(5), query.text(6), query.text(7),
-                         query.text(8)});
+        found.push_back({query.integer("id"), query.integer("answer_id"),
+                         static_cast<int>(query.integer("entry")), query.text("item"),
+                         query.text("old_answer"), query.text("new_answer"), query.text("reason"),
+                         query.text("corrected_by"), query.text("at_utc")});
     return found;
 }
 
@@ -135,10 +136,11 @@ std::vector<SecondEntry> SqlStore::second_entries(const std::string& study_id) {
     query.run(study_id);
     std::vector<SecondEntry> found;
     while (query.next()) {
-        if (found.empty() || found.back().answer_id != query.integer(0))
-            found.push_back({query.integer(0), {}, query.text(1), query.text(2)});
-        if (const std::string item = query.text(3); !item.empty())
-            found.back().answers[item] = query.text(4);
+        const int64_t answer_id = query.integer("answer_id");
+        if (found.empty() || found.back().answer_id != answer_id)
+            found.push_back({answer_id, {}, query.text("entered_by"), query.text("at_utc")});
+        if (const std::string item = query.text("item"); !item.empty())
+            found.back().answers[item] = query.text("answer");
     }
     return found;
 }

@@ -66,10 +66,11 @@ std::vector<GroupRecord> SqlStore::groups() {
     query.run();
     std::vector<GroupRecord> found;
     while (query.next()) {
-        if (found.empty() || found.back().id != query.integer(0))
-            found.push_back({query.integer(0), query.text(1), query.text(2), {}, {}});
-        if (const int64_t member = query.integer(3); member != 0)
-            (query.integer(4) != 0 ? found.back().educators : found.back().members)
+        const int64_t id = query.integer("id");
+        if (found.empty() || found.back().id != id)
+            found.push_back({id, query.text("name"), query.text("created_utc"), {}, {}});
+        if (const int64_t member = query.integer("account_id"); member != 0)
+            (query.integer("teaches") != 0 ? found.back().educators : found.back().members)
                 .push_back(member);
     }
     return found;
@@ -154,19 +155,22 @@ void SqlStore::end_assignment(int64_t id) {
 std::vector<AssignmentRecord> SqlStore::assignments(int64_t user_id) {
     connection_.begin_operation("list assignments of");
     // Open-ended ones last.
-    Statement query(connection_,
-                    "SELECT id, course_id, course_version, COALESCE(account_id, 0), "
-                    "COALESCE(group_id, 0), starts_utc, due_utc, assigned_by, assigned_utc, "
-                    "ended_utc FROM course_assignments WHERE ? = 0 OR (ended_utc = '' AND "
-                    "(account_id = ? OR group_id IN (SELECT group_id FROM group_members WHERE "
-                    "account_id = ? AND teaches = 0))) ORDER BY CASE WHEN due_utc = '' THEN 1 ELSE "
-                    "0 END, due_utc, id");
+    Statement query(
+        connection_,
+        "SELECT id, course_id, course_version, COALESCE(account_id, 0) AS for_user, "
+        "COALESCE(group_id, 0) AS for_group, starts_utc, due_utc, assigned_by, "
+        "assigned_utc, ended_utc FROM course_assignments WHERE ? = 0 OR (ended_utc = '' AND "
+        "(account_id = ? OR group_id IN (SELECT group_id FROM group_members WHERE "
+        "account_id = ? AND teaches = 0))) ORDER BY CASE WHEN due_utc = '' THEN 1 ELSE "
+        "0 END, due_utc, id");
     query.run(static_cast<int>(user_id != 0), user_id, user_id);
     std::vector<AssignmentRecord> found;
     while (query.next())
-        found.push_back({query.integer(0), query.text(1), static_cast<int>(query.integer(2)),
-                         query.integer(3), query.integer(4), query.text(5), query.text(6),
-                         query.text(7), query.text(8), query.text(9)});
+        found.push_back({query.integer("id"), query.text("course_id"),
+                         static_cast<int>(query.integer("course_version")),
+                         query.integer("for_user"), query.integer("for_group"),
+                         query.text("starts_utc"), query.text("due_utc"), query.text("assigned_by"),
+                         query.text("assigned_utc"), query.text("ended_utc")});
     return found;
 }
 
@@ -197,9 +201,10 @@ std::vector<GrantRecord> SqlStore::grants(int64_t user_id) {
     query.run(user_id);
     std::vector<GrantRecord> found;
     while (query.next())
-        found.push_back({query.integer(0), query.text(1), query.text(2),
-                         static_cast<int>(query.integer(3)), query.text(4), query.text(5),
-                         query.text(6)});
+        found.push_back({query.integer("account_id"), query.text("course_id"),
+                         query.text("stage_id"), static_cast<int>(query.integer("attempts")),
+                         query.text("reason"), query.text("granted_by"),
+                         query.text("granted_utc")});
     return found;
 }
 
@@ -209,9 +214,11 @@ constexpr const char* kCertificateColumns =
     "SELECT id, account_id, course_id, course_version, mastered_utc, issued_utc, issued_by, code "
     "FROM certificates ";
 
-CertificateRecord certificate_in(const Statement& query) {
-    return {query.integer(0), query.integer(1), query.text(2), static_cast<int>(query.integer(3)),
-            query.text(4),    query.text(5),    query.text(6), query.text(7)};
+CertificateRecord read_certificate(const Statement& row) {
+    return {row.integer("id"),        row.integer("account_id"),
+            row.text("course_id"),    static_cast<int>(row.integer("course_version")),
+            row.text("mastered_utc"), row.text("issued_utc"),
+            row.text("issued_by"),    row.text("code")};
 }
 
 }  // namespace
@@ -226,7 +233,7 @@ CertificateRecord SqlStore::save_certificate(int64_t user_id, const std::string&
                                          "WHERE account_id = ? AND course_id = ? AND "
                                          "course_version = ?");
         if (!query.run(user_id, course_id, course_version).next()) return std::nullopt;
-        return certificate_in(query);
+        return read_certificate(query);
     };
     if (const auto there = find()) return *there;
     const std::string now = utc_now();
@@ -252,7 +259,7 @@ std::vector<CertificateRecord> SqlStore::certificates(int64_t user_id) {
                     std::string(kCertificateColumns) + "WHERE ? = 0 OR account_id = ? ORDER BY id");
     query.run(static_cast<int>(user_id != 0), user_id);
     std::vector<CertificateRecord> found;
-    while (query.next()) found.push_back(certificate_in(query));
+    while (query.next()) found.push_back(read_certificate(query));
     return found;
 }
 

@@ -64,8 +64,9 @@ std::vector<AttemptPoint> SqlStore::attempt_points(int64_t group_id, const std::
     query.run_list(where.values);
     std::vector<AttemptPoint> found;
     while (query.next())
-        found.push_back({query.integer(0), query.integer(1), query.text(2), query.text(3),
-                         query.real(4), static_cast<assessment::Verdict>(query.integer(5))});
+        found.push_back({query.integer("account_id"), query.integer("id"), query.text("task_id"),
+                         query.text("started_utc"), query.real("points"),
+                         static_cast<assessment::Verdict>(query.integer("verdict"))});
     return found;
 }
 

@@ -89,12 +89,12 @@ std::vector<NormPackRecord> SqlStore::norm_packs(const std::string& task_id) {
     std::vector<NormPackRecord> found;
     while (query.next()) {
         NormPackRecord record;
-        record.id = query.integer(0);
-        record.norms = {query.text(1), query.text(2), query.text(3)};
+        record.id = query.integer("id");
+        record.norms = {query.text("content"), query.text("signature"), query.text("public_key")};
         record.pack = curriculum::load_norm_pack(record.norms.content, "norm pack");
-        record.in_use = query.integer(4) != 0;
-        record.added_by = query.text(5);
-        record.added_utc = query.text(6);
+        record.in_use = query.integer("in_use") != 0;
+        record.added_by = query.text("added_by");
+        record.added_utc = query.text("added_utc");
         found.push_back(std::move(record));
     }
     return found;
@@ -134,9 +134,10 @@ std::vector<MeasuredAttempt> SqlStore::measured_attempts(int64_t user_id,
                          where.sql + " ORDER BY m.attempt_id, m.position");
     metric.run_list(where.values);
     while (metric.next()) {
-        const auto place = places.find(metric.integer(0));
+        const auto place = places.find(metric.integer("attempt_id"));
         if (place != places.end())
-            found[place->second].metrics.values.push_back({metric.text(1), metric.real(2)});
+            found[place->second].metrics.values.push_back(
+                {metric.text("metric_id"), metric.real("value")});
     }
     return found;
 }

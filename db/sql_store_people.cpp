@@ -78,8 +78,8 @@ SignIn SqlStore::unlock(int64_t user_id, const std::string& pin) {
         Statement query(connection_,
                         "SELECT pin_hash, failures FROM account_pins WHERE account_id = ?");
         if (!query.run(user_id).next()) return {};
-        hash = query.text(0);
-        if (query.integer(1) >= kPinTries) return {};
+        hash = query.text("pin_hash");
+        if (query.integer("failures") >= kPinTries) return {};
         Statement(connection_,
                   "UPDATE account_pins SET failures = failures + 1 WHERE account_id = ?")
             .run(user_id);
@@ -131,14 +131,15 @@ std::string SqlStore::invite(const InvitationRecord& invitation) {
 std::vector<InvitationRecord> SqlStore::invitations() {
     connection_.begin_operation("list invitations of");
     Statement query(connection_,
-                    "SELECT id, roles, COALESCE(group_id, 0), note, invited_by, made_utc, "
-                    "expires_utc, used_utc FROM invitations ORDER BY id");
+                    "SELECT id, roles, COALESCE(group_id, 0) AS group_id, note, invited_by, "
+                    "made_utc, expires_utc, used_utc FROM invitations ORDER BY id");
     query.run();
     std::vector<InvitationRecord> found;
     while (query.next())
-        found.push_back({query.integer(0), static_cast<Roles>(query.integer(1)), query.integer(2),
-                         query.text(3), query.text(4), query.text(5), query.text(6),
-                         query.text(7)});
+        found.push_back({query.integer("id"), static_cast<Roles>(query.integer("roles")),
+                         query.integer("group_id"), query.text("note"), query.text("invited_by"),
+                         query.text("made_utc"), query.text("expires_utc"),
+                         query.text("used_utc")});
     return found;
 }
 
@@ -153,14 +154,15 @@ int64_t SqlStore::accept_invitation(const std::string& code, const NewUser& user
     std::string expires;
     {
         Statement query(connection_,
-                        "SELECT id, roles, COALESCE(group_id, 0), expires_utc FROM invitations "
+                        "SELECT id, roles, COALESCE(group_id, 0) AS group_id, expires_utc FROM "
+                        "invitations "
                         "WHERE code_hash = ? AND used_utc = ''");
         if (!query.run(checksum_hex(code)).next())
             connection_.fail(Kind::kRefused, "the code is wrong or was used; ask for another one");
-        id = query.integer(0);
-        invited.roles = static_cast<Roles>(query.integer(1));
-        group = query.integer(2);
-        expires = query.text(3);
+        id = query.integer("id");
+        invited.roles = static_cast<Roles>(query.integer("roles"));
+        group = query.integer("group_id");
+        expires = query.text("expires_utc");
     }
     // The last day is a day to its end.
     const int64_t last = curriculum::utc_seconds(expires).value_or(0) +
@@ -203,7 +205,8 @@ std::vector<ErasureRecord> SqlStore::erasure_requests() {
     query.run();
     std::vector<ErasureRecord> found;
     while (query.next())
-        found.push_back({query.integer(0), query.text(1), query.text(2), query.text(3)});
+        found.push_back({query.integer("account_id"), query.text("reason"), query.text("asked_utc"),
+                         query.text("done_utc")});
     return found;
 }
 

@@ -63,7 +63,8 @@ void seal_signatures(Connection& connection, const DefinitionRecord& definition)
     Statement query(connection, "SELECT code, path FROM consent_signatures WHERE study_id = ?");
     query.run(definition.id);
     while (query.next())
-        if (!is_sealed(query.text(1))) clear.emplace_back(query.text(0), query.text(1));
+        if (!is_sealed(query.text("path")))
+            clear.emplace_back(query.text("code"), query.text("path"));
     for (const auto& [code, path] : clear)
         Statement(connection,
                   "UPDATE consent_signatures SET path = ? WHERE study_id = ? AND code = ?")
@@ -120,10 +121,15 @@ constexpr const char* kDefinitionColumns =
     "SELECT kind, id, version, content, checksum, reason, published_by, published_utc FROM "
     "definitions ";
 
-DefinitionRecord definition_in(const Statement& query) {
-    return {query.text(0), query.text(1), static_cast<int>(query.integer(2)),
-            query.text(3), query.text(4), query.text(5),
-            query.text(6), query.text(7)};
+DefinitionRecord read_definition(const Statement& row) {
+    return {row.text("kind"),
+            row.text("id"),
+            static_cast<int>(row.integer("version")),
+            row.text("content"),
+            row.text("checksum"),
+            row.text("reason"),
+            row.text("published_by"),
+            row.text("published_utc")};
 }
 
 }  // namespace
@@ -135,7 +141,7 @@ std::optional<DefinitionRecord> SqlStore::find_definition(const std::string& kin
                                      "BY version DESC LIMIT 1");
     query.run(kind, id, version, version);
     if (!query.next()) return std::nullopt;
-    return definition_in(query);
+    return read_definition(query);
 }
 
 std::optional<DefinitionRecord> SqlStore::definition(const std::string& kind, const std::string& id,
@@ -150,25 +156,26 @@ std::vector<DefinitionRecord> SqlStore::definitions(const std::string& kind) {
                     std::string(kDefinitionColumns) + "WHERE kind = ? ORDER BY id, version");
     query.run(kind);
     std::vector<DefinitionRecord> found;
-    while (query.next()) found.push_back(definition_in(query));
+    while (query.next()) found.push_back(read_definition(query));
     return found;
 }
 
 void SqlStore::need_active_participant(const std::string& study_id, const std::string& code,
                                        const std::string& step) {
-    Statement participant(connection_,
-                          "SELECT COALESCE(s.protocol_version, 0), w.mode FROM participants p "
-                          "LEFT JOIN participant_states s ON s.study_id = p.study_id AND s.code = "
-                          "p.code LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = "
-                          "p.code WHERE p.study_id = ? AND p.code = ?");
+    Statement participant(
+        connection_,
+        "SELECT COALESCE(s.protocol_version, 0) AS version, w.mode FROM participants p "
+        "LEFT JOIN participant_states s ON s.study_id = p.study_id AND s.code = "
+        "p.code LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = "
+        "p.code WHERE p.study_id = ? AND p.code = ?");
     if (!participant.run(study_id, code).next())
         connection_.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
                                               code + "\"; check the code");
-    if (const std::string mode = participant.text(1); !mode.empty())
+    const int version = static_cast<int>(participant.integer("version"));
+    if (const std::string mode = participant.text("mode"); !mode.empty())
         connection_.fail(Kind::kRefused,
                          code + " has withdrawn (" + mode + "); nothing more is recorded");
     need_unlocked(study_id, code);
-    const int version = static_cast<int>(participant.integer(0));
     if (version == 0) return;
     const auto published = find_definition("study", study_id, version);
     if (!published) return;
@@ -210,11 +217,13 @@ int64_t SqlStore::record_step(const StepRecord& step) {
     UnitOfWork work(connection_);
     need_active_participant(step.study_id, step.participant, step.step);
     Statement owner(connection_, "SELECT study, participant FROM attempts WHERE id = ?");
-    if (owner.run(step.attempt_id).next() && !owner.text(0).empty() &&
-        (owner.text(0) != step.study_id || owner.text(1) != step.participant))
-        connection_.fail(Kind::kRefused, "attempt " + std::to_string(step.attempt_id) +
-                                             " belongs to " + owner.text(1) + " of the study \"" +
-                                             owner.text(0) + "\"");
+    if (owner.run(step.attempt_id).next()) {
+        const std::string study = owner.text("study"), participant = owner.text("participant");
+        if (!study.empty() && (study != step.study_id || participant != step.participant))
+            connection_.fail(Kind::kRefused, "attempt " + std::to_string(step.attempt_id) +
+                                                 " belongs to " + participant + " of the study \"" +
+                                                 study + "\"");
+    }
     const int64_t id = insert_step(step);
     append_audit(actor_, "study.step", step.study_id + " " + step.participant,
                  step.step + " " + kStates[static_cast<size_t>(step.state)] +
@@ -227,28 +236,29 @@ std::vector<StepRecord> SqlStore::steps(const std::string& study_id) {
     connection_.begin_operation("read the steps of a study from");
     Statement query(connection_,
                     "SELECT s.id, s.code, s.visit, s.step, s.state, s.attempt_id, s.answer_id, "
-                    "s.detail, s.at_utc, COALESCE(u.reason, ''), COALESCE(u.superseded_by, ''), "
-                    "COALESCE(u.superseded_utc, '') FROM study_steps s LEFT JOIN superseded_steps "
-                    "u ON u.step_id = s.id WHERE s.study_id = ? ORDER BY s.id");
+                    "s.detail, s.at_utc, COALESCE(u.reason, '') AS superseded_reason, "
+                    "COALESCE(u.superseded_by, '') AS superseded_by, COALESCE(u.superseded_utc, "
+                    "'') AS superseded_utc FROM study_steps s LEFT JOIN superseded_steps u ON "
+                    "u.step_id = s.id WHERE s.study_id = ? ORDER BY s.id");
     query.run(study_id);
     std::vector<StepRecord> found;
     while (query.next()) {
         StepRecord step;
-        step.id = query.integer(0);
+        step.id = query.integer("id");
         step.study_id = study_id;
-        step.participant = query.text(1);
-        step.visit = static_cast<int>(query.integer(2));
-        step.step = query.text(3);
-        const std::string state = query.text(4);
+        step.participant = query.text("code");
+        step.visit = static_cast<int>(query.integer("visit"));
+        step.step = query.text("step");
+        const std::string state = query.text("state");
         for (size_t i = 0; i < kStates.size(); ++i)
             if (state == kStates[i]) step.state = static_cast<StepState>(i);
-        step.attempt_id = query.integer(5);
-        step.answer_id = query.integer(6);
-        step.detail = query.text(7);
-        step.at_utc = query.text(8);
-        step.superseded_reason = query.text(9);
-        step.superseded_by = query.text(10);
-        step.superseded_utc = query.text(11);
+        step.attempt_id = query.integer("attempt_id");
+        step.answer_id = query.integer("answer_id");
+        step.detail = query.text("detail");
+        step.at_utc = query.text("at_utc");
+        step.superseded_reason = query.text("superseded_reason");
+        step.superseded_by = query.text("superseded_by");
+        step.superseded_utc = query.text("superseded_utc");
         found.push_back(std::move(step));
     }
     return found;

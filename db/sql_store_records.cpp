@@ -47,47 +47,41 @@ void SqlStore::need_unlocked(const std::string& study_id, const std::string& cod
 
 std::string SqlStore::record_checksum(const std::string& study_id, const std::string& code) {
     std::string all;
-    const auto add_rows = [&](const char* sql, int columns) {
+    const auto add_rows = [&](const char* sql) {
         Statement query(connection_, sql);
         query.run(study_id, code);
         while (query.next()) {
-            for (int i = 0; i < columns; ++i) add_text(all, query.text(i));
+            for (int i = 0; i < query.columns(); ++i) add_text(all, query.text(i));
             all += '\n';
         }
         all += '\n';
     };
-    const auto add_if_any = [&](const char* sql, int columns) {
+    const auto add_if_any = [&](const char* sql) {
         const std::string before = all;
-        add_rows(sql, columns);
+        add_rows(sql);
         if (all.size() == before.size() + 1) all = before;
     };
-    add_rows("SELECT created_utc FROM participants WHERE study_id = ? AND code = ?", 1);
+    add_rows("SELECT created_utc FROM participants WHERE study_id = ? AND code = ?");
     add_rows(
         "SELECT id, visit, step, state, attempt_id, answer_id, detail, at_utc FROM study_steps "
-        "WHERE study_id = ? AND code = ? ORDER BY id",
-        8);
+        "WHERE study_id = ? AND code = ? ORDER BY id");
     add_rows(
         "SELECT id, questionnaire_id, questionnaire_version, answered_utc, language, visit FROM "
-        "answers WHERE study_id = ? AND participant = ? ORDER BY id",
-        6);
+        "answers WHERE study_id = ? AND participant = ? ORDER BY id");
     add_rows(
         "SELECT i.answer_id, i.item, i.answer FROM answer_items i JOIN answers a ON a.id = "
-        "i.answer_id WHERE a.study_id = ? AND a.participant = ? ORDER BY i.answer_id, i.item",
-        3);
+        "i.answer_id WHERE a.study_id = ? AND a.participant = ? ORDER BY i.answer_id, i.item");
     add_rows(
         "SELECT t.id, t.task_id, t.points, t.verdict, t.duration_s FROM attempts t JOIN "
-        "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ? AND s.code = ? ORDER BY t.id",
-        5);
+        "study_steps s ON s.attempt_id = t.id WHERE s.study_id = ? AND s.code = ? ORDER BY t.id");
     // Only where there are any: a record that was signed before there were such things stays right.
     add_if_any(
         "SELECT u.step_id, u.reason, u.superseded_utc FROM superseded_steps u JOIN study_steps s "
         "ON "
-        "s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id",
-        3);
+        "s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id");
     add_if_any(
         "SELECT id, visit, step, note, at_utc FROM step_notes WHERE study_id = ? AND code = ? "
-        "ORDER BY id",
-        5);
+        "ORDER BY id");
     return checksum_hex(all);
 }
 
@@ -183,17 +177,17 @@ std::vector<RecordEvent> SqlStore::record_events(const std::string& study_id) {
     std::vector<RecordEvent> found;
     while (query.next()) {
         RecordEvent event;
-        event.id = query.integer(0);
+        event.id = query.integer("id");
         event.study_id = study_id;
-        event.code = query.text(1);
-        const std::string kind = query.text(2);
+        event.code = query.text("code");
+        const std::string kind = query.text("event");
         for (size_t i = 0; i < kEvents.size(); ++i)
             if (kind == kEvents[i]) event.kind = static_cast<RecordEventKind>(i);
-        event.remark = query.text(3);
-        event.checksum = query.text(4);
-        event.login = query.text(5);
-        event.name = query.text(6);
-        event.at_utc = query.text(7);
+        event.remark = query.text("remark");
+        event.checksum = query.text("checksum");
+        event.login = query.text("by_login");
+        event.name = query.text("by_name");
+        event.at_utc = query.text("at_utc");
         found.push_back(std::move(event));
     }
     return found;

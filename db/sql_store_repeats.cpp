@@ -25,9 +25,9 @@ void SqlStore::repeat_step(const std::string& study_id, const std::string& code,
     std::vector<int64_t> ids;
     int64_t attempt = 0;
     while (query.next()) {
-        if (query.text(1) == "started") continue;
-        ids.push_back(query.integer(0));
-        if (query.integer(2) != 0) attempt = query.integer(2);
+        if (query.text("state") == "started") continue;
+        ids.push_back(query.integer("id"));
+        if (const int64_t made = query.integer("attempt_id"); made != 0) attempt = made;
     }
     if (attempt == 0)
         connection_.fail(Kind::kRefused,
@@ -68,9 +68,9 @@ std::vector<StepNote> SqlStore::step_notes(const std::string& study_id) {
     query.run(study_id);
     std::vector<StepNote> found;
     while (query.next())
-        found.push_back({query.integer(0), study_id, query.text(1),
-                         static_cast<int>(query.integer(2)), query.text(3), query.text(4),
-                         query.text(5), query.text(6)});
+        found.push_back({query.integer("id"), study_id, query.text("code"),
+                         static_cast<int>(query.integer("visit")), query.text("step"),
+                         query.text("note"), query.text("noted_by"), query.text("at_utc")});
     return found;
 }
 

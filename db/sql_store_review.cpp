@@ -51,22 +51,23 @@ void SqlStore::set_comment_removed(int64_t id, bool removed) {
 
 std::vector<CommentRecord> SqlStore::comments(int64_t attempt_id) {
     connection_.begin_operation("read the remarks of");
-    Statement query(connection_,
-                    "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, ''), "
-                    "c.time_s, c.comment, c.at_utc FROM attempt_comments c LEFT JOIN persons p ON "
-                    "p.account_id = c.author_id WHERE c.attempt_id = ? AND c.removed_utc = '' "
-                    "ORDER BY c.time_s, c.id");
+    Statement query(
+        connection_,
+        "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, '') AS "
+        "author_name, c.time_s, c.comment, c.at_utc FROM attempt_comments c LEFT JOIN persons p ON "
+        "p.account_id = c.author_id WHERE c.attempt_id = ? AND c.removed_utc = '' "
+        "ORDER BY c.time_s, c.id");
     query.run(attempt_id);
     std::vector<CommentRecord> found;
     while (query.next()) {
         CommentRecord comment;
-        comment.id = query.integer(0);
-        comment.attempt_id = query.integer(1);
-        comment.author_id = query.integer(2);
-        comment.author_name = query.text(3);
-        comment.time_s = query.real(4);
-        comment.text = query.text(5);
-        comment.at_utc = query.text(6);
+        comment.id = query.integer("id");
+        comment.attempt_id = query.integer("attempt_id");
+        comment.author_id = query.integer("author_id");
+        comment.author_name = query.text("author_name");
+        comment.time_s = query.real("time_s");
+        comment.text = query.text("comment");
+        comment.at_utc = query.text("at_utc");
         found.push_back(std::move(comment));
     }
     return found;
@@ -80,7 +81,7 @@ int64_t SqlStore::save_rating(const RatingRecord& rating) {
     if (!there.run(rating.attempt_id).next())
         connection_.fail(Kind::kNotFound,
                          "there is no attempt " + std::to_string(rating.attempt_id));
-    if (there.integer(0) == rating.rater_id && there.text(1).empty())
+    if (there.integer("account_id") == rating.rater_id && there.text("study").empty())
         connection_.fail(Kind::kRefused, "nobody rates an attempt of their own");
     (void)need_user(rating.rater_id);
     Statement before(connection_,
@@ -116,13 +117,13 @@ std::vector<RatingRecord> SqlStore::ratings(const std::string& questionnaire_id)
     query.run(questionnaire_id);
     while (query.next()) {
         RatingRecord rating;
-        rating.id = query.integer(0);
-        rating.attempt_id = query.integer(1);
-        rating.rater_id = query.integer(2);
+        rating.id = query.integer("id");
+        rating.attempt_id = query.integer("attempt_id");
+        rating.rater_id = query.integer("rater_id");
         rating.questionnaire_id = questionnaire_id;
-        rating.questionnaire_version = static_cast<int>(query.integer(3));
-        rating.blinded = query.integer(4) != 0;
-        rating.rated_utc = query.text(5);
+        rating.questionnaire_version = static_cast<int>(query.integer("questionnaire_version"));
+        rating.blinded = query.integer("blinded") != 0;
+        rating.rated_utc = query.text("rated_utc");
         place[rating.id] = found.size();
         found.push_back(std::move(rating));
     }
@@ -131,8 +132,8 @@ std::vector<RatingRecord> SqlStore::ratings(const std::string& questionnaire_id)
                     "attempt_ratings r ON r.id = i.rating_id WHERE r.questionnaire_id = ?");
     items.run(questionnaire_id);
     while (items.next()) {
-        const auto at = place.find(items.integer(0));
-        if (at != place.end()) found[at->second].answers[items.text(1)] = items.text(2);
+        const auto at = place.find(items.integer("rating_id"));
+        if (at != place.end()) found[at->second].answers[items.text("item")] = items.text("answer");
     }
     return found;
 }

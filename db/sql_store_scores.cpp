@@ -54,17 +54,17 @@ std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
     std::vector<RescoreRecord> found;
     while (query.next()) {
         RescoreRecord record;
-        record.id = query.integer(0);
+        record.id = query.integer("id");
         record.attempt_id = attempt_id;
-        record.score.points = query.real(1);
-        record.score.verdict = static_cast<assessment::Verdict>(query.integer(2));
-        record.score.rubric_id = query.text(3);
-        record.score.rubric_version = static_cast<int>(query.integer(4));
-        record.score.metric_set_version = static_cast<int>(query.integer(5));
+        record.score.points = query.real("points");
+        record.score.verdict = static_cast<assessment::Verdict>(query.integer("verdict"));
+        record.score.rubric_id = query.text("rubric_id");
+        record.score.rubric_version = static_cast<int>(query.integer("rubric_version"));
+        record.score.metric_set_version = static_cast<int>(query.integer("metric_set_version"));
         record.metrics.version = record.score.metric_set_version;
-        record.preprocessing_version = static_cast<int>(query.integer(6));
-        record.scored_utc = query.text(7);
-        record.scored_by = query.text(8);
+        record.preprocessing_version = static_cast<int>(query.integer("preprocessing_version"));
+        record.scored_utc = query.text("scored_utc");
+        record.scored_by = query.text("scored_by");
         found.push_back(std::move(record));
     }
     for (RescoreRecord& record : found) {
@@ -78,10 +78,7 @@ std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
             "SELECT item, reason, points, time_s, critical, meaning FROM attempt_score_reasons "
             "WHERE score_id = ? ORDER BY position");
         reason.run(record.id);
-        while (reason.next())
-            record.score.reasons.push_back({reason.text(0), reason.text(1), reason.real(2),
-                                            reason.real(3), reason.integer(4) != 0,
-                                            reason_from_json(reason.text(5))});
+        while (reason.next()) record.score.reasons.push_back(read_reason(reason));
     }
     return found;
 }

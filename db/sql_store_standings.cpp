@@ -57,35 +57,35 @@ std::string standings_sql(const AttemptConditions& where) {
            of_attempt("started_utc", back, before, "''") + " AS from_utc, " +
            of_attempt("id", back, before, "0") + " AS from_id, " + streak_sql() +
            " AS streak FROM (" + sums_sql(where) +
-           ") g) SELECT f.account_id, f.task_id, x.points, x.verdict, COALESCE(p.display_name, "
-           "''), f.n, f.failed, f.passed, f.best, f.mean, f.last, f.first_points, f.streak FROM f "
-           "JOIN "
-           "attempts x ON x.account_id = f.account_id AND x.task_id = f.task_id AND " +
+           ") g) SELECT f.account_id AS user_id, f.task_id AS task, x.points AS points, "
+           "x.verdict AS verdict, COALESCE(p.display_name, '') AS user_name, f.n AS attempts, "
+           "f.failed AS failed, f.passed AS passed, f.best AS best, f.mean AS mean, f.last AS "
+           "last_utc, f.first_points AS first_points, f.streak AS streak FROM f JOIN attempts x ON "
+           "x.account_id = f.account_id AND x.task_id = f.task_id AND " +
            is_finished("x") +
            " AND (x.started_utc, x.id) >= (f.from_utc, f.from_id) LEFT JOIN persons p ON "
            "p.account_id = f.account_id ORDER BY p.login_key, f.account_id, f.task_id, " +
            forward;
 }
 
-/// Points and verdict from column `first` on.
-assessment::TrialOutcome outcome(const Statement& row, int first) {
-    return {row.real(first), static_cast<assessment::Verdict>(row.integer(first + 1)) ==
-                                 assessment::Verdict::kPassed};
+assessment::TrialOutcome read_outcome(const Statement& row) {
+    return {row.real("points"), static_cast<assessment::Verdict>(row.integer("verdict")) ==
+                                    assessment::Verdict::kPassed};
 }
 
-TaskStanding standing_of(const Statement& row) {
+TaskStanding read_standing(const Statement& row) {
     TaskStanding one;
-    one.user_id = row.integer(0);
-    one.task_id = row.text(1);
-    one.user_name = row.text(4);
-    one.attempts = one.trials.attempts = static_cast<int>(row.integer(5));
-    one.failed = static_cast<int>(row.integer(6));
-    one.trials.passed = static_cast<int>(row.integer(7));
-    one.best_points = one.trials.best = row.real(8);
-    one.mean_points = row.real(9);
-    one.last_utc = row.text(10);
-    one.first_points = row.real(11);
-    one.trials.streak = static_cast<int>(row.integer(12));
+    one.user_id = row.integer("user_id");
+    one.task_id = row.text("task");
+    one.user_name = row.text("user_name");
+    one.attempts = one.trials.attempts = static_cast<int>(row.integer("attempts"));
+    one.failed = static_cast<int>(row.integer("failed"));
+    one.trials.passed = static_cast<int>(row.integer("passed"));
+    one.best_points = one.trials.best = row.real("best");
+    one.mean_points = row.real("mean");
+    one.last_utc = row.text("last_utc");
+    one.first_points = row.real("first_points");
+    one.trials.streak = static_cast<int>(row.integer("streak"));
     return one;
 }
 
@@ -95,11 +95,12 @@ std::vector<TaskStanding> read_standings(Connection& connection, const AttemptCo
     query.run_list(where.values);
     std::vector<TaskStanding> found;
     while (query.next()) {
-        if (found.empty() || found.back().user_id != query.integer(0) ||
-            found.back().task_id != query.text(1))
-            found.push_back(standing_of(query));
-        found.back().last_points = query.real(2);
-        found.back().trials.last.push_back(outcome(query, 2));
+        if (found.empty() || found.back().user_id != query.integer("user_id") ||
+            found.back().task_id != query.text("task"))
+            found.push_back(read_standing(query));
+        const assessment::TrialOutcome outcome = read_outcome(query);
+        found.back().last_points = outcome.points;
+        found.back().trials.last.push_back(outcome);
     }
     return found;
 }
@@ -128,7 +129,7 @@ class Closer {
         if (passed || best < trials.best) return;
         outcomes_.run(one.user_id, one.task_id);
         std::vector<assessment::TrialOutcome> every;
-        while (outcomes_.next()) every.push_back(outcome(outcomes_, 0));
+        while (outcomes_.next()) every.push_back(read_outcome(outcomes_));
         trials = assessment::summarise_trials(every);
     }
 
@@ -172,27 +173,29 @@ std::vector<RecentMean> SqlStore::recent_means(const std::string& task_id, int l
         return "CASE WHEN " + table + ".device LIKE 'script:%' THEN " + table +
                ".device ELSE '' END";
     };
-    Statement query(connection_,
-                    "SELECT g.account_id, g.script, g.n, g.demonstration, (SELECT AVG(few.points) "
-                    "FROM (SELECT x.points FROM attempts x WHERE x.account_id = g.account_id AND "
-                    "x.task_id = ? AND " +
-                        is_finished("x") + " AND " + script("x") +
-                        " = g.script ORDER BY x.started_utc DESC, x.id DESC LIMIT ?) AS few) FROM "
-                        "(SELECT t.account_id, " +
-                        script("t") +
-                        " AS script, COUNT(*) AS n, MAX(t.demonstration) AS demonstration FROM "
-                        "attempts t WHERE t.task_id = ? AND " +
-                        is_finished("t") + " GROUP BY t.account_id, " + script("t") + ") g");
+    Statement query(
+        connection_,
+        "SELECT g.account_id AS user_id, g.script AS script, g.n AS attempts, "
+        "g.demonstration AS demonstration, (SELECT AVG(few.points) "
+        "FROM (SELECT x.points FROM attempts x WHERE x.account_id = g.account_id AND "
+        "x.task_id = ? AND " +
+            is_finished("x") + " AND " + script("x") +
+            " = g.script ORDER BY x.started_utc DESC, x.id DESC LIMIT ?) AS few) AS mean FROM "
+            "(SELECT t.account_id, " +
+            script("t") +
+            " AS script, COUNT(*) AS n, MAX(t.demonstration) AS demonstration FROM "
+            "attempts t WHERE t.task_id = ? AND " +
+            is_finished("t") + " GROUP BY t.account_id, " + script("t") + ") g");
     query.run(task_id, int64_t{last}, task_id);
     std::vector<RecentMean> found;
     while (query.next()) {
         RecentMean one;
-        one.user_id = query.integer(0);
+        one.user_id = query.integer("user_id");
         one.user_name = names[one.user_id];
-        one.script = query.text(1);
-        one.attempts = static_cast<int>(query.integer(2));
-        one.demonstration = query.integer(3) != 0;
-        one.mean_points = query.real(4);
+        one.script = query.text("script");
+        one.attempts = static_cast<int>(query.integer("attempts"));
+        one.demonstration = query.integer("demonstration") != 0;
+        one.mean_points = query.real("mean");
         found.push_back(std::move(one));
     }
     std::stable_sort(found.begin(), found.end(), [](const RecentMean& a, const RecentMean& b) {

@@ -36,10 +36,26 @@ void read_changes(Connection& connection, const std::string& study_id,
     query.run(study_id);
     size_t at = 0;
     while (query.next()) {
-        while (at < answers.size() && answers[at].id < query.integer(0)) ++at;
+        const int64_t answer_id = query.integer("answer_id");
+        while (at < answers.size() && answers[at].id < answer_id) ++at;
         if (at == answers.size()) return;
-        answers[at].changes.push_back({query.text(1), query.text(2), query.text(3), query.text(4)});
+        answers[at].changes.push_back({query.text("item"), query.text("old_answer"),
+                                       query.text("new_answer"), query.text("at_utc")});
     }
+}
+
+AnswerRecord read_answers(const Statement& row) {
+    AnswerRecord record;
+    record.id = row.integer("id");
+    record.study_id = row.text("study_id");
+    record.participant = row.text("participant");
+    record.questionnaire_id = row.text("questionnaire_id");
+    record.questionnaire_version = static_cast<int>(row.integer("questionnaire_version"));
+    record.answered_utc = row.text("answered_utc");
+    record.demonstration = row.integer("demonstration") != 0;
+    record.language = row.text("language");
+    record.visit = static_cast<int>(row.integer("visit"));
+    return record;
 }
 
 }  // namespace
@@ -98,9 +114,10 @@ std::vector<ParticipantRecord> SqlStore::participants(const std::string& study_i
     connection_.begin_operation("read participants from");
     Statement query(
         connection_,
-        "SELECT p.code, p.number, p.created_utc, COALESCE(s.protocol_version, 0), "
-        "COALESCE(s.arm, -1), COALESCE(s.demonstration, 0), w.mode, w.reason, "
-        "w.withdrawn_utc, COALESCE(d.device, '') FROM participants p "
+        "SELECT p.code, p.number, p.created_utc, COALESCE(s.protocol_version, 0) AS "
+        "protocol_version, COALESCE(s.arm, -1) AS arm, COALESCE(s.demonstration, 0) AS "
+        "demonstration, COALESCE(d.device, '') AS device, w.mode, w.reason, w.withdrawn_utc FROM "
+        "participants p "
         "LEFT JOIN participant_devices d ON d.study_id = p.study_id AND d.code = p.code "
         "LEFT JOIN participant_states s ON s.study_id = p.study_id AND s.code = p.code "
         "LEFT JOIN withdrawals w ON w.study_id = p.study_id AND w.code = p.code "
@@ -110,19 +127,19 @@ std::vector<ParticipantRecord> SqlStore::participants(const std::string& study_i
     while (query.next()) {
         ParticipantRecord record;
         record.study_id = study_id;
-        record.code = query.text(0);
-        record.number = static_cast<int>(query.integer(1));
-        record.enrolled_utc = query.text(2);
-        record.protocol_version = static_cast<int>(query.integer(3));
-        record.arm = static_cast<int>(query.integer(4));
-        record.demonstration = query.integer(5) != 0;
-        record.device = query.text(9);
-        if (const std::string mode = query.text(6); !mode.empty()) {
+        record.code = query.text("code");
+        record.number = static_cast<int>(query.integer("number"));
+        record.enrolled_utc = query.text("created_utc");
+        record.protocol_version = static_cast<int>(query.integer("protocol_version"));
+        record.arm = static_cast<int>(query.integer("arm"));
+        record.demonstration = query.integer("demonstration") != 0;
+        record.device = query.text("device");
+        if (const std::string mode = query.text("mode"); !mode.empty()) {
             record.withdrawal = mode == "keep"   ? WithdrawalMode::kKeep
                                 : mode == "stop" ? WithdrawalMode::kStop
                                                  : WithdrawalMode::kErase;
-            record.withdrawal_reason = query.text(7);
-            record.withdrawn_utc = query.text(8);
+            record.withdrawal_reason = query.text("reason");
+            record.withdrawn_utc = query.text("withdrawn_utc");
         }
         found.push_back(std::move(record));
     }
@@ -175,28 +192,17 @@ std::vector<AnswerRecord> SqlStore::answers(const std::string& study_id) {
     Statement query(
         connection_,
         "SELECT a.id, a.study_id, a.participant, a.questionnaire_id, "
-        "a.questionnaire_version, a.answered_utc, a.demonstration, i.item, i.answer, "
-        "a.language, a.visit "
+        "a.questionnaire_version, a.answered_utc, a.demonstration, a.language, a.visit, i.item, "
+        "i.answer "
         "FROM answers a LEFT JOIN answer_items i ON i.answer_id = a.id WHERE a.study_id "
         "= ? ORDER BY a.id, i.item");
     query.run(study_id);
     std::vector<AnswerRecord> found;
     while (query.next()) {
-        if (found.empty() || found.back().id != query.integer(0)) {
-            AnswerRecord record;
-            record.id = query.integer(0);
-            record.study_id = query.text(1);
-            record.participant = query.text(2);
-            record.questionnaire_id = query.text(3);
-            record.questionnaire_version = static_cast<int>(query.integer(4));
-            record.answered_utc = query.text(5);
-            record.demonstration = query.integer(6) != 0;
-            record.language = query.text(9);
-            record.visit = static_cast<int>(query.integer(10));
-            found.push_back(std::move(record));
-        }
-        if (const std::string item = query.text(7); !item.empty())
-            found.back().answers[item] = query.text(8);
+        if (found.empty() || found.back().id != query.integer("id"))
+            found.push_back(read_answers(query));
+        if (const std::string item = query.text("item"); !item.empty())
+            found.back().answers[item] = query.text("answer");
     }
     read_changes(connection_, study_id, found);
     return found;
