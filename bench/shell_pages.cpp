@@ -61,11 +61,11 @@ ShellPages time_shell_pages(const std::string& store_url, db::Store& store, int6
         return out;
     }
     const std::string password = random_password(), everybody = "every-role";
-    store.create_user({everybody, "Every Role", password, 15, true});
+    store.accounts().create({everybody, "Every Role", password, 15, true});
     measure_as(everybody, password, program, store_url, out);
-    store.set_password(trainee, password);
+    store.accounts().set_password(trainee, password);
     if (out.problem.empty())
-        measure_as(store.user(trainee)->login, password, program, store_url, out);
+        measure_as(store.accounts().find(trainee)->login, password, program, store_url, out);
     return out;
 }
 

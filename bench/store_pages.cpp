@@ -16,7 +16,7 @@
 #include "curriculum/attempt_runner.h"
 #include "curriculum/utc_time.h"
 #include "db/course_conduct.h"
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/recording_file.h"
 #include "reports/cohort_report.h"
 
@@ -53,7 +53,7 @@ void simulate(db::Store& store, int64_t user, const std::string& operator_name, 
     result.metrics = assessment::compute_metrics(recording);
     result.score = assessment::score_attempt(task.rubric, result.metrics, recording);
     result.recording_file = file;
-    store.save_attempt(user, result);
+    store.attempts().save(user, result);
     fs::remove(file);
 }
 
@@ -73,9 +73,9 @@ void forget_peak() {
 
 bool simulate_attempts(db::Store& store, double seconds, const std::string& folder,
                        const std::function<void(const std::string&)>& begun) {
-    if (!store.users().empty()) return false;
-    const int64_t user =
-        store.create_user({"simulated", "Simulated operator", "not-for-signing-in-1", 1, true});
+    if (!store.accounts().list().empty()) return false;
+    const int64_t user = store.accounts().create(
+        {"simulated", "Simulated operator", "not-for-signing-in-1", 1, true});
     for (const char* name : {"novice", "intermediate", "expert"}) {
         if (begun) begun(name);
         simulate(store, user, name, seconds, folder + "/" + name + ".placode");
@@ -110,19 +110,20 @@ void StorePages::pages(const db::LoadResult& load) {
     measure("Today, Course", "standing in a course, next step", kPageLimitMs, [&] {
         return db::course_standing(store_, user, "first_steps", now_utc()).course.stages.size();
     });
-    measure("History", "own attempts", kPageLimitMs, [&] { return store_.attempts(user).size(); });
+    measure("History", "own attempts", kPageLimitMs,
+            [&] { return store_.attempts().list(user).size(); });
     measure("Result", "attempt with metrics, reasons, ledger", kPageLimitMs, [&] {
         db::AttemptFilter newest;
         newest.user_id = user;
         newest.limit = 1;
-        const auto page = store_.attempt_page(newest);
-        return store_.attempt(page.rows.at(0).id).events.size();
+        const auto page = store_.attempts().page(newest);
+        return store_.attempts().detail(page.rows.at(0).id).events.size();
     });
     measure("Result", "own metrics of the task", kPageLimitMs,
-            [&] { return store_.measured_attempts(user, task).size(); });
+            [&] { return store_.norms().measured_attempts(user, task).size(); });
     const auto page = [&](const char* query, const db::AttemptFilter& filter) {
         measure("Attempts", query, kPageLimitMs,
-                [&] { return store_.attempt_page(filter).rows.size(); });
+                [&] { return store_.attempts().page(filter).rows.size(); });
     };
     db::AttemptFilter all, last, of_task, of_group;
     last.offset = std::max<int64_t>(0, load.attempts - 100);
@@ -133,16 +134,16 @@ void StorePages::pages(const db::LoadResult& load) {
     page("first page of a task", of_task);
     page("first page of a group", of_group);
     measure("Cohort", "standing of a group", kPageLimitMs,
-            [&] { return store_.task_standings(group).size(); });
+            [&] { return store_.attempts().standings(group).size(); });
     measure("Cohort", "standing of everybody", kPageLimitMs,
-            [&] { return store_.task_standings(0).size(); });
+            [&] { return store_.attempts().standings(0).size(); });
     measure("Cohort", "all scores of a group", kPageLimitMs,
-            [&] { return store_.attempt_points(group).size(); });
+            [&] { return store_.attempts().points(group).size(); });
     measure("Standards", "mean of everybody's last attempts", kPageLimitMs,
-            [&] { return store_.recent_means(task, 3).size(); });
-    measure("People", "everybody", kPageLimitMs, [&] { return store_.users().size(); });
-    measure("People", "groups", kPageLimitMs, [&] { return store_.groups().size(); });
-    measure("Audit", "newest 200", kPageLimitMs, [&] { return store_.audit_trail(200).size(); });
+            [&] { return store_.attempts().recent_means(task, 3).size(); });
+    measure("People", "everybody", kPageLimitMs, [&] { return store_.accounts().list().size(); });
+    measure("People", "groups", kPageLimitMs, [&] { return store_.groups().list().size(); });
+    measure("Audit", "newest 200", kPageLimitMs, [&] { return store_.audit().trail(200).size(); });
 }
 
 void StorePages::reports(const db::LoadResult& load, const std::string& folder) {

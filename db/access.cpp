@@ -84,7 +84,7 @@ bool allowed(Roles roles, Action action, Scope scope) noexcept {
 
 Scope scope_between(Store& store, int64_t actor, int64_t subject) {
     if (actor == subject) return Scope::kOwn;
-    return store.in_reach(actor, subject) ? Scope::kGroup : Scope::kOther;
+    return store.groups().in_reach(actor, subject) ? Scope::kGroup : Scope::kOther;
 }
 
 Scope scope_of_group(const GroupRecord& group, int64_t actor) {
@@ -95,7 +95,7 @@ Scope scope_of_group(const GroupRecord& group, int64_t actor) {
 
 std::vector<int64_t> reached_people(Store& store, int64_t actor) {
     std::set<int64_t> grouped, taught;
-    for (const GroupRecord& group : store.groups()) {
+    for (const GroupRecord& group : store.groups().list()) {
         const bool teaches = std::find(group.educators.begin(), group.educators.end(), actor) !=
                              group.educators.end();
         for (const auto* list : {&group.members, &group.educators})
@@ -105,7 +105,7 @@ std::vector<int64_t> reached_people(Store& store, int64_t actor) {
             }
     }
     std::vector<int64_t> reached;
-    for (const UserRecord& user : store.users())
+    for (const UserRecord& user : store.accounts().list())
         if (user.id == actor || !grouped.contains(user.id) || taught.contains(user.id))
             reached.push_back(user.id);
     return reached;

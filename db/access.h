@@ -43,7 +43,7 @@ enum class Scope : uint8_t { kOwn, kOther, kGroup };
 [[nodiscard]] Scope scope_of_group(const GroupRecord& group, int64_t actor);
 
 /// Ids of the people whom `actor` reaches: oneself, who is in no group, and who is in one that
-/// `actor` teaches. One look at the groups for all of them; agrees with Store::in_reach().
+/// `actor` teaches. One look at the groups for all of them; agrees with Groups::in_reach().
 [[nodiscard]] std::vector<int64_t> reached_people(Store& store, int64_t actor);
 
 /// Reason in plain words for a refusal, naming the role that could.

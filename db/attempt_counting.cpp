@@ -53,15 +53,15 @@ bool machine_at_fault(const AttemptRecord& attempt) noexcept {
 }
 
 std::vector<AttemptRecord> attempts_beside(Store& store, const AttemptRecord& attempt) {
-    if (attempt.study.study.empty()) return store.attempts(attempt.user_id, attempt.task_id);
+    if (attempt.study.study.empty()) return store.attempts().list(attempt.user_id, attempt.task_id);
     std::set<int64_t> own;
-    for (const StepRecord& step : store.steps(attempt.study.study))
+    for (const StepRecord& step : store.studies().steps(attempt.study.study))
         if (step.participant == attempt.study.participant && step.attempt_id != 0)
             own.insert(step.attempt_id);
     own.insert(attempt.id);
     std::vector<AttemptRecord> list;
     for (const int64_t id : own) {
-        AttemptRecord each = store.attempt(id).record;
+        AttemptRecord each = store.attempts().detail(id).record;
         if (each.task_id == attempt.task_id) list.push_back(std::move(each));
     }
     return list;

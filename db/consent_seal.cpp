@@ -102,7 +102,7 @@ SealDefinition seal_of(const std::string& json) {
 }
 
 void keep_seal(Store& store, const std::string& study_id, const std::string& public_key) {
-    const auto newest = store.definition("consent_seal", study_id);
+    const auto newest = store.definitions().find("consent_seal", study_id);
     if (newest && seal_of(newest->json).public_key == public_key) return;
     DefinitionRecord definition;
     definition.kind = "consent_seal";
@@ -110,7 +110,7 @@ void keep_seal(Store& store, const std::string& study_id, const std::string& pub
     definition.version = newest ? newest->version + 1 : 1;
     definition.json = seal_json(study_id, definition.version, public_key);
     if (newest) definition.reason = "another participant key";
-    store.publish(definition);
+    store.definitions().publish(definition);
 }
 
 }  // namespace placode::db

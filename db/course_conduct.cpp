@@ -23,14 +23,14 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
     standing.assignment = assignment;
     standing.course = std::move(course);
     curriculum::ExtraAttempts extra;
-    for (const GrantRecord& grant : store.grants(user_id))
+    for (const GrantRecord& grant : store.courses().grants(user_id))
         if (grant.course_id == standing.course.id) extra[grant.stage_id] += grant.attempts;
     standing.progress =
         curriculum::course_progress(standing.course, outcomes_of(attempts), now_utc, extra);
     standing.next =
         curriculum::next_step(standing.course, standing.progress, task_titles(standing.course),
                               {assignment.starts_utc, assignment.due_utc}, now_utc);
-    for (const CertificateRecord& each : store.certificates(user_id))
+    for (const CertificateRecord& each : store.courses().certificates(user_id))
         if (each.course_id == standing.course.id && each.course_version == standing.course.version)
             standing.certificate = each;
     return standing;
@@ -39,7 +39,7 @@ CourseStanding standing_in(Store& store, int64_t user_id, const AssignmentRecord
 }  // namespace
 
 Course find_course(Store& store, const std::string& course_id, int version) {
-    if (const auto published = store.definition("course", course_id, version))
+    if (const auto published = store.definitions().find("course", course_id, version))
         return curriculum::load_course_text(published->json, "course " + course_id);
     Course shipped = curriculum::load_course(course_id);
     if (version != 0 && shipped.version != version)
@@ -52,20 +52,20 @@ Course find_course(Store& store, const std::string& course_id, int version) {
 
 std::vector<std::string> course_ids(Store& store) {
     std::set<std::string> ids;
-    for (const auto& each : store.definitions("course")) ids.insert(each.id);
+    for (const auto& each : store.definitions().list("course")) ids.insert(each.id);
     for (const auto& each : curriculum::list_definitions("courses")) ids.insert(each);
     return {ids.begin(), ids.end()};
 }
 
 void publish_course_on_first_use(Store& store, const Course& course) {
-    if (store.definition("course", course.id, course.version)) return;
+    if (store.definitions().find("course", course.id, course.version)) return;
     DefinitionRecord definition;
     definition.kind = "course";
     definition.id = course.id;
     definition.version = course.version;
     definition.json = course.json;
     definition.reason = "first use of this version";
-    store.publish(definition);
+    store.definitions().publish(definition);
 }
 
 std::map<std::string, curriculum::LocalText> task_titles(const Course& course) {
@@ -106,20 +106,20 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
 CourseStanding course_standing(Store& store, int64_t user_id, const std::string& course_id,
                                const std::string& now_utc) {
     AssignmentRecord held;
-    for (const AssignmentRecord& each : store.assignments(user_id)) {
+    for (const AssignmentRecord& each : store.courses().assignments(user_id)) {
         if (each.course_id != course_id) continue;
         held = each;
         break;
     }
     return standing_in(store, user_id, held, find_course(store, course_id, held.course_version),
-                       store.attempts(user_id), now_utc);
+                       store.attempts().list(user_id), now_utc);
 }
 
 std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
                                              const std::string& now_utc) {
     std::vector<CourseStanding> standings;
-    const auto attempts = store.attempts(user_id);
-    for (const AssignmentRecord& each : store.assignments(user_id)) {
+    const auto attempts = store.attempts().list(user_id);
+    for (const AssignmentRecord& each : store.courses().assignments(user_id)) {
         // Assigned by person and by group: the one that is due first counts.
         const bool there =
             std::any_of(standings.begin(), standings.end(),
@@ -162,8 +162,8 @@ CertificateRecord issue_certificate(Store& store, int64_t user_id, const std::st
     if (!standing.progress.mastered)
         refuse("certificate of " + course_id + ": not mastered yet. " + standing.next.reason.en);
     publish_course_on_first_use(store, standing.course);
-    return store.save_certificate(user_id, course_id, standing.course.version,
-                                  standing.progress.mastered_utc);
+    return store.courses().save_certificate(user_id, course_id, standing.course.version,
+                                            standing.progress.mastered_utc);
 }
 
 }  // namespace placode::db

@@ -23,7 +23,7 @@ namespace placode::db {
 [[nodiscard]] std::vector<std::string> course_ids(Store& store);
 
 /// Publishes a shipped course where its version is not in the store yet, so that what was assigned
-/// stays readable whatever happens to the file. Throws as Store::publish().
+/// stays readable whatever happens to the file. Throws as Definitions::publish().
 void publish_course_on_first_use(Store& store, const curriculum::Course& course);
 
 /// Titles of a course's tasks, for next_step(); a task that cannot be loaded is left out.

@@ -8,6 +8,7 @@
 
 #include "curriculum/utc_time.h"
 #include "db/sql_connection.h"
+#include "db/store.h"
 #include "sim/core/random.h"
 
 namespace placode::db {

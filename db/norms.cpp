@@ -2,206 +2,147 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/norms.h"
 
-#include <algorithm>
-#include <set>
-#include <utility>
+#include <map>
 
-#include "assessment/statistics.h"
-#include "db/attempt_counting.h"
+#include "curriculum/norm_pack.h"
+#include "db/attempt_rows.h"
+#include "db/attempts.h"
 #include "db/signature.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 
-using assessment::Direction;
+using Kind = StoreError::Kind;
 
-Direction direction_of(const std::string& metric) {
-    if (metric == "points") return Direction::kHigherIsBetter;
-    const assessment::MetricDefinition* definition = assessment::metric_definition(metric);
-    return definition != nullptr ? definition->direction : Direction::kNeutral;
+Norms::Norms(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+CentreKey Norms::centre_key(const std::string& centre) {
+    connection_.begin_operation("read the centre's key from");
+    UnitOfWork work(connection_);
+    connection_.lock_table("centre_key");
+    Statement query(connection_, "SELECT centre, public_key, secret_key FROM centre_key");
+    if (query.run().next()) return {query.text(0), query.text(1), query.text(2)};
+    if (centre.empty())
+        connection_.fail(Kind::kRefused,
+                         "the centre has no name yet; give it with the first norm pack");
+    const KeyPair pair = new_key_pair();
+    Statement(connection_,
+              "INSERT INTO centre_key (id, centre, public_key, secret_key, made_utc) VALUES (1, ?, "
+              "?, ?, ?)")
+        .run(centre, pair.public_key, pair.secret_key, utc_now());
+    Statement(connection_,
+              "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
+              "?, ?)")
+        .run(pair.public_key, centre, context_.actor.name, utc_now());
+    context_.append_audit("norms.key", centre, fingerprint(pair.public_key));
+    work.commit();
+    return {centre, pair.public_key, pair.secret_key};
 }
 
-namespace {
-
-/// "points" first, then metrics in the order of their definitions.
-std::vector<std::string> metrics_in(const std::vector<const LevelAttempts*>& levels) {
-    std::set<std::string> there;
-    for (const LevelAttempts* level : levels)
-        for (const auto& [person, attempts] : level->by_person)
-            for (const MeasuredAttempt& attempt : attempts)
-                for (const auto& metric : attempt.metrics.values) there.insert(metric.id);
-    std::vector<std::string> ids{"points"};
-    for (const auto& definition : assessment::metric_definitions())
-        if (there.contains(std::string(definition.id))) ids.emplace_back(definition.id);
-    return ids;
+void Norms::trust_centre(const std::string& public_key, const std::string& centre) {
+    connection_.begin_operation("trust a centre in");
+    UnitOfWork work(connection_);
+    Statement(connection_,
+              "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
+              "?, ?)")
+        .run(public_key, centre, context_.actor.name, utc_now());
+    context_.append_audit("norms.trust", centre, fingerprint(public_key));
+    work.commit();
 }
 
-using Versions = std::pair<int, int>;
-Versions versions_of(const MeasuredAttempt& attempt) {
-    return {attempt.record.metric_set_version, attempt.record.preprocessing_version};
+std::map<std::string, std::string> Norms::trusted_centres() {
+    connection_.begin_operation("list trusted centres of");
+    Statement query(connection_, "SELECT public_key, centre FROM trusted_centres");
+    query.run();
+    std::map<std::string, std::string> found;
+    while (query.next()) found[query.text(0)] = query.text(1);
+    return found;
 }
 
-[[noreturn]] void refuse(const std::string& problem) {
-    throw StoreError(StoreError::Kind::kRefused, problem);
+int64_t Norms::save(const curriculum::SignedNorms& norms) {
+    connection_.begin_operation("keep a norm pack in");
+    const curriculum::NormPack pack = curriculum::load_norm_pack(norms.content, "norm pack");
+    if (!signature_is_right(norms.content, norms.signature, norms.public_key))
+        connection_.fail(Kind::kRefused,
+                         "its signature is wrong: the pack was changed after it was signed");
+    if (!trusted_centres().contains(norms.public_key))
+        connection_.fail(Kind::kRefused, "its centre \"" + pack.centre + "\" with the key " +
+                                             fingerprint(norms.public_key) +
+                                             " is not trusted here");
+    UnitOfWork work(connection_);
+    Statement there(connection_, "SELECT id FROM norm_packs WHERE signature = ?");
+    if (there.run(norms.signature).next()) return there.integer(0);
+    Statement insert(connection_,
+                     "INSERT INTO norm_packs (task_id, centre, content, signature, public_key, "
+                     "in_use, added_by, added_utc) VALUES (?, ?, ?, ?, ?, 0, ?, ?) RETURNING id");
+    insert.run(pack.task_id, pack.centre, norms.content, norms.signature, norms.public_key,
+               context_.actor.name, utc_now());
+    const int64_t id = insert.returned_id();
+    context_.append_audit("norms.keep", "norm pack " + std::to_string(id),
+                          pack.task_id + " of " + pack.centre);
+    work.commit();
+    return id;
 }
 
-const AttemptRecord& first_of(const LevelAttempts& level) {
-    return level.by_person.begin()->second.front().record;
-}
-
-curriculum::NormGroup group_of(const LevelAttempts& level, const std::vector<std::string>& ids) {
-    curriculum::NormGroup group;
-    group.level = level.level;
-    group.persons = static_cast<int>(level.by_person.size());
-    group.attempts = level.attempts();
-    for (const std::string& id : ids) {
-        const auto values = level_values(level, id, true);
-        // Fewer people than the least group may have this metric.
-        if (static_cast<int>(values.size()) < curriculum::kLeastNormGroup) continue;
-        const auto band = assessment::make_benchmark(values, assessment::is_log_metric(id));
-        if (band) group.metrics.push_back({id, *band});
-    }
-    return group;
-}
-
-}  // namespace
-
-int LevelAttempts::attempts() const {
-    size_t n = 0;
-    for (const auto& [person, each] : by_person) n += each.size();
-    return static_cast<int>(n);
-}
-
-std::vector<LevelAttempts> level_attempts(
-    Store& store, const std::string& task_id,
-    const std::map<std::string, std::vector<int64_t>>& people) {
-    std::vector<LevelAttempts> levels;
-    Versions newest{0, 0};
-    for (const auto& [name, ids] : people) {
-        LevelAttempts level;
-        level.level = name;
-        for (const int64_t id : ids)
-            for (MeasuredAttempt& attempt : store.measured_attempts(id, task_id)) {
-                if (attempt.record.generated || !counts(attempt.record)) continue;
-                newest = std::max(newest, versions_of(attempt));
-                level.by_person[id].push_back(std::move(attempt));
-            }
-        levels.push_back(std::move(level));
-    }
-    for (LevelAttempts& level : levels) {
-        for (auto& [person, attempts] : level.by_person)
-            level.left_out += static_cast<int>(std::erase_if(
-                attempts, [&](const MeasuredAttempt& one) { return versions_of(one) != newest; }));
-        std::erase_if(level.by_person, [](const auto& each) { return each.second.empty(); });
-    }
-    return levels;
-}
-
-std::optional<double> value_of(const MeasuredAttempt& attempt, const std::string& metric) {
-    if (metric == "points") return attempt.record.points;
-    return attempt.metrics.find(metric);
-}
-
-std::vector<double> level_values(const LevelAttempts& level, const std::string& metric,
-                                 bool per_person) {
-    std::vector<double> values;
-    for (const auto& [person, attempts] : level.by_person) {
-        std::vector<double> own;
-        for (const MeasuredAttempt& attempt : attempts)
-            if (const auto value = value_of(attempt, metric)) own.push_back(*value);
-        if (own.empty()) continue;
-        if (per_person)
-            values.push_back(*assessment::mean_of(own));
-        else
-            values.insert(values.end(), own.begin(), own.end());
-    }
-    return values;
-}
-
-curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels, const std::string& centre,
-                                const std::string& made_utc, int least) {
-    least = std::max(least, curriculum::kLeastNormGroup);
-    std::vector<const LevelAttempts*> all;
-    for (const LevelAttempts& level : levels) {
-        if (static_cast<int>(level.by_person.size()) < least)
-            refuse("norms: the level \"" + level.level + "\" has " +
-                   std::to_string(level.by_person.size()) + " persons with attempts; at least " +
-                   std::to_string(least) +
-                   " are needed, because bands of fewer tell about persons");
-        all.push_back(&level);
-    }
-    if (levels.empty()) refuse("norms: no level was named");
-    const AttemptRecord& first = first_of(levels.front());
-    curriculum::NormPack pack;
-    pack.centre = centre;
-    pack.made_utc = made_utc;
-    pack.task_id = first.task_id;
-    pack.task_version = first.task_version;
-    pack.rubric_id = first.rubric_id;
-    pack.rubric_version = first.rubric_version;
-    pack.metric_set_version = first.metric_set_version;
-    pack.preprocessing_version = first.preprocessing_version;
-    for (const LevelAttempts& level : levels)
-        for (const auto& [person, attempts] : level.by_person)
-            for (const MeasuredAttempt& attempt : attempts) {
-                pack.demonstration = pack.demonstration || attempt.record.demonstration;
-                if (attempt.record.rubric_version != first.rubric_version ||
-                    attempt.record.rubric_id != first.rubric_id)
-                    refuse(
-                        "norms: the attempts were scored under different rubrics; rescore them "
-                        "under one first");
-            }
-    for (const LevelAttempts& level : levels)
-        pack.groups.push_back(group_of(level, metrics_in(all)));
-    return pack;
-}
-
-int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack) {
-    const CentreKey key = store.centre_key(pack.centre);
-    curriculum::NormPack own = pack;
-    own.centre = key.centre;
-    curriculum::SignedNorms norms;
-    norms.content = curriculum::norm_pack_text(own);
-    norms.signature = sign_text(norms.content, key.secret_key);
-    norms.public_key = key.public_key;
-    return store.save_norms(norms);
-}
-
-std::optional<NormPackRecord> norms_in_use(Store& store, const std::string& task_id) {
-    for (NormPackRecord& record : store.norm_packs(task_id))
-        if (record.in_use) return std::move(record);
-    return std::nullopt;
-}
-
-std::vector<BandComparison> compare_with_band(const MeasuredAttempt& attempt,
-                                              const curriculum::NormGroup& group) {
-    std::vector<BandComparison> found;
-    for (const curriculum::NormMetric& metric : group.metrics) {
-        const auto value = value_of(attempt, metric.id);
-        if (!value) continue;
-        BandComparison one{metric.id, *value, metric.band, {}, {}};
-        one.z = assessment::benchmark_z(metric.band, *value, direction_of(metric.id));
-        if (one.z) one.score = assessment::item_score(*one.z);
-        found.push_back(std::move(one));
+std::vector<NormPackRecord> Norms::list(const std::string& task_id) {
+    connection_.begin_operation("list norm packs of");
+    Statement query(connection_,
+                    "SELECT id, content, signature, public_key, in_use, added_by, added_utc FROM "
+                    "norm_packs WHERE ? = '' OR task_id = ? ORDER BY id");
+    query.run(task_id, task_id);
+    std::vector<NormPackRecord> found;
+    while (query.next()) {
+        NormPackRecord record;
+        record.id = query.integer("id");
+        record.norms = {query.text("content"), query.text("signature"), query.text("public_key")};
+        record.pack = curriculum::load_norm_pack(record.norms.content, "norm pack");
+        record.in_use = query.integer("in_use") != 0;
+        record.added_by = query.text("added_by");
+        record.added_utc = query.text("added_utc");
+        found.push_back(std::move(record));
     }
     return found;
 }
 
-std::vector<assessment::MetricQuality> metric_panel(const LevelAttempts& novices,
-                                                    const LevelAttempts& experts, int repeats) {
-    std::vector<assessment::MetricQuality> panel;
-    for (const std::string& id : metrics_in({&novices, &experts})) {
-        std::vector<assessment::Repeats> people;
-        for (const LevelAttempts* level : {&novices, &experts})
-            for (const auto& [person, attempts] : level->by_person) {
-                assessment::Repeats own;
-                own.level = level == &experts ? 1 : 0;
-                for (const MeasuredAttempt& attempt : attempts)
-                    if (const auto value = value_of(attempt, id)) own.values.push_back(*value);
-                people.push_back(std::move(own));
-            }
-        panel.push_back(assessment::metric_quality(id, direction_of(id), people, repeats));
+void Norms::use(int64_t id) {
+    connection_.begin_operation("use the norm pack " + std::to_string(id) + " in");
+    UnitOfWork work(connection_);
+    Statement query(connection_, "SELECT task_id FROM norm_packs WHERE id = ?");
+    if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such norm pack");
+    const std::string task = query.text(0);
+    Statement(connection_,
+              "UPDATE norm_packs SET in_use = CASE WHEN id = ? THEN 1 ELSE 0 END WHERE "
+              "task_id = ?")
+        .run(id, task);
+    context_.append_audit("norms.use", "norm pack " + std::to_string(id), task);
+    work.commit();
+}
+
+std::vector<MeasuredAttempt> Norms::measured_attempts(int64_t user_id, const std::string& task_id) {
+    std::vector<MeasuredAttempt> found;
+    for (AttemptRecord& record : Attempts(context_).list(user_id, task_id)) {
+        if (!record.study.study.empty()) continue;
+        MeasuredAttempt measured;
+        measured.metrics.version = record.metric_set_version;
+        measured.record = std::move(record);
+        found.push_back(std::move(measured));
     }
-    return panel;
+    std::map<int64_t, size_t> places;
+    for (size_t i = 0; i < found.size(); ++i) places[found[i].record.id] = i;
+    connection_.begin_operation("read metrics from");
+    const AttemptConditions where = conditions_of(user_id, 0, task_id);
+    Statement metric(connection_,
+                     "SELECT m.attempt_id, m.metric_id, m.value FROM attempts t JOIN "
+                     "attempt_metrics m ON m.attempt_id = t.id" +
+                         where.sql + " ORDER BY m.attempt_id, m.position");
+    metric.run_list(where.values);
+    while (metric.next()) {
+        const auto place = places.find(metric.integer("attempt_id"));
+        if (place != places.end())
+            found[place->second].metrics.values.push_back(
+                {metric.text("metric_id"), metric.real("value")});
+    }
+    return found;
 }
 
 }  // namespace placode::db

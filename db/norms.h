@@ -1,69 +1,45 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Standard setting from what is in the store: levels of people, bands, pass marks, and how good a
-// metric is.
+// Part of Store: norm packs, the key of the centre that signs them, and the attempts with metrics
+// that they are made of. How they are made: db/norm_bands.h.
 
+#include <cstdint>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "assessment/metric_quality.h"
-#include "assessment/standard_setting.h"
-#include "db/store.h"
+#include "db/records.h"
 
 namespace placode::db {
 
-/// Attempts of one level, by person, in order of time. All are of the newest metric set and
-/// pre-processing among them; interrupted and generated attempts are left out.
-struct LevelAttempts {
-    std::string level;
-    std::map<int64_t, std::vector<MeasuredAttempt>> by_person;
-    int left_out = 0;  ///< Of older versions.
-    [[nodiscard]] int attempts() const;
+class Connection;
+struct StoreContext;
+
+/// `store.norms()`. Every change is one transaction and in the audit trail.
+class Norms {
+ public:
+    explicit Norms(StoreContext& context);
+
+    /// Attempts of a task with their metrics, oldest first; user_id 0 = everybody's. None of
+    /// studies.
+    [[nodiscard]] std::vector<MeasuredAttempt> measured_attempts(int64_t user_id,
+                                                                 const std::string& task_id);
+    /// Made on first use under this name. Throws kRefused when it has to be made without a name.
+    CentreKey centre_key(const std::string& centre);
+    void trust_centre(const std::string& public_key, const std::string& centre);
+    /// Name by public key.
+    [[nodiscard]] std::map<std::string, std::string> trusted_centres();
+    /// Keeps a pack whose signature is right and whose centre is trusted; the same pack once.
+    /// Throws kRefused, DefinitionError.
+    int64_t save(const curriculum::SignedNorms& norms);
+    /// task_id empty = all.
+    [[nodiscard]] std::vector<NormPackRecord> list(const std::string& task_id);
+    void use(int64_t id);  ///< For its task, in place of the one before.
+
+ private:
+    StoreContext& context_;
+    Connection& connection_;
 };
-/// @param people account ids by level.
-[[nodiscard]] std::vector<LevelAttempts> level_attempts(
-    Store& store, const std::string& task_id,
-    const std::map<std::string, std::vector<int64_t>>& people);
-
-/// Higher for "points"; neutral for what is no metric.
-[[nodiscard]] assessment::Direction direction_of(const std::string& metric);
-
-/// "points" or a metric's id. Nothing where the attempt has no such value.
-[[nodiscard]] std::optional<double> value_of(const MeasuredAttempt& attempt,
-                                             const std::string& metric);
-
-/// Mean of each person's attempts (per_person), or each attempt.
-[[nodiscard]] std::vector<double> level_values(const LevelAttempts& level,
-                                               const std::string& metric, bool per_person);
-
-/// Bands of every level and metric, of persons' means. Throws StoreError(kRefused) naming a level
-/// with fewer than `least` persons (never below curriculum::kLeastNormGroup), or mixed rubrics.
-[[nodiscard]] curriculum::NormPack make_norms(const std::vector<LevelAttempts>& levels,
-                                              const std::string& centre,
-                                              const std::string& made_utc, int least);
-
-/// Signs with the centre's key, which is made when it is missing, and keeps the pack.
-int64_t keep_own_norms(Store& store, const curriculum::NormPack& pack);
-
-/// The pack in use for a task, if there is one.
-[[nodiscard]] std::optional<NormPackRecord> norms_in_use(Store& store, const std::string& task_id);
-
-/// An attempt's metric against a band.
-struct BandComparison {
-    std::string metric;
-    double value = 0;
-    assessment::Benchmark band;
-    std::optional<double> z, score;  ///< Absent for a neutral metric or a band that does not vary.
-};
-[[nodiscard]] std::vector<BandComparison> compare_with_band(const MeasuredAttempt& attempt,
-                                                            const curriculum::NormGroup& group);
-
-/// Quality of every metric that an attempt of either level has, "points" first.
-[[nodiscard]] std::vector<assessment::MetricQuality> metric_panel(const LevelAttempts& novices,
-                                                                  const LevelAttempts& experts,
-                                                                  int repeats);
 
 }  // namespace placode::db

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "db/password.h"
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 

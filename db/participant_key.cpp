@@ -18,7 +18,7 @@
 
 #include "db/participant.h"
 #include "db/password.h"
-#include "db/store.h"
+#include "db/store_error.h"
 #include "db/store_url.h"
 
 namespace placode::db {

@@ -8,7 +8,7 @@
 #include <QString>
 #include <array>
 
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 namespace {

@@ -10,7 +10,7 @@
 #include <span>
 #include <string>
 
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 

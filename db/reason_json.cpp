@@ -7,7 +7,7 @@
 #include <charconv>
 #include <system_error>
 
-#include "db/store.h"
+#include "db/store_error.h"
 #include "sim/core/number_text.h"
 
 namespace placode::db {

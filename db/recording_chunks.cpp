@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstring>
 
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 namespace {

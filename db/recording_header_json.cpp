@@ -9,7 +9,7 @@
 
 #include "curriculum/conduct.h"
 #include "db/recording_chunks.h"
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 namespace {

@@ -24,7 +24,7 @@ bool has_score(Store& store, const AttemptRecord& attempt, const assessment::Rub
     if (same(attempt.rubric_id, attempt.rubric_version, attempt.metric_set_version,
              attempt.preprocessing_version))
         return true;
-    const auto further = store.rescores(attempt.id);
+    const auto further = store.attempts().rescores(attempt.id);
     return std::any_of(further.begin(), further.end(), [&](const RescoreRecord& one) {
         return same(one.score.rubric_id, one.score.rubric_version, one.score.metric_set_version,
                     one.preprocessing_version);
@@ -49,7 +49,7 @@ DefinitionRecord rubric_definition(const curriculum::Task& task) {
 }
 
 void check_version(Store& store, const DefinitionRecord& wanted) {
-    const auto there = store.definition(wanted.kind, wanted.id, wanted.version);
+    const auto there = store.definitions().find(wanted.kind, wanted.id, wanted.version);
     if (there && there->json != wanted.json) refuse_text(wanted);
 }
 
@@ -98,7 +98,7 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
         outcome.new_points = record.score.points;
         outcome.new_verdict = record.score.verdict;
         if (there) outcome.state = RescoreState::kAlreadyThere;
-        if (!options.dry_run) store.save_rescore(record);
+        if (!options.dry_run) store.attempts().save_rescore(record);
     } catch (const StoreError& error) {
         if (error.kind() != StoreError::Kind::kNotFound &&
             error.kind() != StoreError::Kind::kDamaged)
@@ -121,7 +121,7 @@ const char* rescore_state_name(RescoreState state) {
 sim::Recording stored_recording(Store& store, int64_t attempt_id) {
     const QTemporaryDir folder;
     const std::string path = folder.filePath(QStringLiteral("a.placode")).toStdString();
-    store.extract_recording(attempt_id, path);
+    store.attempts().extract_recording(attempt_id, path);
     return read_recording_file(path);
 }
 
@@ -129,12 +129,12 @@ std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
                                     const RescoreOptions& options) {
     const DefinitionRecord rubric = rubric_definition(task);
     check_version(store, rubric);
-    const auto attempts = store.attempts(options.user_id, task.id);
-    if (!store.definition("rubric", rubric.id, rubric.version))
+    const auto attempts = store.attempts().list(options.user_id, task.id);
+    if (!store.definitions().find("rubric", rubric.id, rubric.version))
         check_recorded(store, attempts, task.rubric, rubric);
     if (!options.dry_run && !attempts.empty() &&
-        !store.definition("rubric", rubric.id, rubric.version))
-        store.publish(rubric);
+        !store.definitions().find("rubric", rubric.id, rubric.version))
+        store.definitions().publish(rubric);
     std::vector<RescoreOutcome> outcomes;
     for (const AttemptRecord& attempt : attempts) {
         if (options.progress && !options.progress(outcomes.size(), attempts.size())) break;

@@ -55,7 +55,7 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
     if (!problems.empty())
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");
-    store->audit(actor, "store.restore", backup_path, "");
+    store->audit().write(actor, "store.restore", backup_path, "");
 }
 
 }  // namespace

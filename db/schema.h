@@ -3,6 +3,7 @@
 #pragma once
 // Brings the tables of a store up to this program.
 
+#include <functional>
 #include <string>
 #include <vector>
 

@@ -8,7 +8,7 @@
 
 #include "db/packing.h"
 #include "db/password.h"
-#include "db/store.h"
+#include "db/store_error.h"
 
 namespace placode::db {
 namespace {

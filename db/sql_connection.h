@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "db/store.h"
+#include "db/store_error.h"
 #include "db/store_url.h"
 
 struct sqlite3;

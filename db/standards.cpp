@@ -17,9 +17,9 @@ constexpr const char* kKind = "standard";
 
 std::optional<StandardRecord> standard_at(Store& store, const std::string& task_id,
                                           const std::string& at_utc) {
-    auto found = store.definition(kKind, task_id);
+    auto found = store.definitions().find(kKind, task_id);
     while (found && !at_utc.empty() && found->published_utc > at_utc)
-        found = found->version > 1 ? store.definition(kKind, task_id, found->version - 1)
+        found = found->version > 1 ? store.definitions().find(kKind, task_id, found->version - 1)
                                    : std::nullopt;
     if (!found) return std::nullopt;
     return StandardRecord{curriculum::load_standard_text(found->json, "standard of " + task_id),
@@ -27,7 +27,7 @@ std::optional<StandardRecord> standard_at(Store& store, const std::string& task_
 }
 
 int set_standard(Store& store, curriculum::PassStandard standard, const std::string& reason) {
-    const auto newest = store.definition(kKind, standard.task_id);
+    const auto newest = store.definitions().find(kKind, standard.task_id);
     standard.version = newest ? newest->version + 1 : 1;
     DefinitionRecord definition;
     definition.kind = kKind;
@@ -35,7 +35,7 @@ int set_standard(Store& store, curriculum::PassStandard standard, const std::str
     definition.version = standard.version;
     definition.json = curriculum::standard_json(standard);
     definition.reason = reason;
-    store.publish(definition);
+    store.definitions().publish(definition);
     return standard.version;
 }
 
@@ -52,7 +52,7 @@ std::vector<double> person_means(Store& store, const std::string& task_id,
     std::vector<double> means;
     for (const int64_t person : people) {
         std::vector<double> points;
-        for (const AttemptRecord& each : store.attempts(person, task_id))
+        for (const AttemptRecord& each : store.attempts().list(person, task_id))
             if (counts(each)) points.push_back(each.points);
         const size_t n = std::min(static_cast<size_t>(last), points.size());
         if (const auto mean = assessment::mean_of(std::span(points).last(n)))

@@ -24,7 +24,7 @@ std::string consent_text(const curriculum::Consent& consent, const std::string& 
 std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
                     const AnswerRecord& answers) {
     std::set<std::string> done;
-    for (const StepRecord& step : store.steps(answers.study_id))
+    for (const StepRecord& step : store.studies().steps(answers.study_id))
         if (step.participant == answers.participant && step.visit == answers.visit &&
             step.state != StepState::kStarted && !step.superseded())
             done.insert(step.step);
@@ -42,7 +42,7 @@ std::string step_of(Store& store, const curriculum::StudyProtocol& protocol,
 /// The step as the participant's version of the protocol has it; nullopt when none is known.
 std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& step) {
     int version = 0;
-    for (const ParticipantRecord& each : store.participants(step.study_id))
+    for (const ParticipantRecord& each : store.studies().participants(step.study_id))
         if (each.code == step.participant) version = each.protocol_version;
     if (version == 0) return std::nullopt;
     const auto protocol = published_study(store, step.study_id, version);
@@ -71,14 +71,15 @@ bool first_visit_only(const curriculum::StudyStep& step) {
 
 std::optional<curriculum::StudyProtocol> published_study(Store& store, const std::string& study_id,
                                                          int version) {
-    const auto published = store.definition("study", study_id, version);
+    const auto published = store.definitions().find("study", study_id, version);
     if (!published) return std::nullopt;
     return curriculum::load_study_text(published->json, "study " + study_id);
 }
 
 void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire) {
     if (questionnaire.json.empty()) return;
-    const auto there = store.definition("questionnaire", questionnaire.id, questionnaire.version);
+    const auto there =
+        store.definitions().find("questionnaire", questionnaire.id, questionnaire.version);
     if (there && there->json == questionnaire.json) return;
     DefinitionRecord definition;
     definition.kind = "questionnaire";
@@ -86,7 +87,7 @@ void publish_on_first_use(Store& store, const curriculum::Questionnaire& questio
     definition.version = questionnaire.version;
     definition.json = questionnaire.json;
     definition.reason = "first use of this version";
-    store.publish(definition);
+    store.definitions().publish(definition);
 }
 
 void record_consent(Store& store, const std::string& study_id, const std::string& code,
@@ -115,7 +116,7 @@ void record_consent(Store& store, const std::string& study_id, const std::string
                   ", agreed: " + list +
                   (signature.empty() ? "; signed on paper"
                                      : "; signed on screen, " + checksum_hex(signature));
-    store.record_step(step);
+    store.studies().record_step(step);
     if (!signature.empty()) store.records().save_consent_signature(study_id, code, signature);
 }
 
@@ -125,7 +126,7 @@ int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionna
         throw StoreError(StoreError::Kind::kRefused, "answers of " + answers.participant + " to " +
                                                          questionnaire.id + ": " + *problem);
     publish_on_first_use(store, questionnaire);
-    const int64_t id = store.save_answers(answers);
+    const int64_t id = store.studies().save_answers(answers);
     const auto protocol = published_study(store, answers.study_id);
     if (!protocol) return id;
     StepRecord step;
@@ -135,16 +136,16 @@ int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionna
     step.step = step_of(store, *protocol, answers);
     step.answer_id = id;
     step.detail = questionnaire.id + " version " + std::to_string(questionnaire.version);
-    if (!step.step.empty()) store.record_step(step);
+    if (!step.step.empty()) store.studies().record_step(step);
     return id;
 }
 
 std::vector<Progress> study_progress(Store& store, const std::string& study_id) {
     std::map<std::string, std::vector<StepRecord>> steps;
-    for (auto& step : store.steps(study_id)) steps[step.participant].push_back(step);
+    for (auto& step : store.studies().steps(study_id)) steps[step.participant].push_back(step);
     std::map<int, std::optional<curriculum::StudyProtocol>> protocols;
     std::vector<Progress> list;
-    for (auto& participant : store.participants(study_id)) {
+    for (auto& participant : store.studies().participants(study_id)) {
         Progress progress;
         progress.participant = participant;
         for (const StepRecord& step : steps[participant.code]) {
@@ -184,9 +185,9 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
 }
 
 void record_attempt_step(Store& store, StepRecord step) {
-    for (const StepRecord& each : store.steps(step.study_id))
+    for (const StepRecord& each : store.studies().steps(step.study_id))
         if (each.attempt_id == step.attempt_id) return;
-    const AttemptRecord attempt = store.attempt(step.attempt_id).record;
+    const AttemptRecord attempt = store.attempts().detail(step.attempt_id).record;
     const auto asked = asked_step(store, step);
     step.detail = why_not_done(attempt, asked);
     step.state = step.detail.empty() ? StepState::kDone : StepState::kStarted;
@@ -194,7 +195,7 @@ void record_attempt_step(Store& store, StepRecord step) {
     if (step.detail.empty() && asked && asked->kind == curriculum::StepKind::kProcedure &&
         attempt.verdict == assessment::Verdict::kNotAttempted)
         step.detail = kNothingDone;
-    store.record_step(step);
+    store.studies().record_step(step);
 }
 
 std::vector<EntryDifference> entry_differences(Store& store, const std::string& study_id) {
@@ -202,7 +203,7 @@ std::vector<EntryDifference> entry_differences(Store& store, const std::string& 
     for (SecondEntry& entry : store.records().second_entries(study_id))
         second[entry.answer_id] = std::move(entry);
     std::vector<EntryDifference> list;
-    for (const AnswerRecord& first : store.answers(study_id)) {
+    for (const AnswerRecord& first : store.studies().answers(study_id)) {
         const auto found = second.find(first.id);
         if (found == second.end()) continue;
         const auto answer = [](const curriculum::Answers& answers, const std::string& item) {

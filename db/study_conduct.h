@@ -19,7 +19,7 @@ namespace placode::db {
                                                                        int version = 0);
 
 /// Publishes the questionnaire's text where this version is not in the store yet, so that answers
-/// stay readable whatever happens to the file. Throws as Store::publish().
+/// stay readable whatever happens to the file. Throws as Definitions::publish().
 void publish_on_first_use(Store& store, const curriculum::Questionnaire& questionnaire);
 
 /// Records that the participant has consented: the step's detail keeps version, language and
@@ -41,7 +41,7 @@ inline constexpr std::string_view kNothingDone = "nothing was done";
 /// Marks the step as done by an attempt that is in the store; one that was broken off, was shorter
 /// than the protocol asks, or is void is noted with the reason, and the step stays open. One in
 /// which nothing was done is kept as done, with kNothingDone as its detail. Does
-/// nothing for an attempt that a step names already. Throws as Store::record_step().
+/// nothing for an attempt that a step names already. Throws as Studies::record_step().
 /// @param step without state and detail.
 void record_attempt_step(Store& store, StepRecord step);
 

@@ -20,7 +20,7 @@ constexpr std::array<const char*, kDeviationKinds> kNames{
 /// The attempt, unless it is gone.
 std::optional<AttemptDetail> attempt_of(Store& store, int64_t id) {
     try {
-        return store.attempt(id);
+        return store.attempts().detail(id);
     } catch (const StoreError& error) {
         if (error.kind() != StoreError::Kind::kNotFound) throw;
         return std::nullopt;
@@ -148,9 +148,9 @@ const char* deviation_name(DeviationKind kind) noexcept {
 std::vector<Deviation> study_deviations(Store& store, const std::string& study_id,
                                         const std::string& code) {
     std::vector<Deviation> found;
-    const std::vector<StepRecord> steps = store.steps(study_id);
+    const std::vector<StepRecord> steps = store.studies().steps(study_id);
     std::map<int, std::optional<curriculum::StudyProtocol>> protocols;
-    for (const ParticipantRecord& participant : store.participants(study_id)) {
+    for (const ParticipantRecord& participant : store.studies().participants(study_id)) {
         if (!code.empty() && participant.code != code) continue;
         const int version = participant.protocol_version;
         if (version > 0 && !protocols.contains(version))

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Care of a study's data after they were given: lock and signature of a participant's record,
-// corrections with a reason, repeats of a procedure, notes, double entry from paper, the hand's
-// signature under a consent.
+// Part of Store: care of a study's data after they were given: lock and signature of a
+// participant's record, corrections with a reason, repeats of a procedure, notes, double entry from
+// paper, the hand's signature under a consent.
 
 #include <map>
 #include <optional>
@@ -11,8 +11,12 @@
 #include <vector>
 
 #include "curriculum/questionnaire.h"
+#include "db/records.h"
 
 namespace placode::db {
+
+class Connection;
+struct StoreContext;
 
 enum class RecordEventKind : uint8_t { kLocked, kSigned, kUnlocked };
 
@@ -58,54 +62,65 @@ struct StepNote {
     std::string step, note, noted_by, at_utc;
 };
 
-/// One implementation with Store; every change is one transaction and in the audit trail.
+/// `store.records()`. Every change is one transaction and in the audit trail.
 class StudyRecords {
  public:
-    virtual ~StudyRecords() = default;
+    explicit StudyRecords(StoreContext& context);
 
     /// Nothing more is recorded for the participant until it is unlocked. Throws kConflict when it
     /// is locked, kNotFound.
-    virtual void lock_record(const std::string& study_id, const std::string& code) = 0;
+    void lock(const std::string& study_id, const std::string& code);
     /// Login and password are asked for again (two components). Throws kRefused for a record that
     /// is not locked, a wrong password or an empty meaning, kConflict when it is signed.
-    virtual void sign_record(const std::string& study_id, const std::string& code,
-                             const std::string& login, const std::string& password,
-                             const std::string& meaning) = 0;
+    void sign(const std::string& study_id, const std::string& code, const std::string& login,
+              const std::string& password, const std::string& meaning);
     /// Cancels the signature. Throws kRefused without a reason, kConflict when not locked.
-    virtual void unlock_record(const std::string& study_id, const std::string& code,
-                               const std::string& reason) = 0;
+    void unlock(const std::string& study_id, const std::string& code, const std::string& reason);
     /// Oldest first.
-    [[nodiscard]] virtual std::vector<RecordEvent> record_events(const std::string& study_id) = 0;
+    [[nodiscard]] std::vector<RecordEvent> events(const std::string& study_id);
     /// By code; participants without events are absent.
-    [[nodiscard]] virtual std::map<std::string, RecordState> record_states(
-        const std::string& study_id) = 0;
+    [[nodiscard]] std::map<std::string, RecordState> states(const std::string& study_id);
 
+    // study_records_corrections.cpp
     /// Changes answers for a reason; an empty answer takes one away. The whole set must be valid
     /// for its questionnaire. Throws kRefused (invalid, no reason, locked), kNotFound.
     /// @param entry 2 = those of the second entry.
-    virtual void correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
-                                 const std::string& reason) = 0;
-    [[nodiscard]] virtual std::vector<Correction> corrections(const std::string& study_id) = 0;
+    void correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
+                         const std::string& reason);
+    [[nodiscard]] std::vector<Correction> corrections(const std::string& study_id);
 
     /// The same answers typed again; they must be valid, too. Throws kConflict when there is a
     /// second entry already, kRefused, kNotFound.
-    virtual void save_second_entry(const SecondEntry& entry) = 0;
-    [[nodiscard]] virtual std::vector<SecondEntry> second_entries(const std::string& study_id) = 0;
+    void save_second_entry(const SecondEntry& entry);
+    [[nodiscard]] std::vector<SecondEntry> second_entries(const std::string& study_id);
 
+    // study_records_repeats.cpp
     /// What was recorded of the step is kept, marked with the reason, and counts no more: the step
     /// is to be done again. For steps with an attempt. Throws kRefused (no reason, nothing that
     /// counts, no attempt, locked, withdrawn), kNotFound.
-    virtual void repeat_step(const std::string& study_id, const std::string& code, int visit,
-                             const std::string& step, const std::string& reason) = 0;
+    void repeat_step(const std::string& study_id, const std::string& code, int visit,
+                     const std::string& step, const std::string& reason);
     /// Throws kRefused for an empty note or a locked record, kNotFound.
-    virtual void note_step(const std::string& study_id, const std::string& code, int visit,
-                           const std::string& step, const std::string& note) = 0;
-    [[nodiscard]] virtual std::vector<StepNote> step_notes(const std::string& study_id) = 0;
+    void note_step(const std::string& study_id, const std::string& code, int visit,
+                   const std::string& step, const std::string& note);
+    [[nodiscard]] std::vector<StepNote> step_notes(const std::string& study_id);
 
-    virtual void save_consent_signature(const std::string& study_id, const std::string& code,
-                                        const std::string& path) = 0;
-    [[nodiscard]] virtual std::optional<ConsentSignature> consent_signature(
-        const std::string& study_id, const std::string& code) = 0;
+    // study_records_corrections.cpp
+    void save_consent_signature(const std::string& study_id, const std::string& code,
+                                const std::string& path);
+    [[nodiscard]] std::optional<ConsentSignature> consent_signature(const std::string& study_id,
+                                                                    const std::string& code);
+
+ private:
+    /// Over everything that was recorded of the participant.
+    [[nodiscard]] std::string checksum_of(const std::string& study_id, const std::string& code);
+    void insert_event(RecordEvent event);
+    /// The answers of that entry (1 or 2), and of which questionnaire and participant they are.
+    [[nodiscard]] AnswerRecord need_answers(int64_t answer_id, int entry);
+    void need_valid(const AnswerRecord& answers);
+
+    StoreContext& context_;
+    Connection& connection_;
 };
 
 }  // namespace placode::db

@@ -158,15 +158,16 @@ CohortReport read_cohort_report(db::Store& store, int64_t group_id, const std::s
     report.group = "everybody";
     if (group_id != 0) {
         report.group.clear();
-        for (const db::GroupRecord& group : store.groups())
+        for (const db::GroupRecord& group : store.groups().list())
             if (group.id == group_id) report.group = group.name;
         if (report.group.empty())
             throw db::StoreError(db::StoreError::Kind::kNotFound,
                                  "there is no group " + std::to_string(group_id));
     }
-    report.people = people_in_tasks(store.task_standings(group_id), store.attempt_points(group_id));
+    report.people =
+        people_in_tasks(store.attempts().standings(group_id), store.attempts().points(group_id));
     std::set<int64_t> demonstrators;
-    for (const db::UserRecord& user : store.users())
+    for (const db::UserRecord& user : store.accounts().list())
         if (user.demonstration) demonstrators.insert(user.id);
     report.demonstration = std::any_of(
         report.people.begin(), report.people.end(),
@@ -216,7 +217,7 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
     report.user = user;
     report.made_utc = now_utc;
     report.courses = db::course_standings(store, user.id, now_utc);
-    report.attempts = store.attempts(user.id);
+    report.attempts = store.attempts().list(user.id);
     std::map<std::string, PersonInTask> tasks;
     for (const db::AttemptRecord& attempt : report.attempts) {
         if (!db::counts(attempt)) continue;

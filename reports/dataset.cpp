@@ -179,7 +179,7 @@ void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset
 /// From the first entry of the audit trail: the making of the store.
 std::string identity_of(db::Store& store) {
     static const QUuid space(QStringLiteral("{c4a0bb0e-52a6-5f2d-8d11-7c3a9e0f4b21}"));
-    const auto trail = store.audit_trail(std::numeric_limits<int>::max());
+    const auto trail = store.audit().trail(std::numeric_limits<int>::max());
     std::string first;
     if (!trail.empty())
         for (const std::string& part :
@@ -264,7 +264,7 @@ std::string plain_name(const std::string& text) {
 
 curriculum::Questionnaire questionnaire_of(db::Store& store, const std::string& id, int version) {
     const std::string name = id + " version " + std::to_string(version);
-    if (const auto published = store.definition("questionnaire", id, version))
+    if (const auto published = store.definitions().find("questionnaire", id, version))
         return curriculum::load_questionnaire_text(published->json, "questionnaire " + name);
     const auto known = curriculum::list_definitions("questionnaires");
     if (std::find(known.begin(), known.end(), id) != known.end()) {
@@ -282,14 +282,14 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     data.id = study_id;
     data.title = study_id;
     std::optional<curriculum::StudyProtocol> protocol;
-    if (const auto published = store.definition("study", study_id)) {
+    if (const auto published = store.definitions().find("study", study_id)) {
         protocol = curriculum::load_study_text(published->json, "study " + study_id);
         data.title = protocol->title.in(options.language);
         data.description = protocol->description.in(options.language);
         data.version = published->version;
         data.definition_json = published->json;
     }
-    const auto all = store.participants(study_id);
+    const auto all = store.studies().participants(study_id);
     if (all.empty())
         throw ReportError("read the study \"" + study_id + "\": it has no participants in " +
                           store.url() + "; `placodectl study list` shows what there is");
@@ -303,15 +303,15 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
         }
     }
     data.forms.push_back(
-        participants_form(all, store.records().record_states(study_id), protocol, options));
-    for (auto& record : store.answers(study_id))
+        participants_form(all, store.records().states(study_id), protocol, options));
+    for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);
     std::vector<std::string> owners;
     std::set<int64_t> seen;
     std::map<int64_t, const db::StepRecord*> step_of;
     int visits = 1;
-    auto steps = store.steps(study_id);
+    auto steps = store.studies().steps(study_id);
     std::stable_sort(steps.begin(), steps.end(),
                      [](const auto& a, const auto& b) { return a.participant < b.participant; });
     for (const auto& step : steps) {
@@ -320,7 +320,7 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
         // Getting used to the instruments is no data.
         const auto* asked = protocol ? protocol->step(step.step) : nullptr;
         if (asked != nullptr && asked->kind == curriculum::StepKind::kFamiliarisation) continue;
-        data.attempts.push_back(store.attempt(step.attempt_id));
+        data.attempts.push_back(store.attempts().detail(step.attempt_id));
         owners.push_back(step.participant);
         step_of[step.attempt_id] = &step;
         visits = std::max(visits, step.visit);
@@ -360,8 +360,8 @@ Dataset user_dataset(db::Store& store, const db::UserRecord& user, const Dataset
         person.rows.back().demonstration = user.demonstration;
         data.forms.push_back(std::move(person));
     }
-    for (const auto& record : store.attempts(user.id))
-        data.attempts.push_back(store.attempt(record.id));
+    for (const auto& record : store.attempts().list(user.id))
+        data.attempts.push_back(store.attempts().detail(record.id));
     data.forms.push_back(
         attempts_form(data.attempts, std::vector<std::string>(data.attempts.size(), code)));
     finish(store, options, data);

@@ -152,7 +152,7 @@ RecordingOf recordings_of(db::Store& store) {
                               fs::temp_directory_path().string());
         std::optional<sim::Recording> recording;
         try {
-            store.extract_recording(attempt_id, name + "/attempt.placode");
+            store.attempts().extract_recording(attempt_id, name + "/attempt.placode");
             recording = db::recover_recording_file(name + "/attempt.placode").recording;
         } catch (const db::StoreError& error) {
             fs::remove_all(name);

@@ -305,7 +305,7 @@ int lay_out(QPdfWriter* writer, QPainter* painter, const Subject& subject, int p
 
 std::string centre_name(db::Store& store) {
     try {
-        return store.centre_key({}).centre;
+        return store.norms().centre_key({}).centre;
     } catch (const db::StoreError& error) {
         if (error.kind() == db::StoreError::Kind::kRefused) return {};  // It has no name yet.
         throw;

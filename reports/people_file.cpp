@@ -53,7 +53,7 @@ void check_head(const RowCells& head, const std::string& origin) {
 }
 
 int64_t group_of(db::Store& store, const std::string& name) {
-    for (const db::GroupRecord& group : store.groups())
+    for (const db::GroupRecord& group : store.groups().list())
         if (group.name == name || std::to_string(group.id) == name) return group.id;
     throw PeopleFileError("there is no group \"" + name + "\" in " + store.url());
 }
@@ -85,20 +85,20 @@ PersonLine read_line(db::Store& store, const RowCells& head, const RowCells& row
 QString text(const std::string& value) { return QString::fromStdString(value); }
 
 QJsonObject attempt_json(db::Store& store, const db::AttemptRecord& record) {
-    const db::AttemptDetail detail = store.attempt(record.id);
+    const db::AttemptDetail detail = store.attempts().detail(record.id);
     QJsonObject metrics;
     for (const auto& metric : detail.metrics.values)
         metrics[text(std::string(metric.id))] = metric.value;
     QJsonArray reasons, further;
     for (const auto& reason : detail.score.reasons)
         reasons.append(QJsonObject{{"text", text(reason.text)}, {"points", reason.points}});
-    for (const auto& each : store.rescores(record.id))
+    for (const auto& each : store.attempts().rescores(record.id))
         further.append(QJsonObject{{"points", each.score.points},
                                    {"rubric", text(each.score.rubric_id)},
                                    {"rubric_version", each.score.rubric_version},
                                    {"scored_utc", text(each.scored_utc)}});
     QJsonArray remarks;
-    for (const db::CommentRecord& each : store.comments(record.id))
+    for (const db::CommentRecord& each : store.reviews().comments(record.id))
         remarks.append(QJsonObject{{"time_s", each.time_s}, {"text", text(each.text)}});
     return {{"id", static_cast<qint64>(record.id)},
             {"task", text(record.task_id)},
@@ -119,14 +119,14 @@ QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
     QJsonArray roles, groups, assignments, certificates;
     for (const auto& [name, role] : kRoles)
         if (db::has_role(user.roles, role)) roles.append(name);
-    for (const db::GroupRecord& group : store.groups())
+    for (const db::GroupRecord& group : store.groups().list())
         for (const auto* list : {&group.members, &group.educators})
             if (std::find(list->begin(), list->end(), user.id) != list->end())
                 groups.append(text(group.name));
-    for (const auto& each : store.assignments(user.id))
+    for (const auto& each : store.courses().assignments(user.id))
         assignments.append(
             QJsonObject{{"course", text(each.course_id)}, {"due_utc", text(each.due_utc)}});
-    for (const auto& each : store.certificates(user.id))
+    for (const auto& each : store.courses().certificates(user.id))
         certificates.append(QJsonObject{{"course", text(each.course_id)},
                                         {"version", each.course_version},
                                         {"mastered_utc", text(each.mastered_utc)},
@@ -136,7 +136,7 @@ QJsonObject person_json(db::Store& store, const db::UserRecord& user) {
             {"name", text(user.display_name)},
             {"roles", roles},
             {"created_utc", text(user.created_utc)},
-            {"has_pin", store.has_pin(user.id)},
+            {"has_pin", store.accounts().has_pin(user.id)},
             {"groups", groups},
             {"assignments", assignments},
             {"certificates", certificates}};
@@ -170,7 +170,7 @@ std::vector<PersonLine> read_people(db::Store& store, const std::string& csv,
         const std::string place = origin + ":" + std::to_string(rows[i].line) + ": ";
         PersonLine line = read_line(store, head, rows[i].cells, place);
         line.line = rows[i].line;
-        if (!logins.insert(line.user.login).second || store.user_by_login(line.user.login))
+        if (!logins.insert(line.user.login).second || store.accounts().find_login(line.user.login))
             throw PeopleFileError(place + "the login \"" + line.user.login + "\" is taken");
         people.push_back(std::move(line));
     }
@@ -193,9 +193,9 @@ size_t make_accounts(db::Store& store, const std::vector<PersonLine>& people,
     size_t made = 0;
     for (const PersonLine& person : people) {
         try {
-            const int64_t id = store.create_user(person.user);
+            const int64_t id = store.accounts().create(person.user);
             if (person.group_id != 0)
-                store.set_group_role(person.group_id, id, db::GroupRole::kMember);
+                store.groups().set_role(person.group_id, id, db::GroupRole::kMember);
             ++made;
         } catch (const db::StoreError& error) {
             throw PeopleFileError(origin + ":" + std::to_string(person.line) + ": " + error.what() +
@@ -207,14 +207,14 @@ size_t make_accounts(db::Store& store, const std::vector<PersonLine>& people,
 
 OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& folder,
                        bool with_recordings) {
-    const auto user = store.user(user_id);
+    const auto user = store.accounts().find(user_id);
     if (!user)
         throw db::StoreError(db::StoreError::Kind::kNotFound,
                              "there is no person with the number " + std::to_string(user_id));
     OwnData written;
     QJsonObject json = person_json(store, *user);
     QJsonArray list;
-    const auto attempts = store.attempts(user_id);
+    const auto attempts = store.attempts().list(user_id);
     for (const db::AttemptRecord& record : attempts) list.append(attempt_json(store, record));
     json["attempts"] = list;
     written.attempts = static_cast<int>(attempts.size());
@@ -223,15 +223,15 @@ OwnData write_own_data(db::Store& store, int64_t user_id, const std::string& fol
     for (const db::AttemptRecord& record : attempts) {
         if (!with_recordings) break;
         try {
-            store.extract_recording(record.id,
-                                    folder + "/attempt_" + std::to_string(record.id) + ".placode");
+            store.attempts().extract_recording(
+                record.id, folder + "/attempt_" + std::to_string(record.id) + ".placode");
             ++written.recordings;
         } catch (const db::StoreError& problem) {
             // A score from elsewhere has no recording; everything else is told.
             if (problem.kind() != db::StoreError::Kind::kNotFound) throw;
         }
     }
-    store.audit(user->login, "user.data", "user " + std::to_string(user_id), folder);
+    store.audit().write(user->login, "user.data", "user " + std::to_string(user_id), folder);
     return written;
 }
 

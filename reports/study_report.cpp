@@ -375,14 +375,14 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
     for (const Form& form : report.data.forms)
         if (is_questionnaire(form))
             report.instruments.push_back(questionnaire_of(store, form.id, form.version));
-    report.everybody = store.participants(study_id);
-    report.steps = store.steps(study_id);
-    for (auto& version : store.definitions("study"))
+    report.everybody = store.studies().participants(study_id);
+    report.steps = store.studies().steps(study_id);
+    for (auto& version : store.definitions().list("study"))
         if (version.id == study_id) report.versions.push_back(std::move(version));
-    report.record_events = store.records().record_events(study_id);
-    report.record_states = store.records().record_states(study_id);
+    report.record_events = store.records().events(study_id);
+    report.record_states = store.records().states(study_id);
     report.corrections = store.records().corrections(study_id);
-    report.ratings = store.ratings("osats");
+    report.ratings = store.reviews().ratings("osats");
     return report;
 }
 

@@ -142,6 +142,29 @@ TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
     }
 }
 
+TEST(Architecture, WhatThePartsOfTheStoreShareIsSeenByTheirSourcesOnly) {
+    int sources = 0;
+    for (const Include& include : includes()) {
+        if (include.target != "db/store_context.h" && include.target != "db/attempt_rows.h")
+            continue;
+        ++sources;
+        EXPECT_TRUE(include.file.rfind("db/", 0) == 0 && include.file.ends_with(".cpp"))
+            << include.file << " includes " << include.target;
+    }
+    EXPECT_GT(sources, 20);
+    const std::set<std::string> parts{"accounts",    "attempts",     "norms",         "groups",
+                                      "courses",     "reviews",      "definitions",   "studies",
+                                      "audit",       "records",      "study_records", "store",
+                                      "store_error", "store_options"};
+    for (const Include& include : includes()) {
+        const fs::path file = include.file;
+        if (include.folder != "db" || file.extension() != ".h" || !parts.contains(file.stem()))
+            continue;
+        EXPECT_TRUE(include.target != "db/sql_connection.h" && include.target[0] != 'Q')
+            << include.file << " includes " << include.target;
+    }
+}
+
 TEST(Architecture, QtEntersOnlyFromDbOn) {
     for (const Include& include : includes()) {
         const bool qt = include.target.size() > 1 && include.target[0] == 'Q' &&

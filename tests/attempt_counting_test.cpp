@@ -11,7 +11,7 @@
 
 #include "curriculum/task.h"
 #include "db/course_conduct.h"
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/standards.h"
 #include "tests/store_fixture.h"
 
@@ -35,7 +35,7 @@ class Counting : public EngineTest {
  protected:
     void ready() override {
         store = open();
-        user = store->create_user({"anna", "Anna", "correct horse battery", 1, false});
+        user = store->accounts().create({"anna", "Anna", "correct horse battery", 1, false});
     }
     int64_t save(const std::string& started_utc, std::vector<sim::Event> events,
                  db::ExamContext exam = {}) {
@@ -49,7 +49,7 @@ class Counting : public EngineTest {
         result.metrics.values = {{"path_length_mm", 1}};
         result.events = std::move(events);
         result.exam = std::move(exam);
-        return store->save_attempt(user, result);
+        return store->attempts().save(user, result);
     }
 
     std::unique_ptr<db::Store> store;
@@ -82,16 +82,16 @@ INSTANTIATE_TEST_SUITE_P(Engines, Counting, testing::Values("Sqlite", "Postgresq
 TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
     const int64_t good = save("2026-01-02T03:00:00.000Z", {machine(1, 60)});
     const int64_t slow = save("2026-01-03T03:00:00.000Z", {machine(1, 12)});
-    const auto record = store->attempt(slow).record;
+    const auto record = store->attempts().detail(slow).record;
     EXPECT_THAT(record.void_reason, HasSubstr("12 pictures a second"));
     EXPECT_FALSE(db::counts(record));
-    EXPECT_TRUE(db::counts(store->attempt(good).record));
-    EXPECT_EQ(store->attempts(user).size(), 2u) << "it is kept";
-    EXPECT_EQ(store->audit_trail(1).at(0).action, "attempt.void");
+    EXPECT_TRUE(db::counts(store->attempts().detail(good).record));
+    EXPECT_EQ(store->attempts().list(user).size(), 2u) << "it is kept";
+    EXPECT_EQ(store->audit().trail(1).at(0).action, "attempt.void");
 
-    EXPECT_EQ(store->task_standings(0).at(0).attempts, 1);
-    EXPECT_EQ(store->attempt_points(0).size(), 1u);
-    EXPECT_EQ(store->recent_means("diathermy_ring", 5).at(0).attempts, 1);
+    EXPECT_EQ(store->attempts().standings(0).at(0).attempts, 1);
+    EXPECT_EQ(store->attempts().points(0).size(), 1u);
+    EXPECT_EQ(store->attempts().recent_means("diathermy_ring", 5).at(0).attempts, 1);
     const auto levels = db::level_attempts(*store, "diathermy_ring", {{"expert", {user}}});
     ASSERT_EQ(levels.at(0).by_person.size(), 1u);
     EXPECT_EQ(levels[0].by_person.at(user).size(), 1u) << "norms and metric quality";
@@ -104,19 +104,19 @@ TEST_P(Counting, ASlowAttemptIsKeptAndCountsNowhere) {
 TEST_P(Counting, ATunedAttemptCountsNowhereAndNoMachineIsAtFault) {
     sim::Event tuned;
     tuned.kind = sim::EventKind::kTuned;
-    const auto record = store->attempt(save("2026-01-03T03:00:00.000Z", {tuned})).record;
+    const auto record = store->attempts().detail(save("2026-01-03T03:00:00.000Z", {tuned})).record;
     EXPECT_EQ(record.void_reason, db::kTunedReason);
     EXPECT_FALSE(db::counts(record));
     EXPECT_FALSE(db::machine_at_fault(record));
     const auto both =
-        store->attempt(save("2026-01-04T03:00:00.000Z", {tuned, machine(1, 12)})).record;
+        store->attempts().detail(save("2026-01-04T03:00:00.000Z", {tuned, machine(1, 12)})).record;
     EXPECT_THAT(both.void_reason, HasSubstr("12 pictures a second"));
     EXPECT_FALSE(db::machine_at_fault(both)) << "who tuned would not have counted anyway";
-    auto slow = store->attempt(save("2026-01-05T03:00:00.000Z", {machine(1, 12)})).record;
+    auto slow = store->attempts().detail(save("2026-01-05T03:00:00.000Z", {machine(1, 12)})).record;
     EXPECT_TRUE(db::machine_at_fault(slow));
     slow.end = sim::EndReason::kInterrupted;
     EXPECT_FALSE(db::machine_at_fault(slow)) << "left after five seconds";
-    EXPECT_TRUE(store->task_standings(0).empty());
+    EXPECT_TRUE(store->attempts().standings(0).empty());
 }
 
 TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
@@ -134,12 +134,12 @@ TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     result.score.points = 100;
     result.score.verdict = assessment::Verdict::kPassed;
     result.events = {machine(0.4F, 60)};
-    store->save_attempt(user, result);
+    store->attempts().save(user, result);
     EXPECT_EQ(standing().attempts, before) << "mastery does not see it";
     const int64_t exam = save("2026-01-04T03:00:00.000Z", {machine(0.4F, 60)},
                               {"first_steps", 1, "exam", "Dr. P", ""});
-    EXPECT_THAT(store->attempt(exam).record.void_reason, HasSubstr("40 % of real time"));
+    EXPECT_THAT(store->attempts().detail(exam).record.void_reason, HasSubstr("40 % of real time"));
     result.events = {machine(1, 60)};
-    store->save_attempt(user, result);
+    store->attempts().save(user, result);
     EXPECT_EQ(standing().attempts, before + 1);
 }

@@ -44,7 +44,7 @@ class CourseStore : public EngineTest {
         publish(1);
     }
     int64_t add(const std::string& login, db::Role role) const {
-        return store->create_user(
+        return store->accounts().create(
             {login, login, "long enough 1", static_cast<db::Roles>(role), false});
     }
     void publish(int version, const char* limit = "3") const {
@@ -54,7 +54,7 @@ class CourseStore : public EngineTest {
         definition.version = version;
         definition.json = course_text(version, limit);
         definition.reason = "because";
-        store->publish(definition);
+        store->definitions().publish(definition);
     }
     int64_t assign(int64_t user, int64_t group = 0, const std::string& due = "") const {
         db::AssignmentRecord assignment;
@@ -63,7 +63,7 @@ class CourseStore : public EngineTest {
         assignment.user_id = user;
         assignment.group_id = group;
         assignment.due_utc = due;
-        return store->assign_course(assignment);
+        return store->courses().assign(assignment);
     }
     void attempt(int64_t user, double points, const db::ExamContext& exam = {}, uint64_t seed = 1,
                  const std::string& at = "2026-02-01T00:00:00Z",
@@ -76,7 +76,7 @@ class CourseStore : public EngineTest {
         result.score.verdict = assessment::Verdict::kPassed;
         result.exam = exam;
         result.haptic_certificate = haptics;
-        store->save_attempt(user, result);
+        store->attempts().save(user, result);
     }
 
     std::unique_ptr<db::Store> store;
@@ -89,18 +89,18 @@ INSTANTIATE_TEST_SUITE_P(Engines, CourseStore, testing::Values("Sqlite", "Postgr
                          engine_name);
 
 TEST_P(CourseStore, AGroupHasMembersAndEducatorsAndAUniqueName) {
-    const int64_t group = store->create_group("Cohort A");
-    EXPECT_EQ(failure_of([&] { store->create_group("cohort a"); }).kind(),
+    const int64_t group = store->groups().create("Cohort A");
+    EXPECT_EQ(failure_of([&] { store->groups().create("cohort a"); }).kind(),
               StoreError::Kind::kConflict);
-    EXPECT_EQ(failure_of([&] { store->create_group(" "); }).kind(), StoreError::Kind::kRefused);
-    store->set_group_role(group, anna, GroupRole::kMember);
-    store->set_group_role(group, ewa, GroupRole::kEducator);
-    ASSERT_EQ(store->groups().size(), 1u);
-    EXPECT_THAT(store->groups()[0].members, ElementsAre(anna));
-    EXPECT_THAT(store->groups()[0].educators, ElementsAre(ewa));
-    store->set_group_role(group, anna, GroupRole::kNone);
-    EXPECT_THAT(store->groups()[0].members, IsEmpty());
-    EXPECT_EQ(failure_of([&] { store->set_group_role(99, anna, GroupRole::kMember); }).kind(),
+    EXPECT_EQ(failure_of([&] { store->groups().create(" "); }).kind(), StoreError::Kind::kRefused);
+    store->groups().set_role(group, anna, GroupRole::kMember);
+    store->groups().set_role(group, ewa, GroupRole::kEducator);
+    ASSERT_EQ(store->groups().list().size(), 1u);
+    EXPECT_THAT(store->groups().list()[0].members, ElementsAre(anna));
+    EXPECT_THAT(store->groups().list()[0].educators, ElementsAre(ewa));
+    store->groups().set_role(group, anna, GroupRole::kNone);
+    EXPECT_THAT(store->groups().list()[0].members, IsEmpty());
+    EXPECT_EQ(failure_of([&] { store->groups().set_role(99, anna, GroupRole::kMember); }).kind(),
               StoreError::Kind::kNotFound);
 }
 
@@ -108,36 +108,38 @@ TEST_P(CourseStore, AnEducatorReachesTheOwnGroupsAndPeopleWithoutAGroup) {
     const int64_t other = add("olga", db::Role::kEducator);
     EXPECT_EQ(db::scope_between(*store, ewa, ewa), Scope::kOwn);
     EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kGroup) << "in no group";
-    const int64_t group = store->create_group("A");
-    store->set_group_role(group, anna, GroupRole::kMember);
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, GroupRole::kMember);
     EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kOther);
-    store->set_group_role(group, ewa, GroupRole::kMember);
+    store->groups().set_role(group, ewa, GroupRole::kMember);
     EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kOther) << "a member teaches nobody";
-    store->set_group_role(group, ewa, GroupRole::kEducator);
+    store->groups().set_role(group, ewa, GroupRole::kEducator);
     EXPECT_EQ(db::scope_between(*store, ewa, anna), Scope::kGroup);
     EXPECT_EQ(db::scope_between(*store, other, anna), Scope::kOther);
 }
 
 TEST_P(CourseStore, ACourseIsAssignedByPersonOrGroupAndEnds) {
-    const int64_t group = store->create_group("A");
-    store->set_group_role(group, anna, GroupRole::kMember);
-    store->set_group_role(group, ewa, GroupRole::kEducator);
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, GroupRole::kMember);
+    store->groups().set_role(group, ewa, GroupRole::kEducator);
     const int64_t by_group = assign(0, group, "2026-06-01");
     EXPECT_EQ(failure_of([&] { assign(0, group); }).kind(), StoreError::Kind::kConflict);
     const int64_t own = assign(anna, 0, "2026-05-01");
-    const auto mine = store->assignments(anna);
+    const auto mine = store->courses().assignments(anna);
     ASSERT_EQ(mine.size(), 2u);
     EXPECT_EQ(mine[0].id, own) << "due first";
     EXPECT_EQ(mine[1].group_id, group);
-    EXPECT_THAT(store->assignments(jan), IsEmpty());
-    EXPECT_THAT(store->assignments(ewa), IsEmpty()) << "who teaches need not do it";
+    EXPECT_THAT(store->courses().assignments(jan), IsEmpty());
+    EXPECT_THAT(store->courses().assignments(ewa), IsEmpty()) << "who teaches need not do it";
     EXPECT_EQ(db::course_standings(*store, anna, kNow).size(), 1u) << "the same course once";
-    store->end_assignment(own);
-    EXPECT_EQ(failure_of([&] { store->end_assignment(own); }).kind(), StoreError::Kind::kConflict);
-    EXPECT_EQ(failure_of([&] { store->end_assignment(99); }).kind(), StoreError::Kind::kNotFound);
-    ASSERT_EQ(store->assignments(anna).size(), 1u);
-    EXPECT_EQ(store->assignments(anna)[0].id, by_group);
-    EXPECT_EQ(store->assignments(0).size(), 2u) << "ended ones are kept";
+    store->courses().end_assignment(own);
+    EXPECT_EQ(failure_of([&] { store->courses().end_assignment(own); }).kind(),
+              StoreError::Kind::kConflict);
+    EXPECT_EQ(failure_of([&] { store->courses().end_assignment(99); }).kind(),
+              StoreError::Kind::kNotFound);
+    ASSERT_EQ(store->courses().assignments(anna).size(), 1u);
+    EXPECT_EQ(store->courses().assignments(anna)[0].id, by_group);
+    EXPECT_EQ(store->courses().assignments(0).size(), 2u) << "ended ones are kept";
 }
 
 TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
@@ -148,7 +150,7 @@ TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
     const auto kind_of = [&](auto change) {
         db::AssignmentRecord bad = good;
         change(bad);
-        return failure_of([&] { store->assign_course(bad); }).kind();
+        return failure_of([&] { store->courses().assign(bad); }).kind();
     };
     EXPECT_EQ(kind_of([](auto& a) { a.course_version = 2; }), StoreError::Kind::kRefused);
     EXPECT_EQ(kind_of([](auto& a) { a.course_id = "none"; }), StoreError::Kind::kRefused);
@@ -158,7 +160,7 @@ TEST_P(CourseStore, WhatCannotBeAssignedIsRefusedAndChangesNothing) {
     EXPECT_EQ(kind_of([](auto& a) { a.starts_utc = "2026-02-02", a.due_utc = "2026-02-02"; }),
               StoreError::Kind::kRefused);
     EXPECT_EQ(kind_of([](auto& a) { a.user_id = 99; }), StoreError::Kind::kNotFound);
-    EXPECT_THAT(store->assignments(0), IsEmpty());
+    EXPECT_THAT(store->courses().assignments(0), IsEmpty());
 }
 
 TEST_P(CourseStore, AnAssignmentKeepsItsVersionWhenANewOneIsPublished) {
@@ -177,11 +179,12 @@ TEST_P(CourseStore, AGrantOpensAStageWhoseAttemptsAreUsed) {
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).next.kind,
               curriculum::NextKind::kExhausted);
     EXPECT_EQ(failure_of([&] {
-                  store->grant_attempts({anna, "short", "diathermy_ring", 1, "", {}, {}});
+                  store->courses().grant_attempts({anna, "short", "diathermy_ring", 1, "", {}, {}});
               }).kind(),
               StoreError::Kind::kRefused)
         << "without a reason";
-    store->grant_attempts({anna, "short", "diathermy_ring", 2, "device was faulty", {}, {}});
+    store->courses().grant_attempts(
+        {anna, "short", "diathermy_ring", 2, "device was faulty", {}, {}});
     const auto standing = db::course_standing(*store, anna, "short", kNow);
     EXPECT_EQ(standing.next.kind, curriculum::NextKind::kContinue);
     EXPECT_EQ(standing.next.attempts_left, 2);
@@ -209,14 +212,14 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).progress.stages[1].attempts, 0)
         << "another seed";
     attempt(anna, 90, order.context, order.seed, "2026-02-03T00:00:00Z");
-    ASSERT_EQ(store->attempts(anna).back().exam, order.context);
+    ASSERT_EQ(store->attempts().list(anna).back().exam, order.context);
     const db::CertificateRecord issued = db::issue_certificate(*store, anna, "short", kNow);
     EXPECT_EQ(issued.mastered_utc, "2026-02-03T00:00:00Z");
     EXPECT_EQ(issued.code.size(), 16u);
     const db::CertificateRecord again = db::issue_certificate(*store, anna, "short", kNow);
     EXPECT_EQ(again.code, issued.code) << "one for each version";
-    EXPECT_EQ(store->certificates(0).size(), 1u);
-    EXPECT_THAT(store->certificates(jan), IsEmpty());
+    EXPECT_EQ(store->courses().certificates(0).size(), 1u);
+    EXPECT_THAT(store->courses().certificates(jan), IsEmpty());
     EXPECT_EQ(db::course_standing(*store, anna, "short", kNow).certificate->id, issued.id);
 }
 
@@ -234,7 +237,7 @@ TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     const std::string bad = haptics::certificate_to_json(loop);
     const auto save = [&](const db::ExamContext& exam, const std::string& haptics) {
         attempt(anna, 90, exam, order.seed, "2026-02-03T00:00:00Z", haptics);
-        return store->attempts(anna).back();
+        return store->attempts().list(anna).back();
     };
     const auto exams = [&] {
         return db::course_standing(*store, anna, "short", kNow).progress.stages[1].attempts;
@@ -244,8 +247,9 @@ TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     EXPECT_THAT(failed.void_reason, HasSubstr("40 drop-outs"));
     EXPECT_THAT(failed.void_reason, HasSubstr("1 device faults"));
     EXPECT_EQ(exams(), 0) << "it uses up no attempt";
-    EXPECT_EQ(store->attempt(failed.id).haptic_certificate, bad) << "kept with the attempt";
-    EXPECT_EQ(store->audit_trail(1).front().action, "attempt.void");
+    EXPECT_EQ(store->attempts().detail(failed.id).haptic_certificate, bad)
+        << "kept with the attempt";
+    EXPECT_EQ(store->audit().trail(1).front().action, "attempt.void");
     const db::AttemptRecord damaged = save(order.context, "{damaged");
     EXPECT_THAT(damaged.void_reason, HasSubstr("cannot be read"));
     // What it says of itself does not count.
@@ -260,7 +264,7 @@ TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     EXPECT_EQ(counted.haptic_grade, "sound");
     EXPECT_EQ(counted.void_reason, "");
     EXPECT_EQ(exams(), 1);
-    for (const auto& standing : store->task_standings(0))
+    for (const auto& standing : store->attempts().standings(0))
         if (standing.user_id == anna) {
             EXPECT_EQ(standing.attempts, 3) << "two practices and one exam";
         }
@@ -272,14 +276,15 @@ TEST_P(CourseStore, APublishedCourseCannotBeChangedAndEverythingLeavesATrace) {
     other.id = "short";
     other.version = 1;
     other.json = course_text(1, "9");
-    EXPECT_EQ(failure_of([&] { store->publish(other); }).kind(), StoreError::Kind::kConflict);
+    EXPECT_EQ(failure_of([&] { store->definitions().publish(other); }).kind(),
+              StoreError::Kind::kConflict);
     EXPECT_FALSE(raw().run("UPDATE definitions SET content = 'x'"));
-    const int64_t group = store->create_group("A");
-    store->set_group_role(group, anna, GroupRole::kMember);
-    store->end_assignment(assign(anna));
-    store->grant_attempts({anna, "short", "final", 1, "why", {}, {}});
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, GroupRole::kMember);
+    store->courses().end_assignment(assign(anna));
+    store->courses().grant_attempts({anna, "short", "final", 1, "why", {}, {}});
     std::vector<std::string> actions;
-    for (const auto& entry : store->audit_trail(10)) actions.push_back(entry.action);
+    for (const auto& entry : store->audit().trail(10)) actions.push_back(entry.action);
     EXPECT_THAT(actions,
                 testing::IsSupersetOf({"course.publish", "group.create", "group.member",
                                        "course.assign", "course.unassign", "course.grant"}));
@@ -289,7 +294,7 @@ TEST_P(CourseStore, AShippedCourseIsPublishedOnFirstUse) {
     const auto course = db::find_course(*store, "full_dissection");
     db::publish_course_on_first_use(*store, course);
     db::publish_course_on_first_use(*store, course);
-    EXPECT_EQ(store->definition("course", "full_dissection")->json, course.json);
+    EXPECT_EQ(store->definitions().find("course", "full_dissection")->json, course.json);
     EXPECT_THAT(db::course_ids(*store), ElementsAre("first_steps", "full_dissection", "short"));
     EXPECT_THROW((void)db::find_course(*store, "none"), curriculum::DefinitionError);
     EXPECT_THROW((void)db::find_course(*store, "full_dissection", 9), curriculum::DefinitionError);

@@ -48,7 +48,7 @@ class Export : public testing::Test {
         definition.kind = "questionnaire";
         definition.id = "kinds";
         definition.json = kQuestionnaire;
-        store->publish(definition);
+        store->definitions().publish(definition);
         add({{"by", "-2"},
              {"B", "7"},
              {"used", "1"},
@@ -64,7 +64,7 @@ class Export : public testing::Test {
         attempts();
     }
     void add(const curriculum::Answers& answers) {
-        codes.push_back(store->new_participant("s1", true));
+        codes.push_back(store->studies().new_participant("s1", true));
         save(codes.back(), answers);
     }
     void save(const std::string& code, const curriculum::Answers& answers) {
@@ -75,10 +75,11 @@ class Export : public testing::Test {
         record.answered_utc = "2026-11-21T10:15:00Z";
         record.answers = answers;
         record.demonstration = true;
-        store->save_answers(record);
+        store->studies().save_answers(record);
     }
     void attempts() {
-        const int64_t user = store->create_user({"anna", "Anna Nowak", "correct horse", 1, true});
+        const int64_t user =
+            store->accounts().create({"anna", "Anna Nowak", "correct horse", 1, true});
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
         result.header.task_version = 1;
@@ -95,8 +96,8 @@ class Export : public testing::Test {
         step.study_id = "s1";
         step.participant = codes[0];
         step.step = "procedure_1";
-        step.attempt_id = store->save_attempt(user, result);
-        store->record_step(step);
+        step.attempt_id = store->attempts().save(user, result);
+        store->studies().record_step(step);
     }
     static void write_recording(const std::string& path) {
         const auto sink = db::create_recording_file(path);

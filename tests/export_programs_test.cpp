@@ -34,8 +34,8 @@ TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
     const std::string zofia = "Zażółć, \"Zofia\"";
     {
         const auto direct = db::open_store("sqlite:" + store);
-        const int64_t user = direct->create_user({"zofia", zofia, "long enough 1", 1, true});
-        direct->create_user({"carl", "Carl", "long enough 1", 4, true});
+        const int64_t user = direct->accounts().create({"zofia", zofia, "long enough 1", 1, true});
+        direct->accounts().create({"carl", "Carl", "long enough 1", 4, true});
         db::AttemptResult result;
         const sim::Recording read = db::read_recording_file(recording);
         result.header = read.header;
@@ -44,13 +44,13 @@ TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
         result.metrics = assessment::compute_metrics(read);
         result.score.points = 12.5;
         result.recording_file = recording;
-        direct->save_attempt(user, result);
+        direct->attempts().save(user, result);
         db::AnswerRecord answers;
         answers.study_id = "pilot/1";
-        answers.participant = direct->new_participant("pilot/1");
+        answers.participant = direct->studies().new_participant("pilot/1");
         answers.questionnaire_id = "face_validity";
         answers.answers = {{"A", "5"}, {"B", "4"}};
-        direct->save_answers(answers);
+        direct->studies().save_answers(answers);
     }
     const Outcome attempts = ctl("--as zofia attempts --json", kRight);
     EXPECT_EQ(attempts.status, 0) << attempts.err;

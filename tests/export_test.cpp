@@ -158,12 +158,12 @@ TEST_F(Export, NamesLeaveOnlyWithPermission) {
     export_dataset(source(true), "csv", out("named"));
     EXPECT_THAT(read_text(out("named/s1_kinds.csv")), HasSubstr("Anna Nowak"));
     // The attempt of the study is the participant's; this one is the person's own.
-    const auto user = *store->user_by_login("anna");
+    const auto user = *store->accounts().find_login("anna");
     db::AttemptResult own;
     own.header.task_id = "diathermy_ring";
     own.header.started_utc = "2026-11-21T11:05:00.000Z";
     own.score.points = 77.75;
-    store->save_attempt(user.id, own);
+    store->attempts().save(user.id, own);
     export_dataset({reports::user_dataset(*store, user), reports::recordings_of(*store)}, "csv",
                    out("user"));
     EXPECT_THAT(
@@ -192,7 +192,7 @@ TEST_F(Export, VisitsAndStepsAreToldInEveryFormat) {
     record.answered_utc = "2026-11-22T10:15:00Z";
     record.visit = 2;
     record.answers = {{"by", "1"}, {"B", "2"}, {"used", "0"}};
-    store->save_answers(record);
+    store->studies().save_answers(record);
     for (const auto& format : reports::export_formats()) {
         if (std::string(format.name) == "motion-bids") continue;
         EXPECT_NO_THROW(export_dataset(source(), format.name, out(format.name))) << format.name;
@@ -209,15 +209,15 @@ TEST_F(Export, VisitsAndStepsAreToldInEveryFormat) {
 }
 
 TEST_F(Export, WhoWithdrewAndWantedItIsInNoFile) {
-    store->withdraw("s1", codes[1], db::WithdrawalMode::kStop, "asked for it");
+    store->studies().withdraw("s1", codes[1], db::WithdrawalMode::kStop, "asked for it");
     write("csv");
     EXPECT_THAT(read_text(out("s1_kinds.csv")), Not(HasSubstr(codes[1])));
     EXPECT_THAT(read_text(out("s1_participants.csv")), HasSubstr(codes[1])) << "the tombstone";
 }
 
 TEST_F(Export, LockAndSignatureOfARecordAreInEveryFormat) {
-    store->records().lock_record("s1", codes[0]);
-    store->records().sign_record("s1", codes[0], "anna", "correct horse", "reviewed");
+    store->records().lock("s1", codes[0]);
+    store->records().sign("s1", codes[0], "anna", "correct horse", "reviewed");
     for (const auto& format : reports::export_formats()) {
         if (std::string(format.name) == "motion-bids") continue;
         EXPECT_NO_THROW(export_dataset(source(), format.name, out(format.name))) << format.name;

@@ -23,7 +23,8 @@ class LoadGenerator : public EngineTest {
     /// A simulated attempt to multiply.
     void add_source(bool demonstration = true) const {
         const auto store = open();
-        const int64_t user = store->create_user({"s", "S", "long enough 1", 1, demonstration});
+        const int64_t user =
+            store->accounts().create({"s", "S", "long enough 1", 1, demonstration});
         db::AttemptResult result;
         result.header.task_id = "diathermy_ring";
         result.metrics.values = {{"task_time_s", 100}, {"path_length_mm", 50}};
@@ -31,7 +32,7 @@ class LoadGenerator : public EngineTest {
         sim::Event event;
         event.kind = sim::EventKind::kDwell;
         result.events = {event, event};
-        store->save_attempt(user, result);
+        store->attempts().save(user, result);
     }
 };
 
@@ -55,24 +56,24 @@ TEST_P(LoadGenerator, EveryCopyHasItsListsAndSaysThatItIsOne) {
     EXPECT_EQ(load.groups, 2);
     EXPECT_EQ(load.rows, 20 * (1 + 2 + 1 + 2)) << "attempt, metrics, reason, events";
     const auto store = open();
-    EXPECT_EQ(store->users().size(), 5u);
-    ASSERT_EQ(store->groups().size(), 2u);
-    EXPECT_EQ(store->groups()[0].members.size(), 2u);
-    const auto attempts = store->attempts(load.first_user);
+    EXPECT_EQ(store->accounts().list().size(), 5u);
+    ASSERT_EQ(store->groups().list().size(), 2u);
+    EXPECT_EQ(store->groups().list()[0].members.size(), 2u);
+    const auto attempts = store->attempts().list(load.first_user);
     ASSERT_EQ(attempts.size(), 5u);
     std::set<double> points;
     for (const auto& attempt : attempts) {
         EXPECT_TRUE(attempt.generated);
         EXPECT_TRUE(attempt.demonstration);
         points.insert(attempt.points);
-        const auto detail = store->attempt(attempt.id);
+        const auto detail = store->attempts().detail(attempt.id);
         EXPECT_EQ(detail.events.size(), 2u);
         EXPECT_EQ(detail.score.reasons.size(), 1u);
         EXPECT_NEAR(*detail.metrics.find("task_time_s"), 100, 10.001);
     }
     EXPECT_EQ(points.size(), 5u) << "no two are alike";
-    EXPECT_FALSE(store->attempts(1).at(0).generated);
-    EXPECT_EQ(store->sign_in("generated-1", "").outcome, db::SignInOutcome::kWrong);
+    EXPECT_FALSE(store->attempts().list(1).at(0).generated);
+    EXPECT_EQ(store->accounts().sign_in("generated-1", "").outcome, db::SignInOutcome::kWrong);
     EXPECT_THAT(store->check(), IsEmpty());
 }
 
@@ -80,7 +81,7 @@ TEST_P(LoadGenerator, ARealStoreIsNoPlaceForCopies) {
     add_source(false);
     EXPECT_EQ(failure_of([&] { (void)db::generate_load(url(), small()); }).kind(),
               StoreError::Kind::kRefused);
-    EXPECT_EQ(open()->attempts(0).size(), 1u);
+    EXPECT_EQ(open()->attempts().list(0).size(), 1u);
 }
 
 TEST_P(LoadGenerator, WithoutAnAttemptOrASecondTimeItRefuses) {
@@ -90,7 +91,7 @@ TEST_P(LoadGenerator, WithoutAnAttemptOrASecondTimeItRefuses) {
     (void)db::generate_load(url(), small());
     EXPECT_EQ(failure_of([&] { (void)db::generate_load(url(), small()); }).kind(),
               StoreError::Kind::kRefused);
-    EXPECT_EQ(open()->attempts(0).size(), 21u);
+    EXPECT_EQ(open()->attempts().list(0).size(), 21u);
 }
 
 TEST_P(LoadGenerator, AStopLeavesNothing) {
@@ -98,6 +99,6 @@ TEST_P(LoadGenerator, AStopLeavesNothing) {
     db::LoadOrder order = small();
     order.progress = [](int64_t, int64_t) { return false; };
     EXPECT_TRUE(db::generate_load(url(), order).cancelled);
-    EXPECT_EQ(open()->users().size(), 1u);
-    EXPECT_EQ(open()->attempts(0).size(), 1u);
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
+    EXPECT_EQ(open()->attempts().list(0).size(), 1u);
 }

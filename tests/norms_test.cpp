@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Norm packs, the quality panel and further scores in the store, on both engines.
 
-#include "db/norms.h"
+#include "db/norm_bands.h"
 
 #include <gmock/gmock.h>
 
@@ -27,7 +27,7 @@ class Norms : public EngineTest {
  protected:
     void ready() override { store = open(); }
     int64_t person(const std::string& login) const {
-        return store->create_user(
+        return store->accounts().create(
             {login, login, "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
     }
     int64_t attempt(int64_t user, double points, double time_s, int metric_set = 2,
@@ -41,7 +41,7 @@ class Norms : public EngineTest {
         result.metrics.values = {{"task_time_s", time_s}, {"placode_contacts", 1}};
         result.score.points = points;
         result.score.rubric_id = "ring";
-        return store->save_attempt(user, result);
+        return store->attempts().save(user, result);
     }
     /// `n` persons, two attempts each, about `points` and `time_s`.
     std::vector<int64_t> level(const std::string& name, int n, double points, double time_s) const {
@@ -114,19 +114,19 @@ TEST_P(Norms, APackIsSignedKeptOnceAndUsedForItsTask) {
         kDay, 5);
     const int64_t id = db::keep_own_norms(*store, pack);
     EXPECT_EQ(db::keep_own_norms(*store, pack), id) << "Ed25519 signs the same text the same way";
-    const auto record = store->norm_packs("diathermy_ring").at(0);
+    const auto record = store->norms().list("diathermy_ring").at(0);
     EXPECT_TRUE(db::signature_is_right(record.norms.content, record.norms.signature,
                                        record.norms.public_key));
     EXPECT_FALSE(db::norms_in_use(*store, "diathermy_ring"));
-    store->use_norms(id);
+    store->norms().use(id);
     ASSERT_TRUE(db::norms_in_use(*store, "diathermy_ring"));
     auto later = pack;
     later.made_utc = "2026-02-01";
     const int64_t other = db::keep_own_norms(*store, later);
-    store->use_norms(other);
+    store->norms().use(other);
     EXPECT_EQ(db::norms_in_use(*store, "diathermy_ring")->id, other) << "one at a time";
-    EXPECT_THAT(store->norm_packs("grasp_and_lift"), IsEmpty());
-    EXPECT_EQ(failure_of([&] { store->use_norms(99); }).kind(), StoreError::Kind::kNotFound);
+    EXPECT_THAT(store->norms().list("grasp_and_lift"), IsEmpty());
+    EXPECT_EQ(failure_of([&] { store->norms().use(99); }).kind(), StoreError::Kind::kNotFound);
 }
 
 TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
@@ -138,23 +138,25 @@ TEST_P(Norms, AChangedOrUntrustedPackIsRefused) {
     norms.content = curriculum::norm_pack_text(pack);
     norms.signature = db::sign_text(norms.content, foreign.secret_key);
     norms.public_key = foreign.public_key;
-    EXPECT_THAT(failure_of([&] { store->save_norms(norms); }).what(), HasSubstr("not trusted"));
-    store->trust_centre(foreign.public_key, "B");
+    EXPECT_THAT(failure_of([&] { store->norms().save(norms); }).what(), HasSubstr("not trusted"));
+    store->norms().trust_centre(foreign.public_key, "B");
     auto changed = norms;
     changed.content.replace(changed.content.find("\"centre\": \"B\""), 13, "\"centre\": \"C\"");
-    EXPECT_THAT(failure_of([&] { store->save_norms(changed); }).what(), HasSubstr("changed after"));
+    EXPECT_THAT(failure_of([&] { store->norms().save(changed); }).what(),
+                HasSubstr("changed after"));
     auto swapped = norms;
     swapped.public_key = db::new_key_pair().public_key;
-    EXPECT_THAT(failure_of([&] { store->save_norms(swapped); }).what(), HasSubstr("changed after"));
-    EXPECT_THAT(store->norm_packs(""), IsEmpty());
-    EXPECT_GT(store->save_norms(norms), 0);
+    EXPECT_THAT(failure_of([&] { store->norms().save(swapped); }).what(),
+                HasSubstr("changed after"));
+    EXPECT_THAT(store->norms().list(""), IsEmpty());
+    EXPECT_GT(store->norms().save(norms), 0);
 }
 
 TEST_P(Norms, AnAttemptIsScoredAgainstTheBand) {
     const auto people = level("e", 5, 80, 100);
     const auto pack = db::make_norms(
         db::level_attempts(*store, "diathermy_ring", {{"expert", people}}), "A", kDay, 5);
-    const auto mine = store->measured_attempts(people[0], "diathermy_ring").at(0);
+    const auto mine = store->norms().measured_attempts(people[0], "diathermy_ring").at(0);
     EXPECT_EQ(mine.metrics.values.size(), 2u);
     const auto compared = db::compare_with_band(mine, pack.groups[0]);
     ASSERT_EQ(compared.size(), 3u);
@@ -189,10 +191,11 @@ TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
     record.score.reasons = {
         {"late", "Late.", 45, 3, true, {"Late, {value}.", "Późno.", "time_s", 1e300, 2, 12}}};
     record.metrics.values = {{"task_time_s", 101}};
-    store->save_rescore(record);
-    EXPECT_EQ(failure_of([&] { store->save_rescore(record); }).kind(), StoreError::Kind::kConflict);
-    EXPECT_DOUBLE_EQ(store->attempt(id).score.points, 40) << "the first one stays";
-    const auto further = store->rescores(id);
+    store->attempts().save_rescore(record);
+    EXPECT_EQ(failure_of([&] { store->attempts().save_rescore(record); }).kind(),
+              StoreError::Kind::kConflict);
+    EXPECT_DOUBLE_EQ(store->attempts().detail(id).score.points, 40) << "the first one stays";
+    const auto further = store->attempts().rescores(id);
     ASSERT_EQ(further.size(), 1u);
     EXPECT_DOUBLE_EQ(further[0].score.points, 55);
     EXPECT_EQ(further[0].score.verdict, assessment::Verdict::kFailed);
@@ -202,5 +205,6 @@ TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
     EXPECT_DOUBLE_EQ(*further[0].metrics.find("task_time_s"), 101);
     EXPECT_EQ(further[0].preprocessing_version, 1);
     record.attempt_id = 99;
-    EXPECT_EQ(failure_of([&] { store->save_rescore(record); }).kind(), StoreError::Kind::kNotFound);
+    EXPECT_EQ(failure_of([&] { store->attempts().save_rescore(record); }).kind(),
+              StoreError::Kind::kNotFound);
 }

@@ -56,7 +56,7 @@ TEST_F(PeopleFile, TakesWhatSpreadsheetsSave) {
 }
 
 TEST_F(PeopleFile, MakesAccountsWithRolesGroupsAndPasswords) {
-    const int64_t group = store_->create_group("Autumn");
+    const int64_t group = store_->groups().create("Autumn");
     auto people = read_people(*store_,
                               "login,name,roles,group,password\n"
                               "anna,Anna A,trainee;educator,Autumn,\n"
@@ -67,13 +67,14 @@ TEST_F(PeopleFile, MakesAccountsWithRolesGroupsAndPasswords) {
     EXPECT_THAT(passwords, HasSubstr("anna,"));
     EXPECT_THAT(passwords, testing::Not(HasSubstr("bert")));
     EXPECT_EQ(make_accounts(*store_, people, "list.csv"), 2u);
-    const auto anna = store_->user_by_login("anna");
+    const auto anna = store_->accounts().find_login("anna");
     ASSERT_TRUE(anna.has_value());
     EXPECT_TRUE(db::has_role(anna->roles, db::Role::kEducator));
-    EXPECT_EQ(store_->groups()[0].id, group);
-    EXPECT_THAT(store_->groups()[0].members, testing::ElementsAre(anna->id));
-    EXPECT_EQ(store_->sign_in("anna", people[0].user.password).outcome, db::SignInOutcome::kOk);
-    EXPECT_EQ(store_->sign_in("bert", "quiet river 7").outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(store_->groups().list()[0].id, group);
+    EXPECT_THAT(store_->groups().list()[0].members, testing::ElementsAre(anna->id));
+    EXPECT_EQ(store_->accounts().sign_in("anna", people[0].user.password).outcome,
+              db::SignInOutcome::kOk);
+    EXPECT_EQ(store_->accounts().sign_in("bert", "quiet river 7").outcome, db::SignInOutcome::kOk);
 }
 
 TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
@@ -81,13 +82,13 @@ TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
         *store_, "login,name,password\nanna,Anna A,quiet river 7\nbert,Bert B,quiet river 8\n",
         "list.csv");
     make_accounts(*store_, people, "list.csv");
-    const int64_t anna = store_->user_by_login("anna")->id;
+    const int64_t anna = store_->accounts().find_login("anna")->id;
     db::AttemptResult result;
     result.header.task_id = "ring";
     result.end.reason = sim::EndReason::kFinished;
     result.score.points = 81;
     result.score.reasons = {{"burn", "The needle rested.", 4, 2, false}};
-    store_->save_attempt(anna, result);
+    store_->attempts().save(anna, result);
     const OwnData written = write_own_data(*store_, anna, folder_.file("mine"), true);
     EXPECT_EQ(written.attempts, 1);
     EXPECT_EQ(written.recordings, 0);
@@ -97,7 +98,7 @@ TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
     EXPECT_THAT(text.str(), HasSubstr("Anna A"));
     EXPECT_THAT(text.str(), HasSubstr("The needle rested."));
     EXPECT_THAT(text.str(), testing::Not(HasSubstr("Bert")));
-    EXPECT_EQ(store_->audit_trail(1)[0].action, "user.data");
+    EXPECT_EQ(store_->audit().trail(1)[0].action, "user.data");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class People : public EngineTest {
         adam = add("adam", db::Role::kAdministrator);
     }
     int64_t add(const std::string& login, db::Role role) const {
-        return store->create_user(
+        return store->accounts().create(
             {login, "Name of " + login, kPassword, static_cast<db::Roles>(role), false});
     }
     int64_t attempt(int64_t user, double points, const std::string& at,
@@ -52,7 +52,7 @@ class People : public EngineTest {
         result.score.verdict = points < 20   ? assessment::Verdict::kFailed
                                : points < 60 ? assessment::Verdict::kNotYet
                                              : assessment::Verdict::kPassed;
-        return store->save_attempt(user, result);
+        return store->attempts().save(user, result);
     }
 
     std::unique_ptr<db::Store> store;
@@ -66,83 +66,87 @@ INSTANTIATE_TEST_SUITE_P(Engines, People, testing::Values("Sqlite", "Postgresql"
 
 TEST_P(People, APinOpensUntilItWasWrongThreeTimes) {
     for (const char* pin : {"123", "1234567890123", "12a4", "0000", "1234", "9876"})
-        EXPECT_EQ(failure_of([&] { store->set_pin(anna, pin); }).kind(), StoreError::Kind::kRefused)
+        EXPECT_EQ(failure_of([&] { store->accounts().set_pin(anna, pin); }).kind(),
+                  StoreError::Kind::kRefused)
             << pin;
-    EXPECT_FALSE(store->has_pin(anna));
-    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
-    store->set_pin(anna, "2580");
-    EXPECT_TRUE(store->has_pin(anna));
-    EXPECT_EQ(store->unlock(anna, "2580").user->login, "anna");
+    EXPECT_FALSE(store->accounts().has_pin(anna));
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    store->accounts().set_pin(anna, "2580");
+    EXPECT_TRUE(store->accounts().has_pin(anna));
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").user->login, "anna");
     for (int i = 0; i < 2; ++i)
-        EXPECT_EQ(store->unlock(anna, "2581").outcome, SignInOutcome::kWrong);
-    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kOk) << "the count begins again";
-    for (int i = 0; i < 3; ++i) (void)store->unlock(anna, "2581");
-    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
-    EXPECT_FALSE(store->has_pin(anna));
-    store->set_pin(anna, "2580");
-    store->set_active(anna, false);
-    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kDeactivated);
-    store->set_pin(adam, "2580");
-    store->set_password(adam, "another one 1");
-    EXPECT_FALSE(store->has_pin(adam)) << "a new password takes it away";
+        EXPECT_EQ(store->accounts().unlock(anna, "2581").outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").outcome, SignInOutcome::kOk)
+        << "the count begins again";
+    for (int i = 0; i < 3; ++i) (void)store->accounts().unlock(anna, "2581");
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    EXPECT_FALSE(store->accounts().has_pin(anna));
+    store->accounts().set_pin(anna, "2580");
+    store->accounts().set_active(anna, false);
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").outcome, SignInOutcome::kDeactivated);
+    store->accounts().set_pin(adam, "2580");
+    store->accounts().set_password(adam, "another one 1");
+    EXPECT_FALSE(store->accounts().has_pin(adam)) << "a new password takes it away";
 }
 
 TEST_P(People, AnInvitationMakesOneAccountInItsGroupUntilItsLastDay) {
-    const int64_t group = store->create_group("A");
+    const int64_t group = store->groups().create("A");
     db::InvitationRecord invitation;
     invitation.roles = static_cast<db::Roles>(db::Role::kEducator);
     invitation.group_id = group;
     invitation.expires_utc = "2026-01-02";
-    const std::string code = store->invite(invitation);
+    const std::string code = store->accounts().invite(invitation);
     EXPECT_EQ(code.size(), 27u);
     const db::NewUser olga{"olga", "Olga", kPassword, 8, false};
-    EXPECT_EQ(failure_of([&] { store->accept_invitation("x", olga); }).kind(),
+    EXPECT_EQ(failure_of([&] { store->accounts().accept_invitation("x", olga); }).kind(),
               StoreError::Kind::kRefused);
     EXPECT_EQ(failure_of([&] {
-                  store->accept_invitation(code, {"anna", "A", kPassword, 1, false});
+                  store->accounts().accept_invitation(code, {"anna", "A", kPassword, 1, false});
               }).kind(),
               StoreError::Kind::kConflict)
         << "a login that is taken";
     now_ms += int64_t{2} * 86400 * 1000 - 1;
-    const int64_t id = store->accept_invitation(code, olga);
-    EXPECT_EQ(store->user(id)->roles, invitation.roles) << "not those that were asked for";
-    EXPECT_THAT(store->groups().at(0).members, ElementsAre(id));
+    const int64_t id = store->accounts().accept_invitation(code, olga);
+    EXPECT_EQ(store->accounts().find(id)->roles, invitation.roles)
+        << "not those that were asked for";
+    EXPECT_THAT(store->groups().list().at(0).members, ElementsAre(id));
     EXPECT_THAT(failure_of([&] {
-                    store->accept_invitation(code, {"p", "P", kPassword, 1, false});
+                    store->accounts().accept_invitation(code, {"p", "P", kPassword, 1, false});
                 }).what(),
                 HasSubstr("was used"));
-    const std::string late = store->invite(invitation);
+    const std::string late = store->accounts().invite(invitation);
     now_ms += 1;
     EXPECT_THAT(failure_of([&] {
-                    store->accept_invitation(late, {"p", "P", kPassword, 1, false});
+                    store->accounts().accept_invitation(late, {"p", "P", kPassword, 1, false});
                 }).what(),
                 HasSubstr("ended on 2026-01-02"));
-    ASSERT_EQ(store->invitations().size(), 2u);
-    EXPECT_FALSE(store->invitations()[0].used_utc.empty());
-    EXPECT_TRUE(store->invitations()[1].used_utc.empty());
+    ASSERT_EQ(store->accounts().invitations().size(), 2u);
+    EXPECT_FALSE(store->accounts().invitations()[0].used_utc.empty());
+    EXPECT_TRUE(store->accounts().invitations()[1].used_utc.empty());
     invitation.expires_utc = "soon";
-    EXPECT_EQ(failure_of([&] { store->invite(invitation); }).kind(), StoreError::Kind::kRefused);
+    EXPECT_EQ(failure_of([&] { store->accounts().invite(invitation); }).kind(),
+              StoreError::Kind::kRefused);
 }
 
 TEST_P(People, AnErasedPersonIsNobodyAndTheAttemptsStayWithoutAName) {
     const int64_t id = attempt(anna, 50, "2026-01-01T00:00:00Z");
-    const int64_t group = store->create_group("A");
-    store->set_group_role(group, anna, db::GroupRole::kMember);
-    store->set_pin(anna, "2580");
-    store->request_erasure(anna, "I leave");
-    EXPECT_EQ(failure_of([&] { store->request_erasure(anna, "x"); }).kind(),
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, db::GroupRole::kMember);
+    store->accounts().set_pin(anna, "2580");
+    store->accounts().request_erasure(anna, "I leave");
+    EXPECT_EQ(failure_of([&] { store->accounts().request_erasure(anna, "x"); }).kind(),
               StoreError::Kind::kConflict);
-    ASSERT_EQ(store->erasure_requests().size(), 1u);
-    EXPECT_TRUE(store->erasure_requests()[0].done_utc.empty());
-    store->erase_person(anna, false);
-    EXPECT_FALSE(store->user(anna));
-    EXPECT_EQ(store->users().size(), 1u);
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, SignInOutcome::kWrong);
-    EXPECT_EQ(store->unlock(anna, "2580").outcome, SignInOutcome::kWrong);
-    EXPECT_EQ(store->attempt(id).record.user_name, "");
-    EXPECT_THAT(store->groups().at(0).members, IsEmpty());
-    EXPECT_FALSE(store->erasure_requests()[0].done_utc.empty());
-    EXPECT_EQ(store->erasure_requests()[0].reason, "") << "may tell who it was";
+    ASSERT_EQ(store->accounts().erasure_requests().size(), 1u);
+    EXPECT_TRUE(store->accounts().erasure_requests()[0].done_utc.empty());
+    store->accounts().erase(anna, false);
+    EXPECT_FALSE(store->accounts().find(anna));
+    EXPECT_EQ(store->accounts().list().size(), 1u);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().unlock(anna, "2580").outcome, SignInOutcome::kWrong);
+    EXPECT_EQ(store->attempts().detail(id).record.user_name, "");
+    EXPECT_THAT(store->groups().list().at(0).members, IsEmpty());
+    EXPECT_FALSE(store->accounts().erasure_requests()[0].done_utc.empty());
+    EXPECT_EQ(store->accounts().erasure_requests()[0].reason, "") << "may tell who it was";
     EXPECT_THAT(store->check(), IsEmpty());
     EXPECT_NE(add("anna", db::Role::kTrainee), anna) << "the login is free, the number is not";
 }
@@ -153,13 +157,13 @@ TEST_P(People, ErasureMayTakeTheAttemptsAlong) {
     db::RescoreRecord rescore;
     rescore.attempt_id = 1;
     rescore.metrics.values = {{"task_time_s", 2}};
-    store->save_rescore(rescore);
-    EXPECT_EQ(failure_of([&] { store->erase_person(adam, true); }).kind(),
+    store->attempts().save_rescore(rescore);
+    EXPECT_EQ(failure_of([&] { store->accounts().erase(adam, true); }).kind(),
               StoreError::Kind::kRefused)
         << "the last administrator";
-    store->erase_person(anna, true);
-    ASSERT_EQ(store->attempts(0).size(), 1u);
-    EXPECT_EQ(store->attempts(0)[0].id, kept);
+    store->accounts().erase(anna, true);
+    ASSERT_EQ(store->attempts().list(0).size(), 1u);
+    EXPECT_EQ(store->attempts().list(0)[0].id, kept);
     EXPECT_THAT(store->check(), IsEmpty());
 }
 
@@ -168,27 +172,27 @@ TEST_P(People, AListComesInPages) {
         attempt(i % 2 ? adam : anna, i, "2026-01-0" + std::to_string(i + 1) + "T00:00:00Z");
     db::AttemptFilter filter;
     filter.limit = 2;
-    const auto page = store->attempt_page(filter);
+    const auto page = store->attempts().page(filter);
     EXPECT_EQ(page.total, 5);
     ASSERT_EQ(page.rows.size(), 2u);
     EXPECT_EQ(page.rows[0].points, 4) << "newest first";
     EXPECT_EQ(page.rows[0].user_name, "Name of anna");
     filter.offset = 4;
-    ASSERT_EQ(store->attempt_page(filter).rows.size(), 1u);
-    EXPECT_EQ(store->attempt_page(filter).rows[0].points, 0);
+    ASSERT_EQ(store->attempts().page(filter).rows.size(), 1u);
+    EXPECT_EQ(store->attempts().page(filter).rows[0].points, 0);
     filter = {};
     filter.newest_first = false;
     filter.user_id = adam;
-    const auto own = store->attempt_page(filter);
+    const auto own = store->attempts().page(filter);
     EXPECT_EQ(own.total, 2);
     EXPECT_EQ(own.rows[0].points, 1);
-    const int64_t group = store->create_group("A");
-    store->set_group_role(group, anna, db::GroupRole::kMember);
+    const int64_t group = store->groups().create("A");
+    store->groups().set_role(group, anna, db::GroupRole::kMember);
     filter = {};
     filter.group_id = group;
-    EXPECT_EQ(store->attempt_page(filter).total, 3);
+    EXPECT_EQ(store->attempts().page(filter).total, 3);
     filter.task_id = "grasp_and_lift";
-    EXPECT_EQ(store->attempt_page(filter).total, 0);
+    EXPECT_EQ(store->attempts().page(filter).total, 0);
 }
 
 TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
@@ -199,7 +203,7 @@ TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
     attempt(anna, 30, "2026-01-01T00:00:00Z", "grasp_and_lift");
     attempt(adam, 40, "2026-01-05T00:00:00Z");
     attempt(adam, 45, "2026-01-05T00:00:00Z");
-    const auto all = store->task_standings(0);
+    const auto all = store->attempts().standings(0);
     ASSERT_EQ(all.size(), 3u);
     EXPECT_EQ(all[0].user_id, adam);
     EXPECT_DOUBLE_EQ(all[0].last_points, 45) << "of the same second: the later number";
@@ -210,12 +214,12 @@ TEST_P(People, AStandingIsSummedUpByPersonAndTask) {
     EXPECT_DOUBLE_EQ(all[1].mean_points, 50);
     EXPECT_DOUBLE_EQ(all[1].last_points, 10);
     EXPECT_EQ(all[1].last_utc, "2026-01-03T00:00:00Z");
-    EXPECT_EQ(store->task_standings(0, "grasp_and_lift").size(), 1u);
-    const auto points = store->attempt_points(0, "diathermy_ring");
+    EXPECT_EQ(store->attempts().standings(0, "grasp_and_lift").size(), 1u);
+    const auto points = store->attempts().points(0, "diathermy_ring");
     ASSERT_EQ(points.size(), 5u);
     EXPECT_DOUBLE_EQ(points[0].points, 90) << "by person, then time";
-    EXPECT_THAT(store->task_standings(99), IsEmpty());
-    EXPECT_THAT(store->tasks_with_attempts(), ElementsAre("diathermy_ring", "grasp_and_lift"));
+    EXPECT_THAT(store->attempts().standings(99), IsEmpty());
+    EXPECT_THAT(store->attempts().tasks(), ElementsAre("diathermy_ring", "grasp_and_lift"));
 }
 
 TEST_P(People, AnAttemptInWhichNothingWasDoneIsNoTryThatFailed) {
@@ -225,16 +229,16 @@ TEST_P(People, AnAttemptInWhichNothingWasDoneIsNoTryThatFailed) {
     idle.header.device = "mouse";
     idle.header.started_utc = "2026-01-02T00:00:00Z";
     idle.score.verdict = assessment::Verdict::kNotAttempted;
-    const int64_t id = store->save_attempt(anna, idle);
-    EXPECT_EQ(store->attempt(id).score.verdict, assessment::Verdict::kNotAttempted);
-    EXPECT_FALSE(db::was_tried(store->attempt(id).record));
-    EXPECT_EQ(store->attempts(anna, "diathermy_ring").size(), 2u) << "it is kept and listed";
-    const auto standings = store->task_standings(0);
+    const int64_t id = store->attempts().save(anna, idle);
+    EXPECT_EQ(store->attempts().detail(id).score.verdict, assessment::Verdict::kNotAttempted);
+    EXPECT_FALSE(db::was_tried(store->attempts().detail(id).record));
+    EXPECT_EQ(store->attempts().list(anna, "diathermy_ring").size(), 2u) << "it is kept and listed";
+    const auto standings = store->attempts().standings(0);
     ASSERT_EQ(standings.size(), 1u);
     EXPECT_EQ(standings[0].attempts, 1);
     EXPECT_DOUBLE_EQ(standings[0].last_points, 70);
     EXPECT_EQ(standings[0].trials.streak, 1) << "the streak goes on";
-    EXPECT_EQ(store->attempt_points(0, "diathermy_ring").size(), 1u);
+    EXPECT_EQ(store->attempts().points(0, "diathermy_ring").size(), 1u);
 }
 
 // The store sums up what the rule needs; the rule itself reads every outcome.
@@ -258,13 +262,13 @@ TEST_P(People, StandingsFromSumsAreThoseFromEveryAttempt) {
         }
     std::map<int64_t, std::vector<assessment::TrialOutcome>> every;
     std::map<int64_t, double> first;
-    for (const auto& point : store->attempt_points(0)) {
+    for (const auto& point : store->attempts().points(0)) {
         if (every[point.user_id].empty()) first[point.user_id] = point.points;
         every[point.user_id].push_back(
             {point.points, point.verdict == assessment::Verdict::kPassed});
     }
     std::set<assessment::Standing> seen;
-    const auto standings = store->task_standings(0);
+    const auto standings = store->attempts().standings(0);
     EXPECT_EQ(standings.size(), every.size());
     for (const auto& each : standings) {
         const auto expected = assessment::judge_standing(every[each.user_id]);
@@ -289,7 +293,7 @@ TEST_P(People, TheMeanOfTheLastAttemptsKeepsScriptsApart) {
             "script:expert");
     attempt(adam, 40, "2026-01-05T00:00:00Z");
     attempt(adam, 5, "2026-01-06T00:00:00Z", "grasp_and_lift");
-    const auto means = store->recent_means("diathermy_ring", 3);
+    const auto means = store->attempts().recent_means("diathermy_ring", 3);
     ASSERT_EQ(means.size(), 3u);
     EXPECT_EQ(means[0].user_id, adam);
     EXPECT_DOUBLE_EQ(means[0].mean_points, 40);

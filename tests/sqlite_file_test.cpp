@@ -32,8 +32,8 @@ class SqliteFile : public testing::Test {
     void fill(int users = 40) const {
         const auto store = open();
         for (int i = 0; i < users; ++i)
-            store->create_user({"user" + std::to_string(i), std::string(200, 'n'),
-                                "correct horse battery", 1, false});
+            store->accounts().create({"user" + std::to_string(i), std::string(200, 'n'),
+                                      "correct horse battery", 1, false});
     }
     /// Opening must fail, say why, and leave the bytes alone.
     void expect_refused(StoreError::Kind kind, const std::string& because) const {
@@ -97,8 +97,8 @@ TEST_F(SqliteFile, LeavesOneFileBehindWhenItIsClosed) {
 
 TEST_F(SqliteFile, MayBeInMemory) {
     const auto store = db::open_store("sqlite::memory:", options);
-    store->create_user({"anna", "Anna", "correct horse battery", 1, false});
-    EXPECT_EQ(store->users().size(), 1u);
+    store->accounts().create({"anna", "Anna", "correct horse battery", 1, false});
+    EXPECT_EQ(store->accounts().list().size(), 1u);
     EXPECT_EQ(store->url(), "sqlite::memory:");
 }
 
@@ -178,7 +178,7 @@ TEST_F(SqliteFile, ABackupIsAWholeStoreAndNeverOverwritesOne) {
     EXPECT_EQ(read_text(copy), bytes);
     EXPECT_EQ(failure_of([&] { store->backup("/nonexistent-folder/copy.db"); }).kind(),
               StoreError::Kind::kUnavailable);
-    EXPECT_EQ(db::open_store("sqlite:" + copy, options)->users().size(), 5u);
+    EXPECT_EQ(db::open_store("sqlite:" + copy, options)->accounts().list().size(), 5u);
     EXPECT_THAT(store->check(), IsEmpty());
 }
 
@@ -186,12 +186,12 @@ TEST_F(SqliteFile, RestoringBringsBackTheBackupAndKeepsTheOldStoreAside) {
     fill(5);
     const std::string copy = folder.file("copy.db");
     open()->backup(copy);
-    open()->create_user({"late", "Late", "correct horse battery", 1, false});
+    open()->accounts().create({"late", "Late", "correct horse battery", 1, false});
     const std::string aside = db::restore_store(url, copy);
-    EXPECT_EQ(open()->users().size(), 5u);
+    EXPECT_EQ(open()->accounts().list().size(), 5u);
     EXPECT_THAT(open()->check(), IsEmpty());
-    EXPECT_EQ(open()->audit_trail(1).at(0).action, "store.restore");
-    EXPECT_EQ(db::open_store("sqlite:" + aside, options)->users().size(), 6u);
+    EXPECT_EQ(open()->audit().trail(1).at(0).action, "store.restore");
+    EXPECT_EQ(db::open_store("sqlite:" + aside, options)->accounts().list().size(), 6u);
     EXPECT_EQ(mode_of(path), 0600u);
 }
 
@@ -202,7 +202,7 @@ TEST_F(SqliteFile, ADamagedStoreIsReplacedByItsBackup) {
     write_text(path, "scrambled");
     const std::string aside = db::restore_store(url, copy);
     EXPECT_EQ(read_text(aside), "scrambled");
-    EXPECT_EQ(open()->users().size(), 5u);
+    EXPECT_EQ(open()->accounts().list().size(), 5u);
 }
 
 TEST_F(SqliteFile, RestoringRefusesABadBackupAndAStoreInUse) {
@@ -227,6 +227,6 @@ TEST_F(SqliteFile, RestoringRefusesABadBackupAndAStoreInUse) {
     const auto in_use = open();
     EXPECT_EQ(failure_of([&] { db::restore_store(url + "?timeout_ms=100", copy); }).kind(),
               StoreError::Kind::kLocked);
-    EXPECT_EQ(in_use->users().size(), 5u);
+    EXPECT_EQ(in_use->accounts().list().size(), 5u);
     EXPECT_FALSE(fs::exists(path + ".restoring"));
 }

@@ -42,7 +42,7 @@ TEST_F(Standards, AreKeptInVersionsWithWhoAndWhy) {
     EXPECT_EQ(now->set_by, "ewa");
     EXPECT_EQ(now->reason, "more experts");
     int audited = 0;
-    for (const AuditRecord& each : store_->audit_trail(20))
+    for (const AuditRecord& each : store_->audit().trail(20))
         audited += each.action == "standard.publish" && each.actor == "ewa" ? 1 : 0;
     EXPECT_EQ(audited, 2);
 }

@@ -20,8 +20,8 @@ TEST_P(StoreTest, APersonWithTheRightPasswordSignsIn) {
     db::NewUser user = trainee("Anna");
     user.roles = 5;
     user.demonstration = true;
-    const int64_t id = store->create_user(user);
-    const db::SignIn sign_in = store->sign_in(" anna ", kPassword);
+    const int64_t id = store->accounts().create(user);
+    const db::SignIn sign_in = store->accounts().sign_in(" anna ", kPassword);
     ASSERT_EQ(sign_in.outcome, db::SignInOutcome::kOk);
     ASSERT_TRUE(sign_in.user.has_value());
     EXPECT_EQ(sign_in.user->id, id);
@@ -34,22 +34,22 @@ TEST_P(StoreTest, APersonWithTheRightPasswordSignsIn) {
 }
 
 TEST_P(StoreTest, AccountsAreStillThereAfterClosing) {
-    const int64_t id = open()->create_user(trainee("anna"));
+    const int64_t id = open()->accounts().create(trainee("anna"));
     const auto store = open();
-    ASSERT_EQ(store->users().size(), 1u);
-    EXPECT_EQ(store->user(id)->login, "anna");
-    EXPECT_EQ(store->user_by_login("ANNA")->id, id);
-    EXPECT_FALSE(store->user(id + 1).has_value());
-    EXPECT_FALSE(store->user_by_login("bert").has_value());
+    ASSERT_EQ(store->accounts().list().size(), 1u);
+    EXPECT_EQ(store->accounts().find(id)->login, "anna");
+    EXPECT_EQ(store->accounts().find_login("ANNA")->id, id);
+    EXPECT_FALSE(store->accounts().find(id + 1).has_value());
+    EXPECT_FALSE(store->accounts().find_login("bert").has_value());
 }
 
 TEST_P(StoreTest, LoginsAreUniqueWithoutCase) {
     const auto store = open();
-    store->create_user(trainee("Żaneta"));
-    const auto error = failure_of([&] { store->create_user(trainee("żANETA")); });
+    store->accounts().create(trainee("Żaneta"));
+    const auto error = failure_of([&] { store->accounts().create(trainee("żANETA")); });
     EXPECT_EQ(error.kind(), StoreError::Kind::kConflict);
     EXPECT_THAT(error.what(), HasSubstr("taken"));
-    EXPECT_EQ(store->users().size(), 1u);
+    EXPECT_EQ(store->accounts().list().size(), 1u);
 }
 
 TEST_P(StoreTest, WeakPasswordsAreRefused) {
@@ -60,32 +60,35 @@ TEST_P(StoreTest, WeakPasswordsAreRefused) {
                                                           {"annaannaanna", "AnnaAnnaAnna"}}) {
         db::NewUser user = trainee(login);
         user.password = password;
-        EXPECT_EQ(failure_of([&] { store->create_user(user); }).kind(), StoreError::Kind::kRefused);
+        EXPECT_EQ(failure_of([&] { store->accounts().create(user); }).kind(),
+                  StoreError::Kind::kRefused);
     }
-    EXPECT_THAT(store->users(), IsEmpty());
-    const int64_t id = store->create_user(trainee("anna"));
-    EXPECT_EQ(failure_of([&] { store->set_password(id, "123456789"); }).kind(),
+    EXPECT_THAT(store->accounts().list(), IsEmpty());
+    const int64_t id = store->accounts().create(trainee("anna"));
+    EXPECT_EQ(failure_of([&] { store->accounts().set_password(id, "123456789"); }).kind(),
               StoreError::Kind::kRefused);
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
 }
 
 TEST_P(StoreTest, AWrongPasswordIsNotToldFromAnUnknownLogin) {
     const auto store = open();
-    store->create_user(trainee("anna"));
-    EXPECT_EQ(store->sign_in("anna", "wrong password").outcome, db::SignInOutcome::kWrong);
-    EXPECT_EQ(store->sign_in("nobody", "wrong password").outcome, db::SignInOutcome::kWrong);
-    EXPECT_FALSE(store->sign_in("anna", "").user.has_value());
+    store->accounts().create(trainee("anna"));
+    EXPECT_EQ(store->accounts().sign_in("anna", "wrong password").outcome,
+              db::SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().sign_in("nobody", "wrong password").outcome,
+              db::SignInOutcome::kWrong);
+    EXPECT_FALSE(store->accounts().sign_in("anna", "").user.has_value());
 }
 
 TEST_P(StoreTest, ThePasswordItselfIsNowhere) {
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     const std::string hash = raw().value("SELECT password_hash FROM accounts");
     EXPECT_THAT(hash, testing::StartsWith("$argon2id$"));
     EXPECT_THAT(hash, Not(HasSubstr(kPassword)));
 }
 
 TEST_P(StoreTest, NamesStandApartFromAccounts) {
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     EXPECT_EQ(raw().value("SELECT login FROM persons"), "anna");
     EXPECT_FALSE(raw().run("SELECT login FROM accounts"));
     EXPECT_FALSE(raw().run("SELECT display_name FROM attempts"));
@@ -93,70 +96,78 @@ TEST_P(StoreTest, NamesStandApartFromAccounts) {
 
 TEST_P(StoreTest, AfterFiveWrongTriesEachFurtherOneWaitsLonger) {
     const auto store = open();
-    store->create_user(trainee("anna"));
+    store->accounts().create(trainee("anna"));
     for (const char* login : {"anna", "nobody"}) {
         for (int i = 0; i < 5; ++i)
-            EXPECT_EQ(store->sign_in(login, "wrong password").outcome, db::SignInOutcome::kWrong);
-        const db::SignIn throttled = store->sign_in(login, kPassword);
+            EXPECT_EQ(store->accounts().sign_in(login, "wrong password").outcome,
+                      db::SignInOutcome::kWrong);
+        const db::SignIn throttled = store->accounts().sign_in(login, kPassword);
         EXPECT_EQ(throttled.outcome, db::SignInOutcome::kThrottled) << "even the right one waits";
         EXPECT_EQ(throttled.wait_s, 5);
     }
     now_ms += 5000;
-    EXPECT_EQ(store->sign_in("anna", "wrong password").outcome, db::SignInOutcome::kWrong);
-    EXPECT_EQ(store->sign_in("anna", kPassword).wait_s, 10);
+    EXPECT_EQ(store->accounts().sign_in("anna", "wrong password").outcome,
+              db::SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).wait_s, 10);
     // The wait is stored: another program does not go around it.
-    EXPECT_EQ(open()->sign_in("anna", kPassword).outcome, db::SignInOutcome::kThrottled);
+    EXPECT_EQ(open()->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kThrottled);
     now_ms += 10000;
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
-    EXPECT_EQ(store->sign_in("anna", "wrong password").outcome, db::SignInOutcome::kWrong);
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk) << "count reset";
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
+    EXPECT_EQ(store->accounts().sign_in("anna", "wrong password").outcome,
+              db::SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk)
+        << "count reset";
 }
 
 TEST_P(StoreTest, NoWaitIsLongerThanAQuarterOfAnHour) {
     const auto store = open();
     int longest = 0;
     for (int i = 0; i < 40; ++i) {
-        const db::SignIn sign_in = store->sign_in("nobody", "wrong password");
+        const db::SignIn sign_in = store->accounts().sign_in("nobody", "wrong password");
         longest = std::max(longest, sign_in.wait_s);
         now_ms += int64_t{1000} * sign_in.wait_s;
     }
     EXPECT_EQ(longest, 900);
     now_ms -= 3'600'000;  // A clock that was set back.
-    EXPECT_LE(store->sign_in("nobody", "wrong password").wait_s, 900);
+    EXPECT_LE(store->accounts().sign_in("nobody", "wrong password").wait_s, 900);
 }
 
 TEST_P(StoreTest, ADeactivatedPersonCannotSignIn) {
     const auto store = open();
-    const int64_t id = store->create_user(trainee("anna"));
-    store->set_active(id, false);
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kDeactivated);
-    EXPECT_EQ(store->sign_in("anna", "wrong password").outcome, db::SignInOutcome::kWrong);
-    store->set_active(id, true);
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
+    const int64_t id = store->accounts().create(trainee("anna"));
+    store->accounts().set_active(id, false);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome,
+              db::SignInOutcome::kDeactivated);
+    EXPECT_EQ(store->accounts().sign_in("anna", "wrong password").outcome,
+              db::SignInOutcome::kWrong);
+    store->accounts().set_active(id, true);
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
 }
 
 TEST_P(StoreTest, TheLastAdministratorStays) {
     const auto store = open();
     db::NewUser admin = trainee("admin");
     admin.roles = static_cast<db::Roles>(db::Role::kAdministrator);
-    const int64_t first = store->create_user(admin);
-    EXPECT_EQ(failure_of([&] { store->set_active(first, false); }).kind(),
+    const int64_t first = store->accounts().create(admin);
+    EXPECT_EQ(failure_of([&] { store->accounts().set_active(first, false); }).kind(),
               StoreError::Kind::kRefused);
     admin.login = "second";
-    store->create_user(admin);
-    store->set_active(first, false);
-    EXPECT_FALSE(store->user(first)->active);
+    store->accounts().create(admin);
+    store->accounts().set_active(first, false);
+    EXPECT_FALSE(store->accounts().find(first)->active);
 }
 
 TEST_P(StoreTest, ANewPasswordReplacesTheOldOneAndEndsTheWait) {
     const auto store = open();
-    const int64_t id = store->create_user(trainee("anna"));
-    for (int i = 0; i < 6; ++i) (void)store->sign_in("anna", "wrong password");
-    store->set_password(id, "another long password");
-    EXPECT_EQ(store->sign_in("anna", kPassword).outcome, db::SignInOutcome::kWrong);
-    EXPECT_EQ(store->sign_in("anna", "another long password").outcome, db::SignInOutcome::kOk);
-    EXPECT_EQ(failure_of([&] { store->set_password(999, "another long password"); }).kind(),
-              StoreError::Kind::kNotFound);
+    const int64_t id = store->accounts().create(trainee("anna"));
+    for (int i = 0; i < 6; ++i) (void)store->accounts().sign_in("anna", "wrong password");
+    store->accounts().set_password(id, "another long password");
+    EXPECT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kWrong);
+    EXPECT_EQ(store->accounts().sign_in("anna", "another long password").outcome,
+              db::SignInOutcome::kOk);
+    EXPECT_EQ(
+        failure_of([&] { store->accounts().set_password(999, "another long password"); }).kind(),
+        StoreError::Kind::kNotFound);
 }
 
 // --- audit -------------------------------------------------------------------------------------
@@ -164,11 +175,11 @@ TEST_P(StoreTest, ANewPasswordReplacesTheOldOneAndEndsTheWait) {
 TEST_P(StoreTest, EveryChangeLeavesATraceWithItsActor) {
     const auto store = open();
     store->act_as("setup");
-    const int64_t id = store->create_user(trainee("anna"));
-    (void)store->sign_in("anna", kPassword);
-    store->save_attempt(id, make_result());
-    store->audit("anna", "export", "study pilot", "3 rows");
-    const auto trail = store->audit_trail(10);
+    const int64_t id = store->accounts().create(trainee("anna"));
+    (void)store->accounts().sign_in("anna", kPassword);
+    store->attempts().save(id, make_result());
+    store->audit().write("anna", "export", "study pilot", "3 rows");
+    const auto trail = store->audit().trail(10);
     ASSERT_EQ(trail.size(), 4u);  // Newest first.
     EXPECT_EQ(trail[0].action, "export");
     EXPECT_EQ(trail[0].detail, "3 rows");
@@ -177,12 +188,12 @@ TEST_P(StoreTest, EveryChangeLeavesATraceWithItsActor) {
     EXPECT_EQ(trail[2].action, "sign_in");
     EXPECT_EQ(trail[3].actor, "setup");
     EXPECT_EQ(trail[3].object, "user " + std::to_string(id));
-    EXPECT_EQ(store->audit_trail(2).size(), 2u);
+    EXPECT_EQ(store->audit().trail(2).size(), 2u);
 }
 
 TEST_P(StoreTest, TheAuditTrailCannotBeChanged) {
     const auto store = open();
-    store->audit("anna", "export", "study", "");
+    store->audit().write("anna", "export", "study", "");
     RawConnection forger = raw();
     EXPECT_FALSE(forger.run("UPDATE audit SET actor = 'bert'"));
     EXPECT_THAT(forger.problem(), HasSubstr("append-only"));
@@ -190,12 +201,13 @@ TEST_P(StoreTest, TheAuditTrailCannotBeChanged) {
     if (!is_sqlite()) {
         EXPECT_FALSE(forger.run("TRUNCATE audit"));
     }
-    EXPECT_EQ(store->audit_trail(10).at(0).actor, "anna");
+    EXPECT_EQ(store->audit().trail(10).at(0).actor, "anna");
 }
 
 TEST_P(StoreTest, AForgedAuditTrailIsFound) {
     const auto store = open();
-    for (int i = 0; i < 3; ++i) store->audit("anna", "export", "study " + std::to_string(i), "");
+    for (int i = 0; i < 3; ++i)
+        store->audit().write("anna", "export", "study " + std::to_string(i), "");
     EXPECT_THAT(store->check(), IsEmpty());
     RawConnection forger = raw();
     if (is_sqlite()) {

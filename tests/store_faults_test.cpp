@@ -16,14 +16,14 @@ using testing::Not;
 // --- several programs, faults ------------------------------------------------------------------
 
 TEST_P(StoreTest, FourThreadsWriteAtOnceAndNothingIsLost) {
-    const int64_t user = open()->create_user(trainee("anna"));
+    const int64_t user = open()->accounts().create(trainee("anna"));
     std::atomic<int> failures{0};
     std::vector<std::thread> threads;
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&] {
             try {
                 const auto store = open(60000);
-                for (int i = 0; i < 25; ++i) store->save_attempt(user, make_result());
+                for (int i = 0; i < 25; ++i) store->attempts().save(user, make_result());
             } catch (const StoreError& error) {
                 ADD_FAILURE() << error.what();
                 ++failures;
@@ -32,7 +32,7 @@ TEST_P(StoreTest, FourThreadsWriteAtOnceAndNothingIsLost) {
     for (auto& thread : threads) thread.join();
     EXPECT_EQ(failures, 0);
     const auto store = open();
-    EXPECT_EQ(store->attempts(user).size(), 100u);
+    EXPECT_EQ(store->attempts().list(user).size(), 100u);
     EXPECT_THAT(store->check(), IsEmpty()) << "the audit chain has no fork";
 }
 
@@ -41,7 +41,7 @@ TEST_P(StoreTest, SeveralProgramsMayCreateTheStoreAtOnce) {
     for (int t = 0; t < 4; ++t)
         threads.emplace_back([&] {
             try {
-                (void)open(60000)->users();
+                (void)open(60000)->accounts().list();
             } catch (const StoreError& error) {
                 ADD_FAILURE() << error.what();
             }
@@ -52,25 +52,25 @@ TEST_P(StoreTest, SeveralProgramsMayCreateTheStoreAtOnce) {
 
 TEST_P(StoreTest, ALockedStoreSaysSoAndLosesNothing) {
     const auto store = open(200);
-    const int64_t user = store->create_user(trainee("anna"));
+    const int64_t user = store->accounts().create(trainee("anna"));
     RawConnection other = raw();
     ASSERT_TRUE(other.run(is_sqlite() ? "BEGIN EXCLUSIVE" : "BEGIN"));
     if (!is_sqlite()) {
         ASSERT_TRUE(other.run("LOCK TABLE attempts IN ACCESS EXCLUSIVE MODE"));
     }
-    const auto error = failure_of([&] { store->save_attempt(user, make_result()); });
+    const auto error = failure_of([&] { store->attempts().save(user, make_result()); });
     EXPECT_EQ(error.kind(), StoreError::Kind::kLocked);
     EXPECT_THAT(error.what(), HasSubstr("save an attempt in"));
     EXPECT_THAT(error.what(), HasSubstr("try again"));
     ASSERT_TRUE(other.run("COMMIT"));
-    store->save_attempt(user, make_result());
-    EXPECT_EQ(store->attempts(user).size(), 1u);
+    store->attempts().save(user, make_result());
+    EXPECT_EQ(store->attempts().list(user).size(), 1u);
 }
 
 // --- migrations --------------------------------------------------------------------------------
 
 TEST_P(StoreTest, AStoreOfANewerProgramIsRefused) {
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     ASSERT_TRUE(
         raw().run("INSERT INTO schema_migrations (name, checksum, applied_utc) VALUES "
                   "('9999_future.sql', 'x', 'y')"));
@@ -83,7 +83,7 @@ TEST_P(StoreTest, AStoreOfANewerProgramIsRefused) {
 TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
     const auto all = db::embedded_migrations();
     ASSERT_GE(all.size(), 4u);
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     options.migrations = all;
     options.migrations.push_back(
         {"9001_test.sql",
@@ -91,7 +91,7 @@ TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
          "{INT64}, bytes {BLOB}) {STRICT};\n\n-- postgresql only\nCREATE TABLE only_postgresql (id "
          "{ID});\n\n-- sqlite only\nCREATE TABLE only_sqlite (id {ID});\n"});
     const auto store = open();
-    EXPECT_EQ(store->users().size(), 1u);
+    EXPECT_EQ(store->accounts().list().size(), 1u);
     EXPECT_TRUE(raw().run("INSERT INTO later (size_m, number) VALUES (0.5, 9007199254740993)"));
     EXPECT_EQ(raw().value("SELECT number FROM later"), "9007199254740993");
     EXPECT_TRUE(
@@ -104,11 +104,11 @@ TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
             copy = entry.path().string();
     ASSERT_NE(copy, "");
     options.migrations.clear();
-    EXPECT_EQ(db::open_store("sqlite:" + copy, options)->users().size(), 1u);
+    EXPECT_EQ(db::open_store("sqlite:" + copy, options)->accounts().list().size(), 1u);
 }
 
 TEST_P(StoreTest, AMigrationThatFailsLeavesTheStoreAsItWas) {
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     const auto good = options.migrations;
     options.migrations = db::embedded_migrations();
     options.migrations.push_back(
@@ -116,11 +116,11 @@ TEST_P(StoreTest, AMigrationThatFailsLeavesTheStoreAsItWas) {
     (void)failure_of([&] { (void)open(); });
     EXPECT_FALSE(raw().run("SELECT * FROM later"));
     options.migrations = good;
-    EXPECT_EQ(open()->users().size(), 1u);
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
 }
 
 TEST_P(StoreTest, AMigrationThatWasEditedAfterwardsIsRefused) {
-    open()->create_user(trainee("anna"));
+    open()->accounts().create(trainee("anna"));
     options.migrations = db::embedded_migrations();
     options.migrations[1].text += "\n-- edited\n";
     const auto error = failure_of([&] { (void)open(); });
@@ -151,11 +151,12 @@ TEST(PostgresqlStore, ABrokenConnectionIsOpenedAgainByTheNextCall) {
     if (world->server().missing()) GTEST_SKIP() << world->server().problem();
     const std::string database = world->server().new_database();
     const auto store = db::open_store(world->server().url(database));
-    EXPECT_THAT(store->users(), IsEmpty());
+    EXPECT_THAT(store->accounts().list(), IsEmpty());
     RawConnection admin = world->server().connect("postgres");
     ASSERT_TRUE(
         admin.run("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE datname = '" +
                   database + "'"));
-    EXPECT_EQ(failure_of([&] { (void)store->users(); }).kind(), StoreError::Kind::kUnavailable);
-    EXPECT_THAT(store->users(), IsEmpty());
+    EXPECT_EQ(failure_of([&] { (void)store->accounts().list(); }).kind(),
+              StoreError::Kind::kUnavailable);
+    EXPECT_THAT(store->accounts().list(), IsEmpty());
 }

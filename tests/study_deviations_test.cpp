@@ -36,14 +36,14 @@ class StudyDeviations : public EngineTest {
  protected:
     void ready() override {
         store = open();
-        carl = store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+        carl = store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
         store->act_as("carl");
         db::DefinitionRecord definition;
         definition.kind = "study";
         definition.id = "pilot";
         definition.json = kStudy;
-        store->publish(definition);
-        code = store->new_participant("pilot");
+        store->definitions().publish(definition);
+        code = store->studies().new_participant("pilot");
     }
     db::StepRecord step(const std::string& name) {
         db::StepRecord record;
@@ -66,7 +66,7 @@ class StudyDeviations : public EngineTest {
         result.events = std::move(events);
         result.study = {"pilot", code};
         auto record = step(name);
-        record.attempt_id = store->save_attempt(carl, result);
+        record.attempt_id = store->attempts().save(carl, result);
         db::record_attempt_step(*store, record);
         return record.attempt_id;
     }
@@ -157,7 +157,7 @@ TEST_P(StudyDeviations, AProcedureInWhichNothingWasDoneIsKeptAndSaidEverywhere) 
 }
 
 TEST_P(StudyDeviations, AnotherDeviceThanTheProtocolsOrTheChosenOne) {
-    store->set_participant_device("pilot", code, "gamepad");
+    store->studies().set_participant_device("pilot", code, "gamepad");
     perform("run", "gamepad", 40);   // The protocol says mouse.
     perform("run2", "gamepad", 40);  // The coordinator chose it.
     auto found = db::study_deviations(*store, "pilot");
@@ -175,7 +175,7 @@ TEST_P(StudyDeviations, ASkippedStepIsOneUnlessItMayBeLeftOut) {
     for (const char* name : {"run2", "extra"}) {
         auto record = step(name);
         record.state = db::StepState::kSkipped;
-        store->record_step(record);
+        store->studies().record_step(record);
     }
     const auto found = db::study_deviations(*store, "pilot");
     ASSERT_EQ(found.size(), 1u);

@@ -29,10 +29,10 @@ class StudyRecordsTest : public EngineTest {
  protected:
     void ready() override {
         store = open();
-        store->create_user({"karol", "Karol Koordynator", kPassword,
-                            static_cast<db::Roles>(db::Role::kCoordinator), false});
+        store->accounts().create({"karol", "Karol Koordynator", kPassword,
+                                  static_cast<db::Roles>(db::Role::kCoordinator), false});
         store->act_as("karol");
-        code = store->new_participant("pilot");
+        code = store->studies().new_participant("pilot");
         const auto sus = curriculum::load_questionnaire("sus");
         db::AnswerRecord record;
         record.study_id = "pilot";
@@ -42,7 +42,9 @@ class StudyRecordsTest : public EngineTest {
         first_item = sus.items.front().id;
         answer_id = db::submit_answers(*store, sus, record);
     }
-    [[nodiscard]] std::string given() { return store->answers("pilot").at(0).answers[first_item]; }
+    [[nodiscard]] std::string given() {
+        return store->studies().answers("pilot").at(0).answers[first_item];
+    }
 
     std::unique_ptr<db::Store> store;
     std::string code, first_item;
@@ -56,40 +58,42 @@ INSTANTIATE_TEST_SUITE_P(Engines, StudyRecordsTest, testing::Values("Sqlite", "P
 
 TEST_P(StudyRecordsTest, ALockedRecordTakesNothingMore) {
     db::StudyRecords& records = store->records();
-    records.lock_record("pilot", code);
-    EXPECT_TRUE(records.record_states("pilot").at(code).locked);
-    EXPECT_EQ(failure_of([&] { records.lock_record("pilot", code); }).kind(), Kind::kConflict);
-    EXPECT_EQ(failure_of([&] { records.lock_record("pilot", "P999-X"); }).kind(), Kind::kNotFound);
-    db::AnswerRecord more = store->answers("pilot").at(0);
-    EXPECT_THAT(failure_of([&] { store->save_answers(more); }).what(), HasSubstr("is locked"));
+    records.lock("pilot", code);
+    EXPECT_TRUE(records.states("pilot").at(code).locked);
+    EXPECT_EQ(failure_of([&] { records.lock("pilot", code); }).kind(), Kind::kConflict);
+    EXPECT_EQ(failure_of([&] { records.lock("pilot", "P999-X"); }).kind(), Kind::kNotFound);
+    db::AnswerRecord more = store->studies().answers("pilot").at(0);
+    EXPECT_THAT(failure_of([&] { store->studies().save_answers(more); }).what(),
+                HasSubstr("is locked"));
     db::StepRecord step;
     step.study_id = "pilot";
     step.participant = code;
     step.step = "run";
-    EXPECT_THAT(failure_of([&] { store->record_step(step); }).what(), HasSubstr("is locked"));
+    EXPECT_THAT(failure_of([&] { store->studies().record_step(step); }).what(),
+                HasSubstr("is locked"));
     EXPECT_THAT(failure_of([&] {
                     records.correct_answers(answer_id, 1, {{first_item, "2"}}, "a slip");
                 }).what(),
                 HasSubstr("is locked"));
-    EXPECT_EQ(failure_of([&] { records.unlock_record("pilot", code, ""); }).kind(), Kind::kRefused);
-    records.unlock_record("pilot", code, "an answer was overlooked");
-    EXPECT_NO_THROW(store->record_step(step));
-    EXPECT_EQ(records.record_events("pilot").size(), 2u);
-    EXPECT_EQ(records.record_events("pilot").at(1).remark, "an answer was overlooked");
+    EXPECT_EQ(failure_of([&] { records.unlock("pilot", code, ""); }).kind(), Kind::kRefused);
+    records.unlock("pilot", code, "an answer was overlooked");
+    EXPECT_NO_THROW(store->studies().record_step(step));
+    EXPECT_EQ(records.events("pilot").size(), 2u);
+    EXPECT_EQ(records.events("pilot").at(1).remark, "an answer was overlooked");
 }
 
 TEST_P(StudyRecordsTest, ASignatureNeedsThePasswordAgainAndIsBoundToTheRecord) {
     db::StudyRecords& records = store->records();
     const auto sign = [&](const char* password, const char* meaning) {
-        records.sign_record("pilot", code, "karol", password, meaning);
+        records.sign("pilot", code, "karol", password, meaning);
     };
     EXPECT_THAT(failure_of([&] { sign(kPassword, "reviewed"); }).what(), HasSubstr("lock"));
-    records.lock_record("pilot", code);
+    records.lock("pilot", code);
     EXPECT_THAT(failure_of([&] { sign("wrong", "reviewed"); }).what(), HasSubstr("is wrong"));
     EXPECT_THAT(failure_of([&] { sign(kPassword, ""); }).what(), HasSubstr("meaning"));
-    EXPECT_FALSE(records.record_states("pilot").at(code).signature);
+    EXPECT_FALSE(records.states("pilot").at(code).signature);
     sign(kPassword, "reviewed and complete");
-    const auto state = records.record_states("pilot").at(code);
+    const auto state = records.states("pilot").at(code);
     ASSERT_TRUE(state.signature);
     EXPECT_EQ(state.signature->name, "Karol Koordynator");
     EXPECT_EQ(state.signature->remark, "reviewed and complete");
@@ -99,10 +103,10 @@ TEST_P(StudyRecordsTest, ASignatureNeedsThePasswordAgainAndIsBoundToTheRecord) {
     // Past the program: the signature tells.
     ASSERT_TRUE(
         raw().run("UPDATE answer_items SET answer = '1' WHERE item = '" + first_item + "'"));
-    EXPECT_FALSE(records.record_states("pilot").at(code).signature_fits);
-    records.unlock_record("pilot", code, "to be corrected");
-    EXPECT_FALSE(records.record_states("pilot").at(code).signature) << "unlocking cancels it";
-    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.record.unlocked");
+    EXPECT_FALSE(records.states("pilot").at(code).signature_fits);
+    records.unlock("pilot", code, "to be corrected");
+    EXPECT_FALSE(records.states("pilot").at(code).signature) << "unlocking cancels it";
+    EXPECT_EQ(store->audit().trail(1).at(0).action, "study.record.unlocked");
 }
 
 TEST_P(StudyRecordsTest, ACorrectionKeepsTheOldAnswerAndItsReason) {
@@ -128,12 +132,12 @@ TEST_P(StudyRecordsTest, ACorrectionKeepsTheOldAnswerAndItsReason) {
     EXPECT_EQ(list[0].new_answer, "2");
     EXPECT_EQ(list[0].reason, "read wrongly from paper");
     EXPECT_EQ(list[0].corrected_by, "karol");
-    EXPECT_THAT(store->audit_trail(1).at(0).detail, HasSubstr("read wrongly from paper"));
+    EXPECT_THAT(store->audit().trail(1).at(0).detail, HasSubstr("read wrongly from paper"));
 }
 
 TEST_P(StudyRecordsTest, TwoEntriesAreComparedAndTheDifferenceIsDecided) {
     db::StudyRecords& records = store->records();
-    db::SecondEntry second{answer_id, store->answers("pilot").at(0).answers, {}, {}};
+    db::SecondEntry second{answer_id, store->studies().answers("pilot").at(0).answers, {}, {}};
     second.answers[first_item] = "3";
     auto broken = second;
     broken.answers[first_item] = "77";
@@ -167,7 +171,7 @@ TEST_P(StudyRecordsTest, WithAKeyOnlyItsHolderReadsTheSignatures) {
     const db::SealPair pair = db::make_seal_pair(), other = db::make_seal_pair();
     db::keep_seal(*store, "pilot", pair.public_key);
     db::keep_seal(*store, "pilot", pair.public_key);  // The same again changes nothing.
-    const std::string second = store->new_participant("pilot");
+    const std::string second = store->studies().new_participant("pilot");
     records.save_consent_signature("pilot", second, late);
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM consent_signatures WHERE path LIKE 'M%'"), "0");
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM definitions WHERE kind = 'consent_seal'"), "1");
@@ -182,7 +186,7 @@ TEST_P(StudyRecordsTest, WithAKeyOnlyItsHolderReadsTheSignatures) {
     // Another key: what was sealed stays with the first, what comes next goes to the second.
     db::keep_seal(*store, "pilot", other.public_key);
     EXPECT_EQ(records.consent_signature("pilot", code)->path, kept);
-    const std::string third = store->new_participant("pilot");
+    const std::string third = store->studies().new_participant("pilot");
     records.save_consent_signature("pilot", third, late);
     EXPECT_EQ(db::unsealed(records.consent_signature("pilot", third)->path, other), late);
     EXPECT_EQ(failure_of([&] { db::keep_seal(*store, "pilot", "abc"); }).kind(), Kind::kDamaged);
@@ -196,16 +200,16 @@ TEST_P(StudyRecordsTest, ErasureTakesCorrectionsEntriesAndTheSignature) {
     EXPECT_EQ(failure_of([&] { records.save_consent_signature("pilot", code, "M0 0"); }).kind(),
               Kind::kConflict);
     records.correct_answers(answer_id, 1, {{first_item, "2"}}, "slip");
-    records.save_second_entry({answer_id, store->answers("pilot").at(0).answers, {}, {}});
-    records.lock_record("pilot", code);
-    store->withdraw("pilot", code, db::WithdrawalMode::kErase, "asked for it");
-    EXPECT_TRUE(store->answers("pilot").empty());
+    records.save_second_entry({answer_id, store->studies().answers("pilot").at(0).answers, {}, {}});
+    records.lock("pilot", code);
+    store->studies().withdraw("pilot", code, db::WithdrawalMode::kErase, "asked for it");
+    EXPECT_TRUE(store->studies().answers("pilot").empty());
     EXPECT_TRUE(records.corrections("pilot").empty());
     EXPECT_TRUE(records.second_entries("pilot").empty());
     EXPECT_FALSE(records.consent_signature("pilot", code));
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM answer_corrections"), "0");
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM second_entry_items"), "0");
-    EXPECT_EQ(store->participants("pilot").size(), 1u) << "the tombstone stays";
+    EXPECT_EQ(store->studies().participants("pilot").size(), 1u) << "the tombstone stays";
     EXPECT_TRUE(store->check().empty());
 }
 
@@ -218,13 +222,13 @@ TEST_P(StudyRecordsTest, AQuestionnaireAskedTwiceAndStepsOfOneArmAreFollowed) {
         R"({"en":"y"}],"block_size":2},"steps":[{"id":"before","kind":"questionnaire",)"
         R"("questionnaire":"sus"},{"id":"only_y","kind":"briefing","text":[{"en":"b"}],"arms":[1]},)"
         R"({"id":"after","kind":"questionnaire","questionnaire":"sus"}]})";
-    store->publish(study);
-    store->new_participant("two_arms");
-    store->new_participant("two_arms");
+    store->definitions().publish(study);
+    store->studies().new_participant("two_arms");
+    store->studies().new_participant("two_arms");
     const auto sus = curriculum::load_questionnaire("sus");
     for (const auto& each : db::study_progress(*store, "two_arms")) {
         EXPECT_EQ(each.total, each.participant.arm == 1 ? 6 : 4);
-        db::AnswerRecord record = store->answers("pilot").at(0);
+        db::AnswerRecord record = store->studies().answers("pilot").at(0);
         record.study_id = "two_arms";
         record.participant = each.participant.code;
         db::submit_answers(*store, sus, record);
@@ -240,5 +244,6 @@ TEST_P(StudyRecordsTest, AQuestionnaireAskedTwiceAndStepsOfOneArmAreFollowed) {
     study.reason = "x";
     study.json.replace(study.json.find("[1]"), 3, "[2]");
     study.json.replace(study.json.find("\"version\":1"), 11, "\"version\":2");
-    EXPECT_THROW(store->publish(study), curriculum::DefinitionError) << "there are two arms";
+    EXPECT_THROW(store->definitions().publish(study), curriculum::DefinitionError)
+        << "there are two arms";
 }

@@ -55,7 +55,7 @@ class StudyReportTest : public testing::Test {
         definition.id = kStudy;
         definition.version = curriculum::load_study(kStudy).version;
         definition.json = curriculum::load_study(kStudy).json;
-        store->publish(definition);
+        store->definitions().publish(definition);
     }
     /// 14 participants with the paper's reconstructed answers to the items A to F.
     void answer_as_the_paper() {
@@ -72,7 +72,7 @@ class StudyReportTest : public testing::Test {
             for (const char* other :
                  {"useful_sb_repair", "useful_laparoscopic", "recommend", "useful_in_curricula"})
                 answers[other] = "4";
-            codes.push_back(store->new_participant(kStudy, true));
+            codes.push_back(store->studies().new_participant(kStudy, true));
             db::record_consent(*store, kStudy, codes.back(), "en", {"read", "voluntary", "data"});
             db::AnswerRecord record;
             record.study_id = kStudy;
@@ -97,7 +97,8 @@ class StudyReportTest : public testing::Test {
         }
     }
     void add_attempts() {
-        const int64_t user = store->create_user({"station", "Station", "correct horse", 1, true});
+        const int64_t user =
+            store->accounts().create({"station", "Station", "correct horse", 1, true});
         for (size_t p = 0; p < 5; ++p) {
             for (int trial = 1; trial <= 3; ++trial) {
                 db::AttemptResult result;
@@ -112,8 +113,8 @@ class StudyReportTest : public testing::Test {
                 step.study_id = kStudy;
                 step.participant = codes[p];
                 step.step = "procedure_" + std::to_string(trial);
-                step.attempt_id = store->save_attempt(user, result);
-                store->record_step(step);
+                step.attempt_id = store->attempts().save(user, result);
+                store->studies().record_step(step);
             }
         }
     }
@@ -173,7 +174,7 @@ TEST_F(StudyReportTest, ThePapersTableComesOutOfItsAnswers) {
 
 TEST_F(StudyReportTest, GroupsAreComparedAndWhatASmallSampleCannotCarryIsSaid) {
     answer_as_the_paper();
-    store->withdraw(kStudy, codes[13], db::WithdrawalMode::kStop, "not given");
+    store->studies().withdraw(kStudy, codes[13], db::WithdrawalMode::kStop, "not given");
     const auto made = report();
     const auto numbers = reports::study_numbers(made.data, made.instruments);
     ASSERT_TRUE(numbers.comparison);

@@ -80,7 +80,7 @@ class StudyStore : public EngineTest {
         result.events = std::move(events);
         result.study = {"pilot", code};
         auto run = step(code, "run");
-        run.attempt_id = store->save_attempt(store->user_by_login("carl")->id, result);
+        run.attempt_id = store->attempts().save(store->accounts().find_login("carl")->id, result);
         db::record_attempt_step(*store, run);
         return run.attempt_id;
     }
@@ -93,64 +93,66 @@ class StudyStore : public EngineTest {
 INSTANTIATE_TEST_SUITE_P(Engines, StudyStore, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 TEST_P(StudyStore, APublishedTextIsNeverChanged) {
-    store->publish(study(1));
-    EXPECT_NO_THROW(store->publish(study(1))) << "the same text again is no change";
-    const auto conflict = failure_of([&] { store->publish(study(1, "", "other")); });
+    store->definitions().publish(study(1));
+    EXPECT_NO_THROW(store->definitions().publish(study(1))) << "the same text again is no change";
+    const auto conflict = failure_of([&] { store->definitions().publish(study(1, "", "other")); });
     EXPECT_EQ(conflict.kind(), StoreError::Kind::kConflict);
     EXPECT_THAT(conflict.what(), HasSubstr("next version"));
-    EXPECT_EQ(failure_of([&] { store->publish(study(2)); }).kind(), StoreError::Kind::kRefused)
+    EXPECT_EQ(failure_of([&] { store->definitions().publish(study(2)); }).kind(),
+              StoreError::Kind::kRefused)
         << "an amendment without a reason";
-    store->publish(study(2, "the committee asked for it", "other"));
-    EXPECT_EQ(failure_of([&] { store->publish(study(1, "x", "old")); }).kind(),
+    store->definitions().publish(study(2, "the committee asked for it", "other"));
+    EXPECT_EQ(failure_of([&] { store->definitions().publish(study(1, "x", "old")); }).kind(),
               StoreError::Kind::kConflict);
-    ASSERT_EQ(store->definitions("study").size(), 2u);
-    EXPECT_EQ(store->definition("study", "pilot")->version, 2);
-    EXPECT_EQ(store->definition("study", "pilot")->reason, "the committee asked for it");
-    EXPECT_EQ(store->definition("study", "pilot", 1)->json, study_text(1));
+    ASSERT_EQ(store->definitions().list("study").size(), 2u);
+    EXPECT_EQ(store->definitions().find("study", "pilot")->version, 2);
+    EXPECT_EQ(store->definitions().find("study", "pilot")->reason, "the committee asked for it");
+    EXPECT_EQ(store->definitions().find("study", "pilot", 1)->json, study_text(1));
     EXPECT_FALSE(raw().run("UPDATE definitions SET content = 'x'")) << "past the store neither";
     EXPECT_FALSE(raw().run("DELETE FROM definitions"));
     auto broken = study(3, "x");
     broken.json = "{}";
-    EXPECT_THROW(store->publish(broken), curriculum::DefinitionError);
+    EXPECT_THROW(store->definitions().publish(broken), curriculum::DefinitionError);
     broken.json = study_text(4);
-    EXPECT_THROW(store->publish(broken), curriculum::DefinitionError) << "says 4, is 3";
+    EXPECT_THROW(store->definitions().publish(broken), curriculum::DefinitionError)
+        << "says 4, is 3";
 }
 
 TEST_P(StudyStore, NothingIsRecordedBeforeConsent) {
-    store->publish(study(1));
-    const std::string code = store->new_participant("pilot", true);
-    EXPECT_THAT(failure_of([&] { store->save_answers(answer(code)); }).what(),
+    store->definitions().publish(study(1));
+    const std::string code = store->studies().new_participant("pilot", true);
+    EXPECT_THAT(failure_of([&] { store->studies().save_answers(answer(code)); }).what(),
                 HasSubstr("has not consented"));
-    EXPECT_THAT(failure_of([&] { store->record_step(step(code, "run")); }).what(),
+    EXPECT_THAT(failure_of([&] { store->studies().record_step(step(code, "run")); }).what(),
                 HasSubstr("has not consented"));
     auto consent = step(code, "consent");
     consent.detail = "consent version 1, en";
-    store->record_step(consent);
+    store->studies().record_step(consent);
     auto run = step(code, "run");
     run.attempt_id = 12;
     run.state = db::StepState::kStarted;
-    store->record_step(run);
-    store->save_answers(answer(code));
-    const auto steps = store->steps("pilot");
+    store->studies().record_step(run);
+    store->studies().save_answers(answer(code));
+    const auto steps = store->studies().steps("pilot");
     ASSERT_EQ(steps.size(), 2u);
     EXPECT_EQ(steps[0].detail, "consent version 1, en");
     EXPECT_EQ(steps[1].attempt_id, 12);
     EXPECT_EQ(steps[1].state, db::StepState::kStarted);
-    const auto answers = store->answers("pilot");
+    const auto answers = store->studies().answers("pilot");
     ASSERT_EQ(answers.size(), 1u);
     EXPECT_EQ(answers[0].language, "pl");
     ASSERT_EQ(answers[0].changes.size(), 2u);
     EXPECT_EQ(answers[0].changes[1].old_answer, "2");
     EXPECT_EQ(answers[0].changes[1].new_answer, "4");
-    EXPECT_TRUE(store->participants("pilot").at(0).demonstration);
-    EXPECT_EQ(store->participants("pilot").at(0).protocol_version, 1);
+    EXPECT_TRUE(store->studies().participants("pilot").at(0).demonstration);
+    EXPECT_EQ(store->studies().participants("pilot").at(0).protocol_version, 1);
 }
 
 TEST_P(StudyStore, ArmsAreBalancedAndTheSeedStaysInTheStore) {
-    store->publish(study(1));
-    for (int i = 0; i < 12; ++i) store->new_participant("pilot");
+    store->definitions().publish(study(1));
+    for (int i = 0; i < 12; ++i) store->studies().new_participant("pilot");
     int ones = 0;
-    const auto participants = store->participants("pilot");
+    const auto participants = store->studies().participants("pilot");
     for (size_t i = 0; i < participants.size(); ++i) {
         ASSERT_GE(participants[i].arm, 0);
         ones += participants[i].arm;
@@ -160,128 +162,133 @@ TEST_P(StudyStore, ArmsAreBalancedAndTheSeedStaysInTheStore) {
     }
     const std::string seed = raw().value("SELECT seed FROM study_allocations");
     ASSERT_FALSE(seed.empty());
-    for (const auto& entry : store->audit_trail(100))
+    for (const auto& entry : store->audit().trail(100))
         EXPECT_THAT(entry.detail, testing::Not(HasSubstr(seed)));
 }
 
 TEST_P(StudyStore, WithdrawalStopsKeepsOrErasesAndTheTombstoneStays) {
-    store->publish(study(1));
+    store->definitions().publish(study(1));
     std::vector<std::string> codes;
     for (int i = 0; i < 3; ++i) {
-        codes.push_back(store->new_participant("pilot"));
-        store->record_step(step(codes.back(), "consent"));
-        store->save_answers(answer(codes.back()));
+        codes.push_back(store->studies().new_participant("pilot"));
+        store->studies().record_step(step(codes.back(), "consent"));
+        store->studies().save_answers(answer(codes.back()));
     }
-    store->create_user({"anna", "Anna", "correct horse battery", 1, false});
+    store->accounts().create({"anna", "Anna", "correct horse battery", 1, false});
     db::AttemptResult attempt;
     attempt.header.task_id = "diathermy_ring";
     attempt.header.started_utc = "2026-01-02T03:04:05.000Z";
     attempt.metrics.values = {{"path_length_mm", 1}};
     auto run = step(codes[2], "run");
-    run.attempt_id = store->save_attempt(store->user_by_login("anna")->id, attempt);
-    store->record_step(run);
+    run.attempt_id = store->attempts().save(store->accounts().find_login("anna")->id, attempt);
+    store->studies().record_step(run);
 
-    EXPECT_EQ(
-        failure_of([&] { store->withdraw("pilot", codes[0], WithdrawalMode::kKeep, ""); }).kind(),
-        StoreError::Kind::kRefused);
-    store->withdraw("pilot", codes[0], WithdrawalMode::kKeep, "no time");
-    store->withdraw("pilot", codes[1], WithdrawalMode::kStop, "not given");
-    store->withdraw("pilot", codes[2], WithdrawalMode::kErase, "asked for it");
-    const auto participants = store->participants("pilot");
+    EXPECT_EQ(failure_of([&] {
+                  store->studies().withdraw("pilot", codes[0], WithdrawalMode::kKeep, "");
+              }).kind(),
+              StoreError::Kind::kRefused);
+    store->studies().withdraw("pilot", codes[0], WithdrawalMode::kKeep, "no time");
+    store->studies().withdraw("pilot", codes[1], WithdrawalMode::kStop, "not given");
+    store->studies().withdraw("pilot", codes[2], WithdrawalMode::kErase, "asked for it");
+    const auto participants = store->studies().participants("pilot");
     ASSERT_EQ(participants.size(), 3u) << "the tombstones stay";
     EXPECT_TRUE(participants[0].usable());
     EXPECT_FALSE(participants[1].usable());
     EXPECT_EQ(participants[2].withdrawal, WithdrawalMode::kErase);
     EXPECT_EQ(participants[2].withdrawal_reason, "asked for it");
-    EXPECT_EQ(store->answers("pilot").size(), 2u);
-    EXPECT_EQ(store->steps("pilot").size(), 2u);
-    EXPECT_TRUE(store->attempts(0).empty()) << "the attempt of the study is erased as well";
+    EXPECT_EQ(store->studies().answers("pilot").size(), 2u);
+    EXPECT_EQ(store->studies().steps("pilot").size(), 2u);
+    EXPECT_TRUE(store->attempts().list(0).empty()) << "the attempt of the study is erased as well";
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM answer_changes"), "4");
-    EXPECT_THAT(failure_of([&] { store->save_answers(answer(codes[0])); }).what(),
+    EXPECT_THAT(failure_of([&] { store->studies().save_answers(answer(codes[0])); }).what(),
                 HasSubstr("has withdrawn"));
     // Less use may follow, never more.
-    EXPECT_EQ(
-        failure_of([&] { store->withdraw("pilot", codes[1], WithdrawalMode::kKeep, "x"); }).kind(),
-        StoreError::Kind::kConflict);
-    store->withdraw("pilot", codes[1], WithdrawalMode::kErase, "asked for it later");
-    EXPECT_EQ(store->answers("pilot").size(), 1u);
+    EXPECT_EQ(failure_of([&] {
+                  store->studies().withdraw("pilot", codes[1], WithdrawalMode::kKeep, "x");
+              }).kind(),
+              StoreError::Kind::kConflict);
+    store->studies().withdraw("pilot", codes[1], WithdrawalMode::kErase, "asked for it later");
+    EXPECT_EQ(store->studies().answers("pilot").size(), 1u);
     EXPECT_TRUE(store->check().empty());
-    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.withdraw");
-    EXPECT_EQ(store->new_participant("pilot").substr(0, 4), "P004") << "a code is never used twice";
+    EXPECT_EQ(store->audit().trail(1).at(0).action, "study.withdraw");
+    EXPECT_EQ(store->studies().new_participant("pilot").substr(0, 4), "P004")
+        << "a code is never used twice";
 }
 
 TEST_P(StudyStore, AnAttemptOfAStudyBelongsToTheCodeAndToNobodyElse) {
-    store->publish(study(1));
-    const int64_t carl = store->create_user({"carl", "Carl", "correct horse battery", 4, false});
-    const int64_t group = store->create_group("Everybody");
-    store->set_group_role(group, carl, db::GroupRole::kMember);
-    const std::string code = store->new_participant("pilot");
-    store->record_step(step(code, "consent"));
-    const int64_t own = store->save_attempt(carl, attempt("2026-01-02T03:04:05.000Z"));
+    store->definitions().publish(study(1));
+    const int64_t carl =
+        store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
+    const int64_t group = store->groups().create("Everybody");
+    store->groups().set_role(group, carl, db::GroupRole::kMember);
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
+    const int64_t own = store->attempts().save(carl, attempt("2026-01-02T03:04:05.000Z"));
     auto of_study = attempt("2026-01-02T04:04:05.000Z");
     of_study.study = {"pilot", code};
-    const int64_t theirs = store->save_attempt(carl, of_study);
+    const int64_t theirs = store->attempts().save(carl, of_study);
     // One that came in past the shell: the step that names it makes it the participant's.
-    const int64_t named = store->save_attempt(carl, attempt("2026-01-02T05:04:05.000Z"));
+    const int64_t named = store->attempts().save(carl, attempt("2026-01-02T05:04:05.000Z"));
     auto run = step(code, "run");
     run.attempt_id = named;
-    store->record_step(run);
+    store->studies().record_step(run);
 
-    const std::string other_code = store->new_participant("pilot");
-    store->record_step(step(other_code, "consent"));
+    const std::string other_code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(other_code, "consent"));
     auto taken = step(other_code, "run");
     taken.attempt_id = theirs;
-    EXPECT_EQ(failure_of([&] { store->record_step(taken); }).kind(), StoreError::Kind::kRefused)
+    EXPECT_EQ(failure_of([&] { store->studies().record_step(taken); }).kind(),
+              StoreError::Kind::kRefused)
         << "it is somebody else's";
 
-    const auto mine = store->attempts(carl);
+    const auto mine = store->attempts().list(carl);
     ASSERT_EQ(mine.size(), 1u);
     EXPECT_EQ(mine[0].id, own);
-    EXPECT_EQ(store->attempts(0).size(), 3u) << "nothing is lost from the store";
+    EXPECT_EQ(store->attempts().list(0).size(), 3u) << "nothing is lost from the store";
     for (const int64_t id : {theirs, named}) {
-        const auto record = store->attempt(id).record;
+        const auto record = store->attempts().detail(id).record;
         EXPECT_EQ(record.user_id, 0);
         EXPECT_EQ(record.user_name, code);
         EXPECT_EQ(record.study, (db::StudyContext{"pilot", code}));
     }
     db::AttemptFilter filter;
-    EXPECT_EQ(store->attempt_page(filter).total, 1);
+    EXPECT_EQ(store->attempts().page(filter).total, 1);
     filter.studies = true;
-    EXPECT_EQ(store->attempt_page(filter).total, 3);
+    EXPECT_EQ(store->attempts().page(filter).total, 3);
     filter.user_id = carl;
-    EXPECT_EQ(store->attempt_page(filter).total, 1);
+    EXPECT_EQ(store->attempts().page(filter).total, 1);
     for (const int64_t whom : {int64_t{0}, group}) {
-        const auto standings = store->task_standings(whom);
+        const auto standings = store->attempts().standings(whom);
         ASSERT_EQ(standings.size(), 1u);
         EXPECT_EQ(standings[0].attempts, 1);
-        EXPECT_EQ(store->attempt_points(whom).size(), 1u);
+        EXPECT_EQ(store->attempts().points(whom).size(), 1u);
     }
-    EXPECT_EQ(store->recent_means("diathermy_ring", 3).at(0).attempts, 1);
-    EXPECT_EQ(store->measured_attempts(0, "diathermy_ring").size(), 1u);
-    EXPECT_EQ(store->measured_attempts(carl, "diathermy_ring").size(), 1u);
-    EXPECT_EQ(store->tasks_with_attempts(), std::vector<std::string>{"diathermy_ring"});
+    EXPECT_EQ(store->attempts().recent_means("diathermy_ring", 3).at(0).attempts, 1);
+    EXPECT_EQ(store->norms().measured_attempts(0, "diathermy_ring").size(), 1u);
+    EXPECT_EQ(store->norms().measured_attempts(carl, "diathermy_ring").size(), 1u);
+    EXPECT_EQ(store->attempts().tasks(), std::vector<std::string>{"diathermy_ring"});
     auto other = attempt("2026-01-02T06:04:05.000Z");
     other.header.task_id = "only_in_the_study";
     other.study = {"pilot", code};
-    store->save_attempt(carl, other);
-    EXPECT_EQ(store->tasks_with_attempts().size(), 1u);
+    store->attempts().save(carl, other);
+    EXPECT_EQ(store->attempts().tasks().size(), 1u);
 
     // Who was signed in may go; what participants did stays. Who withdraws takes all along.
-    store->create_user({"ada", "Ada", "correct horse battery", 8, false});
-    store->erase_person(carl, true);
-    EXPECT_EQ(store->attempts(0).size(), 3u);
-    store->withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
-    EXPECT_TRUE(store->attempts(0).empty());
+    store->accounts().create({"ada", "Ada", "correct horse battery", 8, false});
+    store->accounts().erase(carl, true);
+    EXPECT_EQ(store->attempts().list(0).size(), 3u);
+    store->studies().withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
+    EXPECT_TRUE(store->attempts().list(0).empty());
     EXPECT_TRUE(store->check().empty());
 }
 
 TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
-    store->publish(study(1));
-    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    store->definitions().publish(study(1));
+    store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
     store->act_as("carl");
     db::StudyRecords& records = store->records();
-    const std::string code = store->new_participant("pilot");
-    store->record_step(step(code, "consent"));
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
     const auto refused = [&](const std::string& name, const std::string& reason) {
         return failure_of([&] { records.repeat_step("pilot", code, 1, name, reason); }).kind();
     };
@@ -293,8 +300,8 @@ TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
     EXPECT_EQ(failure_of([&] { records.repeat_step("pilot", "P999-X", 1, "run", "x"); }).kind(),
               StoreError::Kind::kNotFound);
     records.repeat_step("pilot", code, 1, "run", "the pedal was unplugged");
-    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.repeat");
-    EXPECT_THAT(store->audit_trail(1).at(0).detail, HasSubstr("the pedal was unplugged"));
+    EXPECT_EQ(store->audit().trail(1).at(0).action, "study.repeat");
+    EXPECT_THAT(store->audit().trail(1).at(0).detail, HasSubstr("the pedal was unplugged"));
     EXPECT_EQ(refused("run", "twice"), StoreError::Kind::kRefused) << "nothing counts any more";
     auto progress = db::study_progress(*store, "pilot").at(0);
     EXPECT_EQ(progress.next, "run");
@@ -302,7 +309,7 @@ TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
     const int64_t second = perform(code);
     progress = db::study_progress(*store, "pilot").at(0);
     EXPECT_TRUE(progress.next.empty());
-    const auto steps = store->steps("pilot");
+    const auto steps = store->studies().steps("pilot");
     ASSERT_EQ(steps.size(), 3u);
     EXPECT_EQ(steps[1].attempt_id, first);
     EXPECT_TRUE(steps[1].superseded());
@@ -311,21 +318,21 @@ TEST_P(StudyStore, AProcedureIsDoneAgainForAReasonAndBothAreKept) {
     EXPECT_EQ(steps[2].attempt_id, second);
     EXPECT_FALSE(steps[2].superseded());
 
-    records.lock_record("pilot", code);
+    records.lock("pilot", code);
     EXPECT_EQ(refused("run", "x"), StoreError::Kind::kRefused) << "a locked record is closed";
-    records.unlock_record("pilot", code, "to erase it");
-    store->withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
+    records.unlock("pilot", code, "to erase it");
+    store->studies().withdraw("pilot", code, WithdrawalMode::kErase, "asked for it");
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM superseded_steps"), "0");
     EXPECT_TRUE(store->check().empty());
 }
 
 TEST_P(StudyStore, NotesAreKeptWithWhoWroteThemAndBelongToTheSignedRecord) {
-    store->publish(study(1));
-    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
+    store->definitions().publish(study(1));
+    store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
     store->act_as("carl");
     db::StudyRecords& records = store->records();
-    const std::string code = store->new_participant("pilot");
-    store->record_step(step(code, "consent"));
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
     EXPECT_EQ(failure_of([&] { records.note_step("pilot", code, 1, "run", ""); }).kind(),
               StoreError::Kind::kRefused);
     EXPECT_EQ(failure_of([&] { records.note_step("pilot", "P999-X", 1, "run", "x"); }).kind(),
@@ -334,24 +341,24 @@ TEST_P(StudyStore, NotesAreKeptWithWhoWroteThemAndBelongToTheSignedRecord) {
     ASSERT_EQ(records.step_notes("pilot").size(), 1u);
     EXPECT_EQ(records.step_notes("pilot")[0].note, "coughed");
     EXPECT_EQ(records.step_notes("pilot")[0].noted_by, "carl");
-    EXPECT_EQ(store->audit_trail(1).at(0).action, "study.note");
-    records.lock_record("pilot", code);
+    EXPECT_EQ(store->audit().trail(1).at(0).action, "study.note");
+    records.lock("pilot", code);
     EXPECT_EQ(failure_of([&] { records.note_step("pilot", code, 1, "run", "x"); }).kind(),
               StoreError::Kind::kRefused);
-    records.sign_record("pilot", code, "carl", "correct horse battery", "reviewed");
-    EXPECT_TRUE(records.record_states("pilot").at(code).signature_fits);
+    records.sign("pilot", code, "carl", "correct horse battery", "reviewed");
+    EXPECT_TRUE(records.states("pilot").at(code).signature_fits);
     ASSERT_TRUE(raw().run("UPDATE step_notes SET note = 'something else'"));
-    EXPECT_FALSE(records.record_states("pilot").at(code).signature_fits);
+    EXPECT_FALSE(records.states("pilot").at(code).signature_fits);
 }
 
 TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     auto definition = study(1);
     definition.json.replace(definition.json.find(R"("task":"diathermy_ring")"), 0,
                             R"("min_s":30,)");
-    store->publish(definition);
-    store->create_user({"carl", "Carl", "correct horse battery", 4, false});
-    const std::string code = store->new_participant("pilot");
-    store->record_step(step(code, "consent"));
+    store->definitions().publish(definition);
+    store->accounts().create({"carl", "Carl", "correct horse battery", 4, false});
+    const std::string code = store->studies().new_participant("pilot");
+    store->studies().record_step(step(code, "consent"));
     perform(code, 12);
     auto progress = db::study_progress(*store, "pilot").at(0);
     EXPECT_EQ(progress.next, "run");
@@ -372,30 +379,32 @@ TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     auto again = step(code, "run");
     again.attempt_id = good;
     db::record_attempt_step(*store, again);
-    EXPECT_EQ(store->steps("pilot").size(), 5u);
+    EXPECT_EQ(store->studies().steps("pilot").size(), 5u);
 }
 
 TEST_P(StudyStore, TheDeviceIsTheCoordinatorsChoice) {
-    store->publish(study(1));
-    const std::string code = store->new_participant("pilot");
-    EXPECT_EQ(store->participants("pilot").at(0).device, "");
-    store->set_participant_device("pilot", code, "mouse");
-    store->set_participant_device("pilot", code, "mouse");
-    EXPECT_EQ(store->participants("pilot").at(0).device, "mouse");
-    EXPECT_EQ(store->audit_trail(2).at(1).action, "study.participant") << "no change, no entry";
-    store->set_participant_device("pilot", code, "gamepad");
-    EXPECT_EQ(store->participants("pilot").at(0).device, "gamepad");
-    EXPECT_EQ(store->audit_trail(1).at(0).detail, "gamepad, before: mouse");
-    EXPECT_EQ(failure_of([&] { store->set_participant_device("pilot", "P999-X", "mouse"); }).kind(),
+    store->definitions().publish(study(1));
+    const std::string code = store->studies().new_participant("pilot");
+    EXPECT_EQ(store->studies().participants("pilot").at(0).device, "");
+    store->studies().set_participant_device("pilot", code, "mouse");
+    store->studies().set_participant_device("pilot", code, "mouse");
+    EXPECT_EQ(store->studies().participants("pilot").at(0).device, "mouse");
+    EXPECT_EQ(store->audit().trail(2).at(1).action, "study.participant") << "no change, no entry";
+    store->studies().set_participant_device("pilot", code, "gamepad");
+    EXPECT_EQ(store->studies().participants("pilot").at(0).device, "gamepad");
+    EXPECT_EQ(store->audit().trail(1).at(0).detail, "gamepad, before: mouse");
+    EXPECT_EQ(failure_of([&] {
+                  store->studies().set_participant_device("pilot", "P999-X", "mouse");
+              }).kind(),
               StoreError::Kind::kNotFound);
 }
 
 TEST_P(StudyStore, AStudyWithoutAProtocolWorksAsBefore) {
-    const std::string code = store->new_participant("thin");
+    const std::string code = store->studies().new_participant("thin");
     auto record = answer(code);
     record.study_id = "thin";
-    EXPECT_NO_THROW(store->save_answers(record));
-    EXPECT_EQ(store->participants("thin").at(0).arm, -1);
-    EXPECT_EQ(store->study_ids(), std::vector<std::string>{"thin"});
-    EXPECT_EQ(store->definition("study", "thin"), std::nullopt);
+    EXPECT_NO_THROW(store->studies().save_answers(record));
+    EXPECT_EQ(store->studies().participants("thin").at(0).arm, -1);
+    EXPECT_EQ(store->studies().ids(), std::vector<std::string>{"thin"});
+    EXPECT_EQ(store->definitions().find("study", "thin"), std::nullopt);
 }

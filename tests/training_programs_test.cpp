@@ -199,13 +199,14 @@ TEST_F(TrainingPrograms, OldAttemptsAreRescoredAndBothScoresKept) {
 TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
     {
         const auto direct = db::open_store("sqlite:" + store, cheap());
-        const int64_t novices = direct->create_group("N"), experts = direct->create_group("E");
+        const int64_t novices = direct->groups().create("N"),
+                      experts = direct->groups().create("E");
         for (int i = 0; i < 10; ++i) {
             const bool expert = i >= 5;
             const int64_t user =
-                direct->create_user({"p" + std::to_string(i), "Person " + std::to_string(i),
-                                     "long enough 1", 1, false});
-            direct->set_group_role(expert ? experts : novices, user, db::GroupRole::kMember);
+                direct->accounts().create({"p" + std::to_string(i), "Person " + std::to_string(i),
+                                           "long enough 1", 1, false});
+            direct->groups().set_role(expert ? experts : novices, user, db::GroupRole::kMember);
             for (const double step : {-1.0, 1.0}) {
                 const double jitter = i % 2 ? step : -step;  // Not the same for all.
                 db::AttemptResult result;
@@ -213,7 +214,7 @@ TEST_F(TrainingPrograms, StandardsAreSetFromGroupsAndExchangedSigned) {
                 result.metrics.values = {{"task_time_s", (expert ? 100 : 300) + 5 * i + jitter}};
                 result.score.points = (expert ? 80 : 40) + 2 * (i % 5) + jitter;
                 result.score.rubric_id = "ring";
-                direct->save_attempt(user, result);
+                direct->attempts().save(user, result);
             }
         }
     }
@@ -363,7 +364,7 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
         result.end.reason = sim::EndReason::kFinished;
         for (const double points : {20, 30, 80}) {
             result.score.points = points;
-            direct->save_attempt(direct->user_by_login("anna")->id, result);
+            direct->attempts().save(direct->accounts().find_login("anna")->id, result);
         }
     }
     const Outcome certificate = as("anna", "--json report certificate mine --out c.pdf");
@@ -382,12 +383,12 @@ TEST_F(TrainingPrograms, ReportsAndTheCertificateAreWritten) {
         int n = 0;
         for (const double points : {40, 50, 80, 90}) {
             const std::string login = "p" + std::to_string(++n);
-            const int64_t id = direct->create_user({login, login, "quiet river 7", 1, false});
+            const int64_t id = direct->accounts().create({login, login, "quiet river 7", 1, false});
             db::AttemptResult result;
             result.header.task_id = "diathermy_ring_small";
             result.end.reason = sim::EndReason::kFinished;
             result.score.points = points;
-            direct->save_attempt(id, result);
+            direct->attempts().save(id, result);
         }
     }
     const std::string mark = "standard set --task diathermy_ring_small --novice p1,p2 --expert ";

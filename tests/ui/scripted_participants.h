@@ -149,7 +149,7 @@ inline void ScriptedParticipants::takePart(size_t row) {
     QVERIFY(shell->choose("study_device", device(row)));
     QVERIFY(press("enrol"));
     QVERIFY(shell->arrives(PageId::kStudyRun));
-    const std::string code = store().participants(kStudy).back().code;
+    const std::string code = store().studies().participants(kStudy).back().code;
     consent(code);
     if (QTest::currentTestFailed()) return;
     codes.push_back(code);

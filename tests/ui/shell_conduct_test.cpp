@@ -115,7 +115,7 @@ void ShellConductTest::publish(int version, const QString& title, const QString&
 
 std::string ShellConductTest::enrol() {
     if (!press("enrol") || !shell_->arrives(PageId::kStudyRun)) return {};
-    const std::string code = store().participants(kStudy).back().code;
+    const std::string code = store().studies().participants(kStudy).back().code;
     for (const auto& statement : curriculum::load_study("face_content_validity").consent.statements)
         if (!shell_->click("consent_" + QString::fromStdString(statement.id))) return {};
     shell_->find<QCheckBox>("signed_on_paper")->click();
@@ -161,7 +161,7 @@ void ShellConductTest::aSecondVisitAsksAgainButNotForConsent() {
     if (QTest::currentTestFailed()) return;
     QVERIFY(progress(codes_[0]).next.empty());
     std::map<int, std::string> by_visit;
-    for (const auto& each : store().answers(kStudy))
+    for (const auto& each : store().studies().answers(kStudy))
         by_visit[each.visit] = each.answers.begin()->second;
     QCOMPARE(by_visit, (std::map<int, std::string>{{1, "3"}, {2, "4"}}));
     shell_->takeBackNext();
@@ -179,10 +179,10 @@ void ShellConductTest::anAmendmentKeepsTheVersionOfWhoIsIn() {
         if (QTest::currentTestFailed()) return;
         overview();
     }
-    const auto all = store().participants(kStudy);
+    const auto all = store().studies().participants(kStudy);
     QCOMPARE(all.at(0).protocol_version, 1);
     QCOMPARE(all.at(1).protocol_version, 2);
-    QCOMPARE(store().definition("study", kStudy)->reason,
+    QCOMPARE(store().definitions().find("study", kStudy)->reason,
              std::string("the committee asked for another title"));
     shell_->whole("69_study_of_two_visits");
     // The change of theme came back to the same study.
@@ -219,14 +219,14 @@ void ShellConductTest::withdrawalKeepsStopsOrErases() {
     if (!QTest::currentTestFailed()) withdraw(2, WithdrawalMode::kStop);
     if (!QTest::currentTestFailed()) withdraw(3, WithdrawalMode::kErase);
     if (QTest::currentTestFailed()) return;
-    const auto all = store().participants(kStudy);
+    const auto all = store().studies().participants(kStudy);
     QCOMPARE(all.size(), size_t(4));  // A tombstone stays of everybody.
     QVERIFY(!all[0].withdrawal);
     QVERIFY(all[1].withdrawal == WithdrawalMode::kKeep && all[1].usable());
     QVERIFY(all[2].withdrawal == WithdrawalMode::kStop && !all[2].usable());
     QVERIFY(all[3].withdrawal == WithdrawalMode::kErase && !all[3].usable());
     std::map<std::string, int> answers;
-    for (const auto& each : store().answers(kStudy)) ++answers[each.participant];
+    for (const auto& each : store().studies().answers(kStudy)) ++answers[each.participant];
     QCOMPARE(answers, (std::map<std::string, int>{{codes_[0], 2}, {codes_[1], 1}, {codes_[2], 1}}));
     // Who has withdrawn is asked nothing more.
     shell_->find<QTableWidget>("progress_table")->selectRow(1);
@@ -255,7 +255,7 @@ void ShellConductTest::onlyUsableDataLeave() {
 
 void ShellConductTest::aParticipantMayRefuseOrStop() {
     overview();
-    const auto last = [this] { return store().participants(kStudy).back(); };
+    const auto last = [this] { return store().studies().participants(kStudy).back(); };
     QVERIFY(press("enrol"));
     QVERIFY(shell_->arrives(PageId::kStudyRun));
     QVERIFY2(shell_->find<QPushButton>("stop_taking_part") == nullptr, "the consent refuses");
@@ -283,7 +283,7 @@ void ShellConductTest::aParticipantMayRefuseOrStop() {
     QVERIFY(QTest::qWaitFor([&] { return shell_->find<QPushButton>("run_finished") != nullptr; }));
     QVERIFY(shell_->find<QPushButton>("stop_taking_part") == nullptr);
     // The participant's wish: the coordinator may still use the data less.
-    store().withdraw(kStudy, code, db::WithdrawalMode::kErase, "asked afterwards");
+    store().studies().withdraw(kStudy, code, db::WithdrawalMode::kErase, "asked afterwards");
 }
 
 }  // namespace placode::ui

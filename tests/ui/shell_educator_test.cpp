@@ -57,7 +57,7 @@ void ShellEducatorTest::add(const QString& name, const std::string& login,
     user.login = login;
     user.display_name = name.toStdString();
     user.password = "first password";
-    const int64_t id = store.create_user(user);
+    const int64_t id = store.accounts().create(user);
     for (size_t i = 0; i < points.size(); ++i) {
         db::AttemptResult result;
         result.header.task_id = kTask;
@@ -72,7 +72,7 @@ void ShellEducatorTest::add(const QString& name, const std::string& login,
         result.score.verdict =
             points[i] >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
         result.score.rubric_id = "ring_incision";
-        ids_.push_back(store.save_attempt(id, result));
+        ids_.push_back(store.attempts().save(id, result));
     }
 }
 
@@ -178,7 +178,7 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
     QCOMPARE(set->standard.novice.n, 2);
     QCOMPARE(set->set_by, std::string("demo.educator"));
     QVERIFY(shell.text("standard_now").contains("version 1, set by demo.educator"));
-    QCOMPARE(shell.context().store().audit_trail(1)[0].action, std::string("standard.publish"));
+    QCOMPARE(shell.context().store().audit().trail(1)[0].action, std::string("standard.publish"));
     QVERIFY(shell.click("set_standard"));
     QVERIFY(shell.bannerSays("reason"));  // The second one says why.
     // Two people are too few for norms.
@@ -284,7 +284,7 @@ void ShellEducatorTest::raterSeesNeitherNameNorScore() {
         QVERIFY(shell.click("submit_answers"));
         QVERIFY(shell.arrives(PageId::kRatings));
     }
-    const auto ratings = shell.context().store().ratings("osats");
+    const auto ratings = shell.context().store().reviews().ratings("osats");
     QCOMPARE(ratings.size(), size_t{3});
     for (const auto& rating : ratings) {
         QVERIFY(rating.blinded);
@@ -301,14 +301,14 @@ void ShellEducatorTest::agreementOfRatersIsTold() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.text("icc").contains("Two raters"));
     db::Store& store = shell.context().store();
-    const int64_t ada = store.user_by_login("ada")->id;
+    const int64_t ada = store.accounts().find_login("ada")->id;
     // Ada agrees but for one step at one attempt.
     int shift = 0;
-    for (auto rating : store.ratings("osats")) {
+    for (auto rating : store.reviews().ratings("osats")) {
         rating.rater_id = ada;
         if (shift++ == 0)
             for (auto& [item, answer] : rating.answers) answer = "3";
-        (void)store.save_rating(rating);
+        (void)store.reviews().save_rating(rating);
     }
     QVERIFY(shell.click("rail_ratings"));
     QVERIFY(QTest::qWaitFor([&] { return shell.text("icc").contains("ICC(2,1)"); }, 5000));

@@ -57,11 +57,11 @@ void ShellFlowTest::firstStartAsksForAnAdministrator() {
     QVERIFY(shell.type("password_again", "correct hose"));
     QVERIFY(shell.click("create_administrator"));
     QVERIFY(shell.text("setup_message").contains("differ"));
-    QCOMPARE(shell.context().store().users().size(), size_t{0});
+    QCOMPARE(shell.context().store().accounts().list().size(), size_t{0});
     QVERIFY(shell.type("password_again", "correct horse"));
     QVERIFY(shell.click("create_administrator"));
     QVERIFY(shell.arrives(PageId::kLogin));
-    const auto users = shell.context().store().users();
+    const auto users = shell.context().store().accounts().list();
     QCOMPARE(users.size(), size_t{1});
     QVERIFY(db::has_role(users[0].roles, db::Role::kAdministrator));
     QVERIFY(!db::has_role(users[0].roles, db::Role::kTrainee));
@@ -97,7 +97,7 @@ void ShellFlowTest::administratorAddsPeople() {
     QCOMPARE(shell.find<QTableWidget>("people_table")->rowCount(), 4);
     shell.find<QTableWidget>("people_table")->selectRow(0);
     shell.shot("03_people");
-    QCOMPARE(int(shell.context().store().user_by_login("eva")->roles), 2);
+    QCOMPARE(int(shell.context().store().accounts().find_login("eva")->roles), 2);
 }
 
 void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
@@ -110,7 +110,7 @@ void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
     QVERIFY(shell.find<QLabel>("add_message")->isVisible());
     QVERIFY(shell.focusIsIn("new_password"));
     shell.shot("04_weak_password");
-    QVERIFY(!shell.context().store().user_by_login("weak"));
+    QVERIFY(!shell.context().store().accounts().find_login("weak"));
 }
 
 void ShellFlowTest::traineeSeesTodayCourseAndTask() {
@@ -167,7 +167,8 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
         }
         QVERIFY(shell.click("review"));
         QVERIFY(shell.find<QPushButton>("submit_answers") != nullptr);
-        QCOMPARE(shell.context().store().answers("face_validity").size(), size_t(participant));
+        QCOMPARE(shell.context().store().studies().answers("face_validity").size(),
+                 size_t(participant));
         QVERIFY(shell.click("submit_answers"));
         shell.takeBackNext("first password");
         QVERIFY(shell.click("participant_done"));
@@ -191,9 +192,10 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     QVERIFY(shell.click("export"));
     QVERIFY(QFile::exists(shell.save_as + "/face_validity_face_validity.sav"));
     // What was answered is kept with every change, and the questionnaire's text beside it.
-    QVERIFY(!shell.context().store().answers("face_validity").at(0).changes.empty());
-    QVERIFY(shell.context().store().definition("questionnaire", "face_validity").has_value());
-    for (const auto& record : shell.context().store().answers("face_validity"))
+    QVERIFY(!shell.context().store().studies().answers("face_validity").at(0).changes.empty());
+    QVERIFY(
+        shell.context().store().definitions().find("questionnaire", "face_validity").has_value());
+    for (const auto& record : shell.context().store().studies().answers("face_validity"))
         QVERIFY(lines.join('\n').contains(QString::fromStdString(record.participant)));
 }
 
@@ -213,7 +215,7 @@ void ShellFlowTest::questionnaireKeepsAnswersWhenTheLanguageChanges() {
     QVERIFY(shell.click("cancel_participant"));
     QVERIFY(shell.arrives(PageId::kStudies));
     shell.context().setLanguage("en");
-    QCOMPARE(shell.context().store().answers("face_validity").size(), size_t{3});
+    QCOMPARE(shell.context().store().studies().answers("face_validity").size(), size_t{3});
 }
 
 void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
@@ -227,7 +229,7 @@ void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
     QVERIFY(shell.click("backup_now"));
     QVERIFY(shell.bannerSays("copy.db"));
     const auto copy = db::open_store("sqlite:" + shell.save_as.toStdString());
-    QCOMPARE(copy->users().size(), size_t{4});
+    QCOMPARE(copy->accounts().list().size(), size_t{4});
     shell.shot("12_health");
     QVERIFY(shell.click("rail_audit"));
     QVERIFY(shell.arrives(PageId::kAudit));
@@ -259,7 +261,7 @@ void ShellFlowTest::deactivatedPersonCannotSignIn() {
     }
     shell.confirmNext();
     QVERIFY(shell.click("toggle_active"));
-    QVERIFY(!shell.context().store().user_by_login("eva")->active);
+    QVERIFY(!shell.context().store().accounts().find_login("eva")->active);
     QVERIFY(!shell.signIn("eva", "first password"));
     QVERIFY(shell.text("login_message").contains("deactivated"));
 }

@@ -9,7 +9,7 @@
 #include <QProcess>
 #include <set>
 
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/standards.h"
 #include "page_fit.h"
 #include "shell_harness.h"
@@ -57,7 +57,7 @@ class ShellGalleryTest : public QObject {
 };
 
 int64_t ShellGalleryTest::add(const std::string& login, const std::string& name, bool expert) {
-    const int64_t id = shell_->context().store().create_user(
+    const int64_t id = shell_->context().store().accounts().create(
         {login, name, "first password", static_cast<db::Roles>(db::Role::kTrainee), true});
     for (int i = 0; i < kAttempts; ++i) {
         const double spread = (i * 37 + static_cast<int>(id) * 17) % 11;
@@ -91,7 +91,7 @@ void ShellGalleryTest::addAttempt(int64_t user, int number, double points,
     result.score.reasons = {
         {"ring", "The ring was left open: only 92 % is cut through.", 8, 12, false}};
     if (user == trainee_) result.recording_file = recording_.toStdString();
-    (void)shell_->context().store().save_attempt(user, result);
+    (void)shell_->context().store().attempts().save(user, result);
 }
 
 void ShellGalleryTest::addNorms(const std::vector<int64_t>& novices,
@@ -101,7 +101,7 @@ void ShellGalleryTest::addNorms(const std::vector<int64_t>& novices,
         db::level_attempts(store, kTask, {{"expert", experts}, {"novice", novices}});
     const int64_t pack = db::keep_own_norms(
         store, db::make_norms(levels, "Demonstration centre", "2026-04-01T10:00:00Z", 5));
-    store.use_norms(pack);
+    store.norms().use(pack);
 }
 
 void ShellGalleryTest::record() {
@@ -124,25 +124,28 @@ void ShellGalleryTest::initTestCase() {
         novices.push_back(add("novice" + std::to_string(i), "Novice " + std::to_string(i), false));
         experts.push_back(add("expert" + std::to_string(i), "Expert " + std::to_string(i), true));
     }
-    trainee_ = store.user_by_login("demo.trainee")->id;
+    trainee_ = store.accounts().find_login("demo.trainee")->id;
     record();
     for (const std::string& task : curriculum::list_definitions("tasks"))
         if (task != kTask) addAttempt(novices[1], 0, 60, task);
     // Eight good ones, then a bad time.
     for (int i = 0; i < 14; ++i) addAttempt(trainee_, i, i < 8 ? 72 + 2 * i : 55 - i);
-    const int64_t group = store.create_group("Spring course with a rather long name");
-    store.set_group_role(group, store.user_by_login("demo.educator")->id, db::GroupRole::kEducator);
-    for (const int64_t id : novices) store.set_group_role(group, id, db::GroupRole::kMember);
-    store.set_group_role(group, trainee_, db::GroupRole::kMember);
+    const int64_t group = store.groups().create("Spring course with a rather long name");
+    store.groups().set_role(group, store.accounts().find_login("demo.educator")->id,
+                            db::GroupRole::kEducator);
+    for (const int64_t id : novices) store.groups().set_role(group, id, db::GroupRole::kMember);
+    store.groups().set_role(group, trainee_, db::GroupRole::kMember);
     addNorms(novices, experts);
     db::set_standard(store,
                      db::standard_of_groups(kTask, db::person_means(store, kTask, novices, 3),
                                             db::person_means(store, kTask, experts, 3), 3),
                      "");
-    store.add_comment({0, store.attempts(trainee_).back().id,
-                       store.user_by_login("demo.educator")->id, "", 3, "Slow down here.", ""});
-    store.request_erasure(novices[0], "I leave.");
-    (void)store.invite({0, 1, group, "Nina Nowak", "ada", "", "2099-01-01T00:00:00Z", ""});
+    store.reviews().add_comment({0, store.attempts().list(trainee_).back().id,
+                                 store.accounts().find_login("demo.educator")->id, "", 3,
+                                 "Slow down here.", ""});
+    store.accounts().request_erasure(novices[0], "I leave.");
+    (void)store.accounts().invite(
+        {0, 1, group, "Nina Nowak", "ada", "", "2099-01-01T00:00:00Z", ""});
 }
 
 void ShellGalleryTest::settle() {
@@ -241,7 +244,7 @@ void ShellGalleryTest::everythingThatTakesTheFocusIsNamed() {
 void ShellGalleryTest::normsAndTheChartOfFailuresAreShown() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
-    const int64_t last = shell.context().store().attempts(trainee_).back().id;
+    const int64_t last = shell.context().store().attempts().list(trainee_).back().id;
     shell.window().open({PageId::kResult, last, {}, {}});
     QVERIFY(shell.arrives(PageId::kResult));
     settle();

@@ -167,7 +167,7 @@ void ShellHandoverTest::aWrongPasswordStaysAndTheRightOneLeads() {
     QVERIFY(shell.click("interrupt_run"));
     QVERIFY(shell.arrives(PageId::kStudies));
     QVERIFY(shell.find<QToolButton>("rail_studies")->isVisible());
-    QCOMPARE(QString::fromStdString(shell.context().store().audit_trail(1).at(0).action),
+    QCOMPARE(QString::fromStdString(shell.context().store().audit().trail(1).at(0).action),
              QString("session.take_back"));
     // There is no way back into somebody's run by accident.
     Q_EMIT shell.window().page()->back();
@@ -214,7 +214,7 @@ void ShellHandoverTest::theScreenOfOneQuestionnaireIsTheSame() {
 
 void ShellHandoverTest::aPinIsEnoughWhereItIsOnTheLockPage() {
     ShellHarness& shell = *shell_;
-    shell.context().store().set_pin(shell.idOf("demo.coordinator"), "8305");
+    shell.context().store().accounts().set_pin(shell.idOf("demo.coordinator"), "8305");
     shell.context().notePassword(shell.idOf("demo.coordinator"));
     run();
     if (QTest::currentTestFailed()) return;

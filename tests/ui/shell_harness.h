@@ -198,7 +198,7 @@ class ShellHarness {
     }
 
     [[nodiscard]] int64_t idOf(const std::string& login) const {
-        return context_->store().user_by_login(login)->id;
+        return context_->store().accounts().find_login(login)->id;
     }
 
     /// Whether the page fits on a desk and on a small screen, with a picture of each.

@@ -45,7 +45,7 @@ void ShellHintsTest::initTestCase() {
     user.login = "nina";
     user.display_name = "Nina Nowak";
     user.password = "quiet river 7";
-    user_ = shell_->context().store().create_user(user);
+    user_ = shell_->context().store().accounts().create(user);
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
 }
 
@@ -72,7 +72,7 @@ int64_t ShellHintsTest::add(const std::string& task, assessment::Verdict verdict
         slow.value = 0.5F;
         result.events.push_back(slow);
     }
-    return shell_->context().store().save_attempt(user_, result);
+    return shell_->context().store().attempts().save(user_, result);
 }
 
 void ShellHintsTest::aLockedStageSaysWhatOpensIt() {
@@ -159,11 +159,11 @@ void ShellHintsTest::todayNamesNewRemarksUntilTheyAreRead() {
     QVERIFY(shell_->find<QPushButton>("new_remarks") == nullptr);
     db::CommentRecord remark;
     remark.attempt_id = attempt;
-    for (const auto& user : shell_->context().store().users())
+    for (const auto& user : shell_->context().store().accounts().list())
         if (user.login == "demo.educator") remark.author_id = user.id;
     remark.text = "Calm and even.";
     QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
-    (void)shell_->context().store().add_comment(remark);
+    (void)shell_->context().store().reviews().add_comment(remark);
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
     shell_->window().open({PageId::kToday, 0, {}, {}});
     QVERIFY(shell_->arrives(PageId::kToday));
@@ -283,7 +283,7 @@ void ShellHintsTest::aDemonstrationSaysWhoMaySignIn() {
             user.password = db::kDemonstrationPassword;
             user.roles = static_cast<db::Roles>(role);
             user.demonstration = true;
-            (void)store->create_user(user);
+            (void)store->accounts().create(user);
         }
     }
     shell.start("demo.db");

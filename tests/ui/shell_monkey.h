@@ -163,7 +163,8 @@ class Monkey : public QObject {
             const char* const kPeople[] = {"demo.trainee", "demo.trainee", "demo.educator",
                                            "demo.coordinator"};
             note("SIGN IN");
-            shell_.context().signIn(*shell_.context().store().user_by_login(kPeople[below(4)]));
+            shell_.context().signIn(
+                *shell_.context().store().accounts().find_login(kPeople[below(4)]));
             return true;
         }
         if (!launcher().running() && below(20) == 0) {

@@ -97,28 +97,28 @@ void ShellScenarioTest::aParticipantGoesFromConsentToTheLastQuestion() {
 }
 
 void ShellScenarioTest::everybodyIsThroughAndTheAttemptsAreReal() {
-    QCOMPARE(store().participants(kStudy).size(), people_.count);
+    QCOMPARE(store().studies().participants(kStudy).size(), people_.count);
     std::map<std::string, int> procedures;
-    for (const auto& step : store().steps(kStudy)) {
+    for (const auto& step : store().studies().steps(kStudy)) {
         if (step.attempt_id <= 0) continue;
         const size_t row =
             1 + static_cast<size_t>(
                     std::find(people_.codes.begin(), people_.codes.end(), step.participant) -
                     people_.codes.begin());
         const int procedure = ++procedures[step.participant];
-        const auto attempt = store().attempt(step.attempt_id);
+        const auto attempt = store().attempts().detail(step.attempt_id);
         QCOMPARE(QString::fromStdString(attempt.record.device), ScriptedParticipants::device(row));
         QVERIFY(attempt.record.duration_s >= people_.length_s(row, procedure));
         // The instrument moved, and what is kept of it can be scored again.
         QVERIFY(attempt.metrics.find("path_length_mm").value_or(0) > 0);
         const QString file = shell_->path("again.placode");
         QFile::remove(file);
-        store().extract_recording(step.attempt_id, file.toStdString());
+        store().attempts().extract_recording(step.attempt_id, file.toStdString());
         QVERIFY(QFileInfo(file).size() > 0);
     }
     QCOMPARE(procedures.size(), people_.count);
     // Whoever was signed in: what participants did is in nobody's training.
-    QVERIFY(store().attempts(shell_->idOf("demo-coordinator")).empty());
+    QVERIFY(store().attempts().list(shell_->idOf("demo-coordinator")).empty());
     QVERIFY(db::study_deviations(store(), kStudy).size() >= people_.count);  // all skipped practice
     for (const std::string& code : people_.codes) {
         QCOMPARE(procedures[code], 3);
@@ -170,7 +170,7 @@ void ShellScenarioTest::recordsAreEnteredTwiceLockedAndSigned() {
                             10000));
     QVERIFY(press("lock_record"));
     QVERIFY(QTest::qWaitFor(
-        [&] { return store().records().record_states(kStudy)[people_.codes[0]].locked; }, 10000));
+        [&] { return store().records().states(kStudy)[people_.codes[0]].locked; }, 10000));
     QVERIFY(QTest::qWaitFor(
         [&] {
             auto* now = shell.find<QTableWidget>("records_table");
@@ -184,11 +184,9 @@ void ShellScenarioTest::recordsAreEnteredTwiceLockedAndSigned() {
     QVERIFY(shell.type("sign_password", "placode-demo"));
     QVERIFY(press("sign_record"));
     QVERIFY(QTest::qWaitFor(
-        [&] {
-            return store().records().record_states(kStudy)[people_.codes[0]].signature.has_value();
-        },
+        [&] { return store().records().states(kStudy)[people_.codes[0]].signature.has_value(); },
         10000));
-    QVERIFY(store().records().record_states(kStudy)[people_.codes[0]].signature_fits);
+    QVERIFY(store().records().states(kStudy)[people_.codes[0]].signature_fits);
 }
 
 void ShellScenarioTest::theKeyHoldsTheNames() {
@@ -326,7 +324,7 @@ void ShellScenarioTest::exportsAgreeWithEachOtherAndWithTheStore() {
         const QString name = QString::fromStdString(item);
         // The store: what the participants' windows saved is what the script typed.
         Column stored;
-        for (const auto& record : store().answers(kStudy))
+        for (const auto& record : store().studies().answers(kStudy))
             if (record.questionnaire_id == form.toStdString())
                 stored[record.participant] = record.answers.at(item);
         for (size_t i = 0; i < people_.codes.size(); ++i)

@@ -230,7 +230,7 @@ void ShellStudyTest::anAttemptThatEndsTooEarlyIsToBeDoneAgain() {
     QVERIFY2(shell.text("open_because").contains("does not count"),
              qPrintable(shell.text("open_because")));
     shell.shot("64_to_be_done_again");
-    const auto steps = shell.context().store().steps(kStudy);
+    const auto steps = shell.context().store().studies().steps(kStudy);
     QVERIFY(steps.back().state == db::StepState::kStarted);
     QVERIFY(steps.back().attempt_id > 0);
 }
@@ -256,13 +256,14 @@ void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
     QCOMPARE(progress().next, std::string("face_validity"));
     int procedures = 0;
     db::Store& store = shell_->context().store();
-    for (const auto& step : store.steps(kStudy)) {
+    for (const auto& step : store.studies().steps(kStudy)) {
         if (step.attempt_id == 0) continue;
         if (step.state == db::StepState::kStarted) continue;  // It ended too early.
         ++procedures;
         QCOMPARE(step.state, db::StepState::kDone);
         QCOMPARE(QString::fromStdString(step.participant), code_);
-        QCOMPARE(store.attempt(step.attempt_id).record.task_id, std::string("diathermy_ring"));
+        QCOMPARE(store.attempts().detail(step.attempt_id).record.task_id,
+                 std::string("diathermy_ring"));
     }
     QCOMPARE(procedures, 4);  // familiarisation and three procedures
 }
@@ -286,10 +287,11 @@ void ShellStudyTest::lastQuestionnaireEndsTheRun() {
 void ShellStudyTest::whatAParticipantDidIsNobodyElses() {
     db::Store& store = shell_->context().store();
     const int64_t coordinator = shell_->idOf("demo.coordinator");
-    QVERIFY(store.attempts(coordinator).empty());
-    for (const auto& standing : store.task_standings(0)) QVERIFY(standing.user_id != coordinator);
+    QVERIFY(store.attempts().list(coordinator).empty());
+    for (const auto& standing : store.attempts().standings(0))
+        QVERIFY(standing.user_id != coordinator);
     int seen = 0;
-    for (const auto& attempt : store.attempts(0)) {
+    for (const auto& attempt : store.attempts().list(0)) {
         if (attempt.study.study != kStudy) continue;
         ++seen;
         QCOMPARE(attempt.user_id, int64_t{0});

@@ -77,7 +77,7 @@ void ShellTrainingTest::administratorInvitesAndTakesInAList() {
     list.close();
     QVERIFY(shell.click("import_people"));
     QVERIFY(shell.bannerSays("people.csv:4"));
-    QVERIFY(!shell.context().store().user_by_login("olga").has_value());  // All or none.
+    QVERIFY(!shell.context().store().accounts().find_login("olga").has_value());  // All or none.
     QVERIFY(list.open(QIODevice::WriteOnly | QIODevice::Truncate));
     list.write(
         "login,name,roles,password\nolga,Olga Zet,trainee,long enough here\n"
@@ -86,8 +86,8 @@ void ShellTrainingTest::administratorInvitesAndTakesInAList() {
     shell.save_as = shell.path("passwords.csv");
     QVERIFY(shell.click("import_people"));
     QVERIFY(shell.bannerSays("Added people: 2"));
-    QVERIFY(
-        db::has_role(shell.context().store().user_by_login("piotr")->roles, db::Role::kEducator));
+    QVERIFY(db::has_role(shell.context().store().accounts().find_login("piotr")->roles,
+                         db::Role::kEducator));
     QFile passwords(shell.save_as);
     QVERIFY(passwords.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(passwords.readAll()).split('\n');
@@ -164,11 +164,12 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     shell.whole("73_controls");
     // The task that teaches the controls asks for each of them; all were done.
     QVERIFY(runAttempt());
-    const auto taught = shell.context().store().attempts(shell.idOf("nina"));
+    const auto taught = shell.context().store().attempts().list(shell.idOf("nina"));
     QCOMPARE(taught.size(), size_t{1});
     QCOMPARE(taught[0].task_id, std::string(kFirstTask));
-    QCOMPARE(shell.context().store().attempt(taught[0].id).metrics.find("steps_done_percent"),
-             std::optional<double>(100));
+    QCOMPARE(
+        shell.context().store().attempts().detail(taught[0].id).metrics.find("steps_done_percent"),
+        std::optional<double>(100));
     QVERIFY(shell.click("rail_today"));
     QVERIFY(shell.arrives(PageId::kToday));
     QVERIFY(shell.click("open_next"));
@@ -178,7 +179,7 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     device->setCurrentIndex(device->findData("mouse"));
     QVERIFY(runAttempt());
     QVERIFY(shell.text("result_points").contains("points"));
-    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
+    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{2});
     QCOMPARE(attempts[1].task_id, std::string(kTask));
     QVERIFY(attempts[1].exam.course_id.empty());
@@ -211,7 +212,7 @@ void ShellTrainingTest::examNeedsItsProctor() {
     QVERIFY(shell.find<QLabel>("live_ring")->isHidden());  // Time only.
     shell.shot("76_exam_running");
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
-    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
+    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{3});
     QCOMPARE(attempts[2].exam.course_id, std::string("lift_exam"));
     QCOMPARE(attempts[2].exam.stage_id, std::string("lift_as_exam"));
@@ -231,7 +232,7 @@ void ShellTrainingTest::masteredCourseGivesTheCertificate() {
     QFile file(shell.save_as);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");
-    const auto issued = shell.context().store().certificates(shell.idOf("nina"));
+    const auto issued = shell.context().store().courses().certificates(shell.idOf("nina"));
     QCOMPARE(issued.size(), size_t{1});
     QCOMPARE(issued[0].course_id, std::string("lift_exam"));
     QVERIFY(shell.text("certificate_code").contains(QString::fromStdString(issued[0].code)));
@@ -251,8 +252,8 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
     QVERIFY(shell.click("comment_add"));
-    const auto attempts = shell.context().store().attempts(shell.idOf("nina"));
-    const auto remarks = shell.context().store().comments(attempts[2].id);
+    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
+    const auto remarks = shell.context().store().reviews().comments(attempts[2].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
 }
@@ -296,7 +297,7 @@ void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
     QVERIFY(shell.bannerSays("refused"));  // Too easy.
     QVERIFY(shell.type("new_pin", "7391"));
     QVERIFY(shell.click("set_pin"));
-    QVERIFY(shell.context().store().has_pin(shell.idOf("nina")));
+    QVERIFY(shell.context().store().accounts().has_pin(shell.idOf("nina")));
     QVERIFY(shell.arrives(PageId::kLogin, 20));  // Locked by itself.
     QVERIFY(!shell.context().signedIn());
     QVERIFY(shell.text("login_note").contains("Locked"));
@@ -350,8 +351,8 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     shell.confirmNext();
     QVERIFY(shell.click("erase_0"));
     QVERIFY(shell.bannerSays("was erased"));
-    QVERIFY(!shell.context().store().user_by_login("nina").has_value());
-    QCOMPARE(shell.context().store().attempts(nina).size(), size_t{3});  // Nameless.
+    QVERIFY(!shell.context().store().accounts().find_login("nina").has_value());
+    QCOMPARE(shell.context().store().attempts().list(nina).size(), size_t{3});  // Nameless.
     QVERIFY(shell.fitsInBothSizes("79_erased"));
 }
 

@@ -74,7 +74,7 @@ int list(const Context& context) {
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"id", "version", "stages", "published", "title"}};
     for (const std::string& id : db::course_ids(session.store())) {
-        const auto published = session.store().definition("course", id);
+        const auto published = session.store().definitions().find("course", id);
         const Course course = db::find_course(session.store(), id);
         Json entry = course_head(course);
         entry["published"] = published.has_value();
@@ -125,9 +125,10 @@ int publish(const Context& context, const Options& options, const char* verb) {
     definition.version = course.version;
     definition.json = course.json;
     definition.reason = options.reason;
-    as_input([&] { session.store().publish(definition); });
+    as_input([&] { session.store().definitions().publish(definition); });
     Json json = course_head(course);
-    json["checksum"] = session.store().definition("course", course.id, course.version)->checksum;
+    json["checksum"] =
+        session.store().definitions().find("course", course.id, course.version)->checksum;
     print(context, json,
           std::string(verb) + " " + course.id + " version " + std::to_string(course.version));
     return 0;
@@ -185,7 +186,7 @@ int assign(const Context& context, const Options& options) {
     assignment.course_version = course.version;
     const int64_t id = as_input([&] {
         db::publish_course_on_first_use(session.store(), course);
-        return session.store().assign_course(assignment);
+        return session.store().courses().assign(assignment);
     });
     print(context, {{"assignment", id}, {"course", course.id}, {"version", course.version}},
           "assignment " + std::to_string(id) + ": " + course.id + " version " +
@@ -195,7 +196,7 @@ int assign(const Context& context, const Options& options) {
 }
 
 db::AssignmentRecord find_assignment(Session& session, int64_t id) {
-    for (const auto& each : session.store().assignments(0))
+    for (const auto& each : session.store().courses().assignments(0))
         if (each.id == id) return each;
     throw InputError("assignment " + std::to_string(id) + ": not in " + session.store().url() +
                      "; `placodectl course assignments` shows them");
@@ -209,7 +210,7 @@ int unassign(const Context& context, const Options& options) {
     else
         need_for_group(session, Action::kAssignCourses,
                        find_group(session, std::to_string(there.group_id)));
-    as_input([&] { session.store().end_assignment(options.assignment); });
+    as_input([&] { session.store().courses().end_assignment(options.assignment); });
     print(context, {{"assignment", options.assignment}, {"ended", true}},
           "assignment " + std::to_string(options.assignment) + " has ended");
     return 0;
@@ -221,7 +222,7 @@ int assignments(const Context& context, const Options& options) {
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
         {"id", "course", "version", "to", "from", "due", "by", "ended"}};
-    for (const auto& each : session.store().assignments(whose)) {
+    for (const auto& each : session.store().courses().assignments(whose)) {
         json.push_back(to_json(each));
         rows.push_back({std::to_string(each.id), each.course_id,
                         std::to_string(each.course_version),
@@ -242,7 +243,7 @@ int grant(const Context& context, const Options& options) {
         throw InputError("course grant: the course " + course.id + " has no stage \"" +
                          options.stage + "\"; `placodectl course show` lists them");
     as_input([&] {
-        session.store().grant_attempts(
+        session.store().courses().grant_attempts(
             {user, course.id, options.stage, options.attempts, options.reason, {}, {}});
     });
     print(context, {{"user_id", user}, {"stage", options.stage}, {"attempts", options.attempts}},

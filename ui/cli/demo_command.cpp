@@ -96,16 +96,16 @@ class ScratchFolder {
 /// Creates those who are missing; never changes an account that is there.
 void add_people(Session& session, std::vector<std::string>& created) {
     for (const Person& person : kPeople) {
-        if (session.store().user_by_login(person.login)) continue;
-        session.store().create_user({person.login, person.name, db::kDemonstrationPassword,
-                                     static_cast<db::Roles>(person.role), true});
+        if (session.store().accounts().find_login(person.login)) continue;
+        session.store().accounts().create({person.login, person.name, db::kDemonstrationPassword,
+                                           static_cast<db::Roles>(person.role), true});
         created.emplace_back(person.login);
     }
 }
 
 bool is_there(Session& session, const Planned& planned, const std::string& task) {
-    const auto user = session.store().user_by_login(planned.login);
-    for (const auto& attempt : session.store().attempts(user->id, task))
+    const auto user = session.store().accounts().find_login(planned.login);
+    for (const auto& attempt : session.store().attempts().list(user->id, task))
         if (attempt.device == planned.device && attempt.seed == planned.seed &&
             attempt.demonstration)
             return true;
@@ -153,7 +153,7 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
     }
     if (isatty(STDERR_FILENO) != 0) std::cerr << '\r' << std::string(79, ' ') << '\r';
     if (cancelled) return false;
-    const auto user = session.store().user_by_login(planned.login);
+    const auto user = session.store().accounts().find_login(planned.login);
     const SavedAttempt saved = save_recording(session, user->id, file);
     const double wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -34,11 +34,11 @@ void need_identifying(const Session& session, const Options& options, bool own) 
 reports::Dataset study_data(Session& session, const Options& options) {
     session.need(Action::kExportStudy, Scope::kOther);
     need_identifying(session, options, false);
-    if (session.store().participants(options.study).empty())
+    if (session.store().studies().participants(options.study).empty())
         throw InputError("--study: \"" + options.study + "\" has no participants in " +
                          session.store().url() +
                          "; expected the id of a study, see `placodectl study list`" +
-                         sim::did_you_mean(options.study, session.store().study_ids()));
+                         sim::did_you_mean(options.study, session.store().studies().ids()));
     return reports::study_dataset(session.store(), options.study,
                                   {!options.identifying.empty(), options.language, options.base});
 }
@@ -72,7 +72,7 @@ int run_export(const Context& context, const Options& options) {
     const auto files = reports::export_dataset(source, options.format, options.out);
     const std::string object =
         options.study.empty() ? "user " + options.user : "study " + options.study;
-    session.store().audit(
+    session.store().audit().write(
         session.actor(), "export." + options.format, object,
         sim::counted(files.size(), "file") +
             (options.identifying.empty() ? ""

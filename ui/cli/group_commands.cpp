@@ -21,10 +21,10 @@ struct Options {
 int add(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageGroups, Scope::kGroup);
-    const int64_t id = session.store().create_group(options.name);
+    const int64_t id = session.store().groups().create(options.name);
     // Who makes a group teaches it; an administrator's own group waits for its educator.
     if (session.user() && db::has_role(session.user()->roles, db::Role::kEducator))
-        session.store().set_group_role(id, session.user()->id, GroupRole::kEducator);
+        session.store().groups().set_role(id, session.user()->id, GroupRole::kEducator);
     print(context, {{"group", id}, {"name", options.name}},
           "group " + std::to_string(id) + " \"" + options.name + "\"");
     return 0;
@@ -38,11 +38,11 @@ int list(const Context& context) {
     const auto logins = [&](const std::vector<int64_t>& ids) {
         std::string text;
         for (const int64_t id : ids)
-            if (const auto user = session.store().user(id))
+            if (const auto user = session.store().accounts().find(id))
                 text += (text.empty() ? "" : ", ") + user->login;
         return text;
     };
-    for (const auto& group : session.store().groups()) {
+    for (const auto& group : session.store().groups().list()) {
         json.push_back({{"id", group.id},
                         {"name", group.name},
                         {"educators", group.educators},
@@ -69,7 +69,7 @@ int member(const Context& context, const Options& options) {
         if (role == GroupRole::kEducator && !db::has_role(person.roles, db::Role::kEducator))
             throw InputError(person.login + " has not the role educator; nothing was changed");
     }
-    for (const auto& person : people) session.store().set_group_role(group.id, person.id, role);
+    for (const auto& person : people) session.store().groups().set_role(group.id, person.id, role);
     print(context, {{"group", group.id}, {"role", options.role}, {"people", people.size()}},
           std::to_string(people.size()) + " person(s) in " + group.name + ": " + options.role);
     return 0;

@@ -29,7 +29,7 @@ SavedAttempt save_recording(Session& session, int64_t user_id, const std::string
         recording);
     result.recording_file = file;
     result.exam = exam;
-    return {session.store().save_attempt(user_id, result), result.score, result.end.duration_s};
+    return {session.store().attempts().save(user_id, result), result.score, result.end.duration_s};
 }
 
 namespace {
@@ -73,8 +73,8 @@ int import_recording(const Context& context, const Options& options) {
         if (error.kind() == db::StoreError::Kind::kDamaged) throw InputError(error.what());
         throw;
     }
-    session.store().audit(session.actor(), "attempt.import", "attempt " + std::to_string(saved.id),
-                          options.file);
+    session.store().audit().write(session.actor(), "attempt.import",
+                                  "attempt " + std::to_string(saved.id), options.file);
     print(context, {{"attempt", saved.id}, {"user", user.login}, {"points", saved.score.points}},
           "saved as attempt " + std::to_string(saved.id) + " of " + user.login + ": " +
               fixed(saved.score.points, 1) + " points\n");

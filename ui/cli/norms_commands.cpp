@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/signature.h"
 #include "sim/core/counted.h"
 #include "sim/core/near_word.h"
@@ -92,7 +92,7 @@ Json pack_json(const db::NormPackRecord& record) {
 }
 
 db::NormPackRecord find_pack(Session& session, int64_t id) {
-    for (auto& record : session.store().norm_packs({}))
+    for (auto& record : session.store().norms().list({}))
         if (record.id == id) return std::move(record);
     throw InputError("there is no norm pack " + std::to_string(id) +
                      "; `placodectl norms list` shows them");
@@ -118,7 +118,7 @@ int list(const Context& context, const Options& options) {
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
         {"id", "task", "centre", "groups", "made (UTC)", "in use", "key"}};
-    for (const auto& record : session.store().norm_packs(options.task)) {
+    for (const auto& record : session.store().norms().list(options.task)) {
         std::string groups;
         for (const auto& group : record.pack.groups)
             groups +=
@@ -146,8 +146,8 @@ int export_pack(const Context& context, const Options& options) {
     out << curriculum::signed_norms_text(record.norms);
     out.flush();
     if (!out) throw InputError("--out " + options.file + ": cannot be written");
-    session.store().audit(session.actor(), "norms.export",
-                          "norm pack " + std::to_string(options.id), options.file);
+    session.store().audit().write(session.actor(), "norms.export",
+                                  "norm pack " + std::to_string(options.id), options.file);
     print(context, {{"id", options.id}, {"path", options.file}},
           "wrote " + options.file + ", signed by " + record.pack.centre + " (" +
               db::fingerprint(record.norms.public_key) + ")");
@@ -164,14 +164,14 @@ int import_pack(const Context& context, const Options& options) {
                          ": /signature: wrong: the pack was changed after it was signed; ask the "
                          "centre for it again");
     const std::string mark = db::fingerprint(norms.public_key);
-    if (!session.store().trusted_centres().contains(norms.public_key)) {
+    if (!session.store().norms().trusted_centres().contains(norms.public_key)) {
         if (!options.trust)
             throw InputError(options.file + ": \"" + pack.centre + "\" with the key " + mark +
                              " is not trusted here; compare the key with the centre by telephone, "
                              "then give --trust");
-        session.store().trust_centre(norms.public_key, pack.centre);
+        session.store().norms().trust_centre(norms.public_key, pack.centre);
     }
-    const int64_t id = as_input([&] { return session.store().save_norms(norms); },
+    const int64_t id = as_input([&] { return session.store().norms().save(norms); },
                                 db::StoreError::Kind::kNotFound);
     print(context, {{"id", id}, {"centre", pack.centre}, {"fingerprint", mark}},
           "norm pack " + std::to_string(id) + " of " + pack.centre + " (" + mark + ")");
@@ -181,7 +181,7 @@ int import_pack(const Context& context, const Options& options) {
 int apply(const Context& context, const Options& options) {
     Session session = educator(context);
     const auto record = find_pack(session, options.id);
-    session.store().use_norms(options.id);
+    session.store().norms().use(options.id);
     print(context, {{"id", options.id}, {"task", record.pack.task_id}, {"in_use", true}},
           "attempts of " + record.pack.task_id + " are now shown against norm pack " +
               std::to_string(options.id) + " of " + record.pack.centre);
@@ -190,7 +190,7 @@ int apply(const Context& context, const Options& options) {
 
 int compare(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
-    const db::AttemptDetail attempt = session.store().attempt(options.id);
+    const db::AttemptDetail attempt = session.store().attempts().detail(options.id);
     session.need_for(Action::kViewAttempts, attempt.record.user_id);
     const auto norms = db::norms_in_use(session.store(), attempt.record.task_id);
     if (!norms)

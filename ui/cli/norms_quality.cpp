@@ -9,7 +9,7 @@
 
 #include "assessment/known_groups.h"
 #include "assessment/signal.h"
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/recording_file.h"
 #include "ui/cli/people.h"
 

@@ -43,10 +43,11 @@ db::Roles roles_of(const std::vector<std::string>& names) {
 }
 
 db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
-    for (const db::GroupRecord& group : session.store().groups())
+    for (const db::GroupRecord& group : session.store().groups().list())
         if (group.name == name_or_id || std::to_string(group.id) == name_or_id) return group;
     std::vector<std::string> names;
-    for (const db::GroupRecord& group : session.store().groups()) names.push_back(group.name);
+    for (const db::GroupRecord& group : session.store().groups().list())
+        names.push_back(group.name);
     throw InputError("group \"" + name_or_id + "\": not in " + session.store().url() +
                      "; `placodectl group list` shows them" + sim::did_you_mean(name_or_id, names));
 }

@@ -94,7 +94,8 @@ int invite(const Context& context, const Options& options) {
     invitation.expires_utc = options.until;
     invitation.note = options.note;
     if (!options.group.empty()) invitation.group_id = find_group(session, options.group).id;
-    const std::string code = as_input([&] { return session.store().invite(invitation); });
+    const std::string code =
+        as_input([&] { return session.store().accounts().invite(invitation); });
     print(context, {{"code", code}, {"expires_utc", options.until}},
           code + "\nuse: placodectl user accept " + code + " LOGIN, until " + options.until);
     return 0;
@@ -105,7 +106,7 @@ int invitations(const Context& context) {
     session.need(Action::kManageUsers, Scope::kOther);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"id", "roles", "until", "by", "used", "note"}};
-    for (const auto& each : session.store().invitations()) {
+    for (const auto& each : session.store().accounts().invitations()) {
         json.push_back({{"id", each.id},
                         {"roles", role_names(each.roles)},
                         {"expires_utc", each.expires_utc},
@@ -131,7 +132,8 @@ int accept(const Context& context, const Options& options) {
     user.login = options.login;
     user.display_name = options.name.empty() ? options.login : options.name;
     user.password = password;
-    const int64_t id = as_input([&] { return store->accept_invitation(options.code, user); });
+    const int64_t id =
+        as_input([&] { return store->accounts().accept_invitation(options.code, user); });
     print(context, {{"id", id}, {"login", options.login}}, "made the account " + options.login);
     return 0;
 }
@@ -149,7 +151,7 @@ int pin(const Context& context, const Options& options) {
     if (!own) session.need(Action::kManageUsers, Scope::kOther);
     const std::string chosen =
         options.remove ? std::string() : read_password("PLACODE_NEW_PIN", "New PIN", true);
-    as_input([&] { session.store().set_pin(id, chosen); });
+    as_input([&] { session.store().accounts().set_pin(id, chosen); });
     print(context, {{"user_id", id}, {"pin", !options.remove}},
           options.remove ? "the PIN is gone" : "the PIN is set");
     return 0;
@@ -176,7 +178,7 @@ int ask_erasure(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     session.need_for(Action::kRequestErasure, id);
-    as_input([&] { session.store().request_erasure(id, options.reason); });
+    as_input([&] { session.store().accounts().request_erasure(id, options.reason); });
     print(context, {{"user_id", id}, {"asked", true}}, "asked; an administrator carries it out");
     return 0;
 }
@@ -186,7 +188,7 @@ int erasures(const Context& context) {
     session.need(Action::kErase, Scope::kOther);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"person", "asked (UTC)", "done (UTC)", "reason"}};
-    for (const auto& each : session.store().erasure_requests()) {
+    for (const auto& each : session.store().accounts().erasure_requests()) {
         json.push_back({{"user_id", each.user_id},
                         {"asked_utc", each.asked_utc},
                         {"done_utc", each.done_utc},
@@ -204,7 +206,7 @@ int erase(const Context& context, const Options& options) {
     if (options.confirm != user.login)
         throw InputError("user erase: this cannot be undone; repeat the login with --confirm " +
                          user.login);
-    as_input([&] { session.store().erase_person(user.id, options.with_attempts); });
+    as_input([&] { session.store().accounts().erase(user.id, options.with_attempts); });
     print(context, {{"user_id", user.id}, {"with_attempts", options.with_attempts}},
           "erased; attempts " +
               std::string(options.with_attempts ? "went as well" : "stay without a name"));

@@ -35,7 +35,7 @@ int report_attempt(const Context& context, const Options& options) {
         throw InputError("report attempt: found \"" + options.id +
                          "\"; expected the number of an attempt, see `placodectl attempts`");
     Session session(context, Missing::kRefuse);
-    const db::AttemptDetail attempt = session.store().attempt(id);
+    const db::AttemptDetail attempt = session.store().attempts().detail(id);
     const bool own = session.user() && session.user()->id == attempt.record.user_id;
     const bool study = !attempt.record.study.study.empty() &&
                        session.may(Action::kRunQuestionnaire, Scope::kOther);
@@ -47,7 +47,8 @@ int report_attempt(const Context& context, const Options& options) {
     reports::write_attempt_pdf(attempt, *recording,
                                db::attempts_beside(session.store(), attempt.record), options.out,
                                reports::centre_name(session.store()));
-    session.store().audit(session.actor(), "report.pdf", "attempt " + options.id, options.out);
+    session.store().audit().write(session.actor(), "report.pdf", "attempt " + options.id,
+                                  options.out);
     print(context, {{"attempt", id}, {"path", options.out}}, "wrote " + options.out);
     return 0;
 }
@@ -62,17 +63,18 @@ std::string figures_folder(const Options& options) {
 int report_study(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kExportStudy, Scope::kOther);
-    if (session.store().participants(options.id).empty())
+    if (session.store().studies().participants(options.id).empty())
         throw InputError("report study: \"" + options.id + "\" has no participants in " +
                          session.store().url() +
                          "; expected the id of a study, see `placodectl study list`" +
-                         sim::did_you_mean(options.id, session.store().study_ids()));
+                         sim::did_you_mean(options.id, session.store().studies().ids()));
     const auto report = reports::read_study_report(session.store(), options.id, options.language);
     reports::write_study_pdf(report, options.out, [](const std::string& what) {
         if (isatty(STDERR_FILENO) != 0) std::cerr << "making: " << what << '\n';
     });
     const auto files = reports::write_study_figures(report, figures_folder(options));
-    session.store().audit(session.actor(), "report.study", "study " + options.id, options.out);
+    session.store().audit().write(session.actor(), "report.study", "study " + options.id,
+                                  options.out);
     print(context,
           {{"study", options.id},
            {"path", options.out},
@@ -92,8 +94,8 @@ int report_cohort(const Context& context, const Options& options) {
     const int64_t group = options.id == "all" ? 0 : find_group(session, options.id).id;
     const auto report = reports::read_cohort_report(session.store(), group, now_utc());
     reports::write_cohort_pdf(report, options.out);
-    session.store().audit(session.actor(), "report.cohort", "group " + std::to_string(group),
-                          options.out);
+    session.store().audit().write(session.actor(), "report.cohort",
+                                  "group " + std::to_string(group), options.out);
     Json json{{"group", report.group},
               {"path", options.out},
               {"demonstration", report.demonstration},
@@ -118,8 +120,8 @@ int report_trainee(const Context& context, const Options& options) {
     session.need_for(Action::kViewAttempts, user.id);
     const auto report = reports::read_trainee_report(session.store(), user, now_utc());
     reports::write_trainee_pdf(report, options.out);
-    session.store().audit(session.actor(), "report.trainee", "user " + std::to_string(user.id),
-                          options.out);
+    session.store().audit().write(session.actor(), "report.trainee",
+                                  "user " + std::to_string(user.id), options.out);
     print(context,
           {{"user_id", user.id},
            {"path", options.out},
@@ -142,7 +144,7 @@ int report_certificate(const Context& context, const Options& options) {
         }
     }();
     reports::write_certificate_pdf(
-        certificate, *session.store().user(id),
+        certificate, *session.store().accounts().find(id),
         db::find_course(session.store(), options.id, certificate.course_version), options.out);
     print(context,
           {{"user_id", id},

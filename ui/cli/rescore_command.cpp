@@ -127,7 +127,7 @@ int rescore(const Context& context, const Options& options) {
 
 int scores(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
-    const db::AttemptDetail attempt = session.store().attempt(options.attempt);
+    const db::AttemptDetail attempt = session.store().attempts().detail(options.attempt);
     session.need_for(db::Action::kViewAttempts, attempt.record.user_id);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
@@ -149,7 +149,7 @@ int scores(const Context& context, const Options& options) {
     };
     add(attempt.score, attempt.record.preprocessing_version, attempt.record.started_utc,
         "when it was made");
-    for (const auto& each : session.store().rescores(options.attempt))
+    for (const auto& each : session.store().attempts().rescores(options.attempt))
         add(each.score, each.preprocessing_version, each.scored_utc, each.scored_by);
     print(context, json, table(rows));
     return 0;

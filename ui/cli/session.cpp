@@ -70,7 +70,7 @@ Session::Session(const Context& context, Missing missing) {
         store_->act_as(actor_);
         return;
     }
-    const db::SignIn sign_in = store_->sign_in(context.as_user, password);
+    const db::SignIn sign_in = store_->accounts().sign_in(context.as_user, password);
     const std::string prefix = "sign in as " + context.as_user + " to " + parsed.shown + ": ";
     switch (sign_in.outcome) {
         case db::SignInOutcome::kOk:
@@ -103,14 +103,14 @@ void Session::need_for(db::Action action, int64_t subject) const {
 }
 
 db::UserRecord Session::find_user(const std::string& login_or_id) {
-    if (auto found = store_->user_by_login(login_or_id)) return *found;
+    if (auto found = store_->accounts().find_login(login_or_id)) return *found;
     int64_t id = 0;
     const char* end = login_or_id.data() + login_or_id.size();
     const auto [rest, error] = std::from_chars(login_or_id.data(), end, id);
     if (error == std::errc{} && rest == end)
-        if (auto found = store_->user(id)) return *found;
+        if (auto found = store_->accounts().find(id)) return *found;
     std::vector<std::string> logins;
-    for (const db::UserRecord& each : store_->users()) logins.push_back(each.login);
+    for (const db::UserRecord& each : store_->accounts().list()) logins.push_back(each.login);
     throw InputError("user \"" + login_or_id + "\": not in " + store_->url() +
                      "; `placodectl user list` shows them" +
                      sim::did_you_mean(login_or_id, logins));

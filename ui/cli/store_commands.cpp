@@ -77,7 +77,7 @@ int attempts(const Context& context, const std::string& login, const std::string
         {"id", "started (UTC)", "person", "task", "device", "time s", "points", "verdict", "end"}};
     // Of studies with a participant's code, for who runs studies.
     const bool studies = session.may(Action::kRunQuestionnaire, Scope::kOther);
-    for (const auto& attempt : session.store().attempts(whose, task)) {
+    for (const auto& attempt : session.store().attempts().list(whose, task)) {
         if (!attempt.study.study.empty() && !studies) continue;
         json.push_back({{"id", attempt.id},
                         {"user_id", attempt.user_id},
@@ -115,7 +115,7 @@ int audit(const Context& context, int limit) {
     session.need(Action::kViewAudit, Scope::kOther);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"at (UTC)", "who", "did", "what", "detail"}};
-    for (const auto& entry : session.store().audit_trail(limit)) {
+    for (const auto& entry : session.store().audit().trail(limit)) {
         json.push_back({{"id", entry.id},
                         {"at_utc", entry.at_utc},
                         {"actor", entry.actor},

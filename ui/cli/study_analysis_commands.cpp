@@ -37,14 +37,14 @@ reports::Analysis learning(const reports::StudyReport& report, Session&, const O
 }
 reports::Analysis raters(const reports::StudyReport& report, Session& session,
                          const Options& options) {
-    return reports::rater_agreement(report, session.store().ratings(options.form),
+    return reports::rater_agreement(report, session.store().reviews().ratings(options.form),
                                     curriculum::load_questionnaire(options.form));
 }
 
 int analyse(const Context& context, const Options& options, Work work) {
     Session session(context, Missing::kRefuse);
     session.need(db::Action::kExportStudy, db::Scope::kOther);
-    if (session.store().participants(options.study).empty())
+    if (session.store().studies().participants(options.study).empty())
         throw InputError("study: found \"" + options.study + "\", which has no participants in " +
                          session.store().url());
     const auto report = reports::read_study_report(session.store(), options.study);
@@ -71,8 +71,8 @@ int analyse(const Context& context, const Options& options, Work work) {
     if (!options.out.empty()) {
         json["files"] = reports::write_analysis(analysis, options.out, report.data.demonstration);
         text += "\nwrote " + sim::counted(json["files"].size(), "file") + " to " + options.out;
-        session.store().audit(session.actor(), "report." + analysis.id, "study " + options.study,
-                              options.out);
+        session.store().audit().write(session.actor(), "report." + analysis.id,
+                                      "study " + options.study, options.out);
     }
     print(context, json, text);
     return 0;

@@ -32,7 +32,7 @@ std::string need_code(const std::string& code) {
 
 curriculum::Questionnaire questionnaire_named(Session& session, const std::string& id) {
     if (id.find('/') == std::string::npos && !id.ends_with(".json"))
-        if (const auto published = session.store().definition("questionnaire", id))
+        if (const auto published = session.store().definitions().find("questionnaire", id))
             return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
     return curriculum::load_questionnaire(id);
 }
@@ -48,7 +48,7 @@ std::vector<std::string> required_statements(Session& session, const std::string
 namespace {
 
 bool is_demonstration(Session& session, const std::string& study, const std::string& code) {
-    for (const auto& each : session.store().participants(study))
+    for (const auto& each : session.store().studies().participants(study))
         if (each.code == code) return each.demonstration;
     return false;
 }
@@ -91,10 +91,10 @@ std::vector<assessment::CsvRow> table_of(const std::string& file) {
 /// Throws InputError unless the participant is there and takes part.
 void need_active(Session& session, const std::string& study, const std::string& code,
                  const std::string& place) {
-    for (const auto& each : session.store().participants(study)) {
+    for (const auto& each : session.store().studies().participants(study)) {
         if (each.code != code) continue;
         if (each.withdrawal) throw InputError(place + ": " + code + " has withdrawn");
-        if (session.store().records().record_states(study)[code].locked)
+        if (session.store().records().states(study)[code].locked)
             throw InputError(place + ": the record of " + code + " is locked");
         return;
     }
@@ -172,7 +172,7 @@ int study_import(const Context& context, const StudyOptions& options) {
 int study_demo(const Context& context) {
     Session session = coordinator(context, Missing::kCreate);
     const auto study = curriculum::load_study("face_content_validity");
-    if (!session.store().participants(study.id).empty())
+    if (!session.store().studies().participants(study.id).empty())
         throw InputError("study demo: " + study.id + " has participants in " +
                          session.store().url() + "; expected an empty study");
     for (const char* id : {"demographics", "face_validity"})
@@ -183,12 +183,12 @@ int study_demo(const Context& context) {
     definition.version = study.version;
     definition.json = study.json;
     definition.reason = study.reason;
-    session.store().publish(definition);
+    session.store().definitions().publish(definition);
     const std::string file =
         (curriculum::data_folder() / "studies" / "face_content_validity_simulated.csv").string();
     const auto rows = table_of(file);
     for (size_t r = 1; r < rows.size(); ++r) {
-        const std::string code = session.store().new_participant(study.id, true);
+        const std::string code = session.store().studies().new_participant(study.id, true);
         db::record_consent(session.store(), study.id, code, "en",
                            required_statements(session, study.id));
         for (const char* id : {"demographics", "face_validity"}) {

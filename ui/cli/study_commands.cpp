@@ -29,7 +29,7 @@ int list_definitions(const Context& context, const std::string& kind) {
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"id", "version", "published (UTC)", "by", "why"}};
     std::vector<std::string> published;
-    for (const auto& each : session.store().definitions(kind)) {
+    for (const auto& each : session.store().definitions().list(kind)) {
         published.push_back(each.id);
         json.push_back({{"id", each.id},
                         {"version", each.version},
@@ -47,8 +47,8 @@ int list_definitions(const Context& context, const std::string& kind) {
         rows.push_back({id, "", "shipped, not published", "", ""});
     }
     if (kind == "study") {
-        for (const std::string& id : session.store().study_ids()) {
-            const auto n = session.store().participants(id).size();
+        for (const std::string& id : session.store().studies().ids()) {
+            const auto n = session.store().studies().participants(id).size();
             for (Json& entry : json)
                 if (entry["id"] == id) entry["participants"] = n;
             if (std::find(published.begin(), published.end(), id) != published.end()) continue;
@@ -63,7 +63,7 @@ int list_definitions(const Context& context, const std::string& kind) {
 int show_definition(const Context& context, const std::string& kind, const StudyOptions& options) {
     Session session = coordinator(context);
     std::string text;
-    if (const auto there = session.store().definition(kind, options.id, options.version))
+    if (const auto there = session.store().definitions().find(kind, options.id, options.version))
         text = there->json;
     else if (options.version != 0)
         throw InputError(kind + " " + options.id + ": version " + std::to_string(options.version) +
@@ -96,14 +96,14 @@ int publish(const Context& context, const std::string& kind, const StudyOptions&
         definition.version = read.version;
         definition.json = read.json;
     }
-    as_input([&] { session.store().publish(definition); });
+    as_input([&] { session.store().definitions().publish(definition); });
     if (const auto draft = curriculum::draft_text(definition.json))
         std::fprintf(
             stderr,
             "placodectl: %s %s: its text calls itself a draft (\"%s\"); publish the approved "
             "text as the next version before participants read it\n",
             kind.c_str(), definition.id.c_str(), draft->in("en").c_str());
-    const auto there = session.store().definition(kind, definition.id, definition.version);
+    const auto there = session.store().definitions().find(kind, definition.id, definition.version);
     print(context,
           {{"kind", kind},
            {"id", definition.id},
@@ -118,8 +118,9 @@ int publish(const Context& context, const std::string& kind, const StudyOptions&
 
 int enrol(const Context& context, const StudyOptions& options) {
     Session session = coordinator(context);
-    const std::string code = as_input(
-        [&] { return session.store().new_participant(options.id, options.demonstration); });
+    const std::string code = as_input([&] {
+        return session.store().studies().new_participant(options.id, options.demonstration);
+    });
     if (options.consented)
         as_input([&] {
             db::record_consent(session.store(), options.id, code, options.language,
@@ -165,10 +166,10 @@ int step(const Context& context, const StudyOptions& options) {
     const bool judged = options.attempt != 0 && record.state == db::StepState::kDone;
     as_input([&] {
         judged ? db::record_attempt_step(session.store(), record)
-               : static_cast<void>(session.store().record_step(record));
+               : static_cast<void>(session.store().studies().record_step(record));
     });
     std::string state = options.state, why;
-    for (const auto& each : session.store().steps(options.id))
+    for (const auto& each : session.store().studies().steps(options.id))
         if (judged && each.attempt_id == options.attempt && each.state == db::StepState::kStarted)
             state = "started", why = ": " + each.detail;
     print(context, {{"participant", options.code}, {"step", options.step}, {"state", state}},
@@ -195,7 +196,8 @@ int status(const Context& context, const StudyOptions& options) {
     if (list.empty())
         throw InputError("study status: \"" + options.id +
                          "\" has no participants; `placodectl study enrol " + options.id +
-                         "` adds one" + sim::did_you_mean(options.id, session.store().study_ids()));
+                         "` adds one" +
+                         sim::did_you_mean(options.id, session.store().studies().ids()));
     Json json{{"study", options.id}, {"participants", Json::array()}};
     std::vector<std::vector<std::string>> rows{
         {"code", "enrolled (UTC)", "arm", "steps", "next", "last (UTC)", "remark"}};
@@ -231,7 +233,8 @@ int withdraw(const Context& context, const StudyOptions& options) {
                                     : options.mode == "stop" ? db::WithdrawalMode::kStop
                                                              : db::WithdrawalMode::kErase;
     as_input([&] {
-        session.store().withdraw(options.id, need_code(options.code), mode, options.reason);
+        session.store().studies().withdraw(options.id, need_code(options.code), mode,
+                                           options.reason);
     });
     print(context, {{"participant", options.code}, {"mode", options.mode}},
           options.code + " has withdrawn (" + options.mode + "); code and withdrawal stay");

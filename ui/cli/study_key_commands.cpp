@@ -43,7 +43,7 @@ ParticipantKey opened(Session& session, const Context& context, const Options& o
         throw InputError(path + ": belongs to the study " + key.study_id() + ", not to " +
                          options.study);
     db::keep_seal(session.store(), options.study, key.seal().public_key);
-    session.store().audit(
+    session.store().audit().write(
         session.actor(), "study.key." + what,
         options.study + (options.entry.code.empty() ? "" : " ") + options.entry.code, path);
     return key;
@@ -57,7 +57,7 @@ int make(const Context& context, const Options& options) {
         const auto key = ParticipantKey::create(path, options.study, phrase);
         db::keep_seal(session.store(), options.study, key.seal().public_key);
     });
-    session.store().audit(session.actor(), "study.key.make", options.study, path);
+    session.store().audit().write(session.actor(), "study.key.make", options.study, path);
     print(context, {{"study", options.study}, {"path", path}},
           "made " + path +
               "; keep a copy, and the passphrase elsewhere: without it the names are "
@@ -67,7 +67,7 @@ int make(const Context& context, const Options& options) {
 
 int set(const Context& context, const Options& options) {
     Session session = coordinator(context);
-    const auto all = session.store().participants(options.study);
+    const auto all = session.store().studies().participants(options.study);
     if (std::none_of(all.begin(), all.end(),
                      [&](const auto& each) { return each.code == options.entry.code; }))
         throw InputError("study " + options.study + ": has no participant " + options.entry.code);

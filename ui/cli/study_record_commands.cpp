@@ -37,9 +37,8 @@ void records(Work&& work) {
 
 int lock(const Context& context, const Options& options) {
     Session session = coordinator(context);
-    records([&] {
-        as_input([&] { session.store().records().lock_record(options.study, options.code); });
-    });
+    records(
+        [&] { as_input([&] { session.store().records().lock(options.study, options.code); }); });
     print(context, {{"participant", options.code}, {"locked", true}},
           "the record of " + options.code + " is locked");
     return 0;
@@ -53,11 +52,11 @@ int sign(const Context& context, const Options& options) {
         read_password("PLACODE_PASSWORD", "Password of " + session.actor() + ", again", false);
     records([&] {
         as_input([&] {
-            session.store().records().sign_record(options.study, options.code, session.actor(),
-                                                  password, options.meaning);
+            session.store().records().sign(options.study, options.code, session.actor(), password,
+                                           options.meaning);
         });
     });
-    const auto state = session.store().records().record_states(options.study).at(options.code);
+    const auto state = session.store().records().states(options.study).at(options.code);
     print(context,
           {{"participant", options.code},
            {"signed_by", state.signature->name},
@@ -72,9 +71,8 @@ int sign(const Context& context, const Options& options) {
 int unlock(const Context& context, const Options& options) {
     Session session = coordinator(context);
     records([&] {
-        as_input([&] {
-            session.store().records().unlock_record(options.study, options.code, options.reason);
-        });
+        as_input(
+            [&] { session.store().records().unlock(options.study, options.code, options.reason); });
     });
     print(context, {{"participant", options.code}, {"locked", false}},
           "the record of " + options.code + " is unlocked; a signature is cancelled");
@@ -83,7 +81,7 @@ int unlock(const Context& context, const Options& options) {
 
 /// The first answers of the participant to the questionnaire at that visit.
 db::AnswerRecord answers_of(Session& session, const Options& options) {
-    for (auto& record : session.store().answers(options.study))
+    for (auto& record : session.store().studies().answers(options.study))
         if (record.participant == options.code &&
             record.questionnaire_id == options.questionnaire && record.visit == options.visit)
             return record;

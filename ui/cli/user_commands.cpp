@@ -42,8 +42,8 @@ int add(const Context& context, const AddOptions& options) {
     user.display_name = options.name.empty() ? options.login : options.name;
     user.roles = roles_of(options.roles);
     user.password = read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
-    const int64_t id = session.store().create_user(user);
-    print(context, to_json(*session.store().user(id)),
+    const int64_t id = session.store().accounts().create(user);
+    print(context, to_json(*session.store().accounts().find(id)),
           "created user " + std::to_string(id) + " \"" + user.login + "\" (" +
               joined(options.roles) + ") in " + session.store().url());
     return 0;
@@ -54,7 +54,7 @@ int list(const Context& context) {
     session.need(Action::kManageUsers, Scope::kOther);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"id", "login", "name", "roles", "state"}};
-    for (const auto& user : session.store().users()) {
+    for (const auto& user : session.store().accounts().list()) {
         json.push_back(to_json(user));
         rows.push_back({std::to_string(user.id), user.login, user.display_name,
                         joined(role_names(user.roles)),
@@ -69,8 +69,8 @@ int set_active(const Context& context, const std::string& login, bool active) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
     const db::UserRecord user = session.find_user(login);
-    session.store().set_active(user.id, active);
-    print(context, to_json(*session.store().user(user.id)),
+    session.store().accounts().set_active(user.id, active);
+    print(context, to_json(*session.store().accounts().find(user.id)),
           "\"" + user.login + "\" is " + (active ? "active" : "deactivated"));
     return 0;
 }
@@ -81,7 +81,7 @@ int password(const Context& context, const std::string& login) {
     // Everybody may change the own password: who got this far has just given the old one.
     const bool own = session.user() && session.user()->id == user.id;
     if (!own) session.need(Action::kManageUsers, Scope::kOther);
-    session.store().set_password(
+    session.store().accounts().set_password(
         user.id, read_password("PLACODE_NEW_PASSWORD", "New password of " + user.login, true));
     print(context, {{"id", user.id}, {"login", user.login}},
           "the password of \"" + user.login + "\" is changed");

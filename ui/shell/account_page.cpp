@@ -80,14 +80,15 @@ class AccountPage : public Page {
         if (new_->text() != again_->text())
             return say({tr("The two passwords differ. Type them again."), again_});
         context_.guard(tr("Changing the password"), [this] {
-            const db::SignIn check =
-                context_.store().sign_in(context_.user().login, old_->text().toStdString());
+            const db::SignIn check = context_.store().accounts().sign_in(
+                context_.user().login, old_->text().toStdString());
             if (check.outcome == db::SignInOutcome::kThrottled)
                 return say(
                     {tr("Too many wrong passwords. Try again in %1 s.").arg(check.wait_s), old_});
             if (check.outcome != db::SignInOutcome::kOk)
                 return say({tr("The present password is wrong."), old_});
-            context_.store().set_password(context_.user().id, new_->text().toStdString());
+            context_.store().accounts().set_password(context_.user().id,
+                                                     new_->text().toStdString());
             for (QLineEdit* field : {old_, new_, again_}) field->clear();
             Q_EMIT notice(tr("The password was changed."));
         });
@@ -115,7 +116,7 @@ class AccountPage : public Page {
         set->setObjectName("set_pin");
         remove_pin_ = make_button(context_, tr("Remove the PIN"), "quiet");
         remove_pin_->setObjectName("remove_pin");
-        remove_pin_->setVisible(context_.store().has_pin(context_.user().id));
+        remove_pin_->setVisible(context_.store().accounts().has_pin(context_.user().id));
         row->addWidget(set);
         row->addWidget(remove_pin_);
         row->addStretch();
@@ -133,7 +134,7 @@ class AccountPage : public Page {
 
     void setPin(const QString& pin) {
         context_.guard(tr("Setting the PIN"), [&] {
-            context_.store().set_pin(context_.user().id, pin.toStdString());
+            context_.store().accounts().set_pin(context_.user().id, pin.toStdString());
             pin_->clear();
             remove_pin_->setVisible(!pin.isEmpty());
             Q_EMIT notice(pin.isEmpty() ? tr("The PIN is gone.") : tr("The PIN is set."));
@@ -203,7 +204,7 @@ class AccountPage : public Page {
 
     void showErasure() {
         QString asked;
-        for (const db::ErasureRecord& each : context_.store().erasure_requests())
+        for (const db::ErasureRecord& each : context_.store().accounts().erasure_requests())
             if (each.user_id == context_.user().id && each.done_utc.empty())
                 asked = format_when(each.asked_utc);
         erasure_->setText(asked.isEmpty()
@@ -220,8 +221,8 @@ class AccountPage : public Page {
             return;
         context_.guard(tr("Asking to be erased"), [this] {
             context_.require(db::Action::kRequestErasure);
-            context_.store().request_erasure(context_.user().id,
-                                             reason_->text().trimmed().toStdString());
+            context_.store().accounts().request_erasure(context_.user().id,
+                                                        reason_->text().trimmed().toStdString());
             showErasure();
         });
     }

@@ -61,7 +61,7 @@ class AdmissionsPage : public Page {
         group_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         group_->setMinimumWidth(140);
         group_->addItem(tr("no group"), 0);
-        for (const db::GroupRecord& group : context_.store().groups())
+        for (const db::GroupRecord& group : context_.store().groups().list())
             group_->addItem(qstr(group.name), QVariant::fromValue<qint64>(group.id));
         row->addLayout(make_field(tr("Group"), group_), 1);
         until_ = new QDateEdit(QDate::currentDate().addDays(kInvitationDays));
@@ -100,7 +100,7 @@ class AdmissionsPage : public Page {
             invitation.group_id = group_->currentData().toLongLong();
             invitation.note = note_->text().trimmed().toStdString();
             invitation.expires_utc = until_->date().toString(Qt::ISODate).toStdString();
-            code_->setText(qstr(context_.store().invite(invitation)));
+            code_->setText(qstr(context_.store().accounts().invite(invitation)));
             code_->show();
             code_->selectAll();
             code_->setFocus();
@@ -110,7 +110,7 @@ class AdmissionsPage : public Page {
     }
 
     void showInvitations() {
-        const auto all = context_.store().invitations();
+        const auto all = context_.store().accounts().invitations();
         invitations_->setSortingEnabled(false);
         invitations_->setRowCount(static_cast<int>(all.size()));
         for (int row = 0; row < invitations_->rowCount(); ++row) {
@@ -192,12 +192,12 @@ class AdmissionsPage : public Page {
     }
 
     void showRequests() {
-        const auto all = context_.store().erasure_requests();
+        const auto all = context_.store().accounts().erasure_requests();
         requests_->setRowCount(static_cast<int>(all.size()));
         bool waits = false;
         for (int row = 0; row < requests_->rowCount(); ++row) {
             const db::ErasureRecord& each = all[static_cast<size_t>(row)];
-            const auto user = context_.store().user(each.user_id);
+            const auto user = context_.store().accounts().find(each.user_id);
             const bool open = each.done_utc.empty();
             waits = waits || open;
             const QString name =
@@ -241,7 +241,7 @@ class AdmissionsPage : public Page {
         context_.guard(tr("Erasing the person"), [&] {
             context_.require(db::Action::kErase,
                              db::scope_between(context_.store(), context_.user().id, id));
-            context_.store().erase_person(id, attempts);
+            context_.store().accounts().erase(id, attempts);
             showRequests();
             Q_EMIT notice(tr("%1 was erased.").arg(name));
         });

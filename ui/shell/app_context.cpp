@@ -102,8 +102,8 @@ void AppContext::require(db::Action action, db::Scope scope) const {
 }
 
 void AppContext::audit(const char* action, const QString& object, const QString& detail) {
-    store().audit(user_ ? user_->login : "(nobody)", action, object.toStdString(),
-                  detail.toStdString());
+    store().audit().write(user_ ? user_->login : "(nobody)", action, object.toStdString(),
+                          detail.toStdString());
 }
 
 void AppContext::setTheme(ThemeKind theme) {

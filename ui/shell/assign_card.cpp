@@ -90,12 +90,12 @@ class AssignCard : public QFrame {
     void addTargets() {
         db::Store& store = context_.store();
         const int64_t self = context_.user().id;
-        for (const db::GroupRecord& group : store.groups())
+        for (const db::GroupRecord& group : store.groups().list())
             if (context_.may(db::Action::kAssignCourses, db::scope_of_group(group, self)))
                 target_->addItem(tr("Group %1").arg(qstr(group.name)),
                                  QVariant::fromValue<qint64>(-group.id));
         std::map<int64_t, const db::UserRecord*> by_id;
-        const auto users = store.users();
+        const auto users = store.accounts().list();
         for (const db::UserRecord& user : users) by_id[user.id] = &user;
         for (const int64_t id : db::reached_people(store, self)) {
             const db::UserRecord& user = *by_id.at(id);
@@ -125,7 +125,7 @@ class AssignCard : public QFrame {
             const curriculum::Course course = db::find_course(store, course_id_);
             wanted.course_version = course.version;
             db::publish_course_on_first_use(store, course);
-            store.assign_course(wanted);
+            store.courses().assign(wanted);
             fill();
             changed_(tr("Assigned to %1.").arg(target_->itemText(row)));
         });
@@ -138,7 +138,7 @@ class AssignCard : public QFrame {
         if (assignment.user_id != 0) {
             scope = db::scope_between(store, self, assignment.user_id);
         } else {
-            for (const db::GroupRecord& group : store.groups())
+            for (const db::GroupRecord& group : store.groups().list())
                 if (group.id == assignment.group_id) scope = db::scope_of_group(group, self);
         }
         context_.require(db::Action::kAssignCourses, scope);
@@ -146,17 +146,17 @@ class AssignCard : public QFrame {
 
     [[nodiscard]] QString nameOf(const db::AssignmentRecord& each) const {
         if (each.user_id != 0) {
-            const auto user = context_.store().user(each.user_id);
+            const auto user = context_.store().accounts().find(each.user_id);
             return user ? qstr(user->display_name) : QString::number(each.user_id);
         }
-        for (const db::GroupRecord& group : context_.store().groups())
+        for (const db::GroupRecord& group : context_.store().groups().list())
             if (group.id == each.group_id) return tr("Group %1").arg(qstr(group.name));
         return QString::number(each.group_id);
     }
 
     void fill() {
         std::vector<db::AssignmentRecord> shown;
-        for (const db::AssignmentRecord& each : context_.store().assignments(0))
+        for (const db::AssignmentRecord& each : context_.store().courses().assignments(0))
             if (each.course_id == course_id_) shown.push_back(each);
         table_->setRowCount(static_cast<int>(shown.size()));
         for (int row = 0; row < table_->rowCount(); ++row) {
@@ -198,7 +198,7 @@ class AssignCard : public QFrame {
             return;
         context_.guard(tr("Ending the assignment"), [&] {
             require(each);
-            context_.store().end_assignment(each.id);
+            context_.store().courses().end_assignment(each.id);
             fill();
             changed_(tr("The assignment has ended."));
         });

@@ -166,7 +166,7 @@ void remove_recording(const QString& recording_file) {
 SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing.
-    if (const std::optional<int64_t> known = store.attempt_of_recording(file)) {
+    if (const std::optional<int64_t> known = store.attempts().find_recording(file)) {
         record_study_step(store, order, *known);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};
@@ -191,7 +191,7 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     result.study = {order.study.toStdString(), order.participant.toStdString()};
     result.events = ledger(recording);
     result.recording_file = file;
-    const int64_t id = store.save_attempt(order.user_id, result);
+    const int64_t id = store.attempts().save(order.user_id, result);
     record_study_step(store, order, id);
     remove_recording(order.recording_file);
     return {Saving::kSaved, id};
@@ -204,7 +204,7 @@ sim::Recording recording_of_file(const QString& file) {
 sim::Recording stored_recording(db::Store& store, int64_t attempt_id) {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("attempt.placode").toStdString();
-    store.extract_recording(attempt_id, path);
+    store.attempts().extract_recording(attempt_id, path);
     return db::recover_recording_file(path).recording;
 }
 

@@ -62,7 +62,7 @@ class AttemptsPage : public Page {
         person_->setObjectName("filter_person");
         person_->setMinimumWidth(240);
         person_->addItem(tr("Everybody"), 0);
-        auto people = context_.store().users();
+        auto people = context_.store().accounts().list();
         std::sort(people.begin(), people.end(), [](const auto& a, const auto& b) {
             return QString::localeAwareCompare(qstr(a.display_name), qstr(b.display_name)) < 0;
         });
@@ -97,7 +97,7 @@ class AttemptsPage : public Page {
         filter.limit = kRows;
         filter.studies = context_.may(db::Action::kRunQuestionnaire);
         filter.offset = offset_;
-        const db::AttemptPage page = context_.store().attempt_page(filter);
+        const db::AttemptPage page = context_.store().attempts().page(filter);
         while (QLayoutItem* item = list_->takeAt(0)) {
             item->widget()->hide();
             item->widget()->deleteLater();

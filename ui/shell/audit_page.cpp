@@ -29,7 +29,7 @@ class AuditPage : public Page {
  public:
     AuditPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAudit, db::Scope::kOther);
-        const std::vector<db::AuditRecord> trail = context.store().audit_trail(kShownEntries);
+        const std::vector<db::AuditRecord> trail = context.store().audit().trail(kShownEntries);
         auto* layout = new QVBoxLayout(this);
         layout->setContentsMargins(kSpace32, kSpace24, kSpace32, kSpace24);
         layout->setSpacing(kSpace16);
@@ -76,12 +76,13 @@ class AuditPage : public Page {
     [[nodiscard]] AuditNames knownNames() {
         AuditNames names;
         db::Store& store = context_.store();
-        for (const db::UserRecord& each : store.users())
+        for (const db::UserRecord& each : store.accounts().list())
             if (!each.display_name.empty()) names.people[each.id] = qstr(each.display_name);
-        for (const db::GroupRecord& each : store.groups()) names.groups[each.id] = qstr(each.name);
+        for (const db::GroupRecord& each : store.groups().list())
+            names.groups[each.id] = qstr(each.name);
         for (const std::string& id : curriculum::list_definitions("tasks"))
             names.titles[qstr(id)] = task_title(context_, id);
-        for (const std::string& id : store.study_ids())
+        for (const std::string& id : store.studies().ids())
             names.titles[qstr(id)] = study_title(context_, id);
         return names;
     }

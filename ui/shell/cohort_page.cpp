@@ -98,7 +98,7 @@ class CohortPage : public Page {
  private:
     void read() {
         std::map<int64_t, Person> people;
-        for (const db::TaskStanding& each : context_.store().task_standings(0)) {
+        for (const db::TaskStanding& each : context_.store().attempts().standings(0)) {
             Person& person = people[each.user_id];
             person.id = each.user_id;
             if (person.name.isEmpty())

@@ -72,7 +72,7 @@ class CommentsCard : public QFrame {
             comment.author_id = context_.user().id;
             comment.time_s = moment_ ? moment_() : -1;
             comment.text = text_->text().trimmed().toStdString();
-            (void)context_.store().add_comment(comment);
+            (void)context_.store().reviews().add_comment(comment);
             text_->clear();
             refill();
         });
@@ -80,7 +80,7 @@ class CommentsCard : public QFrame {
 
     void remove(int64_t id, bool removed) {
         context_.guard(removed ? tr("Removing the remark") : tr("Putting the remark back"), [&] {
-            context_.store().set_comment_removed(id, removed);
+            context_.store().reviews().set_comment_removed(id, removed);
             removed_ = id;
             refill();
             undo_->setVisible(removed);
@@ -93,7 +93,8 @@ class CommentsCard : public QFrame {
             if (item->widget()) item->widget()->deleteLater();
             delete item;
         }
-        const std::vector<db::CommentRecord> comments = context_.store().comments(attempt_id_);
+        const std::vector<db::CommentRecord> comments =
+            context_.store().reviews().comments(attempt_id_);
         if (comments.empty())
             list_->addWidget(make_label(may_remark(context_, owner_id_)
                                             ? tr("No remarks yet.")

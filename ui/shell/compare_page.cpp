@@ -64,7 +64,7 @@ class ComparePage : public Page {
 
  private:
     db::AttemptDetail readAllowed(int64_t id) {
-        db::AttemptDetail detail = context_.store().attempt(id);
+        db::AttemptDetail detail = context_.store().attempts().detail(id);
         require_sight(context_, detail.record);
         return detail;
     }
@@ -87,8 +87,9 @@ class ComparePage : public Page {
             context_.may(db::Action::kViewAttempts, db::Scope::kOther) ? 0 : context_.user().id;
         // What a participant did is compared with what the same participant did.
         const bool study = !first.study.study.empty();
-        for (const db::AttemptRecord& each : study ? db::attempts_beside(context_.store(), first)
-                                                   : context_.store().attempt_page(filter).rows) {
+        for (const db::AttemptRecord& each : study
+                                                 ? db::attempts_beside(context_.store(), first)
+                                                 : context_.store().attempts().page(filter).rows) {
             if (each.id == first.id) continue;
             chooser_->addItem(nameOf(each), QVariant::fromValue<qint64>(each.id));
             points_.push_back(each.user_id == first.user_id ? each.points : -1);

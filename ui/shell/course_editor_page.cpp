@@ -362,7 +362,7 @@ class CourseEditorPage : public Page {
             definition.version = draft_->course().version;
             definition.json = text;
             definition.reason = reason_->text().trimmed().toStdString();
-            context_.store().publish(definition);
+            context_.store().definitions().publish(definition);
             saved_ = text;
             Q_EMIT notice(tr("%1, version %2, is published. Assign it to people or groups.")
                               .arg(context_.in(draft_->course().title))

@@ -69,7 +69,7 @@ class CoursesPage : public Page {
             table_->setItem(row, 1, make_cell(qstr(id)));
             Course course;
             const auto problem = context_.problemOf([&] { course = db::find_course(store, id); });
-            const auto published = store.definition("course", id);
+            const auto published = store.definitions().find("course", id);
             table_->setItem(row, 0,
                             make_cell(problem ? problem->title : context_.in(course.title)));
             table_->item(row, 0)->setToolTip(table_->item(row, 0)->text());
@@ -145,7 +145,7 @@ class CoursesPage : public Page {
             Course course =
                 curriculum::load_course_text(file.readAll().toStdString(), path.toStdString());
             // A version that is there already is never replaced: the file becomes the next one.
-            if (context_.store().definition("course", course.id) ||
+            if (context_.store().definitions().find("course", course.id) ||
                 QFile::exists(QString::fromStdString(
                     (curriculum::data_folder() / "courses" / (course.id + ".json")).string())))
                 course.version = std::max(course.version,

@@ -44,7 +44,8 @@ class GroupsPage : public Page {
         body_ = new QVBoxLayout;
         column->addLayout(body_);
         column->addStretch(1);
-        for (const db::UserRecord& user : context.store().users()) people_[user.id] = user;
+        for (const db::UserRecord& user : context.store().accounts().list())
+            people_[user.id] = user;
         read();
         chooser_->setCurrentIndex(std::max(0, chooser_->findData(place.state.value("group"))));
         connect(chooser_, &QComboBox::currentIndexChanged, this, [this] { showGroup(); });
@@ -60,7 +61,7 @@ class GroupsPage : public Page {
     void read() {
         const QSignalBlocker quiet(chooser_);
         const QVariant kept = chooser_->currentData();
-        groups_ = context_.store().groups();
+        groups_ = context_.store().groups().list();
         chooser_->clear();
         for (const db::GroupRecord& group : groups_)
             chooser_->addItem(qstr(group.name), QVariant::fromValue<qint64>(group.id));
@@ -80,10 +81,11 @@ class GroupsPage : public Page {
     void add() {
         context_.guard(tr("Adding the group"), [this] {
             context_.require(db::Action::kManageGroups, db::Scope::kGroup);
-            const int64_t id = context_.store().create_group(name_->text().trimmed().toStdString());
+            const int64_t id =
+                context_.store().groups().create(name_->text().trimmed().toStdString());
             // Who makes a group teaches it; an administrator's own group waits for its educator.
             if (db::has_role(context_.user().roles, db::Role::kEducator))
-                context_.store().set_group_role(id, context_.user().id, GroupRole::kEducator);
+                context_.store().groups().set_role(id, context_.user().id, GroupRole::kEducator);
             name_->clear();
             read();
             chooser_->setCurrentIndex(chooser_->findData(QVariant::fromValue<qint64>(id)));
@@ -219,7 +221,7 @@ class GroupsPage : public Page {
                 !db::has_role(people_.at(person).roles, db::Role::kEducator))
                 throw Refusal(tr("%1 has not the role educator; an administrator can give it.")
                                   .arg(qstr(people_.at(person).display_name)));
-            context_.store().set_group_role(group->id, person, role);
+            context_.store().groups().set_role(group->id, person, role);
             read();
             showGroup();
         });

@@ -63,7 +63,7 @@ class TakeBackDialog : public QDialog {
         bool may = false;
         const int64_t id = context_.user().id;
         (void)context_.problemOf(
-            [&] { may = context_.knowsPassword(id) && context_.store().has_pin(id); });
+            [&] { may = context_.knowsPassword(id) && context_.store().accounts().has_pin(id); });
         return may;
     }
 
@@ -79,8 +79,9 @@ class TakeBackDialog : public QDialog {
         const auto problem = context_.problemOf([&] {
             const std::string typed = password_->text().toStdString();
             const db::UserRecord user = context_.user();
-            result = looksLikePin() && mayUsePin() ? context_.store().unlock(user.id, typed)
-                                                   : context_.store().sign_in(user.login, typed);
+            result = looksLikePin() && mayUsePin()
+                         ? context_.store().accounts().unlock(user.id, typed)
+                         : context_.store().accounts().sign_in(user.login, typed);
         });
         password_->clear();
         password_->setFocus();

@@ -27,7 +27,7 @@ class HistoryPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(HistoryPage)
  public:
     HistoryPage(AppContext& context, const Place& place)
-        : Page(context), all_(context.store().attempts(context.user().id)) {
+        : Page(context), all_(context.store().attempts().list(context.user().id)) {
         column_ = make_column(this);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("History"), "display"), 1);

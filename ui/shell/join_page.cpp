@@ -74,7 +74,8 @@ class JoinPage : public Page {
         if (const FormProblem problem = fields_.problem()) return say(problem);
         const db::NewUser user = fields_.user();
         context_.guard(tr("Making the account"), [&] {
-            context_.store().accept_invitation(code_->text().trimmed().toStdString(), user);
+            context_.store().accounts().accept_invitation(code_->text().trimmed().toStdString(),
+                                                          user);
             Q_EMIT notice(tr("Your account is made. Sign in with it."));
             Q_EMIT go({PageId::kLogin, 0, {}, {{"login", QString::fromStdString(user.login)}}});
         });

@@ -15,7 +15,7 @@ namespace placode::ui {
 [[nodiscard]] inline bool take_recording(db::Store& store, int64_t attempt_id, const QString& file,
                                          sim::Recording& recording) {
     try {
-        store.extract_recording(attempt_id, file.toStdString());
+        store.attempts().extract_recording(attempt_id, file.toStdString());
     } catch (const db::StoreError& error) {
         if (error.kind() == db::StoreError::Kind::kNotFound) return false;
         throw;

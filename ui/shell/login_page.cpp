@@ -106,7 +106,7 @@ class LoginPage : public Page {
         bool may = false;
         if (!login.isEmpty())
             (void)context_.problemOf([&] {
-                const auto user = context_.store().user_by_login(login.toStdString());
+                const auto user = context_.store().accounts().find_login(login.toStdString());
                 may = user && user->active;
             });
         return may;
@@ -115,7 +115,7 @@ class LoginPage : public Page {
     /// The people who signed in here last, as long as they still may.
     void addPeople(QVBoxLayout* layout) {
         std::vector<db::UserRecord> users;
-        (void)context_.problemOf([&] { users = context_.store().users(); });
+        (void)context_.problemOf([&] { users = context_.store().accounts().list(); });
         if (db::is_demonstration_store(users)) return;  // They all stand below.
         QStringList recent = context_.storeSetting("recent_logins").toStringList();
         recent.removeIf([this](const QString& login) { return !isHere(login); });
@@ -141,7 +141,7 @@ class LoginPage : public Page {
     /// A store that was made to be looked at says who is in it, and lets everybody in.
     void addDemonstration(QVBoxLayout* layout) {
         std::vector<db::UserRecord> users;
-        (void)context_.problemOf([&] { users = context_.store().users(); });
+        (void)context_.problemOf([&] { users = context_.store().accounts().list(); });
         if (!db::is_demonstration_store(users)) return;
         auto* inside = new QVBoxLayout;
         inside->setSpacing(kSpace8);
@@ -188,7 +188,7 @@ class LoginPage : public Page {
         context_.guard(tr("Signing in"), [this] {
             const std::string typed = password_->text().toStdString();
             if (const int64_t id = pinUser(); id != 0 && looksLikePin(password_->text())) {
-                const db::SignIn result = context_.store().unlock(id, typed);
+                const db::SignIn result = context_.store().accounts().unlock(id, typed);
                 if (result.outcome == db::SignInOutcome::kWrong) {
                     password_->clear();
                     showPinHint();
@@ -199,7 +199,7 @@ class LoginPage : public Page {
                 return answer(result);
             }
             const db::SignIn result =
-                context_.store().sign_in(login_->text().trimmed().toStdString(), typed);
+                context_.store().accounts().sign_in(login_->text().trimmed().toStdString(), typed);
             if (result.outcome == db::SignInOutcome::kOk) context_.notePassword(result.user->id);
             answer(result);
         });
@@ -207,8 +207,10 @@ class LoginPage : public Page {
 
     /// Who may come back with the PIN: has one, and gave the password here not long ago; else 0.
     [[nodiscard]] int64_t pinUser() const {
-        const auto user = context_.store().user_by_login(login_->text().trimmed().toStdString());
-        return user && context_.knowsPassword(user->id) && context_.store().has_pin(user->id)
+        const auto user =
+            context_.store().accounts().find_login(login_->text().trimmed().toStdString());
+        return user && context_.knowsPassword(user->id) &&
+                       context_.store().accounts().has_pin(user->id)
                    ? user->id
                    : 0;
     }

@@ -34,7 +34,7 @@ double peak_memory_mb() {
 /// comes from $PLACODE_PASSWORD: measuring opens no door.
 int measure_pages(AppContext& context, MainWindow& window, const QString& login) {
     if (!context.storeIsOpen()) return 1;
-    const db::SignIn sign_in = context.store().sign_in(
+    const db::SignIn sign_in = context.store().accounts().sign_in(
         login.toStdString(), qEnvironmentVariable("PLACODE_PASSWORD").toStdString());
     if (!sign_in.user) {
         std::fprintf(stderr,

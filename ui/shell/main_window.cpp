@@ -62,7 +62,7 @@ void MainWindow::begin() {
     };
     bool first = false;
     if (!context_.openStore() || !context_.guard(tr("Reading the accounts"), [&] {
-            first = context_.store().users().empty();
+            first = context_.store().accounts().list().empty();
         })) {
         showRetry(tr("Placode cannot open its store."), again);
         return;

@@ -6,7 +6,7 @@
 #include <QFile>
 #include <QHBoxLayout>
 
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/signature.h"
 #include "reports/export.h"
 #include "ui/shell/day_text.h"
@@ -75,7 +75,7 @@ class NormsPage : public Page {
 
  private:
     void fill() {
-        packs_ = context_.store().norm_packs({});
+        packs_ = context_.store().norms().list({});
         table_->setSortingEnabled(false);
         table_->setRowCount(static_cast<int>(packs_.size()));
         for (int row = 0; row < table_->rowCount(); ++row) {
@@ -126,7 +126,7 @@ class NormsPage : public Page {
         const db::NormPackRecord* pack = selected();
         if (pack == nullptr) return;
         context_.guard(tr("Using the pack"), [&] {
-            context_.store().use_norms(pack->id);
+            context_.store().norms().use(pack->id);
             fill();
         });
     }
@@ -157,16 +157,16 @@ class NormsPage : public Page {
                 throw Refusal(tr("%1: the signature is wrong: the pack was changed after it was "
                                  "signed. Ask the centre for it again.")
                                   .arg(path));
-            if (!context_.store().trusted_centres().contains(norms.public_key)) {
+            if (!context_.store().norms().trusted_centres().contains(norms.public_key)) {
                 if (!confirm(this, tr("Trust %1?").arg(qstr(pack.centre)),
                              tr("Its key is %1. Compare it with the centre by telephone before "
                                 "you trust it.")
                                  .arg(qstr(db::fingerprint(norms.public_key))),
                              tr("Trust this key")))
                     return;
-                context_.store().trust_centre(norms.public_key, pack.centre);
+                context_.store().norms().trust_centre(norms.public_key, pack.centre);
             }
-            context_.store().save_norms(norms);
+            context_.store().norms().save(norms);
             fill();
             Q_EMIT notice(tr("The pack of %1 was imported.").arg(qstr(pack.centre)));
         });

@@ -27,7 +27,7 @@ db::AttemptPage attempts_to_show(AppContext& context) {
     db::AttemptFilter filter;
     if (!context.may(db::Action::kViewAttempts, db::Scope::kOther))
         filter.user_id = context.user().id;
-    return context.store().attempt_page(filter);
+    return context.store().attempts().page(filter);
 }
 
 void add_attempts(AppContext& context, std::vector<TourStop>& tour) {
@@ -50,8 +50,8 @@ void add_studies(AppContext& context, std::vector<TourStop>& tour) {
                         {page, 0, {}, {}}});
     if (context.may(db::Action::kExportStudy))
         tour.push_back({"study_results", {PageId::kStudyResults, 0, {}, {}}});
-    for (const std::string& study : context.store().study_ids())
-        for (const db::ParticipantRecord& each : context.store().participants(study)) {
+    for (const std::string& study : context.store().studies().ids())
+        for (const db::ParticipantRecord& each : context.store().studies().participants(study)) {
             if (each.protocol_version == 0 || !each.usable()) continue;
             tour.push_back({"study_run",
                             {PageId::kStudyRun,

@@ -95,7 +95,7 @@ class ParticipantPage : public Page {
         if (!preview.empty()) return curriculum::load_questionnaire_text(preview, "preview");
         const std::string id = place.state.value("questionnaire").toString().toStdString();
         const int version = place.state.value("version").toInt();
-        if (const auto published = context.store().definition("questionnaire", id, version))
+        if (const auto published = context.store().definitions().find("questionnaire", id, version))
             return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
         return curriculum::load_questionnaire(id);
     }
@@ -389,7 +389,7 @@ class ParticipantPage : public Page {
             rating.questionnaire_id = questionnaire_.id;
             rating.questionnaire_version = questionnaire_.version;
             rating.answers = answers_;
-            (void)context_.store().save_rating(rating);
+            (void)context_.store().reviews().save_rating(rating);
             submitted_ = true;
             Q_EMIT notice(tr("The rating is saved."));
             leave();

@@ -28,7 +28,7 @@ class PeoplePage : public Page {
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("People"), "display"), 1);
         int waiting = 0;
-        for (const db::ErasureRecord& each : context.store().erasure_requests())
+        for (const db::ErasureRecord& each : context.store().accounts().erasure_requests())
             waiting += each.done_utc.empty() ? 1 : 0;
         QPushButton* more =
             make_button(context,
@@ -171,7 +171,7 @@ class PeoplePage : public Page {
 
     void fill() {
         const int64_t kept = selectedId();
-        people_ = context_.store().users();
+        people_ = context_.store().accounts().list();
         table_->setSortingEnabled(false);
         table_->setRowCount(static_cast<int>(people_.size()));
         int row = 0;
@@ -248,7 +248,7 @@ class PeoplePage : public Page {
             return go_to_field(problem.field);
         }
         context_.guard(tr("Adding the person"), [&] {
-            context_.store().create_user(user);
+            context_.store().accounts().create(user);
             for (QLineEdit* field : {name_, login_, password_}) field->clear();
             resetRoles();
             name_->setFocus();
@@ -264,7 +264,8 @@ class PeoplePage : public Page {
         context_.guard(tr("Setting the password"), [&] {
             if (const QString problem = password_problem(new_password_->text()); !problem.isEmpty())
                 throw Refusal(problem);
-            context_.store().set_password(person->id, new_password_->text().toStdString());
+            context_.store().accounts().set_password(person->id,
+                                                     new_password_->text().toStdString());
             new_password_->clear();
             Q_EMIT notice(tr("%1 has a new password.").arg(qstr(person->display_name)));
         });
@@ -279,7 +280,7 @@ class PeoplePage : public Page {
                                 tr("Deactivate")))
             return;
         context_.guard(tr("Changing the account"), [&] {
-            context_.store().set_active(person->id, active);
+            context_.store().accounts().set_active(person->id, active);
             fill();
         });
     }

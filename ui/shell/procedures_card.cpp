@@ -49,11 +49,12 @@ void ProceduresCard::open(const std::string& code) {
 void ProceduresCard::readRows() {
     rows_.clear();
     attempts_.clear();
-    for (db::StepRecord& record : context_.store().steps(study_)) {
+    for (db::StepRecord& record : context_.store().studies().steps(study_)) {
         if (record.participant != code_ || record.attempt_id == 0) continue;
         // An attempt that is gone leaves its step.
         (void)context_.problemOf([&] {
-            attempts_[record.attempt_id] = context_.store().attempt(record.attempt_id).record;
+            attempts_[record.attempt_id] =
+                context_.store().attempts().detail(record.attempt_id).record;
         });
         rows_.push_back(std::move(record));
     }

@@ -28,7 +28,7 @@ constexpr const char* kDeviceSetting = "study_device";
 /// Those that are published, and those that are shipped and could be.
 std::vector<std::string> known_studies(AppContext& context) {
     std::vector<std::string> ids = curriculum::list_definitions("studies");
-    for (const auto& each : context.store().definitions("study"))
+    for (const auto& each : context.store().definitions().list("study"))
         if (std::find(ids.begin(), ids.end(), each.id) == ids.end()) ids.push_back(each.id);
     return ids;
 }
@@ -139,7 +139,7 @@ class ProtocolCard : public QFrame {
             definition.version = protocol.version;
             definition.json = protocol.json;
             definition.reason = protocol.reason;
-            context_.store().publish(definition);
+            context_.store().definitions().publish(definition);
             again();
         });
     }
@@ -345,7 +345,7 @@ class ProtocolCard : public QFrame {
     void enrol() {
         context_.guard(tr("Making a participant code"), [this] {
             context_.require(db::Action::kRunQuestionnaire);
-            run(context_.store().new_participant(study_, context_.user().demonstration));
+            run(context_.store().studies().new_participant(study_, context_.user().demonstration));
         });
     }
 
@@ -360,7 +360,8 @@ class ProtocolCard : public QFrame {
             return;
         context_.guard(tr("Withdrawing %1").arg(qstr(code)), [&] {
             context_.require(db::Action::kRunQuestionnaire);
-            context_.store().withdraw(study_, code, mode, reason_->text().trimmed().toStdString());
+            context_.store().studies().withdraw(study_, code, mode,
+                                                reason_->text().trimmed().toStdString());
             again();
         });
     }
@@ -433,7 +434,8 @@ class ProtocolCard : public QFrame {
             if (devices_ != nullptr) {
                 const QString device = devices_->currentData().toString();
                 context_.settings().setValue(kDeviceSetting, device);
-                context_.store().set_participant_device(study_, code, device.toStdString());
+                context_.store().studies().set_participant_device(study_, code,
+                                                                  device.toStdString());
             }
             Q_EMIT page_.go({PageId::kStudyRun, 0, qstr(code), {{"study", qstr(study_)}}});
         });

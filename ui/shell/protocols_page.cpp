@@ -108,7 +108,7 @@ class ProtocolsPage : public Page {
 
     /// Every published version, then what is shipped.
     void fillChooser() {
-        for (const auto& each : context_.store().definitions(kindText()))
+        for (const auto& each : context_.store().definitions().list(kindText()))
             chooser_->addItem(tr("%1, version %2, published")
                                   .arg(definition_title(each.json, each.id, context_.language()))
                                   .arg(each.version),
@@ -131,7 +131,8 @@ class ProtocolsPage : public Page {
             const std::string id = name.section('/', 0, 0).toStdString();
             if (name.contains('/'))
                 text = qstr(context_.store()
-                                .definition(kindText(), id, name.section('/', 1).toInt())
+                                .definitions()
+                                .find(kindText(), id, name.section('/', 1).toInt())
                                 ->json);
             else
                 text = qstr(isStudy() ? curriculum::load_study(id).json
@@ -385,7 +386,7 @@ class ProtocolsPage : public Page {
                 const auto read = curriculum::load_questionnaire_text(record.json, kindText());
                 record.id = read.id, record.version = read.version;
             }
-            context_.store().publish(record);
+            context_.store().definitions().publish(record);
             unsaved_ = false;
             chooser_->clear();
             fillChooser();

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/standard_cards.h"

@@ -31,16 +31,17 @@ class RatingsPage : public Page {
     RatingsPage(AppContext& context, const Place&) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
         form_ = curriculum::load_questionnaire(kForm);
-        ratings_ = context.store().ratings(kForm);
+        ratings_ = context.store().reviews().ratings(kForm);
         // The newest wait for a rating; what was rated is looked up one by one.
         db::AttemptFilter newest;
         newest.limit = kQueued;
         newest.studies = true;  // Their codes are no names, and raters of a study are educators.
-        for (const db::AttemptRecord& each : context.store().attempt_page(newest).rows)
+        for (const db::AttemptRecord& each : context.store().attempts().page(newest).rows)
             attempts_[each.id] = each;
         for (const db::RatingRecord& each : ratings_)
             if (!attempts_.contains(each.attempt_id))
-                attempts_[each.attempt_id] = context.store().attempt(each.attempt_id).record;
+                attempts_[each.attempt_id] =
+                    context.store().attempts().detail(each.attempt_id).record;
         QVBoxLayout* column = make_column(this);
         column->addWidget(make_label(tr("Ratings"), "display"));
         column->addWidget(make_label(

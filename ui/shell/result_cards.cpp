@@ -8,7 +8,7 @@
 
 #include "assessment/themes.h"
 #include "db/attempt_counting.h"
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "reports/words.h"
 #include "ui/shell/ledger_view.h"
 
@@ -101,7 +101,7 @@ QHBoxLayout* theme_line(const assessment::ThemeResult& result) {
 
 ResultData read_result(db::Store& store, int64_t attempt_id) {
     ResultData data;
-    data.detail = store.attempt(attempt_id);
+    data.detail = store.attempts().detail(attempt_id);
     const db::AttemptRecord& record = data.detail.record;
     data.history = db::attempts_beside(store, record);
     std::vector<int64_t> before;
@@ -110,8 +110,9 @@ ResultData read_result(db::Store& store, int64_t attempt_id) {
         if (db::counts(each)) before.push_back(each.id);
     }
     const size_t from = before.size() > kBandAttempts ? before.size() - kBandAttempts : 0;
-    for (size_t i = from; i < before.size(); ++i) data.earlier.push_back(store.attempt(before[i]));
-    data.comments = store.comments(attempt_id);
+    for (size_t i = from; i < before.size(); ++i)
+        data.earlier.push_back(store.attempts().detail(before[i]));
+    data.comments = store.reviews().comments(attempt_id);
     data.norms = db::norms_in_use(store, record.task_id);
     return data;
 }

@@ -109,7 +109,7 @@ void SearchBox::addPeople() {
     const bool scores = context_.may(db::Action::kViewAttempts, db::Scope::kOther);
     if (!names) return;
     context_.guard(tr("Reading the people"), [&] {
-        for (const db::UserRecord& user : context_.store().users()) {
+        for (const db::UserRecord& user : context_.store().accounts().list()) {
             // An educator wants the attempts, an administrator the account.
             const Place place = scores ? Place{PageId::kAttempts,
                                                0,
@@ -133,7 +133,7 @@ void SearchBox::readAttempts() {
             newest.user_id = user;
             newest.limit = static_cast<int>(kAttempts);
             newest.studies = studies;
-            *attempts = store.attempt_page(newest).rows;
+            *attempts = store.attempts().page(newest).rows;
         },
         [this, attempts, everybody](bool) {
             reading_ = false;

@@ -73,7 +73,7 @@ class SetupPage : public Page {
         user.roles = static_cast<db::Roles>(db::Role::kAdministrator);
         if (trains_->isChecked()) user.roles |= static_cast<db::Roles>(db::Role::kTrainee);
         context_.guard(tr("Creating the administrator"), [&] {
-            context_.store().create_user(user);
+            context_.store().accounts().create(user);
             if (demonstration_->isChecked()) addDemonstrationAccounts();
             context_.setStoreSetting("last_login", QString::fromStdString(user.login));
             Q_EMIT notice(tr("The administrator was created. Sign in to add people."));
@@ -93,7 +93,7 @@ class SetupPage : public Page {
             user.password = db::kDemonstrationPassword;
             user.roles = static_cast<db::Roles>(role);
             user.demonstration = true;
-            context_.store().create_user(user);
+            context_.store().accounts().create(user);
         }
     }
 

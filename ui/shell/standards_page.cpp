@@ -10,7 +10,7 @@
 #include <map>
 
 #include "assessment/standard_setting.h"
-#include "db/norms.h"
+#include "db/norm_bands.h"
 #include "db/standards.h"
 #include "reports/attempt_figures.h"
 #include "ui/shell/pages.h"
@@ -38,7 +38,7 @@ class StandardsPage : public Page {
  public:
     StandardsPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kViewAttempts, db::Scope::kOther);
-        known_ = context.store().tasks_with_attempts();
+        known_ = context.store().attempts().tasks();
         groups_ = place.state.value("groups").toMap();
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
@@ -80,7 +80,8 @@ class StandardsPage : public Page {
  private:
     void read() {
         operators_.clear();
-        for (db::RecentMean& each : context_.store().recent_means(task(), kLastAttempts)) {
+        for (db::RecentMean& each :
+             context_.store().attempts().recent_means(task(), kLastAttempts)) {
             Operator one;
             one.name =
                 each.user_name.empty() ? tr("number %1").arg(each.user_id) : qstr(each.user_name);

@@ -22,7 +22,7 @@ using curriculum::ItemKind;
 /// Shipped, or published here.
 std::vector<std::string> known_questionnaires(AppContext& context) {
     std::vector<std::string> ids = curriculum::list_definitions("questionnaires");
-    for (const auto& each : context.store().definitions("questionnaire"))
+    for (const auto& each : context.store().definitions().list("questionnaire"))
         if (std::find(ids.begin(), ids.end(), each.id) == ids.end()) ids.push_back(each.id);
     return ids;
 }
@@ -39,7 +39,7 @@ class StudiesPage : public Page {
         if (chosen_.isEmpty() && !ids.empty())
             chosen_ = paper ? QString("face_validity") : qstr(ids.front());
         questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
-        answers_ = context.store().answers(questionnaire_.id);
+        answers_ = context.store().studies().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
         column->addWidget(make_protocol_card(context, *this, study_));
         column->addWidget(make_label(tr("Questionnaires without a protocol"), "title"));
@@ -89,7 +89,8 @@ class StudiesPage : public Page {
         run->setObjectName("new_participant");
         connect(run, &QPushButton::clicked, this, [this] {
             context_.guard(tr("Making a participant code"), [this] {
-                const std::string code = context_.store().new_participant(questionnaire_.id);
+                const std::string code =
+                    context_.store().studies().new_participant(questionnaire_.id);
                 Q_EMIT go({PageId::kParticipant,
                            0,
                            qstr(code),

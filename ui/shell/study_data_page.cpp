@@ -25,7 +25,7 @@ class StudyDataPage : public Page {
  public:
     StudyDataPage(AppContext& context, const Place& place) : Page(context) {
         context.require(db::Action::kRunQuestionnaire);
-        ids_ = context.store().study_ids();
+        ids_ = context.store().studies().ids();
         study_ = chosen_study(context, ids_, place.state.value("study").toString());
         QVBoxLayout* column = make_column(this);
         auto* head = new QHBoxLayout;
@@ -71,8 +71,8 @@ class StudyDataPage : public Page {
     void read() {
         db::Store& store = context_.store();
         progress_ = db::study_progress(store, study_);
-        answers_ = store.answers(study_);
-        states_ = store.records().record_states(study_);
+        answers_ = store.studies().answers(study_);
+        states_ = store.records().states(study_);
         differences_ = db::entry_differences(store, study_);
         corrections_ = store.records().corrections(study_);
     }
@@ -166,7 +166,7 @@ class StudyDataPage : public Page {
         grid->addWidget(make_action(context_, this, tr("Sign"), "secondary", "check", "sign_record",
                                     [this, meaning, password] {
                                         act(tr("Signing the record"), [&](const std::string& code) {
-                                            context_.store().records().sign_record(
+                                            context_.store().records().sign(
                                                 study_, code, context_.user().login,
                                                 password->text().toStdString(),
                                                 meaning->text().trimmed().toStdString());
@@ -178,7 +178,7 @@ class StudyDataPage : public Page {
             make_action(context_, this, tr("Unlock"), "secondary", "again", "unlock_record",
                         [this, reason] {
                             act(tr("Unlocking the record"), [&](const std::string& code) {
-                                context_.store().records().unlock_record(
+                                context_.store().records().unlock(
                                     study_, code, reason->text().trimmed().toStdString());
                             });
                         }),
@@ -186,7 +186,7 @@ class StudyDataPage : public Page {
         grid->addWidget(make_action(context_, this, tr("Lock"), "primary", "lock", "lock_record",
                                     [this] {
                                         act(tr("Locking the record"), [&](const std::string& code) {
-                                            context_.store().records().lock_record(study_, code);
+                                            context_.store().records().lock(study_, code);
                                         });
                                     }),
                         0, 3, 2, 1, Qt::AlignVCenter);

@@ -85,7 +85,7 @@ QString item_notes(AppContext& context, const curriculum::Questionnaire& questio
 }
 
 curriculum::Questionnaire newest_questionnaire(AppContext& context, const std::string& id) {
-    if (const auto published = context.store().definition("questionnaire", id))
+    if (const auto published = context.store().definitions().find("questionnaire", id))
         return curriculum::load_questionnaire_text(published->json, "questionnaire " + id);
     return curriculum::load_questionnaire(id);
 }
@@ -120,7 +120,7 @@ bool confirm_draft(AppContext& context, QWidget* parent, const std::string& json
 void publish_questionnaires(AppContext& context, const curriculum::StudyProtocol& study) {
     for (const auto& step : study.steps)
         if (!step.questionnaire.empty() &&
-            !context.store().definition("questionnaire", step.questionnaire))
+            !context.store().definitions().find("questionnaire", step.questionnaire))
             db::publish_on_first_use(context.store(),
                                      curriculum::load_questionnaire(step.questionnaire));
 }

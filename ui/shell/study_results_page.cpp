@@ -38,8 +38,8 @@ class StudyResultsPage : public Page {
           view_(place.state.value("view", "figures").toString()),
           by_(place.state.value("by").toString()) {
         context.require(db::Action::kExportStudy);
-        for (const std::string& id : context.store().study_ids())
-            if (!context.store().participants(id).empty()) ids_.push_back(id);
+        for (const std::string& id : context.store().studies().ids())
+            if (!context.store().studies().participants(id).empty()) ids_.push_back(id);
         study_ = chosen_study(context, ids_, place.state.value("study").toString());
         QVBoxLayout* column = make_column(this);
         column->addLayout(head());
@@ -162,7 +162,7 @@ class StudyResultsPage : public Page {
             return reports::construct_validity(report_, by_.toStdString(), style());
         if (view == "test_retest") return reports::test_retest(report_, style());
         if (view == "learning_curves") return reports::learning_curves(report_, style());
-        return reports::rater_agreement(report_, context_.store().ratings(kRatersForm),
+        return reports::rater_agreement(report_, context_.store().reviews().ratings(kRatersForm),
                                         curriculum::load_questionnaire(kRatersForm), style());
     }
 
@@ -243,7 +243,7 @@ class StudyResultsPage : public Page {
                 for (const reports::Analysis& each :
                      {reports::construct_validity(report, by), reports::test_retest(report),
                       reports::learning_curves(report),
-                      reports::rater_agreement(report, store.ratings(kRatersForm),
+                      reports::rater_agreement(report, store.reviews().ratings(kRatersForm),
                                                curriculum::load_questionnaire(kRatersForm))}) {
                     if (!each.problem.empty()) continue;
                     tell(qstr(each.title));

@@ -218,7 +218,7 @@ class StudyRunPage : public Page {
 
     void end(db::WithdrawalMode mode, const char* reason) {
         context_.guard(tr("Ending the run"), [&] {
-            context_.store().withdraw(study_, code_.toStdString(), mode, reason);
+            context_.store().studies().withdraw(study_, code_.toStdString(), mode, reason);
             again();
         });
     }
@@ -318,7 +318,7 @@ class StudyRunPage : public Page {
             record.visit = progress_.visit;
             record.step = progress_.next;
             record.state = state;
-            context_.store().record_step(record);
+            context_.store().studies().record_step(record);
             again();
         });
     }

@@ -21,7 +21,8 @@ std::vector<std::string> course_ids(AppContext& context) {
     const auto add = [&](const std::string& id) {
         if (std::find(ids.begin(), ids.end(), id) == ids.end()) ids.push_back(id);
     };
-    for (const auto& each : context.store().assignments(context.user().id)) add(each.course_id);
+    for (const auto& each : context.store().courses().assignments(context.user().id))
+        add(each.course_id);
     for (const std::string& id : db::course_ids(context.store())) add(id);
     if (ids.empty()) {
         throw curriculum::DefinitionError((curriculum::data_folder() / "courses").string(), "",
@@ -38,7 +39,7 @@ Training load_training(AppContext& context) {
     const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
     db::CourseStanding standing =
         db::course_standing(context.store(), context.user().id, course_ids(context).front(), now);
-    training.attempts = context.store().attempts(context.user().id);
+    training.attempts = context.store().attempts().list(context.user().id);
     training.course = std::move(standing.course);
     training.next = std::move(standing.next);
     training.next_stage = training.next.stage;
@@ -82,7 +83,7 @@ NewRemarks new_remarks(AppContext& context, const std::vector<db::AttemptRecord>
     const size_t from = own.size() > kRemarkedAttempts ? own.size() - kRemarkedAttempts : 0;
     for (size_t i = from; i < own.size(); ++i) {
         const qlonglong read = context.storeSetting(read_key(context, own[i].id)).toLongLong();
-        for (const db::CommentRecord& each : context.store().comments(own[i].id)) {
+        for (const db::CommentRecord& each : context.store().reviews().comments(own[i].id)) {
             if (each.author_id == context.user().id || each.id <= read) continue;
             const auto at = QDateTime::fromString(QString::fromStdString(each.at_utc), Qt::ISODate);
             if (at < since) continue;

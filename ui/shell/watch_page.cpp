@@ -30,7 +30,7 @@ class WatchPage : public Page {
  public:
     WatchPage(AppContext& context, const Place& place)
         : Page(context),
-          record_(context.store().attempt(place.number).record),
+          record_(context.store().attempts().detail(place.number).record),
           from_s_(place.state.value("from_s").toDouble()),
           blinded_(place.state.value("blinded").toBool()),
           begin_(place.state.value("watch", true).toBool()) {

@@ -1,38 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lists that stay quick with a hundred thousand attempts: pages, and sums made by the engine.
+// Lists that stay quick with a hundred thousand attempts: pages, and one thing of each attempt.
 
-#include "db/sql_store.h"
+#include "db/attempt_rows.h"
+#include "db/attempts.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 
-AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id,
-                                Studies studies) {
-    AttemptConditions made;
-    if (studies == Studies::kLeftOut) made.add("t.study = ''");
-    if (user_id != 0) made.add("t.account_id = ?", QVariant(qlonglong(user_id)));
-    if (group_id != 0)
-        made.add(
-            "t.account_id IN (SELECT account_id FROM group_members WHERE teaches = 0 AND "
-            "group_id = ?)",
-            QVariant(qlonglong(group_id)));
-    if (!task_id.empty()) made.add("t.task_id = ?", QVariant(QString::fromStdString(task_id)));
-    return made;
-}
-
-std::string is_finished(const std::string& table) {
-    return table + ".void_reason = '' AND " + table + ".study = '' AND " + table +
-           ".end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) +
-           " AND " + table + ".verdict <> " +
-           std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
-}
-
-AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {
+AttemptPage Attempts::page(const AttemptFilter& filter) {
     connection_.begin_operation("list attempts of");
     const bool everybody = filter.user_id == 0 && filter.group_id == 0;
     const AttemptConditions where =
         conditions_of(filter.user_id, filter.group_id, filter.task_id,
-                      filter.studies && everybody ? Studies::kTakenIn : Studies::kLeftOut);
+                      filter.studies && everybody ? OfStudies::kTakenIn : OfStudies::kLeftOut);
     AttemptPage page;
     Statement count(connection_, "SELECT COUNT(*) FROM attempts t" + where.sql);
     count.run_list(where.values);
@@ -53,7 +34,7 @@ AttemptPage SqlStore::attempt_page(const AttemptFilter& filter) {
     return page;
 }
 
-std::vector<AttemptPoint> SqlStore::attempt_points(int64_t group_id, const std::string& task_id) {
+std::vector<AttemptPoint> Attempts::points(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("read scores from");
     const AttemptConditions where = conditions_of(0, group_id, task_id);
     Statement query(connection_,
@@ -67,6 +48,22 @@ std::vector<AttemptPoint> SqlStore::attempt_points(int64_t group_id, const std::
         found.push_back({query.integer("account_id"), query.integer("id"), query.text("task_id"),
                          query.text("started_utc"), query.real("points"),
                          static_cast<assessment::Verdict>(query.integer("verdict"))});
+    return found;
+}
+
+std::vector<std::string> Attempts::tasks() {
+    connection_.begin_operation("list tasks of");
+    // From one name to the next over the index: SELECT DISTINCT reads every attempt.
+    Statement next(connection_,
+                   "SELECT MIN(task_id) FROM attempts WHERE task_id > ? AND study = ''");
+    std::vector<std::string> found;
+    for (std::string last;;) {
+        next.run(last);
+        if (!next.next()) break;
+        last = next.text(0);
+        if (last.empty()) break;
+        found.push_back(last);
+    }
     return found;
 }
 

@@ -1,17 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Review: remarks on attempts, and ratings by people.
+#include "db/reviews.h"
 
 #include <cmath>
 #include <map>
 
-#include "db/sql_store.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 
 using Kind = StoreError::Kind;
 
-int64_t SqlStore::add_comment(const CommentRecord& comment) {
+Reviews::Reviews(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+int64_t Reviews::add_comment(const CommentRecord& comment) {
     connection_.begin_operation("remark on attempt " + std::to_string(comment.attempt_id) + " in");
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT duration_s FROM attempts WHERE id = ?");
@@ -24,32 +26,32 @@ int64_t SqlStore::add_comment(const CommentRecord& comment) {
                                              std::to_string(std::lround(duration_s)) + " s");
     if (comment.time_s < 0 && comment.text.empty())
         connection_.fail(Kind::kRefused, "a remark needs a text or a time");
-    (void)need_user(comment.author_id);
+    (void)context_.need_user(comment.author_id);
     Statement insert(connection_,
                      "INSERT INTO attempt_comments (attempt_id, author_id, time_s, comment, "
                      "at_utc, removed_utc) VALUES (?, ?, ?, ?, ?, '') RETURNING id");
     insert.run(comment.attempt_id, comment.author_id, comment.time_s < 0 ? -1.0 : comment.time_s,
                comment.text, utc_now());
     const int64_t id = insert.returned_id();
-    append_audit(actor_, "comment.add", "attempt " + std::to_string(comment.attempt_id),
-                 "comment " + std::to_string(id));
+    context_.append_audit("comment.add", "attempt " + std::to_string(comment.attempt_id),
+                          "comment " + std::to_string(id));
     work.commit();
     return id;
 }
 
-void SqlStore::set_comment_removed(int64_t id, bool removed) {
+void Reviews::set_comment_removed(int64_t id, bool removed) {
     connection_.begin_operation("remove a remark from");
     UnitOfWork work(connection_);
     Statement update(connection_, "UPDATE attempt_comments SET removed_utc = ? WHERE id = ?");
     update.run(removed ? utc_now() : std::string(), id);
     if (update.affected() == 0)
         connection_.fail(Kind::kNotFound, "there is no remark " + std::to_string(id));
-    append_audit(actor_, removed ? "comment.remove" : "comment.restore",
-                 "comment " + std::to_string(id), "");
+    context_.append_audit(removed ? "comment.remove" : "comment.restore",
+                          "comment " + std::to_string(id), "");
     work.commit();
 }
 
-std::vector<CommentRecord> SqlStore::comments(int64_t attempt_id) {
+std::vector<CommentRecord> Reviews::comments(int64_t attempt_id) {
     connection_.begin_operation("read the remarks of");
     Statement query(
         connection_,
@@ -73,7 +75,7 @@ std::vector<CommentRecord> SqlStore::comments(int64_t attempt_id) {
     return found;
 }
 
-int64_t SqlStore::save_rating(const RatingRecord& rating) {
+int64_t Reviews::save_rating(const RatingRecord& rating) {
     connection_.begin_operation("save a rating of attempt " + std::to_string(rating.attempt_id) +
                                 " in");
     UnitOfWork work(connection_);
@@ -83,7 +85,7 @@ int64_t SqlStore::save_rating(const RatingRecord& rating) {
                          "there is no attempt " + std::to_string(rating.attempt_id));
     if (there.integer("account_id") == rating.rater_id && there.text("study").empty())
         connection_.fail(Kind::kRefused, "nobody rates an attempt of their own");
-    (void)need_user(rating.rater_id);
+    (void)context_.need_user(rating.rater_id);
     Statement before(connection_,
                      "SELECT id FROM attempt_ratings WHERE attempt_id = ? AND rater_id = ? AND "
                      "questionnaire_id = ?");
@@ -99,15 +101,15 @@ int64_t SqlStore::save_rating(const RatingRecord& rating) {
     Statement item(connection_,
                    "INSERT INTO attempt_rating_items (rating_id, item, answer) VALUES (?, ?, ?)");
     for (const auto& [name, answer] : rating.answers) item.run(id, name, answer);
-    append_audit(actor_, "rating.save", "attempt " + std::to_string(rating.attempt_id),
-                 rating.questionnaire_id + " version " +
-                     std::to_string(rating.questionnaire_version) +
-                     (rating.blinded ? ", blinded" : ""));
+    context_.append_audit("rating.save", "attempt " + std::to_string(rating.attempt_id),
+                          rating.questionnaire_id + " version " +
+                              std::to_string(rating.questionnaire_version) +
+                              (rating.blinded ? ", blinded" : ""));
     work.commit();
     return id;
 }
 
-std::vector<RatingRecord> SqlStore::ratings(const std::string& questionnaire_id) {
+std::vector<RatingRecord> Reviews::ratings(const std::string& questionnaire_id) {
     connection_.begin_operation("read the ratings of");
     std::vector<RatingRecord> found;
     std::map<int64_t, size_t> place;

@@ -7,7 +7,10 @@
 #include <map>
 #include <tuple>
 
-#include "db/sql_store.h"
+#include "db/accounts.h"
+#include "db/attempt_rows.h"
+#include "db/attempts.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 namespace {
@@ -139,7 +142,7 @@ class Closer {
 
 }  // namespace
 
-std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::string& task_id) {
+std::vector<TaskStanding> Attempts::standings(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("sum up attempts of");
     std::vector<TaskStanding> found =
         read_standings(connection_, conditions_of(0, group_id, task_id));
@@ -148,26 +151,10 @@ std::vector<TaskStanding> SqlStore::task_standings(int64_t group_id, const std::
     return found;
 }
 
-std::vector<std::string> SqlStore::tasks_with_attempts() {
-    connection_.begin_operation("list tasks of");
-    // From one name to the next over the index: SELECT DISTINCT reads every attempt.
-    Statement next(connection_,
-                   "SELECT MIN(task_id) FROM attempts WHERE task_id > ? AND study = ''");
-    std::vector<std::string> found;
-    for (std::string last;;) {
-        next.run(last);
-        if (!next.next()) break;
-        last = next.text(0);
-        if (last.empty()) break;
-        found.push_back(last);
-    }
-    return found;
-}
-
-std::vector<RecentMean> SqlStore::recent_means(const std::string& task_id, int last) {
+std::vector<RecentMean> Attempts::recent_means(const std::string& task_id, int last) {
     // Before the question: PostgreSQL answers one at a time.
     std::map<int64_t, std::string> names;
-    for (const UserRecord& user : users()) names[user.id] = user.display_name;
+    for (const UserRecord& user : Accounts(context_).list()) names[user.id] = user.display_name;
     connection_.begin_operation("read scores from");
     const auto script = [](const std::string& table) {
         return "CASE WHEN " + table + ".device LIKE 'script:%' THEN " + table +

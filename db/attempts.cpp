@@ -1,100 +1,26 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Attempts: one transaction from result to recording.
+// One transaction from result to recording; attempts and recordings read back.
+
+#include "db/attempts.h"
 
 #include <QFile>
 #include <QSaveFile>
-#include <charconv>
 
 #include "assessment/signal.h"
 #include "db/attempt_counting.h"
+#include "db/attempt_rows.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/reason_json.h"
 #include "db/recording_chunks.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
 #include "sim/core/event.h"
 
 namespace placode::db {
 namespace {
 
 using Kind = StoreError::Kind;
-
-const std::string kAttemptColumns =
-    "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END AS user_id, CASE WHEN "
-    "t.study "
-    "= '' THEN COALESCE(p.display_name, '') ELSE t.participant END AS user_name, t.task_id, "
-    "t.task_version, "
-    "t.started_utc, t.duration_s, t.device, t.seed, t.build, t.end_reason, t.demonstration, "
-    "t.points, t.verdict, t.rubric_id, t.rubric_version, t.metric_set_version, "
-    "t.preprocessing_version, t.generated_from, t.exam_course, t.exam_course_version, "
-    "t.exam_stage, "
-    "t.proctor, t.device_certificate, t.haptic_grade, t.void_reason, t.study, t.participant FROM "
-    "attempts t LEFT JOIN "
-    "persons p ON p.account_id = "
-    "t.account_id ";
-
-uint64_t unsigned_of(const std::string& text) {
-    uint64_t value = 0;
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
-
-}  // namespace
-
-const std::string& attempt_columns() { return kAttemptColumns; }
-
-AttemptRecord read_attempt(const Statement& row) {
-    AttemptRecord record;
-    record.id = row.integer("id");
-    record.user_id = row.integer("user_id");
-    record.user_name = row.text("user_name");
-    record.task_id = row.text("task_id");
-    record.task_version = static_cast<int>(row.integer("task_version"));
-    record.started_utc = row.text("started_utc");
-    record.duration_s = row.real("duration_s");
-    record.device = row.text("device");
-    record.seed = unsigned_of(row.text("seed"));
-    record.build = row.text("build");
-    record.end = static_cast<sim::EndReason>(row.integer("end_reason"));
-    record.demonstration = row.integer("demonstration") != 0;
-    record.points = row.real("points");
-    record.verdict = static_cast<assessment::Verdict>(row.integer("verdict"));
-    record.rubric_id = row.text("rubric_id");
-    record.rubric_version = static_cast<int>(row.integer("rubric_version"));
-    record.metric_set_version = static_cast<int>(row.integer("metric_set_version"));
-    record.preprocessing_version = static_cast<int>(row.integer("preprocessing_version"));
-    record.generated = row.integer("generated_from") != 0;
-    record.exam = {row.text("exam_course"), static_cast<int>(row.integer("exam_course_version")),
-                   row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
-    record.haptic_grade = row.text("haptic_grade");
-    record.void_reason = row.text("void_reason");
-    record.study = {row.text("study"), row.text("participant")};
-    return record;
-}
-
-assessment::Reason read_reason(const Statement& row) {
-    return {
-        row.text("item"),   row.text("reason"),           row.real("points"),
-        row.real("time_s"), row.integer("critical") != 0, reason_from_json(row.text("meaning"))};
-}
-
-namespace {
-
-sim::Event read_event(const Statement& row) {
-    sim::Event event;
-    event.time_s = row.real("time_s");
-    event.kind = static_cast<sim::EventKind>(row.integer("kind"));
-    event.tool = static_cast<int8_t>(row.integer("tool"));
-    event.tissue = static_cast<sim::Tissue>(row.integer("tissue"));
-    event.value = static_cast<float>(row.real("value"));
-    event.value2 = static_cast<float>(row.real("value2"));
-    event.rest_position_m[0] = static_cast<float>(row.real("rest_x_m"));
-    event.rest_position_m[1] = static_cast<float>(row.real("rest_y_m"));
-    event.rest_position_m[2] = static_cast<float>(row.real("rest_z_m"));
-    event.element = static_cast<int32_t>(row.integer("element"));
-    return event;
-}
 
 int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics, const std::string& void_reason) {
@@ -163,7 +89,9 @@ Bytes read_bytes(Connection& connection, const std::string& path) {
 
 }  // namespace
 
-int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
+Attempts::Attempts(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     connection_.begin_operation("save an attempt in");
     Bytes packed;
     std::string checksum;
@@ -181,7 +109,7 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
         joined_reasons(tuned_reason(result.events),
                        joined_reasons(haptics.void_reason, slow_machine_reason(result.events)));
     UnitOfWork work(connection_);
-    (void)need_user(user_id);
+    (void)context_.need_user(user_id);
     const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())
@@ -192,30 +120,31 @@ int64_t SqlStore::save_attempt(int64_t user_id, const AttemptResult& result) {
             .run(id, static_cast<int64_t>(size), checksum,
                  QByteArray::fromRawData(reinterpret_cast<const char*>(packed.data()),
                                          static_cast<qsizetype>(packed.size())));
-    append_audit(actor_, "attempt.save", "attempt " + std::to_string(id),
-                 result.study.study.empty() ? "user " + std::to_string(user_id)
-                                            : result.study.study + " " + result.study.participant);
+    context_.append_audit("attempt.save", "attempt " + std::to_string(id),
+                          result.study.study.empty()
+                              ? "user " + std::to_string(user_id)
+                              : result.study.study + " " + result.study.participant);
     if (!void_reason.empty())
-        append_audit(actor_, "attempt.void", "attempt " + std::to_string(id), void_reason);
+        context_.append_audit("attempt.void", "attempt " + std::to_string(id), void_reason);
     work.commit();
     return id;
 }
 
-std::vector<AttemptRecord> SqlStore::attempts(int64_t user_id, const std::string& task_id) {
+std::vector<AttemptRecord> Attempts::list(int64_t user_id, const std::string& task_id) {
     connection_.begin_operation("list the attempts of");
-    const AttemptConditions where =
-        conditions_of(user_id, 0, task_id, user_id == 0 ? Studies::kTakenIn : Studies::kLeftOut);
-    Statement query(connection_, kAttemptColumns + where.sql + " ORDER BY t.started_utc, t.id");
+    const AttemptConditions where = conditions_of(
+        user_id, 0, task_id, user_id == 0 ? OfStudies::kTakenIn : OfStudies::kLeftOut);
+    Statement query(connection_, attempt_columns() + where.sql + " ORDER BY t.started_utc, t.id");
     query.run_list(where.values);
     std::vector<AttemptRecord> found;
     while (query.next()) found.push_back(read_attempt(query));
     return found;
 }
 
-AttemptDetail SqlStore::attempt(int64_t id) {
+AttemptDetail Attempts::detail(int64_t id) {
     connection_.begin_operation("read an attempt from");
     AttemptDetail detail;
-    Statement head(connection_, kAttemptColumns + "WHERE t.id = ?");
+    Statement head(connection_, attempt_columns() + "WHERE t.id = ?");
     head.run(id);
     if (!head.next())
         connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
@@ -248,7 +177,7 @@ AttemptDetail SqlStore::attempt(int64_t id) {
     return detail;
 }
 
-void SqlStore::extract_recording(int64_t attempt_id, const std::string& path) {
+void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
     connection_.begin_operation("extract the recording of attempt " + std::to_string(attempt_id) +
                                 " from");
     Statement query(connection_,
@@ -277,7 +206,7 @@ void SqlStore::extract_recording(int64_t attempt_id, const std::string& path) {
                                                  "); choose another place");
 }
 
-std::optional<int64_t> SqlStore::attempt_of_recording(const std::string& recording_file) {
+std::optional<int64_t> Attempts::find_recording(const std::string& recording_file) {
     connection_.begin_operation("look for a recording in");
     settle_recording_file(recording_file);
     const std::string checksum = checksum_hex(read_bytes(connection_, recording_file));
@@ -286,6 +215,30 @@ std::optional<int64_t> SqlStore::attempt_of_recording(const std::string& recordi
     query.run(checksum);
     if (!query.next()) return std::nullopt;
     return query.integer(0);
+}
+
+void Attempts::check_recordings(std::vector<std::string>& problems) {
+    std::vector<int64_t> ids;
+    Statement list(connection_, "SELECT attempt_id FROM recordings ORDER BY attempt_id");
+    list.run();
+    while (list.next()) ids.push_back(list.integer(0));
+    for (const int64_t id : ids) {
+        Statement query(connection_,
+                        "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = "
+                        "?");
+        query.run(id);
+        if (!query.next()) continue;
+        try {
+            const QByteArray content = query.bytes("content");
+            const Bytes file = decompress(std::as_bytes(std::span(content.data(), content.size())),
+                                          static_cast<size_t>(query.integer("size_bytes")));
+            if (checksum_hex(file) == query.text("checksum")) continue;
+        } catch (const StoreError&) {
+            // Reported below, like a wrong checksum.
+        }
+        problems.push_back("recordings: the recording of attempt " + std::to_string(id) +
+                           " is damaged");
+    }
 }
 
 }  // namespace placode::db

@@ -4,13 +4,14 @@
 // signature under a consent.
 
 #include "db/consent_seal.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
+#include "db/study_records.h"
 
 namespace placode::db {
 
 using Kind = StoreError::Kind;
 
-AnswerRecord SqlStore::need_answers(int64_t answer_id, int entry) {
+AnswerRecord StudyRecords::need_answers(int64_t answer_id, int entry) {
     AnswerRecord record;
     {
         Statement query(connection_,
@@ -36,9 +37,9 @@ AnswerRecord SqlStore::need_answers(int64_t answer_id, int entry) {
     return record;
 }
 
-void SqlStore::need_valid(const AnswerRecord& answers) {
-    const auto published =
-        find_definition("questionnaire", answers.questionnaire_id, answers.questionnaire_version);
+void StudyRecords::need_valid(const AnswerRecord& answers) {
+    const auto published = context_.find_definition("questionnaire", answers.questionnaire_id,
+                                                    answers.questionnaire_version);
     if (!published)
         connection_.fail(Kind::kRefused, "the questionnaire " + answers.questionnaire_id +
                                              " is not published, so that nothing says which "
@@ -49,15 +50,15 @@ void SqlStore::need_valid(const AnswerRecord& answers) {
         connection_.fail(Kind::kRefused, *problem + "; nothing was changed");
 }
 
-void SqlStore::correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
-                               const std::string& reason) {
+void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
+                                   const std::string& reason) {
     connection_.begin_operation("correct answers in");
     if (reason.empty()) connection_.fail(Kind::kRefused, "a correction needs a reason");
     UnitOfWork work(connection_);
     AnswerRecord record = need_answers(answer_id, entry);
     if (entry == 2 && record.answers.empty())
         connection_.fail(Kind::kNotFound, "these answers have no second entry");
-    need_unlocked(record.study_id, record.participant);
+    context_.need_unlocked(record.study_id, record.participant);
     const curriculum::Answers before = record.answers;
     for (const auto& [item, answer] : changes) {
         if (answer.empty())
@@ -79,17 +80,17 @@ void SqlStore::correct_answers(int64_t answer_id, int entry, const curriculum::A
         const auto old = before.find(item);
         const std::string was = old == before.end() ? "" : old->second;
         if (was == answer) continue;
-        keep.run(answer_id, entry, item, was, answer, reason, actor_, utc_now());
+        keep.run(answer_id, entry, item, was, answer, reason, context_.actor.name, utc_now());
         items += " " + item;
     }
     if (items.empty()) connection_.fail(Kind::kRefused, "nothing would change");
-    append_audit(
-        actor_, "study.correct", record.study_id + " " + record.participant,
+    context_.append_audit(
+        "study.correct", record.study_id + " " + record.participant,
         record.questionnaire_id + (entry == 2 ? ", second entry:" : ":") + items + ": " + reason);
     work.commit();
 }
 
-std::vector<Correction> SqlStore::corrections(const std::string& study_id) {
+std::vector<Correction> StudyRecords::corrections(const std::string& study_id) {
     connection_.begin_operation("read corrections from");
     Statement query(connection_,
                     "SELECT c.id, c.answer_id, c.entry, c.item, c.old_answer, c.new_answer, "
@@ -105,11 +106,11 @@ std::vector<Correction> SqlStore::corrections(const std::string& study_id) {
     return found;
 }
 
-void SqlStore::save_second_entry(const SecondEntry& entry) {
+void StudyRecords::save_second_entry(const SecondEntry& entry) {
     connection_.begin_operation("save a second entry in");
     UnitOfWork work(connection_);
     AnswerRecord record = need_answers(entry.answer_id, 1);
-    need_unlocked(record.study_id, record.participant);
+    context_.need_unlocked(record.study_id, record.participant);
     Statement there(connection_, "SELECT entered_by FROM second_entries WHERE answer_id = ?");
     if (there.run(entry.answer_id).next())
         connection_.fail(Kind::kConflict, "these answers have a second entry, by " + there.text(0));
@@ -117,16 +118,16 @@ void SqlStore::save_second_entry(const SecondEntry& entry) {
     need_valid(record);
     Statement(connection_,
               "INSERT INTO second_entries (answer_id, entered_by, at_utc) VALUES (?, ?, ?)")
-        .run(entry.answer_id, actor_, utc_now());
+        .run(entry.answer_id, context_.actor.name, utc_now());
     Statement item(connection_,
                    "INSERT INTO second_entry_items (answer_id, item, answer) VALUES (?, ?, ?)");
     for (const auto& [name, value] : entry.answers) item.run(entry.answer_id, name, value);
-    append_audit(actor_, "study.second_entry", record.study_id + " " + record.participant,
-                 record.questionnaire_id);
+    context_.append_audit("study.second_entry", record.study_id + " " + record.participant,
+                          record.questionnaire_id);
     work.commit();
 }
 
-std::vector<SecondEntry> SqlStore::second_entries(const std::string& study_id) {
+std::vector<SecondEntry> StudyRecords::second_entries(const std::string& study_id) {
     connection_.begin_operation("read second entries from");
     Statement query(connection_,
                     "SELECT e.answer_id, e.entered_by, e.at_utc, i.item, i.answer FROM "
@@ -145,26 +146,26 @@ std::vector<SecondEntry> SqlStore::second_entries(const std::string& study_id) {
     return found;
 }
 
-void SqlStore::save_consent_signature(const std::string& study_id, const std::string& code,
-                                      const std::string& path) {
+void StudyRecords::save_consent_signature(const std::string& study_id, const std::string& code,
+                                          const std::string& path) {
     connection_.begin_operation("save the signature under the consent of " + code + " in");
     if (path.empty()) connection_.fail(Kind::kRefused, "nothing was signed");
     UnitOfWork work(connection_);
-    need_active_participant(study_id, code, "");
+    context_.need_active_participant(study_id, code, "");
     Statement there(connection_,
                     "SELECT at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");
     if (there.run(study_id, code).next())
         connection_.fail(Kind::kConflict, "the consent was signed at " + there.text(0));
-    const auto seal = find_definition("consent_seal", study_id, 0);
+    const auto seal = context_.find_definition("consent_seal", study_id, 0);
     Statement(connection_,
               "INSERT INTO consent_signatures (study_id, code, path, at_utc) VALUES (?, ?, ?, ?)")
         .run(study_id, code, seal ? sealed(path, seal_of(seal->json).public_key) : path, utc_now());
-    append_audit(actor_, "study.consent.signature", study_id + " " + code, "");
+    context_.append_audit("study.consent.signature", study_id + " " + code, "");
     work.commit();
 }
 
-std::optional<ConsentSignature> SqlStore::consent_signature(const std::string& study_id,
-                                                            const std::string& code) {
+std::optional<ConsentSignature> StudyRecords::consent_signature(const std::string& study_id,
+                                                                const std::string& code) {
     connection_.begin_operation("read the signature under a consent from");
     Statement query(connection_,
                     "SELECT path, at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");

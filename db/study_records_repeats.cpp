@@ -2,20 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A procedure of a study that went wrong: done again for a reason, remarked on, never removed.
 
-#include "curriculum/study.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
+#include "db/study_records.h"
 
 namespace placode::db {
 
 using Kind = StoreError::Kind;
 
-void SqlStore::repeat_step(const std::string& study_id, const std::string& code, int visit,
-                           const std::string& step, const std::string& reason) {
+void StudyRecords::repeat_step(const std::string& study_id, const std::string& code, int visit,
+                               const std::string& step, const std::string& reason) {
     connection_.begin_operation("have the step \"" + step + "\" of " + code + " done again in");
     if (reason.empty()) connection_.fail(Kind::kRefused, "a repeat needs a reason");
     UnitOfWork work(connection_);
-    need_participant(study_id, code);
-    need_active_participant(study_id, code, "");
+    context_.need_participant(study_id, code);
+    context_.need_active_participant(study_id, code, "");
     Statement query(connection_,
                     "SELECT s.id, s.state, s.attempt_id FROM study_steps s WHERE s.study_id = ? "
                     "AND s.code = ? AND s.visit = ? AND s.step = ? AND NOT EXISTS (SELECT 1 FROM "
@@ -37,30 +37,30 @@ void SqlStore::repeat_step(const std::string& study_id, const std::string& code,
         Statement(connection_,
                   "INSERT INTO superseded_steps (step_id, reason, superseded_by, superseded_utc) "
                   "VALUES (?, ?, ?, ?)")
-            .run(id, reason, actor_, utc_now());
-    append_audit(actor_, "study.repeat", study_id + " " + code,
-                 step + ", visit " + std::to_string(visit) + ", instead of attempt " +
-                     std::to_string(attempt) + ": " + reason);
+            .run(id, reason, context_.actor.name, utc_now());
+    context_.append_audit("study.repeat", study_id + " " + code,
+                          step + ", visit " + std::to_string(visit) + ", instead of attempt " +
+                              std::to_string(attempt) + ": " + reason);
     work.commit();
 }
 
-void SqlStore::note_step(const std::string& study_id, const std::string& code, int visit,
-                         const std::string& step, const std::string& note) {
+void StudyRecords::note_step(const std::string& study_id, const std::string& code, int visit,
+                             const std::string& step, const std::string& note) {
     connection_.begin_operation("note something on the step \"" + step + "\" of " + code + " in");
     if (note.empty()) connection_.fail(Kind::kRefused, "the note is empty");
     if (step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
     UnitOfWork work(connection_);
-    need_participant(study_id, code);
-    need_unlocked(study_id, code);
+    context_.need_participant(study_id, code);
+    context_.need_unlocked(study_id, code);
     Statement(connection_,
               "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) VALUES "
               "(?, ?, ?, ?, ?, ?, ?)")
-        .run(study_id, code, visit, step, note, actor_, utc_now());
-    append_audit(actor_, "study.note", study_id + " " + code, step + ": " + note);
+        .run(study_id, code, visit, step, note, context_.actor.name, utc_now());
+    context_.append_audit("study.note", study_id + " " + code, step + ": " + note);
     work.commit();
 }
 
-std::vector<StepNote> SqlStore::step_notes(const std::string& study_id) {
+std::vector<StepNote> StudyRecords::step_notes(const std::string& study_id) {
     connection_.begin_operation("read the notes of a study from");
     Statement query(connection_,
                     "SELECT id, code, visit, step, note, noted_by, at_utc FROM step_notes WHERE "

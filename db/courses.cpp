@@ -1,92 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Groups, assignments of courses, granted attempts, certificates.
+#include "db/courses.h"
 
-#include <algorithm>
-
-#include "curriculum/course.h"
 #include "curriculum/utc_time.h"
 #include "db/packing.h"
-#include "db/password.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
 
 namespace placode::db {
+namespace {
 
 using Kind = StoreError::Kind;
-
-int64_t SqlStore::create_group(const std::string& name) {
-    connection_.begin_operation("create the group \"" + name + "\" in");
-    const std::string key = login_key(name);
-    if (key.empty()) connection_.fail(Kind::kRefused, "the name is empty");
-    UnitOfWork work(connection_);
-    Statement taken(connection_, "SELECT id FROM training_groups WHERE name_key = ?");
-    if (taken.run(key).next())
-        connection_.fail(Kind::kConflict, "there is a group of this name; choose another one");
-    Statement insert(connection_,
-                     "INSERT INTO training_groups (name, name_key, created_utc) VALUES (?, ?, ?) "
-                     "RETURNING id");
-    insert.run(name, key, utc_now());
-    const int64_t id = insert.returned_id();
-    append_audit(actor_, "group.create", "group " + std::to_string(id), name);
-    work.commit();
-    return id;
-}
-
-void SqlStore::need_group(int64_t id) {
-    Statement query(connection_, "SELECT id FROM training_groups WHERE id = ?");
-    if (!query.run(id).next())
-        connection_.fail(Kind::kNotFound, "there is no group " + std::to_string(id));
-}
-
-void SqlStore::set_group_role(int64_t group_id, int64_t user_id, GroupRole role) {
-    connection_.begin_operation("change the group " + std::to_string(group_id) + " in");
-    UnitOfWork work(connection_);
-    need_group(group_id);
-    (void)need_user(user_id);
-    Statement(connection_, "DELETE FROM group_members WHERE group_id = ? AND account_id = ?")
-        .run(group_id, user_id);
-    if (role != GroupRole::kNone)
-        Statement(connection_,
-                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, ?)")
-            .run(group_id, user_id, role == GroupRole::kEducator);
-    append_audit(actor_, "group.member",
-                 "group " + std::to_string(group_id) + " user " + std::to_string(user_id),
-                 role == GroupRole::kNone       ? "out"
-                 : role == GroupRole::kEducator ? "educator"
-                                                : "member");
-    work.commit();
-}
-
-std::vector<GroupRecord> SqlStore::groups() {
-    connection_.begin_operation("list the groups of");
-    Statement query(connection_,
-                    "SELECT g.id, g.name, g.created_utc, m.account_id, m.teaches FROM "
-                    "training_groups g LEFT JOIN group_members m ON m.group_id = g.id ORDER BY "
-                    "g.name_key, g.id, m.account_id");
-    query.run();
-    std::vector<GroupRecord> found;
-    while (query.next()) {
-        const int64_t id = query.integer("id");
-        if (found.empty() || found.back().id != id)
-            found.push_back({id, query.text("name"), query.text("created_utc"), {}, {}});
-        if (const int64_t member = query.integer("account_id"); member != 0)
-            (query.integer("teaches") != 0 ? found.back().educators : found.back().members)
-                .push_back(member);
-    }
-    return found;
-}
-
-bool SqlStore::in_reach(int64_t actor, int64_t subject) {
-    connection_.begin_operation("look up groups in");
-    Statement any(connection_, "SELECT COUNT(*) FROM group_members WHERE account_id = ?");
-    if (any.run(subject).next() && any.integer(0) == 0) return true;
-    Statement shared(connection_,
-                     "SELECT COUNT(*) FROM group_members a JOIN group_members b ON b.group_id = "
-                     "a.group_id WHERE a.account_id = ? AND a.teaches = 1 AND b.account_id = ?");
-    return shared.run(actor, subject).next() && shared.integer(0) > 0;
-}
-
-namespace {
 
 /// NULL for 0: the table says "nobody" so.
 Statement& bind_target(Statement& insert, const AssignmentRecord& a, const std::string& actor) {
@@ -107,18 +30,20 @@ void check_dates(const Connection& connection, const AssignmentRecord& a) {
 
 }  // namespace
 
-int64_t SqlStore::assign_course(const AssignmentRecord& assignment) {
+Courses::Courses(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+int64_t Courses::assign(const AssignmentRecord& assignment) {
     connection_.begin_operation("assign the course \"" + assignment.course_id + "\" in");
     check_dates(connection_, assignment);
     if ((assignment.user_id == 0) == (assignment.group_id == 0))
         connection_.fail(Kind::kRefused, "a course is assigned to a person or to a group");
     UnitOfWork work(connection_);
     if (assignment.user_id != 0)
-        (void)need_user(assignment.user_id);
+        (void)context_.need_user(assignment.user_id);
     else
-        need_group(assignment.group_id);
+        context_.need_group(assignment.group_id);
     if (assignment.course_version == 0 ||
-        !find_definition("course", assignment.course_id, assignment.course_version))
+        !context_.find_definition("course", assignment.course_id, assignment.course_version))
         connection_.fail(Kind::kRefused, "version " + std::to_string(assignment.course_version) +
                                              " is not published; publish it first");
     Statement there(connection_,
@@ -131,16 +56,17 @@ int64_t SqlStore::assign_course(const AssignmentRecord& assignment) {
                      "INSERT INTO course_assignments (course_id, course_version, account_id, "
                      "group_id, starts_utc, due_utc, assigned_by, assigned_utc, ended_utc) VALUES "
                      "(?, ?, ?, ?, ?, ?, ?, ?, '') RETURNING id");
-    const int64_t id = bind_target(insert, assignment, actor_).returned_id();
-    append_audit(actor_, "course.assign",
-                 assignment.user_id != 0 ? "user " + std::to_string(assignment.user_id)
-                                         : "group " + std::to_string(assignment.group_id),
-                 assignment.course_id + " version " + std::to_string(assignment.course_version));
+    const int64_t id = bind_target(insert, assignment, context_.actor.name).returned_id();
+    context_.append_audit(
+        "course.assign",
+        assignment.user_id != 0 ? "user " + std::to_string(assignment.user_id)
+                                : "group " + std::to_string(assignment.group_id),
+        assignment.course_id + " version " + std::to_string(assignment.course_version));
     work.commit();
     return id;
 }
 
-void SqlStore::end_assignment(int64_t id) {
+void Courses::end_assignment(int64_t id) {
     connection_.begin_operation("end the assignment " + std::to_string(id) + " in");
     UnitOfWork work(connection_);
     Statement query(connection_, "SELECT ended_utc FROM course_assignments WHERE id = ?");
@@ -148,11 +74,11 @@ void SqlStore::end_assignment(int64_t id) {
     if (!query.text(0).empty()) connection_.fail(Kind::kConflict, "it ended at " + query.text(0));
     Statement(connection_, "UPDATE course_assignments SET ended_utc = ? WHERE id = ?")
         .run(utc_now(), id);
-    append_audit(actor_, "course.unassign", "assignment " + std::to_string(id), "");
+    context_.append_audit("course.unassign", "assignment " + std::to_string(id), "");
     work.commit();
 }
 
-std::vector<AssignmentRecord> SqlStore::assignments(int64_t user_id) {
+std::vector<AssignmentRecord> Courses::assignments(int64_t user_id) {
     connection_.begin_operation("list assignments of");
     // Open-ended ones last.
     Statement query(
@@ -174,26 +100,26 @@ std::vector<AssignmentRecord> SqlStore::assignments(int64_t user_id) {
     return found;
 }
 
-void SqlStore::grant_attempts(const GrantRecord& grant) {
+void Courses::grant_attempts(const GrantRecord& grant) {
     connection_.begin_operation("grant attempts in");
     if (grant.attempts < 1 || grant.attempts > 1000)
         connection_.fail(Kind::kRefused,
                          "found " + std::to_string(grant.attempts) + "; expected 1 to 1000");
     if (grant.reason.empty()) connection_.fail(Kind::kRefused, "a grant needs a reason");
     UnitOfWork work(connection_);
-    (void)need_user(grant.user_id);
+    (void)context_.need_user(grant.user_id);
     Statement(connection_,
               "INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
               "granted_by, granted_utc) VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .run(grant.user_id, grant.course_id, grant.stage_id, grant.attempts, grant.reason, actor_,
-             utc_now());
-    append_audit(actor_, "course.grant", "user " + std::to_string(grant.user_id),
-                 grant.course_id + "/" + grant.stage_id + " +" + std::to_string(grant.attempts) +
-                     ": " + grant.reason);
+        .run(grant.user_id, grant.course_id, grant.stage_id, grant.attempts, grant.reason,
+             context_.actor.name, utc_now());
+    context_.append_audit("course.grant", "user " + std::to_string(grant.user_id),
+                          grant.course_id + "/" + grant.stage_id + " +" +
+                              std::to_string(grant.attempts) + ": " + grant.reason);
     work.commit();
 }
 
-std::vector<GrantRecord> SqlStore::grants(int64_t user_id) {
+std::vector<GrantRecord> Courses::grants(int64_t user_id) {
     connection_.begin_operation("list granted attempts of");
     Statement query(connection_,
                     "SELECT account_id, course_id, stage_id, attempts, reason, granted_by, "
@@ -223,11 +149,11 @@ CertificateRecord read_certificate(const Statement& row) {
 
 }  // namespace
 
-CertificateRecord SqlStore::save_certificate(int64_t user_id, const std::string& course_id,
-                                             int course_version, const std::string& mastered_utc) {
+CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& course_id,
+                                            int course_version, const std::string& mastered_utc) {
     connection_.begin_operation("issue a certificate in");
     UnitOfWork work(connection_);
-    (void)need_user(user_id);
+    (void)context_.need_user(user_id);
     const auto find = [&]() -> std::optional<CertificateRecord> {
         Statement query(connection_, std::string(kCertificateColumns) +
                                          "WHERE account_id = ? AND course_id = ? AND "
@@ -245,15 +171,16 @@ CertificateRecord SqlStore::save_certificate(int64_t user_id, const std::string&
     Statement(connection_,
               "INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
               "issued_utc, issued_by, code) VALUES (?, ?, ?, ?, ?, ?, ?)")
-        .run(user_id, course_id, course_version, mastered_utc, now, actor_, code);
-    append_audit(actor_, "course.certificate", "user " + std::to_string(user_id),
-                 course_id + " version " + std::to_string(course_version) + " code " + code);
+        .run(user_id, course_id, course_version, mastered_utc, now, context_.actor.name, code);
+    context_.append_audit(
+        "course.certificate", "user " + std::to_string(user_id),
+        course_id + " version " + std::to_string(course_version) + " code " + code);
     const auto saved = find();
     work.commit();
     return *saved;
 }
 
-std::vector<CertificateRecord> SqlStore::certificates(int64_t user_id) {
+std::vector<CertificateRecord> Courses::certificates(int64_t user_id) {
     connection_.begin_operation("list the certificates of");
     Statement query(connection_,
                     std::string(kCertificateColumns) + "WHERE ? = 0 OR account_id = ? ORDER BY id");

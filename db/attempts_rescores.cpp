@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scores beyond the first one of an attempt: both are kept.
 
+#include "db/attempt_rows.h"
+#include "db/attempts.h"
 #include "db/reason_json.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 
 using Kind = StoreError::Kind;
 
-int64_t SqlStore::save_rescore(const RescoreRecord& rescore) {
+int64_t Attempts::save_rescore(const RescoreRecord& rescore) {
     connection_.begin_operation("save a further score in");
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT id FROM attempts WHERE id = ?");
@@ -23,7 +25,7 @@ int64_t SqlStore::save_rescore(const RescoreRecord& rescore) {
                      "scored_by) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
     insert.run(rescore.attempt_id, score.points, static_cast<int>(score.verdict), score.rubric_id,
                score.rubric_version, score.metric_set_version, rescore.preprocessing_version,
-               utc_now(), actor_);
+               utc_now(), context_.actor.name);
     const int64_t id = insert.returned_id();
     Statement metric(connection_,
                      "INSERT INTO attempt_score_metrics (score_id, position, metric_id, value) "
@@ -38,13 +40,13 @@ int64_t SqlStore::save_rescore(const RescoreRecord& rescore) {
     for (const auto& one : score.reasons)
         reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
                    reason_json(one.meaning));
-    append_audit(actor_, "attempt.rescore", "attempt " + std::to_string(rescore.attempt_id),
-                 score.rubric_id + " version " + std::to_string(score.rubric_version));
+    context_.append_audit("attempt.rescore", "attempt " + std::to_string(rescore.attempt_id),
+                          score.rubric_id + " version " + std::to_string(score.rubric_version));
     work.commit();
     return id;
 }
 
-std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
+std::vector<RescoreRecord> Attempts::rescores(int64_t attempt_id) {
     connection_.begin_operation("list the further scores of");
     Statement query(connection_,
                     "SELECT id, points, verdict, rubric_id, rubric_version, metric_set_version, "
@@ -81,19 +83,6 @@ std::vector<RescoreRecord> SqlStore::rescores(int64_t attempt_id) {
         while (reason.next()) record.score.reasons.push_back(read_reason(reason));
     }
     return found;
-}
-
-void SqlStore::delete_attempt(int64_t id) {
-    const std::string scores =
-        " WHERE score_id IN (SELECT id FROM attempt_scores WHERE attempt_id "
-        "= ?)";
-    for (const char* table : {"attempt_score_metrics", "attempt_score_reasons"})
-        Statement(connection_, std::string("DELETE FROM ") + table + scores).run(id);
-    for (const char* table :
-         {"attempt_scores", "attempt_metrics", "attempt_reasons", "attempt_events", "recordings"})
-        Statement(connection_, std::string("DELETE FROM ") + table + " WHERE attempt_id = ?")
-            .run(id);
-    Statement(connection_, "DELETE FROM attempts WHERE id = ?").run(id);
 }
 
 }  // namespace placode::db

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Accounts, passwords and the wait after wrong ones.
 
+#include "db/accounts.h"
+
 #include <algorithm>
 
+#include "db/audit.h"
 #include "db/password.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
 
 namespace placode::db {
 namespace {
@@ -17,42 +20,26 @@ constexpr int kFirstWaitS = 5;
 constexpr int kLongestWaitS = 900;
 constexpr int64_t kForgetMs = int64_t{24} * 3600 * 1000;
 
-const std::string kUserColumns =
-    "SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc "
-    "FROM accounts a JOIN persons p ON p.account_id = a.id ";
-
-UserRecord read_user(const Statement& row) {
-    UserRecord user;
-    user.id = row.integer("id");
-    user.login = row.text("login");
-    user.display_name = row.text("display_name");
-    user.roles = static_cast<Roles>(row.integer("roles"));
-    user.active = row.integer("active") != 0;
-    user.demonstration = row.integer("demonstration") != 0;
-    user.created_utc = row.text("created_utc");
-    return user;
-}
-
 int wait_s(int64_t failures) {
     if (failures < kFreeTries) return 0;
     const auto doublings = std::min<int64_t>(failures - kFreeTries, 10);
     return std::min(kLongestWaitS, kFirstWaitS << doublings);
 }
 
-std::string name_of(int64_t id) { return "user " + std::to_string(id); }
-
 }  // namespace
 
-std::string SqlStore::check_new_user(const NewUser& user) {
+Accounts::Accounts(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+std::string Accounts::check_new_user(const NewUser& user) {
     if (login_key(user.login).empty()) connection_.fail(Kind::kRefused, "the login is empty");
     if (user.display_name.empty()) connection_.fail(Kind::kRefused, "the name is empty");
     if (user.roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
     if (const auto problem = password_problem(user.login, user.password))
         connection_.fail(Kind::kRefused, *problem);
-    return hash_password(user.password, options_.cheap_passwords);
+    return hash_password(user.password, context_.options.cheap_passwords);
 }
 
-int64_t SqlStore::create_user(const NewUser& user) {
+int64_t Accounts::create(const NewUser& user) {
     connection_.begin_operation("create the user \"" + user.login + "\" in");
     const std::string hash = check_new_user(user);
     UnitOfWork work(connection_);
@@ -61,7 +48,7 @@ int64_t SqlStore::create_user(const NewUser& user) {
     return id;
 }
 
-int64_t SqlStore::insert_user(const NewUser& user, const std::string& hash) {
+int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
     const std::string key = login_key(user.login);
     Statement taken(connection_, "SELECT account_id FROM persons WHERE login_key = ?");
     if (taken.run(key).next())
@@ -75,13 +62,12 @@ int64_t SqlStore::insert_user(const NewUser& user, const std::string& hash) {
               "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, ?, "
               "?)")
         .run(id, user.login, key, user.display_name);
-    // No name in the trail: it is kept longer than the person may be.
-    append_audit(actor_, "user.create", name_of(id), "roles " + std::to_string(user.roles));
+    context_.append_audit("user.create", user_object(id), "roles " + std::to_string(user.roles));
     return id;
 }
 
-int SqlStore::wait_before_sign_in(const std::string& key) {
-    const int64_t now = now_ms();
+int Accounts::wait_before_sign_in(const std::string& key) {
+    const int64_t now = context_.now_ms();
     Statement query(connection_,
                     "SELECT failures, last_ms FROM sign_in_failures WHERE login_key = ?");
     query.run(key);
@@ -94,7 +80,7 @@ int SqlStore::wait_before_sign_in(const std::string& key) {
     return 0;
 }
 
-SignIn SqlStore::sign_in(const std::string& login, const std::string& password) {
+SignIn Accounts::sign_in(const std::string& login, const std::string& password) {
     connection_.begin_operation("sign in to");
     const std::string key = login_key(login);
     int64_t id = 0;
@@ -104,7 +90,7 @@ SignIn SqlStore::sign_in(const std::string& login, const std::string& password) 
         UnitOfWork work(connection_);
         if (const int wait = wait_before_sign_in(key); wait > 0)
             return {SignInOutcome::kThrottled, std::nullopt, wait};
-        const int64_t now = now_ms();
+        const int64_t now = context_.now_ms();
         Statement(connection_, "DELETE FROM sign_in_failures WHERE last_ms < ?")
             .run(now - kForgetMs);
         Statement(connection_,
@@ -124,49 +110,43 @@ SignIn SqlStore::sign_in(const std::string& login, const std::string& password) 
     }
     if (id == 0) {
         // The same work as for a real account, so that time does not tell which logins exist.
-        (void)hash_password(password, options_.cheap_passwords);
+        (void)hash_password(password, context_.options.cheap_passwords);
         return {};
     }
     if (!verify_password(hash, password)) {
-        audit("unknown", "sign_in.wrong_password", name_of(id), "");
+        Audit(context_).write("unknown", "sign_in.wrong_password", user_object(id), "");
         return {};
     }
-    const UserRecord user = need_user(id);
+    const UserRecord user = context_.need_user(id);
     UnitOfWork work(connection_);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(key);
-    if (user.active && !options_.cheap_passwords && password_needs_rehash(hash))
+    if (user.active && !context_.options.cheap_passwords && password_needs_rehash(hash))
         Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?")
             .run(hash_password(password, false), id);
-    append_audit(user.login, user.active ? "sign_in" : "sign_in.deactivated", name_of(id), "");
+    context_.append_audit_as(user.login, user.active ? "sign_in" : "sign_in.deactivated",
+                             user_object(id), "");
     work.commit();
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
-    actor_ = user.login;
+    context_.actor.name = user.login;
     return {SignInOutcome::kOk, user, 0};
 }
 
-UserRecord SqlStore::need_user(int64_t id) {
-    Statement query(connection_, kUserColumns + "WHERE a.id = ?");
-    query.run(id);
-    if (!query.next()) connection_.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
-    return read_user(query);
-}
-
-void SqlStore::set_password(int64_t user_id, const std::string& password) {
+void Accounts::set_password(int64_t user_id, const std::string& password) {
     connection_.begin_operation("set a password in");
-    const UserRecord user = need_user(user_id);
+    const UserRecord user = context_.need_user(user_id);
     if (const auto problem = password_problem(user.login, password))
         connection_.fail(Kind::kRefused, *problem);
-    const std::string hash = hash_password(password, options_.cheap_passwords);
+    const std::string hash = hash_password(password, context_.options.cheap_passwords);
     UnitOfWork work(connection_);
     Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?").run(hash, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(login_key(user.login));
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);
-    append_audit(actor_, "user.password", name_of(user_id), "");
+    context_.append_audit("user.password", user_object(user_id), "");
     work.commit();
 }
 
-void SqlStore::need_another_administrator(const UserRecord& user) {
+void Accounts::need_another_administrator(const UserRecord& user) {
     if (!has_role(user.roles, Role::kAdministrator)) return;
     Statement others(connection_, "SELECT id, roles FROM accounts WHERE active = 1 AND id <> ?");
     others.run(user.id);
@@ -180,37 +160,37 @@ void SqlStore::need_another_administrator(const UserRecord& user) {
                                              "one first");
 }
 
-void SqlStore::set_active(int64_t user_id, bool active) {
+void Accounts::set_active(int64_t user_id, bool active) {
     connection_.begin_operation(active ? "activate a user in" : "deactivate a user in");
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
-    const UserRecord user = need_user(user_id);
+    const UserRecord user = context_.need_user(user_id);
     if (!active) need_another_administrator(user);
     Statement(connection_, "UPDATE accounts SET active = ? WHERE id = ?").run(active, user_id);
-    append_audit(actor_, active ? "user.activate" : "user.deactivate", name_of(user_id), "");
+    context_.append_audit(active ? "user.activate" : "user.deactivate", user_object(user_id), "");
     work.commit();
 }
 
-std::vector<UserRecord> SqlStore::users() {
+std::vector<UserRecord> Accounts::list() {
     connection_.begin_operation("list the users of");
-    Statement query(connection_, kUserColumns + "ORDER BY p.login_key");
+    Statement query(connection_, user_columns() + "ORDER BY p.login_key");
     query.run();
     std::vector<UserRecord> users;
     while (query.next()) users.push_back(read_user(query));
     return users;
 }
 
-std::optional<UserRecord> SqlStore::user(int64_t id) {
+std::optional<UserRecord> Accounts::find(int64_t id) {
     connection_.begin_operation("look up a user in");
-    Statement query(connection_, kUserColumns + "WHERE a.id = ?");
+    Statement query(connection_, user_columns() + "WHERE a.id = ?");
     query.run(id);
     if (!query.next()) return std::nullopt;
     return read_user(query);
 }
 
-std::optional<UserRecord> SqlStore::user_by_login(const std::string& login) {
+std::optional<UserRecord> Accounts::find_login(const std::string& login) {
     connection_.begin_operation("look up a user in");
-    Statement query(connection_, kUserColumns + "WHERE p.login_key = ?");
+    Statement query(connection_, user_columns() + "WHERE p.login_key = ?");
     query.run(login_key(login));
     if (!query.next()) return std::nullopt;
     return read_user(query);

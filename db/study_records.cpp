@@ -3,16 +3,18 @@
 // Lock and signature of a participant's record. The events are never changed; where a record
 // stands follows from them.
 
+#include "db/study_records.h"
+
 #include <array>
 
+#include "db/accounts.h"
 #include "db/packing.h"
-#include "db/sql_store.h"
+#include "db/store_context.h"
 
 namespace placode::db {
+namespace {
 
 using Kind = StoreError::Kind;
-
-namespace {
 
 constexpr std::array<const char*, 3> kEvents{"locked", "signed", "unlocked"};
 
@@ -21,31 +23,22 @@ void add_text(std::string& all, const std::string& text) {
     all += std::to_string(text.size()) + ":" + text + ";";
 }
 
+RecordEvent event_of(const std::string& study_id, const std::string& code, RecordEventKind kind,
+                     const std::string& login) {
+    RecordEvent event;
+    event.study_id = study_id;
+    event.code = code;
+    event.kind = kind;
+    event.login = event.name = login;
+    return event;
+}
+
 }  // namespace
 
-bool SqlStore::is_locked(const std::string& study_id, const std::string& code) {
-    Statement query(connection_,
-                    "SELECT event FROM record_events WHERE study_id = ? AND code = ? ORDER BY id "
-                    "DESC LIMIT 1");
-    query.run(study_id, code);
-    return query.next() && query.text(0) != "unlocked";
-}
+StudyRecords::StudyRecords(StoreContext& context)
+    : context_(context), connection_(context.connection) {}
 
-void SqlStore::need_participant(const std::string& study_id, const std::string& code) {
-    Statement there(connection_, "SELECT number FROM participants WHERE study_id = ? AND code = ?");
-    if (!there.run(study_id, code).next())
-        connection_.fail(Kind::kNotFound, "the study \"" + study_id + "\" has no participant \"" +
-                                              code + "\"; check the code");
-}
-
-void SqlStore::need_unlocked(const std::string& study_id, const std::string& code) {
-    if (is_locked(study_id, code))
-        connection_.fail(Kind::kRefused, "the record of " + code +
-                                             " is locked; unlock it with a reason first, which "
-                                             "cancels its signature");
-}
-
-std::string SqlStore::record_checksum(const std::string& study_id, const std::string& code) {
+std::string StudyRecords::checksum_of(const std::string& study_id, const std::string& code) {
     std::string all;
     const auto add_rows = [&](const char* sql) {
         Statement query(connection_, sql);
@@ -77,98 +70,85 @@ std::string SqlStore::record_checksum(const std::string& study_id, const std::st
     // Only where there are any: a record that was signed before there were such things stays right.
     add_if_any(
         "SELECT u.step_id, u.reason, u.superseded_utc FROM superseded_steps u JOIN study_steps s "
-        "ON "
-        "s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id");
+        "ON s.id = u.step_id WHERE s.study_id = ? AND s.code = ? ORDER BY u.step_id");
     add_if_any(
         "SELECT id, visit, step, note, at_utc FROM step_notes WHERE study_id = ? AND code = ? "
         "ORDER BY id");
     return checksum_hex(all);
 }
 
-void SqlStore::insert_record_event(RecordEvent event) {
+void StudyRecords::insert_event(RecordEvent event) {
     event.at_utc = utc_now();
     Statement(connection_,
               "INSERT INTO record_events (study_id, code, event, remark, checksum, by_login, "
               "by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
         .run(event.study_id, event.code, kEvents[static_cast<size_t>(event.kind)], event.remark,
              event.checksum, event.login, event.name, event.at_utc);
-    append_audit(actor_, std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
-                 event.study_id + " " + event.code,
-                 event.remark + (event.remark.empty() ? "" : "; ") + "record " + event.checksum);
+    context_.append_audit(
+        std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
+        event.study_id + " " + event.code,
+        event.remark + (event.remark.empty() ? "" : "; ") + "record " + event.checksum);
 }
 
-namespace {
-
-RecordEvent event_of(const std::string& study_id, const std::string& code, RecordEventKind kind,
-                     const std::string& login) {
-    RecordEvent event;
-    event.study_id = study_id;
-    event.code = code;
-    event.kind = kind;
-    event.login = event.name = login;
-    return event;
-}
-
-}  // namespace
-
-void SqlStore::lock_record(const std::string& study_id, const std::string& code) {
+void StudyRecords::lock(const std::string& study_id, const std::string& code) {
     connection_.begin_operation("lock the record of " + code + " in");
     UnitOfWork work(connection_);
-    need_participant(study_id, code);
-    if (is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is locked already");
-    RecordEvent event = event_of(study_id, code, RecordEventKind::kLocked, actor_);
-    event.checksum = record_checksum(study_id, code);
-    insert_record_event(event);
+    context_.need_participant(study_id, code);
+    if (context_.is_locked(study_id, code))
+        connection_.fail(Kind::kConflict, "it is locked already");
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kLocked, context_.actor.name);
+    event.checksum = checksum_of(study_id, code);
+    insert_event(event);
     work.commit();
 }
 
-void SqlStore::sign_record(const std::string& study_id, const std::string& code,
-                           const std::string& login, const std::string& password,
-                           const std::string& meaning) {
+void StudyRecords::sign(const std::string& study_id, const std::string& code,
+                        const std::string& login, const std::string& password,
+                        const std::string& meaning) {
     const std::string operation = "sign the record of " + code + " in";
     connection_.begin_operation(operation);
     if (meaning.empty())
         connection_.fail(Kind::kRefused, "a signature needs its meaning, such as \"reviewed\"");
     // As every sign-in: counted, and slowed down after wrong ones.
-    const std::string before = actor_;
-    const SignIn who = sign_in(login, password);
+    const std::string before = context_.actor.name;
+    const SignIn who = Accounts(context_).sign_in(login, password);
     connection_.begin_operation(operation);
     if (who.outcome != SignInOutcome::kOk) {
-        actor_ = before;
+        context_.actor.name = before;
         connection_.fail(Kind::kRefused, who.outcome == SignInOutcome::kThrottled
                                              ? "too many wrong passwords; try again in " +
                                                    std::to_string(who.wait_s) + " s"
                                              : "login or password is wrong; nothing was signed");
     }
     UnitOfWork work(connection_);
-    if (!is_locked(study_id, code))
+    if (!context_.is_locked(study_id, code))
         connection_.fail(Kind::kRefused, "lock the record first: what is signed must not change");
-    const auto states = record_states(study_id);
-    if (const auto found = states.find(code); found != states.end() && found->second.signature)
+    const auto all = states(study_id);
+    if (const auto found = all.find(code); found != all.end() && found->second.signature)
         connection_.fail(Kind::kConflict,
                          "it is signed already, by " + found->second.signature->name);
     RecordEvent event = event_of(study_id, code, RecordEventKind::kSigned, who.user->login);
     event.name = who.user->display_name;
     event.remark = meaning;
-    event.checksum = record_checksum(study_id, code);
-    insert_record_event(event);
+    event.checksum = checksum_of(study_id, code);
+    insert_event(event);
     work.commit();
 }
 
-void SqlStore::unlock_record(const std::string& study_id, const std::string& code,
-                             const std::string& reason) {
+void StudyRecords::unlock(const std::string& study_id, const std::string& code,
+                          const std::string& reason) {
     connection_.begin_operation("unlock the record of " + code + " in");
     if (reason.empty()) connection_.fail(Kind::kRefused, "unlocking needs a reason");
     UnitOfWork work(connection_);
-    if (!is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is not locked");
-    RecordEvent event = event_of(study_id, code, RecordEventKind::kUnlocked, actor_);
+    if (!context_.is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is not locked");
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kUnlocked, context_.actor.name);
     event.remark = reason;
-    event.checksum = record_checksum(study_id, code);
-    insert_record_event(event);
+    event.checksum = checksum_of(study_id, code);
+    insert_event(event);
     work.commit();
 }
 
-std::vector<RecordEvent> SqlStore::record_events(const std::string& study_id) {
+std::vector<RecordEvent> StudyRecords::events(const std::string& study_id) {
     connection_.begin_operation("read locks and signatures from");
     Statement query(connection_,
                     "SELECT id, code, event, remark, checksum, by_login, by_name, at_utc FROM "
@@ -193,20 +173,20 @@ std::vector<RecordEvent> SqlStore::record_events(const std::string& study_id) {
     return found;
 }
 
-std::map<std::string, RecordState> SqlStore::record_states(const std::string& study_id) {
-    std::map<std::string, RecordState> states;
-    for (RecordEvent& event : record_events(study_id)) {
-        RecordState& state = states[event.code];
+std::map<std::string, RecordState> StudyRecords::states(const std::string& study_id) {
+    std::map<std::string, RecordState> found;
+    for (RecordEvent& event : events(study_id)) {
+        RecordState& state = found[event.code];
         state.locked = event.kind != RecordEventKind::kUnlocked;
         if (event.kind == RecordEventKind::kSigned)
             state.signature = std::move(event);
         else
             state.signature.reset();
     }
-    for (auto& [code, state] : states)
+    for (auto& [code, state] : found)
         if (state.signature)
-            state.signature_fits = state.signature->checksum == record_checksum(study_id, code);
-    return states;
+            state.signature_fits = state.signature->checksum == checksum_of(study_id, code);
+    return found;
 }
 
 }  // namespace placode::db

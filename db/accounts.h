@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Part of Store: who people are to it. Users, sign-in, PIN, invitations, erasure.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+class Connection;
+struct StoreContext;
+
+enum class SignInOutcome : uint8_t { kOk, kWrong, kThrottled, kDeactivated };
+struct SignIn {
+    SignInOutcome outcome = SignInOutcome::kWrong;
+    std::optional<UserRecord> user;
+    int wait_s = 0;  ///< kThrottled: seconds until the next try.
+};
+
+struct NewUser {
+    std::string login, display_name, password;
+    Roles roles = static_cast<Roles>(Role::kTrainee);
+    bool demonstration = false;
+};
+
+/// `store.accounts()`. Every change is one transaction and in the audit trail.
+class Accounts {
+ public:
+    explicit Accounts(StoreContext& context);
+
+    int64_t create(const NewUser& user);  ///< Throws kConflict, kRefused (weak password).
+    /// After 5 wrong passwords in a row the login has to wait: 5 s, then twice as long each time,
+    /// at most 15 min. What is not an account waits and takes as long as what is one.
+    SignIn sign_in(const std::string& login, const std::string& password);
+    void set_password(int64_t user_id, const std::string& password);
+    /// Throws kRefused when it would leave no active administrator.
+    void set_active(int64_t user_id, bool active);
+    [[nodiscard]] std::vector<UserRecord> list();  ///< By login.
+    [[nodiscard]] std::optional<UserRecord> find(int64_t id);
+    [[nodiscard]] std::optional<UserRecord> find_login(const std::string& login);
+
+    // accounts_pin.cpp
+    /// Four to twelve digits for a quick return at a shared station; empty = none any more. Throws
+    /// kRefused for a PIN that is too easy. A new password takes the PIN away.
+    void set_pin(int64_t user_id, const std::string& pin);
+    [[nodiscard]] bool has_pin(int64_t user_id);
+    /// As sign_in(), by PIN. After 3 wrong ones in a row the PIN is gone and the password needed.
+    SignIn unlock(int64_t user_id, const std::string& pin);
+
+    // accounts_invitations.cpp
+    /// Returns the code to hand over; the store keeps its hash only.
+    std::string invite(const InvitationRecord& invitation);
+    [[nodiscard]] std::vector<InvitationRecord> invitations();
+    /// Makes the account of who was invited; roles and group are the invitation's. A code works
+    /// once. Throws kRefused for a code that is wrong, used or expired, else as create().
+    int64_t accept_invitation(const std::string& code, const NewUser& user);
+
+    // accounts_erasure.cpp
+    void request_erasure(int64_t user_id, const std::string& reason);
+    [[nodiscard]] std::vector<ErasureRecord> erasure_requests();
+    /// Removes who the account is: name, login, password, PIN, groups, assignments; it can never be
+    /// signed in to again. Attempts stay without a name, or go as well. Throws kRefused for the
+    /// last active administrator.
+    void erase(int64_t user_id, bool with_attempts);
+
+ private:
+    [[nodiscard]] int wait_before_sign_in(const std::string& key);
+    void need_another_administrator(const UserRecord& user);
+    /// Inside a transaction, everything checked.
+    int64_t insert_user(const NewUser& user, const std::string& hash);
+    /// Throws kRefused for what a new account may not be; returns the hash of the password.
+    [[nodiscard]] std::string check_new_user(const NewUser& user);
+
+    StoreContext& context_;
+    Connection& connection_;
+};
+
+}  // namespace placode::db

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Erasure: asked for by somebody, done by an administrator.
+
+#include <vector>
+
+#include "db/accounts.h"
+#include "db/password.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
+    connection_.begin_operation("ask for erasure in");
+    UnitOfWork work(connection_);
+    (void)context_.need_user(user_id);
+    Statement there(connection_, "SELECT account_id FROM erasure_requests WHERE account_id = ?");
+    if (there.run(user_id).next())
+        connection_.fail(Kind::kConflict, "erasure was asked for already");
+    Statement(connection_,
+              "INSERT INTO erasure_requests (account_id, reason, asked_utc, done_utc) VALUES (?, "
+              "?, ?, '')")
+        .run(user_id, reason, utc_now());
+    context_.append_audit("user.ask_erasure", user_object(user_id), "");
+    work.commit();
+}
+
+std::vector<ErasureRecord> Accounts::erasure_requests() {
+    connection_.begin_operation("list requests for erasure of");
+    Statement query(connection_,
+                    "SELECT account_id, reason, asked_utc, done_utc FROM erasure_requests ORDER BY "
+                    "asked_utc, account_id");
+    query.run();
+    std::vector<ErasureRecord> found;
+    while (query.next())
+        found.push_back({query.integer("account_id"), query.text("reason"), query.text("asked_utc"),
+                         query.text("done_utc")});
+    return found;
+}
+
+void Accounts::erase(int64_t user_id, bool with_attempts) {
+    connection_.begin_operation("erase a person in");
+    UnitOfWork work(connection_);
+    connection_.lock_table("accounts");
+    const UserRecord user = context_.need_user(user_id);
+    need_another_administrator(user);
+    if (with_attempts) {
+        std::vector<int64_t> attempts;
+        {
+            Statement query(connection_,
+                            "SELECT id FROM attempts WHERE account_id = ? AND study = ''");
+            query.run(user_id);
+            while (query.next()) attempts.push_back(query.integer(0));
+        }
+        for (const int64_t id : attempts) context_.delete_attempt(id);
+    }
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
+        .run(login_key(user.login));
+    for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",
+                              "course_grants", "certificates"})
+        Statement(connection_, std::string("DELETE FROM ") + table + " WHERE account_id = ?")
+            .run(user_id);
+    Statement(connection_,
+              "UPDATE accounts SET active = 0, password_hash = '', roles = 0 WHERE id = ?")
+        .run(user_id);
+    Statement(connection_,
+              "INSERT INTO erasure_requests (account_id, reason, asked_utc, done_utc) VALUES (?, "
+              "'', ?, ?) ON CONFLICT (account_id) DO UPDATE SET reason = '', done_utc = "
+              "excluded.done_utc")
+        .run(user_id, utc_now(), utc_now());
+    context_.append_audit("user.erase", user_object(user_id),
+                          with_attempts ? "with attempts" : "attempts stay without a name");
+    work.commit();
+}
+
+}  // namespace placode::db

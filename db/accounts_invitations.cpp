@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Invitations: a code in place of an account that somebody else makes.
+
+#include "curriculum/utc_time.h"
+#include "db/accounts.h"
+#include "db/packing.h"
+#include "db/password.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+/// In groups of six: 119 bits.
+std::string new_code() {
+    std::string code = random_letters(6);
+    for (int i = 0; i < 3; ++i) code.append("-").append(random_letters(6));
+    return code;
+}
+
+}  // namespace
+
+std::string Accounts::invite(const InvitationRecord& invitation) {
+    connection_.begin_operation("invite somebody to");
+    if (invitation.roles == 0) connection_.fail(Kind::kRefused, "the invitation has no role");
+    if (!curriculum::utc_seconds(invitation.expires_utc))
+        connection_.fail(Kind::kRefused, "found the date \"" + invitation.expires_utc +
+                                             "\"; an invitation needs a last day, such as "
+                                             "2026-11-21");
+    UnitOfWork work(connection_);
+    if (invitation.group_id != 0) context_.need_group(invitation.group_id);
+    const std::string code = new_code();
+    Statement insert(connection_,
+                     "INSERT INTO invitations (code_hash, roles, group_id, note, invited_by, "
+                     "made_utc, expires_utc, used_utc) VALUES (?, ?, ?, ?, ?, ?, ?, '') RETURNING "
+                     "id");
+    insert.run(checksum_hex(code), int{invitation.roles}, OrNull{invitation.group_id},
+               invitation.note, context_.actor.name, utc_now(), invitation.expires_utc);
+    const int64_t id = insert.returned_id();
+    context_.append_audit("user.invite", "invitation " + std::to_string(id),
+                          "roles " + std::to_string(invitation.roles));
+    work.commit();
+    return code;
+}
+
+std::vector<InvitationRecord> Accounts::invitations() {
+    connection_.begin_operation("list invitations of");
+    Statement query(connection_,
+                    "SELECT id, roles, COALESCE(group_id, 0) AS group_id, note, invited_by, "
+                    "made_utc, expires_utc, used_utc FROM invitations ORDER BY id");
+    query.run();
+    std::vector<InvitationRecord> found;
+    while (query.next())
+        found.push_back({query.integer("id"), static_cast<Roles>(query.integer("roles")),
+                         query.integer("group_id"), query.text("note"), query.text("invited_by"),
+                         query.text("made_utc"), query.text("expires_utc"),
+                         query.text("used_utc")});
+    return found;
+}
+
+int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user) {
+    connection_.begin_operation("accept an invitation to");
+    NewUser invited = user;
+    invited.roles = static_cast<Roles>(Role::kTrainee);  // Until the code has said which.
+    const std::string hash = check_new_user(invited);
+    UnitOfWork work(connection_);
+    connection_.lock_table("invitations");
+    int64_t id = 0, group = 0;
+    std::string expires;
+    {
+        Statement query(connection_,
+                        "SELECT id, roles, COALESCE(group_id, 0) AS group_id, expires_utc FROM "
+                        "invitations "
+                        "WHERE code_hash = ? AND used_utc = ''");
+        if (!query.run(checksum_hex(code)).next())
+            connection_.fail(Kind::kRefused, "the code is wrong or was used; ask for another one");
+        id = query.integer("id");
+        invited.roles = static_cast<Roles>(query.integer("roles"));
+        group = query.integer("group_id");
+        expires = query.text("expires_utc");
+    }
+    // The last day is a day to its end.
+    const int64_t last = curriculum::utc_seconds(expires).value_or(0) +
+                         (expires.size() == 10 ? int64_t{86400} : int64_t{0});
+    if (context_.now_ms() / 1000 >= last)
+        connection_.fail(Kind::kRefused,
+                         "the invitation ended on " + expires + "; ask for another one");
+    const int64_t user_id = insert_user(invited, hash);
+    if (group != 0)
+        Statement(connection_,
+                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
+            .run(group, user_id);
+    Statement(connection_, "UPDATE invitations SET used_utc = ? WHERE id = ?").run(utc_now(), id);
+    context_.append_audit_as(invited.login, "user.invited", user_object(user_id),
+                             "invitation " + std::to_string(id));
+    work.commit();
+    return user_id;
+}
+
+}  // namespace placode::db

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/attempt_rows.h"
+
+#include <charconv>
+
+#include "db/reason_json.h"
+
+namespace placode::db {
+namespace {
+
+uint64_t unsigned_of(const std::string& text) {
+    uint64_t value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+}  // namespace
+
+const std::string& attempt_columns() {
+    static const std::string columns =
+        "SELECT t.id, CASE WHEN t.study = '' THEN t.account_id ELSE 0 END AS user_id, CASE WHEN "
+        "t.study = '' THEN COALESCE(p.display_name, '') ELSE t.participant END AS user_name, "
+        "t.task_id, t.task_version, t.started_utc, t.duration_s, t.device, t.seed, t.build, "
+        "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
+        "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
+        "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
+        "t.void_reason, t.study, t.participant FROM attempts t LEFT JOIN persons p ON p.account_id "
+        "= t.account_id ";
+    return columns;
+}
+
+AttemptRecord read_attempt(const Statement& row) {
+    AttemptRecord record;
+    record.id = row.integer("id");
+    record.user_id = row.integer("user_id");
+    record.user_name = row.text("user_name");
+    record.task_id = row.text("task_id");
+    record.task_version = static_cast<int>(row.integer("task_version"));
+    record.started_utc = row.text("started_utc");
+    record.duration_s = row.real("duration_s");
+    record.device = row.text("device");
+    record.seed = unsigned_of(row.text("seed"));
+    record.build = row.text("build");
+    record.end = static_cast<sim::EndReason>(row.integer("end_reason"));
+    record.demonstration = row.integer("demonstration") != 0;
+    record.points = row.real("points");
+    record.verdict = static_cast<assessment::Verdict>(row.integer("verdict"));
+    record.rubric_id = row.text("rubric_id");
+    record.rubric_version = static_cast<int>(row.integer("rubric_version"));
+    record.metric_set_version = static_cast<int>(row.integer("metric_set_version"));
+    record.preprocessing_version = static_cast<int>(row.integer("preprocessing_version"));
+    record.generated = row.integer("generated_from") != 0;
+    record.exam = {row.text("exam_course"), static_cast<int>(row.integer("exam_course_version")),
+                   row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
+    record.haptic_grade = row.text("haptic_grade");
+    record.void_reason = row.text("void_reason");
+    record.study = {row.text("study"), row.text("participant")};
+    return record;
+}
+
+assessment::Reason read_reason(const Statement& row) {
+    return {
+        row.text("item"),   row.text("reason"),           row.real("points"),
+        row.real("time_s"), row.integer("critical") != 0, reason_from_json(row.text("meaning"))};
+}
+
+sim::Event read_event(const Statement& row) {
+    sim::Event event;
+    event.time_s = row.real("time_s");
+    event.kind = static_cast<sim::EventKind>(row.integer("kind"));
+    event.tool = static_cast<int8_t>(row.integer("tool"));
+    event.tissue = static_cast<sim::Tissue>(row.integer("tissue"));
+    event.value = static_cast<float>(row.real("value"));
+    event.value2 = static_cast<float>(row.real("value2"));
+    event.rest_position_m[0] = static_cast<float>(row.real("rest_x_m"));
+    event.rest_position_m[1] = static_cast<float>(row.real("rest_y_m"));
+    event.rest_position_m[2] = static_cast<float>(row.real("rest_z_m"));
+    event.element = static_cast<int32_t>(row.integer("element"));
+    return event;
+}
+
+AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::string& task_id,
+                                OfStudies studies) {
+    AttemptConditions made;
+    if (studies == OfStudies::kLeftOut) made.add("t.study = ''");
+    if (user_id != 0) made.add("t.account_id = ?", QVariant(qlonglong(user_id)));
+    if (group_id != 0)
+        made.add(
+            "t.account_id IN (SELECT account_id FROM group_members WHERE teaches = 0 AND "
+            "group_id = ?)",
+            QVariant(qlonglong(group_id)));
+    if (!task_id.empty()) made.add("t.task_id = ?", QVariant(QString::fromStdString(task_id)));
+    return made;
+}
+
+std::string is_finished(const std::string& table) {
+    return table + ".void_reason = '' AND " + table + ".study = '' AND " + table +
+           ".end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) +
+           " AND " + table + ".verdict <> " +
+           std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
+}
+
+}  // namespace placode::db

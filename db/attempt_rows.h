@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Questions about the table attempts and how their rows are read. Only attempts*.cpp and norms.cpp
+// include this.
+
+#include <QVariant>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "db/records.h"
+#include "db/sql_connection.h"
+
+namespace placode::db {
+
+/// SELECT ... FROM attempts t ..., for read_attempt().
+[[nodiscard]] const std::string& attempt_columns();
+[[nodiscard]] AttemptRecord read_attempt(const Statement& row);
+/// From a question for item, reason, points, time_s, critical, meaning.
+[[nodiscard]] assessment::Reason read_reason(const Statement& row);
+/// From a question for all columns of attempt_events but the attempt's.
+[[nodiscard]] sim::Event read_event(const Statement& row);
+
+/// WHERE over `attempts t`. Conditions are written only where they are asked for: "(? = 0 OR ...)"
+/// would keep the engine from using an index.
+struct AttemptConditions {
+    std::string sql;  ///< " WHERE ...", or empty.
+    std::vector<QVariant> values;
+
+    void add(const std::string& condition) {
+        sql += (sql.empty() ? " WHERE " : " AND ") + condition;
+    }
+    void add(const std::string& condition, const QVariant& value) {
+        add(condition);
+        values.push_back(value);
+    }
+};
+/// What participants did in studies is nobody's training.
+enum class OfStudies : uint8_t { kLeftOut, kTakenIn };
+/// 0 and empty = no condition.
+[[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
+                                              const std::string& task_id,
+                                              OfStudies studies = OfStudies::kLeftOut);
+/// Interrupted attempts count nowhere, nor do those that are void for cause or of a study.
+[[nodiscard]] std::string is_finished(const std::string& table);
+
+}  // namespace placode::db

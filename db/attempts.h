@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Part of Store: attempts with their scores and recordings, and what lists and sums say of them.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+class Connection;
+struct StoreContext;
+
+/// `store.attempts().list()`. Every change is one transaction and in the audit trail.
+class Attempts {
+ public:
+    explicit Attempts(StoreContext& context);
+
+    /// Attempt, metrics, reasons, events and the recording's bytes, all or nothing. Vaporised
+    /// elements and hashes are left out of the events: the recording has them.
+    int64_t save(int64_t user_id, const AttemptResult& result);
+    /// Oldest first; user_id 0 = everybody's and those of studies; task_id empty = all. A person's
+    /// own never hold what a participant did while that person was signed in.
+    [[nodiscard]] std::vector<AttemptRecord> list(int64_t user_id, const std::string& task_id = {});
+    [[nodiscard]] AttemptDetail detail(int64_t id);  ///< Throws kNotFound.
+    /// Writes the recording file of an attempt to `path`.
+    void extract_recording(int64_t attempt_id, const std::string& path);
+    /// The attempt that holds exactly this recording file, if any: a file left over from a crash
+    /// between saving and removing is not saved twice.
+    [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
+    /// Adds what is damaged to `problems`, for Store::check().
+    void check_recordings(std::vector<std::string>& problems);
+
+    // attempts_rescores.cpp
+    /// Keeps a further score beside the first one. Throws kConflict when the attempt has one under
+    /// the same rubric, metric set and pre-processing.
+    int64_t save_rescore(const RescoreRecord& rescore);
+    [[nodiscard]] std::vector<RescoreRecord> rescores(int64_t attempt_id);
+
+    // attempts_lists.cpp
+    [[nodiscard]] AttemptPage page(const AttemptFilter& filter);  ///< Of a list.
+    /// By person, task and time.
+    [[nodiscard]] std::vector<AttemptPoint> points(int64_t group_id,
+                                                   const std::string& task_id = {});
+    /// Ids of the tasks that anybody has attempted, by name.
+    [[nodiscard]] std::vector<std::string> tasks();
+
+    // attempts_standings.cpp
+    /// By name and task; group_id 0 = everybody. task_id empty = all.
+    [[nodiscard]] std::vector<TaskStanding> standings(int64_t group_id,
+                                                      const std::string& task_id = {});
+    /// Mean of each one's last `last` finished attempts at a task, by name.
+    [[nodiscard]] std::vector<RecentMean> recent_means(const std::string& task_id, int last);
+
+ private:
+    StoreContext& context_;
+    Connection& connection_;
+};
+
+}  // namespace placode::db

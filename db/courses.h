@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Part of Store: assignments of courses, granted attempts, certificates.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+class Connection;
+struct StoreContext;
+
+/// `store.courses()`. Every change is one transaction and in the audit trail.
+class Courses {
+ public:
+    explicit Courses(StoreContext& context);
+
+    /// Assigns a published version. Throws kRefused (not published, dates), kConflict (already).
+    int64_t assign(const AssignmentRecord& assignment);
+    void end_assignment(int64_t id);  ///< Throws kNotFound, kConflict.
+    /// What holds for a person, also by group, by due date; user_id 0 = all, also ended ones.
+    [[nodiscard]] std::vector<AssignmentRecord> assignments(int64_t user_id);
+    void grant_attempts(const GrantRecord& grant);  ///< Throws kRefused.
+    [[nodiscard]] std::vector<GrantRecord> grants(int64_t user_id);
+    /// The same certificate again where this version has one. Whether it is deserved is decided by
+    /// issue_certificate() in db/course_conduct.h.
+    CertificateRecord save_certificate(int64_t user_id, const std::string& course_id,
+                                       int course_version, const std::string& mastered_utc);
+    [[nodiscard]] std::vector<CertificateRecord> certificates(int64_t user_id);  ///< 0 = all.
+
+ private:
+    StoreContext& context_;
+    Connection& connection_;
+};
+
+}  // namespace placode::db

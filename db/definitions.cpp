@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/definitions.h"
+
+#include <sodium.h>
+#include <algorithm>
+#include <array>
+
+#include "curriculum/course.h"
+#include "curriculum/standard.h"
+#include "curriculum/study.h"
+#include "db/consent_seal.h"
+#include "db/packing.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+constexpr std::array<std::string_view, 6> kKinds{"questionnaire", "study",    "course",
+                                                 "rubric",        "standard", "consent_seal"};
+
+/// Throws DefinitionError: only what can be read again is published.
+void check_content(const DefinitionRecord& definition) {
+    const std::string origin = definition.kind + " " + definition.id;
+    std::string id;
+    int version = 0;
+    if (definition.kind == "questionnaire") {
+        const auto read = curriculum::load_questionnaire_text(definition.json, origin);
+        id = read.id, version = read.version;
+    } else if (definition.kind == "course") {
+        const auto read = curriculum::load_course_text(definition.json, origin);
+        id = read.id, version = read.version;
+    } else if (definition.kind == "rubric") {
+        const auto read = curriculum::load_rubric_text(definition.json, origin);
+        id = definition.id.substr(0, definition.id.find('/') + 1) + read.id, version = read.version;
+    } else if (definition.kind == "standard") {
+        const auto read = curriculum::load_standard_text(definition.json, origin);
+        id = read.task_id, version = read.version;
+    } else if (definition.kind == "consent_seal") {
+        const auto read = seal_of(definition.json);
+        id = read.study_id, version = read.version;
+    } else {
+        const auto read = curriculum::load_study_text(definition.json, origin);
+        id = read.id, version = read.version;
+    }
+    if (id != definition.id || version != definition.version)
+        throw curriculum::DefinitionError(origin, "/id",
+                                          "is " + id + " version " + std::to_string(version) +
+                                              "; expected version " +
+                                              std::to_string(definition.version));
+}
+
+/// What stands in clear is sealed; what was sealed for an earlier key stays as it is.
+void seal_signatures(Connection& connection, const DefinitionRecord& definition) {
+    const std::string key = seal_of(definition.json).public_key;
+    std::vector<std::pair<std::string, std::string>> clear;
+    Statement query(connection, "SELECT code, path FROM consent_signatures WHERE study_id = ?");
+    query.run(definition.id);
+    while (query.next())
+        if (!is_sealed(query.text("path")))
+            clear.emplace_back(query.text("code"), query.text("path"));
+    for (const auto& [code, path] : clear)
+        Statement(connection,
+                  "UPDATE consent_signatures SET path = ? WHERE study_id = ? AND code = ?")
+            .run(sealed(path, key), definition.id, code);
+}
+
+}  // namespace
+
+Definitions::Definitions(StoreContext& context)
+    : context_(context), connection_(context.connection) {}
+
+void Definitions::publish(const DefinitionRecord& definition) {
+    const std::string name =
+        definition.kind + " " + definition.id + " version " + std::to_string(definition.version);
+    connection_.begin_operation("publish " + name + " in");
+    if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
+        connection_.fail(Kind::kRefused,
+                         "only questionnaires, studies, courses, rubrics, standards and seals "
+                         "of consents are published");
+    check_content(definition);
+    UnitOfWork work(connection_);
+    connection_.lock_table("definitions");
+    if (const auto there =
+            context_.find_definition(definition.kind, definition.id, definition.version)) {
+        if (there->json == definition.json) return;
+        connection_.fail(Kind::kConflict, name +
+                                              " is published with another text, which is never "
+                                              "changed; give your text the next version");
+    }
+    const auto newest = context_.find_definition(definition.kind, definition.id, 0);
+    if (newest && newest->version > definition.version)
+        connection_.fail(Kind::kConflict, "version " + std::to_string(newest->version) +
+                                              " is published already; give your text a higher "
+                                              "version");
+    if (newest && definition.reason.empty())
+        connection_.fail(Kind::kRefused, "an amendment needs a reason");
+    Statement(connection_,
+              "INSERT INTO definitions (kind, id, version, content, checksum, reason, "
+              "published_by, published_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
+        .run(definition.kind, definition.id, definition.version, definition.json,
+             checksum_hex(definition.json), definition.reason, context_.actor.name, utc_now());
+    if (definition.kind == "study" && !newest) {
+        uint64_t seed = 0;
+        randombytes_buf(&seed, sizeof seed);
+        Statement(connection_, "INSERT INTO study_allocations (study_id, seed) VALUES (?, ?)")
+            .run(definition.id, std::to_string(seed));
+    }
+    if (definition.kind == "consent_seal") seal_signatures(connection_, definition);
+    context_.append_audit(definition.kind + ".publish",
+                          definition.id + " version " + std::to_string(definition.version),
+                          definition.reason);
+    work.commit();
+}
+
+std::optional<DefinitionRecord> Definitions::find(const std::string& kind, const std::string& id,
+                                                  int version) {
+    connection_.begin_operation("read the " + kind + " " + id + " from");
+    return context_.find_definition(kind, id, version);
+}
+
+std::vector<DefinitionRecord> Definitions::list(const std::string& kind) {
+    connection_.begin_operation("list published definitions of");
+    Statement query(connection_, definition_columns() + "WHERE kind = ? ORDER BY id, version");
+    query.run(kind);
+    std::vector<DefinitionRecord> found;
+    while (query.next()) found.push_back(read_definition(query));
+    return found;
+}
+
+}  // namespace placode::db

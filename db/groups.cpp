@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/groups.h"
+
+#include "db/password.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+Groups::Groups(StoreContext& context) : context_(context), connection_(context.connection) {}
+
+int64_t Groups::create(const std::string& name) {
+    connection_.begin_operation("create the group \"" + name + "\" in");
+    const std::string key = login_key(name);
+    if (key.empty()) connection_.fail(Kind::kRefused, "the name is empty");
+    UnitOfWork work(connection_);
+    Statement taken(connection_, "SELECT id FROM training_groups WHERE name_key = ?");
+    if (taken.run(key).next())
+        connection_.fail(Kind::kConflict, "there is a group of this name; choose another one");
+    Statement insert(connection_,
+                     "INSERT INTO training_groups (name, name_key, created_utc) VALUES (?, ?, ?) "
+                     "RETURNING id");
+    insert.run(name, key, utc_now());
+    const int64_t id = insert.returned_id();
+    context_.append_audit("group.create", "group " + std::to_string(id), name);
+    work.commit();
+    return id;
+}
+
+void Groups::set_role(int64_t group_id, int64_t user_id, GroupRole role) {
+    connection_.begin_operation("change the group " + std::to_string(group_id) + " in");
+    UnitOfWork work(connection_);
+    context_.need_group(group_id);
+    (void)context_.need_user(user_id);
+    Statement(connection_, "DELETE FROM group_members WHERE group_id = ? AND account_id = ?")
+        .run(group_id, user_id);
+    if (role != GroupRole::kNone)
+        Statement(connection_,
+                  "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, ?)")
+            .run(group_id, user_id, role == GroupRole::kEducator);
+    context_.append_audit("group.member",
+                          "group " + std::to_string(group_id) + " user " + std::to_string(user_id),
+                          role == GroupRole::kNone       ? "out"
+                          : role == GroupRole::kEducator ? "educator"
+                                                         : "member");
+    work.commit();
+}
+
+std::vector<GroupRecord> Groups::list() {
+    connection_.begin_operation("list the groups of");
+    Statement query(connection_,
+                    "SELECT g.id, g.name, g.created_utc, m.account_id, m.teaches FROM "
+                    "training_groups g LEFT JOIN group_members m ON m.group_id = g.id ORDER BY "
+                    "g.name_key, g.id, m.account_id");
+    query.run();
+    std::vector<GroupRecord> found;
+    while (query.next()) {
+        const int64_t id = query.integer("id");
+        if (found.empty() || found.back().id != id)
+            found.push_back({id, query.text("name"), query.text("created_utc"), {}, {}});
+        if (const int64_t member = query.integer("account_id"); member != 0)
+            (query.integer("teaches") != 0 ? found.back().educators : found.back().members)
+                .push_back(member);
+    }
+    return found;
+}
+
+bool Groups::in_reach(int64_t actor, int64_t subject) {
+    connection_.begin_operation("look up groups in");
+    Statement any(connection_, "SELECT COUNT(*) FROM group_members WHERE account_id = ?");
+    if (any.run(subject).next() && any.integer(0) == 0) return true;
+    Statement shared(connection_,
+                     "SELECT COUNT(*) FROM group_members a JOIN group_members b ON b.group_id = "
+                     "a.group_id WHERE a.account_id = ? AND a.teaches = 1 AND b.account_id = ?");
+    return shared.run(actor, subject).next() && shared.integer(0) > 0;
+}
+
+}  // namespace placode::db

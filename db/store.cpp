@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening, health and backup of a store.
+
+#include "db/store.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QStandardPaths>
+#include <QUuid>
+#include <cassert>
+#include <filesystem>
+
+#include "db/schema.h"
+#include "db/sqlite_file.h"
+#include "db/store_context.h"
+
+namespace placode::db {
+namespace {
+
+// Two programs may update a store within one millisecond, so the name also says which.
+std::string file_stamp() {
+    return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString() + "-" +
+           QUuid::createUuid().toString(QUuid::WithoutBraces).left(8).toStdString();
+}
+
+/// The tables of this program, in a store that may be new or older.
+void bring_up_to_date(StoreContext& context) {
+    Connection& connection = context.connection;
+    connection.begin_operation("open");
+    if (connection.is_sqlite()) claim_sqlite_file(connection);
+    const auto& set = context.options.migrations;
+    migrate(connection, set.empty() ? embedded_migrations() : set, [&connection] {
+        if (!connection.is_sqlite() || connection.url().path == ":memory:") return;
+        const std::string problem = sqlite_integrity_problem(connection);
+        if (!problem.empty())
+            connection.fail(StoreError::Kind::kDamaged,
+                            "not migrated, because it is damaged (" + problem +
+                                "); restore a backup with `placodectl restore FILE`");
+        copy_sqlite_store(connection, connection.url().path + ".before-update-" + file_stamp());
+    });
+}
+
+}  // namespace
+
+Store::Store(std::unique_ptr<StoreContext> context)
+    : context_(std::move(context)),
+      accounts_(*context_),
+      attempts_(*context_),
+      norms_(*context_),
+      groups_(*context_),
+      courses_(*context_),
+      reviews_(*context_),
+      definitions_(*context_),
+      studies_(*context_),
+      records_(*context_),
+      audit_(*context_) {}
+
+Store::~Store() = default;
+
+void Store::act_as(const std::string& actor) { context_->actor.name = actor; }
+
+std::string Store::url() const { return context_->connection.url().shown; }
+
+std::vector<std::string> Store::check() {
+    Connection& connection = context_->connection;
+    connection.begin_operation("check");
+    std::vector<std::string> problems;
+    if (connection.is_sqlite()) {
+        const std::string problem = sqlite_integrity_problem(connection);
+        if (!problem.empty()) problems.push_back("file: " + problem);
+        Statement keys(connection, "PRAGMA foreign_key_check");
+        keys.run();
+        if (keys.next())
+            problems.push_back("references: a row of " + keys.text("table") +
+                               " refers to a missing " + keys.text("parent"));
+    }
+    try {
+        audit_.check_chain(problems);
+        attempts_.check_recordings(problems);
+    } catch (const StoreError& error) {
+        problems.emplace_back(error.what());
+    }
+    return problems;
+}
+
+void Store::backup(const std::string& path) {
+    Connection& connection = context_->connection;
+    connection.begin_operation("back up");
+    if (!connection.is_sqlite())
+        connection.fail(StoreError::Kind::kRefused,
+                        "a PostgreSQL store is backed up on its server, with pg_dump");
+    const std::string part = path + ".part";
+    if (std::filesystem::exists(path))
+        connection.fail(StoreError::Kind::kConflict,
+                        path + " exists and is not overwritten; give another name");
+    std::filesystem::remove(part);
+    copy_sqlite_store(connection, part);
+    std::filesystem::rename(part, path);
+    UnitOfWork work(connection);
+    context_->append_audit("store.backup", path, "");
+    work.commit();
+}
+
+std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& options) {
+    assert(QCoreApplication::instance() != nullptr);
+    const StoreUrl parsed = parse_store_url(url);
+    if (parsed.engine == Engine::kSqlite) prepare_sqlite_file(parsed.path, "open");
+    auto context = std::make_unique<StoreContext>(parsed, options);
+    bring_up_to_date(*context);
+    return std::make_unique<Store>(std::move(context));
+}
+
+std::string default_store_url() {
+    return "sqlite:" +
+           QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() +
+           "/placode/placode.db";
+}
+
+}  // namespace placode::db

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/store_context.h"
+
+#include <QDateTime>
+
+#include "db/packing.h"
+
+namespace placode::db {
+
+using Kind = StoreError::Kind;
+
+StoreContext::StoreContext(const StoreUrl& url, const StoreOptions& set)
+    : connection(url), options(set) {}
+
+int64_t StoreContext::now_ms() const {
+    return options.now_ms ? options.now_ms() : QDateTime::currentMSecsSinceEpoch();
+}
+
+void StoreContext::append_audit(const std::string& action, const std::string& object,
+                                const std::string& detail) {
+    append_audit_as(actor.name, action, object, detail);
+}
+
+void StoreContext::append_audit_as(const std::string& name, const std::string& action,
+                                   const std::string& object, const std::string& detail) {
+    connection.lock_table("audit");
+    std::string previous;
+    Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
+    last.run();
+    if (last.next()) previous = last.text(0);
+    const AuditRecord row{0, utc_now(), name, action, object, detail};
+    Statement(connection,
+              "INSERT INTO audit (at_utc, actor, action, object, detail, chain) VALUES (?, ?, ?, "
+              "?, ?, ?)")
+        .run(row.at_utc, row.actor, row.action, row.object, row.detail, audit_chain(previous, row));
+}
+
+void StoreContext::delete_attempt(int64_t id) {
+    const std::string scores =
+        " WHERE score_id IN (SELECT id FROM attempt_scores WHERE attempt_id "
+        "= ?)";
+    for (const char* table : {"attempt_score_metrics", "attempt_score_reasons"})
+        Statement(connection, std::string("DELETE FROM ") + table + scores).run(id);
+    for (const char* table :
+         {"attempt_scores", "attempt_metrics", "attempt_reasons", "attempt_events", "recordings"})
+        Statement(connection, std::string("DELETE FROM ") + table + " WHERE attempt_id = ?")
+            .run(id);
+    Statement(connection, "DELETE FROM attempts WHERE id = ?").run(id);
+}
+
+UserRecord StoreContext::need_user(int64_t id) {
+    Statement query(connection, user_columns() + "WHERE a.id = ?");
+    query.run(id);
+    if (!query.next()) connection.fail(Kind::kNotFound, "there is no user " + std::to_string(id));
+    return read_user(query);
+}
+
+void StoreContext::need_group(int64_t id) {
+    Statement query(connection, "SELECT id FROM training_groups WHERE id = ?");
+    if (!query.run(id).next())
+        connection.fail(Kind::kNotFound, "there is no group " + std::to_string(id));
+}
+
+std::optional<DefinitionRecord> StoreContext::find_definition(const std::string& kind,
+                                                              const std::string& id, int version) {
+    Statement query(connection, definition_columns() +
+                                    "WHERE kind = ? AND id = ? AND (? = 0 OR version = ?) ORDER "
+                                    "BY version DESC LIMIT 1");
+    query.run(kind, id, version, version);
+    if (!query.next()) return std::nullopt;
+    return read_definition(query);
+}
+
+const std::string& user_columns() {
+    static const std::string columns =
+        "SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc "
+        "FROM accounts a JOIN persons p ON p.account_id = a.id ";
+    return columns;
+}
+
+UserRecord read_user(const Statement& row) {
+    UserRecord user;
+    user.id = row.integer("id");
+    user.login = row.text("login");
+    user.display_name = row.text("display_name");
+    user.roles = static_cast<Roles>(row.integer("roles"));
+    user.active = row.integer("active") != 0;
+    user.demonstration = row.integer("demonstration") != 0;
+    user.created_utc = row.text("created_utc");
+    return user;
+}
+
+const std::string& definition_columns() {
+    static const std::string columns =
+        "SELECT kind, id, version, content, checksum, reason, published_by, published_utc FROM "
+        "definitions ";
+    return columns;
+}
+
+DefinitionRecord read_definition(const Statement& row) {
+    return {row.text("kind"),
+            row.text("id"),
+            static_cast<int>(row.integer("version")),
+            row.text("content"),
+            row.text("checksum"),
+            row.text("reason"),
+            row.text("published_by"),
+            row.text("published_utc")};
+}
+
+std::string audit_chain(const std::string& previous, const AuditRecord& entry) {
+    // Unit separators, so that no two different rows give the same text.
+    std::string text = previous;
+    for (const std::string* part :
+         {&entry.at_utc, &entry.actor, &entry.action, &entry.object, &entry.detail})
+        text += '\x1f' + *part;
+    return checksum_hex(text);
+}
+
+std::string user_object(int64_t id) { return "user " + std::to_string(id); }
+
+}  // namespace placode::db

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What only tests and special programs set when they open a store.
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "db/migrations.h"
+
+namespace placode::db {
+
+struct StoreOptions {
+    bool cheap_passwords = false;     ///< Tests: weakest Argon2id, because hashing takes 50 ms.
+    std::function<int64_t()> now_ms;  ///< Clock of the sign-in waits [ms]; empty = the system's.
+    std::vector<EmbeddedSql> migrations;  ///< Empty = embedded_migrations().
+};
+
+}  // namespace placode::db

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Part of Store: participants of studies, what they did and answered. Pseudonymous: nothing here
+// knows an account. What becomes of it later: db/study_records.h.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "db/records.h"
+
+namespace placode::db {
+
+class Connection;
+struct StoreContext;
+
+/// `store.studies()`. Every change is one transaction and in the audit trail.
+class Studies {
+ public:
+    explicit Studies(StoreContext& context);
+
+    /// Ids of all studies that have participants or a published protocol.
+    [[nodiscard]] std::vector<std::string> ids();
+    /// Next code with check character; where the study is published with arms, allocates.
+    std::string new_participant(const std::string& study_id, bool demonstration = false);
+    [[nodiscard]] std::vector<ParticipantRecord> participants(const std::string& study_id);
+    /// The device for a participant's attempts where the protocol names none. Throws kNotFound.
+    void set_participant_device(const std::string& study_id, const std::string& code,
+                                const std::string& device);
+
+    // studies_steps.cpp
+    /// Throws kRefused for who has withdrawn, and where consent is needed and missing. An attempt
+    /// that the step names belongs to the participant from then on.
+    int64_t record_step(const StepRecord& step);
+    [[nodiscard]] std::vector<StepRecord> steps(const std::string& study_id);
+
+    // studies_answers.cpp
+    /// Refuses as record_step() does.
+    int64_t save_answers(const AnswerRecord& answers);
+    [[nodiscard]] std::vector<AnswerRecord> answers(const std::string& study_id);
+
+    // studies_withdrawal.cpp
+    /// Throws kRefused without a reason, kConflict when the participant has withdrawn already and
+    /// the new mode does not erase.
+    void withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
+                  const std::string& reason);
+
+ private:
+    int64_t insert_step(const StepRecord& step);
+    void erase_participant(const std::string& study_id, const std::string& code);
+
+    StoreContext& context_;
+    Connection& connection_;
+};
+
+}  // namespace placode::db

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Withdrawal, with the erasure that a participant may ask for.
+
+#include <array>
+#include <vector>
+
+#include "db/store_context.h"
+#include "db/studies.h"
+
+namespace placode::db {
+namespace {
+
+using Kind = StoreError::Kind;
+
+constexpr std::array<const char*, 3> kModes{"keep", "stop", "erase"};
+
+}  // namespace
+
+void Studies::erase_participant(const std::string& study_id, const std::string& code) {
+    std::vector<int64_t> attempts;
+    {
+        Statement query(connection_,
+                        "SELECT DISTINCT attempt_id FROM study_steps WHERE study_id = ? AND code = "
+                        "? AND attempt_id > 0 UNION SELECT id FROM attempts WHERE study = ? AND "
+                        "participant = ?");
+        query.run(study_id, code, study_id, code);
+        while (query.next()) attempts.push_back(query.integer(0));
+    }
+    for (const int64_t id : attempts) context_.delete_attempt(id);
+    Statement(connection_,
+              "DELETE FROM superseded_steps WHERE step_id IN (SELECT id FROM study_steps WHERE "
+              "study_id = ? AND code = ?)")
+        .run(study_id, code);
+    for (const char* table : {"step_notes", "participant_devices"})
+        Statement(connection_,
+                  std::string("DELETE FROM ") + table + " WHERE study_id = ? AND code = ?")
+            .run(study_id, code);
+    const std::string mine =
+        " WHERE answer_id IN (SELECT id FROM answers WHERE study_id = ? AND participant = ?)";
+    for (const char* table :
+         {"answer_changes", "answer_corrections", "second_entry_items", "second_entries"})
+        Statement(connection_, std::string("DELETE FROM ") + table + mine).run(study_id, code);
+    Statement(connection_, "DELETE FROM consent_signatures WHERE study_id = ? AND code = ?")
+        .run(study_id, code);
+    Statement(connection_, "DELETE FROM answer_items" + mine).run(study_id, code);
+    Statement(connection_, "DELETE FROM answers WHERE study_id = ? AND participant = ?")
+        .run(study_id, code);
+    Statement(connection_, "DELETE FROM study_steps WHERE study_id = ? AND code = ?")
+        .run(study_id, code);
+}
+
+void Studies::withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
+                       const std::string& reason) {
+    connection_.begin_operation("withdraw " + code + " from the study \"" + study_id + "\" in");
+    if (reason.empty())
+        connection_.fail(Kind::kRefused, "a withdrawal needs a reason; \"not given\" is one");
+    UnitOfWork work(connection_);
+    Statement query(connection_,
+                    "SELECT w.mode FROM participants p LEFT JOIN withdrawals w ON w.study_id = "
+                    "p.study_id AND w.code = p.code WHERE p.study_id = ? AND p.code = ?");
+    if (!query.run(study_id, code).next())
+        connection_.fail(Kind::kNotFound, "there is no such participant; check the code");
+    const std::string before = query.text(0);
+    // Who has withdrawn may still ask for less use of the data, never for more.
+    const bool less = before == "keep" ? mode != WithdrawalMode::kKeep
+                                       : before == "stop" && mode == WithdrawalMode::kErase;
+    if (!before.empty() && !less)
+        connection_.fail(Kind::kConflict, "the participant has withdrawn already (" + before + ")");
+    if (before.empty())
+        Statement(connection_,
+                  "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "
+                  "withdrawn_utc) VALUES (?, ?, ?, ?, ?, ?)")
+            .run(study_id, code, kModes[static_cast<size_t>(mode)], reason, context_.actor.name,
+                 utc_now());
+    else
+        Statement(connection_,
+                  "UPDATE withdrawals SET mode = ?, reason = ?, withdrawn_by = ?, withdrawn_utc = "
+                  "? WHERE study_id = ? AND code = ?")
+            .run(kModes[static_cast<size_t>(mode)], reason, context_.actor.name, utc_now(),
+                 study_id, code);
+    if (mode == WithdrawalMode::kErase) erase_participant(study_id, code);
+    context_.append_audit("study.withdraw", study_id + " " + code,
+                          std::string(kModes[static_cast<size_t>(mode)]) + ": " + reason);
+    work.commit();
+}
+
+}  // namespace placode::db
