@@ -28,6 +28,8 @@ struct BoxOptions {
     ToolSpec tool;
     /// Moves the lattice: new coordinate along `axis` (0, 1, 2) of a plane of it; empty = as it is.
     std::function<double(int axis, double x)> graded;
+    /// Of a tet, by its centroid; empty = `tissue` everywhere.
+    std::function<Tissue(const Vec3&)> tissue_at;
 };
 
 /// Block centred on the z axis with its top at z = 0 and one tool; depth known to the field.
@@ -41,6 +43,11 @@ inline Scene box_scene(const BoxOptions& options) {
         for (Vec3& x : spec.mesh.rest) {
             for (int k = 0; k < 3; ++k) x[k] = options.graded(k, x[k]);
         }
+    }
+    for (size_t t = 0; t < spec.mesh.tets.size() && options.tissue_at; ++t) {
+        Vec3 sum = Vec3::Zero();
+        for (const int32_t v : spec.mesh.tets[t]) sum += spec.mesh.rest[static_cast<size_t>(v)];
+        spec.mesh.tissue[t] = options.tissue_at(sum / 4);
     }
     spec.mesh = renumbered(spec.mesh, rcm_order(spec.mesh));
     spec.materials.fill(options.material);

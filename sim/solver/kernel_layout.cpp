@@ -27,14 +27,18 @@ Mat3 rest_stretch(const SoftBodySpec& spec, int tet) noexcept {
 }
 
 TetConstants tet_constants(const SoftBodySpec& spec, int t) {
+    std::array<Vec3, 4> rest;
+    for (size_t k = 0; k < 4; ++k)
+        rest[k] = spec.mesh.rest[as_index(spec.mesh.tets[as_index(t)][k])];
+    return tet_constants(spec, t, rest);
+}
+
+TetConstants tet_constants(const SoftBodySpec& spec, int t,
+                           const std::array<Vec3, 4>& rest) noexcept {
     const auto i = static_cast<size_t>(t);
-    const auto& tet = spec.mesh.tets[i];
     const Mat3 scale = rest_stretch(spec, t);
     Mat3 dm;
-    for (int k = 0; k < 3; ++k) {
-        dm.col(k) = scale * (spec.mesh.rest[as_index(tet[as_index(k) + 1])] -
-                             spec.mesh.rest[as_index(tet[0])]);
-    }
+    for (int k = 0; k < 3; ++k) dm.col(k) = scale * (rest[as_index(k) + 1] - rest[0]);
     const Mat3 inverse = dm.inverse();  // rows are the gradients of corners 1, 2, 3
     std::array<Vec3, 4> gradient;
     gradient[0].setZero();

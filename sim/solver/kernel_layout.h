@@ -102,11 +102,11 @@ void fields(Of<KernelLayout> auto& s, Visit&& visit) {
            corner_sign, edge_weight_n_m, spring_vertices, damping_per_s, tet_batches, tet_job_start,
            tet_phase_start, tet_index, tet_rows, tet_slot, tet_lane_start, tet_lambda_start,
            spring_sum_start, tether_start, tether_of, sheet, single_vertices, lane_count] = s;
-    visit.kept(batches, strip, keep, slot, corner_lane, corner_sign, damping_per_s, tet_index);
-    visit.constant(job_start, phase_start, job, colour, springs, edge_weight_n_m, spring_vertices,
-                   tet_batches, tet_job_start, tet_phase_start, tet_rows, tet_slot, tet_lane_start,
-                   tet_lambda_start, spring_sum_start, tether_start, tether_of, sheet,
-                   single_vertices, lane_count);
+    visit.kept(batches, strip, keep, slot, corner_lane, corner_sign, damping_per_s, tet_index,
+               edge_weight_n_m, tet_rows);
+    visit.constant(job_start, phase_start, job, colour, springs, spring_vertices, tet_batches,
+                   tet_job_start, tet_phase_start, tet_slot, tet_lane_start, tet_lambda_start,
+                   spring_sum_start, tether_start, tether_of, sheet, single_vertices, lane_count);
 }
 
 /// Constants of one tet at its (scaled) rest shape.
@@ -116,6 +116,9 @@ struct TetConstants {
     NeoHookean material;
 };
 [[nodiscard]] TetConstants tet_constants(const SoftBodySpec& spec, int t);
+/// The same with its corners at `rest` instead of where the mesh has them.
+[[nodiscard]] TetConstants tet_constants(const SoftBodySpec& spec, int t,
+                                         const std::array<Vec3, 4>& rest) noexcept;
 
 /// True where strips over the links are packed: the kernels of VBD walk along them.
 [[nodiscard]] inline bool has_strips(const KernelLayout& packed) noexcept {

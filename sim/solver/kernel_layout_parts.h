@@ -20,6 +20,9 @@ namespace placode::sim {
 /// Throws MeshError when two vertices of one batch are too far apart for 16-bit offsets.
 void check_span(int32_t first, int32_t last);
 
+/// Writes the constants of a tet for XPBD into its lane of `tet_rows`.
+void write_tet_row(const TetConstants& constants, float* row) noexcept;
+
 /// Writes the mu weights of vertex `v` from its living tets, so that removal leaves no residue.
 void set_vertex_weights(const SoftBody& body, const KernelLayout& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept;

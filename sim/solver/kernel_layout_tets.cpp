@@ -44,16 +44,7 @@ void add_tet_batch(const SoftBody& body, KernelLayout& out, std::span<const int3
             out.tet_index[index + kLanes * k + lane] =
                 static_cast<uint16_t>(2 * (body.mesh().tets[as_index(t)][k] - b.base));
         }
-        const TetConstants c = tet_constants(body.spec(), t);
-        // b_1.b_1 b_2.b_2 b_3.b_3 b_1.b_2 b_1.b_3 b_2.b_3 from a_ij = -b_i.b_j.
-        const auto& e = c.a;
-        const std::array<double, 6> dots{
-            e[0] + e[3] + e[4], e[1] + e[3] + e[5], e[2] + e[4] + e[5], -e[3], -e[4], -e[5]};
-        for (size_t k = 0; k < 6; ++k) {
-            out.tet_rows[rows + kLanes * k + lane] = static_cast<float>(dots[k]);
-        }
-        out.tet_rows[rows + kLanes * 6 + lane] = static_cast<float>(1 / (6 * c.volume_m3));
-        out.tet_rows[rows + kLanes * 7 + lane] = static_cast<float>(c.material.gamma - 1);
+        write_tet_row(tet_constants(body.spec(), t), out.tet_rows.data() + rows + lane);
         if (lane < members.size()) {
             out.tet_slot[as_index(t)] =
                 static_cast<int32_t>(out.tet_batches.size() * kLanes + lane);
@@ -63,6 +54,16 @@ void add_tet_batch(const SoftBody& body, KernelLayout& out, std::span<const int3
 }
 
 }  // namespace
+
+void write_tet_row(const TetConstants& constants, float* row) noexcept {
+    // b_1.b_1 b_2.b_2 b_3.b_3 b_1.b_2 b_1.b_3 b_2.b_3 from a_ij = -b_i.b_j.
+    const auto& e = constants.a;
+    const std::array<double, 6> dots{
+        e[0] + e[3] + e[4], e[1] + e[3] + e[5], e[2] + e[4] + e[5], -e[3], -e[4], -e[5]};
+    for (size_t k = 0; k < 6; ++k) row[kLanes * k] = static_cast<float>(dots[k]);
+    row[size_t{kLanes} * 6] = static_cast<float>(1 / (6 * constants.volume_m3));
+    row[size_t{kLanes} * 7] = static_cast<float>(constants.material.gamma - 1);
+}
 
 void set_vertex_weights(const SoftBody& body, const KernelLayout& packed,
                         std::span<const uint8_t> tet_alive, int v, float* lanes) noexcept {

@@ -25,13 +25,13 @@ constexpr double kBalanced = 0.05;   // a vertex would go on, of its shortest ed
 
 bool collapsed(const SoftBody& body, const SoftBodyState& state, int tet) noexcept {
     if (state.tet_alive[as_index(tet)] == 0) return false;
-    const auto &k = corners(body, state, tet), &r = body.mesh().tets[as_index(tet)];
+    const auto& k = corners(body, state, tet);
     for (size_t i = 1; i < 4; ++i) {
         for (size_t j = 0; j < i; ++j) {
             const double now =
                 (to_vec(state.x[as_index(k[i])]) - to_vec(state.x[as_index(k[j])])).norm();
             const double rest =
-                (body.mesh().rest[as_index(r[i])] - body.mesh().rest[as_index(r[j])]).norm();
+                (rest_place(body, state, k[i]) - rest_place(body, state, k[j])).norm();
             if (!(now < kCollapsed * rest)) return false;
         }
     }
@@ -54,7 +54,7 @@ struct Piece {
 };
 
 Vec3 rest_of(const SoftBody& body, const SoftBodyState& state, size_t v) noexcept {
-    return body.mesh().rest[as_index(origin_of(state, static_cast<int>(v)))];
+    return rest_place(body, state, static_cast<int>(v));
 }
 
 /// Largest relative difference of an edge around a vertex from its rest length.

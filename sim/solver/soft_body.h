@@ -259,6 +259,12 @@ void fields(Of<SoftBodyState> auto& s, Visit&& visit) {
     const SoftBodyState& state) noexcept;
 /// Vertex of the mesh that a vertex came from: itself, unless it is a copy.
 [[nodiscard]] int32_t origin_of(const SoftBodyState& state, int vertex) noexcept;
+/// Where a vertex is at rest [m]: the mesh's place, unless a cut has slid it (slide_vertex.h).
+[[nodiscard]] const Vec3& rest_place(const SoftBody& body, const SoftBodyState& state,
+                                     int vertex) noexcept;
+/// Volume of a tet at rest [m^3], likewise.
+[[nodiscard]] float rest_volume_of(const SoftBody& body, const SoftBodyState& state,
+                                   int tet) noexcept;
 /// Lumped mass [kg].
 [[nodiscard]] float mass_of(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept;
 /// The kernels' view of the body.

@@ -43,6 +43,16 @@ int32_t origin_of(const SoftBodyState& state, int vertex) noexcept {
     return state.topology ? state.topology->origin[as_index(vertex)] : vertex;
 }
 
+const Vec3& rest_place(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept {
+    return state.topology ? state.topology->rest[as_index(vertex)]
+                          : body.mesh().rest[as_index(vertex)];
+}
+
+float rest_volume_of(const SoftBody& body, const SoftBodyState& state, int tet) noexcept {
+    return state.topology ? state.topology->volume_m3[as_index(tet)]
+                          : body.volume_m3()[as_index(tet)];
+}
+
 float mass_of(const SoftBody& body, const SoftBodyState& state, int vertex) noexcept {
     return state.topology ? state.topology->mass_kg[as_index(vertex)]
                           : body.mass_kg()[as_index(vertex)];

@@ -71,7 +71,7 @@ uint32_t surely_below(const SoftBody& body, const SoftBodyState& state,
         for (size_t e = 0; e < 6; ++e) weight[e][i] = weights[6 * t + e];
         const auto tissue = static_cast<size_t>(body.mesh().tissue[t]);
         const Scale scale = scale_of(body.spec(), t);
-        const float volume = scale.volume * body.volume_m3()[t];
+        const float volume = scale.volume * rest_volume_of(body, state, static_cast<int>(t));
         mu_v[i] = limits.mu_pa[tissue] * scale.stiffness * volume;
         six_v[i] = 6 * volume;
         s[i] = limits.stretch[tissue];

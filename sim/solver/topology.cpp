@@ -36,21 +36,21 @@ int32_t new_lane(Topology& top, int32_t vertex) noexcept {
     return (top.pool_first + fresh) * kLanes;
 }
 
-void fill_mass(const SoftBody& body, Topology& topology, int32_t v) noexcept {
+}  // namespace
+
+void fill_mass(const SoftBody& body, Topology& topology, int v) noexcept {
     double mass = 0;
     for (int i = 0; i < topology.count[as_index(v)]; ++i) {
         const auto t = as_index(topology.around[as_index(topology.first[as_index(v)] + i)]);
         const auto& m = body.spec().materials[as_index(static_cast<int>(body.mesh().tissue[t]))];
         // Dead tets count: their mass stays with their vertices.
-        mass += m.density_kg_m3 * static_cast<double>(body.volume_m3()[t]) / 4;
+        mass += m.density_kg_m3 * static_cast<double>(topology.volume_m3[t]) / 4;
     }
     topology.mass_kg[as_index(v)] = static_cast<float>(mass);
     const int32_t slot = topology.packed.slot[as_index(v)];
     topology.packed.batches[as_index(slot / kLanes)].mass_kg[as_index(slot % kLanes)] =
         topology.mass_kg[as_index(v)];
 }
-
-}  // namespace
 
 int spares_left(const SoftBodyState& state) noexcept {
     if (!state.topology) return 0;
@@ -90,6 +90,7 @@ int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
     top.count[now] = going;
     top.count[old] = stays;
     top.origin[now] = top.origin[old];
+    top.rest[now] = top.rest[old];
     for (int32_t i = 0; i < going; ++i) {
         auto& tet = top.tets[as_index(goes[as_index(i)])];
         tet[corner_of(tet, vertex)] = copy;

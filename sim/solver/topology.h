@@ -31,10 +31,13 @@ struct Topology {
     std::vector<int32_t> around;               ///< Tets of a vertex: around[first .. first + count)
     std::vector<int32_t> first, count;         ///< (V + spares)
     std::vector<float> mass_kg;                ///< (V + spares)
-    std::vector<uint8_t> whole;                ///< (V) 1 = never split: held or in a sheet.
-    int32_t vertices = 0;                      ///< In use; the spares follow.
-    KernelLayout packed;                       ///< As the body's, with room to grow.
-    std::vector<int32_t> capacity;             ///< (batches) strip steps that fit.
+    std::vector<Vec3> rest;  ///< (V + spares) at rest [m]: slide_vertex() moves it, a copy takes
+                             ///< it along.
+    std::vector<float> volume_m3;   ///< (T) at rest, unscaled; dead tets keep theirs.
+    std::vector<uint8_t> whole;     ///< (V) 1 = never split: held or in a sheet.
+    int32_t vertices = 0;           ///< In use; the spares follow.
+    KernelLayout packed;            ///< As the body's, with room to grow.
+    std::vector<int32_t> capacity;  ///< (batches) strip steps that fit.
     // Batches for copies: a pool behind all others. Those of a job form a list in order of need.
     int32_t pool_first = 0, pool_used = 0;
     std::vector<int32_t> pool_next;            ///< (pool) the next of the job, -1 = the last.
@@ -47,11 +50,12 @@ struct Topology {
 };
 template <class Visit>
 void fields(Of<Topology> auto& s, Visit&& visit) {
-    auto& [tets, origin, around, first, count, mass_kg, whole, vertices, packed, capacity,
-           pool_first, pool_used, pool_next, pool_colour, job_first, job_last, dirty, is_dirty,
-           dirty_count, refused] = s;
-    visit.state(tets, origin, around, first, count, mass_kg, whole, vertices, pool_first, pool_used,
-                pool_next, pool_colour, job_first, job_last, dirty, is_dirty, dirty_count, refused);
+    auto& [tets, origin, around, first, count, mass_kg, rest, volume_m3, whole, vertices, packed,
+           capacity, pool_first, pool_used, pool_next, pool_colour, job_first, job_last, dirty,
+           is_dirty, dirty_count, refused] = s;
+    visit.state(tets, origin, around, first, count, mass_kg, rest, volume_m3, whole, vertices,
+                pool_first, pool_used, pool_next, pool_colour, job_first, job_last, dirty, is_dirty,
+                dirty_count, refused);
     visit.kept(packed, capacity);
 }
 
@@ -66,6 +70,9 @@ int split_vertex(const SoftBody& body, SoftBodyState& state, int vertex,
 
 /// False for vertices that a bed, a spring or a tether holds, and in bodies without spares.
 [[nodiscard]] bool can_split(const SoftBodyState& state, int vertex) noexcept;
+
+/// Mass of a vertex from its tets, dead ones too, as they are now.
+void fill_mass(const SoftBody& body, Topology& topology, int vertex) noexcept;
 
 /// Visits the batches of the copies of a job, in a fixed order.
 template <class Visit>

@@ -134,6 +134,9 @@ Topology::Topology(const SoftBody& body) {
     first.assign(all, 0);
     count.assign(all, 0);
     mass_kg.assign(all, 1.0F);
+    rest = body.mesh().rest;
+    rest.resize(all, Vec3::Zero());
+    volume_m3.assign(body.volume_m3().begin(), body.volume_m3().end());
     is_dirty.assign(all, 0);
     dirty.assign(all, 0);
     whole.assign(n, 0);
