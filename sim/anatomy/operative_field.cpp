@@ -263,6 +263,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     if (spec.heat) scene->heat.emplace(field.mesh, spec.materials, spec.heat_settings);
     scene->sac = std::move(sac);
     scene->contact = spec.contact;
+    scene->cut_snap = spec.cut_snap;
     scene->tools = spec.tools;
     scene->colour_linear = kColourLinear;
     add_landmarks(spec, shape, field, *scene);

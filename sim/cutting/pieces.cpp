@@ -21,7 +21,7 @@ namespace {
 constexpr int kFloodPerFrame = 2500;
 constexpr int kRemovedPerFrame = 8;
 constexpr double kCrumb = 0.3e-9;       // smaller pieces are washed away [m^3]
-constexpr double kOutShare = 0.62;      // of the way from lesion to port: the piece is out
+constexpr double kOutShare = 0.62;      // of the way from lesion to port left: the piece is out
 constexpr int kGroundCells = 64;        // heightmap of kGroundCell cells around the lesion
 constexpr double kGroundCell = 0.001;   // [m]
 constexpr float kLying = 1e-4F;         // this near to the field's height a fallen piece lies [m]

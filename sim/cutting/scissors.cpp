@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/as_index.h"
+#include "sim/cutting/blade_slides.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/separation.h"
+#include "sim/solver/topology.h"
 #include "sim/world/add_event.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
@@ -19,6 +22,7 @@ constexpr float kBegin = 0.01f;    // closing by so much begins a snip [rad]
 constexpr double kPastTip = 2e-4;  // the tips' own roundness [m]
 constexpr double kEdge = 1e-4;     // tissue this far beside the blades' edges is still met [m]
 constexpr int kFacesPerFrame = 24;
+constexpr double kSlidPad = 4e-4;  // half of a long edge next to the planned incision [m]
 
 /// tan of half the opening without the library's last bit: angles stay below 0.8 rad.
 double half_tangent(double angle) noexcept {
@@ -26,31 +30,39 @@ double half_tangent(double angle) noexcept {
     return a * (1 + a2 * (1.0 / 3 + a2 * (2.0 / 15 + a2 * 17.0 / 315)));
 }
 
-Vec3 centroid_T(const Scene& scene, const State& state, const Pose& to_tool, int tet) noexcept {
+/// Of a tet, where the blades met it.
+Vec3 centroid_T(const Scene& scene, const State& state, const Scissors& s, int tet) noexcept {
     Vec3 sum = Vec3::Zero();
+    if (s.met_count > 0) {
+        for (const int32_t v : corners(scene.body, state.body, tet))
+            sum += met_at(s, state.body, v);
+        return sum / 4;
+    }
     for (const int32_t v : corners(scene.body, state.body, tet)) sum += position(state.body, v);
-    return to_tool * Vec3(sum / 4);
+    return s.plane * Vec3(sum / 4);
 }
 
-Vec3 face_centre(const Scene& scene, const State& state, int tet, int f) noexcept {
+Vec3 face_centre_T(const Scene& scene, const State& state, const Scissors& s, int tet,
+                   int f) noexcept {
     const auto& c = corners(scene.body, state.body, tet);
     Vec3 sum = Vec3::Zero();
     for (int k = 0; k < 4; ++k) {
-        if (k != f) sum += position(state.body, c[k]);
+        if (k != f)
+            sum += s.met_count > 0 ? met_at(s, state.body, c[k]) : position(state.body, c[k]);
     }
-    return sum / 3;
+    return s.met_count > 0 ? Vec3(sum / 3) : s.plane * Vec3(sum / 3);
 }
 
 /// Plans the faces around one tet: those to neighbours whose centroid lies across the plane.
-void plan_tet(const Scene& scene, State& state, Scissors& s, const Pose& to_tool, int t,
-              double length, double slope) noexcept {
-    const Vec3 here = centroid_T(scene, state, to_tool, t);
+void plan_tet(const Scene& scene, State& state, Scissors& s, int t, double length,
+              double slope) noexcept {
+    const Vec3 here = centroid_T(scene, state, s, t);
     if (here.x() < 0) return;  // each face once, from its positive side
     for (int f = 0; f < 4; ++f) {
         const int other = linked_across(scene, state, t, f);
         if (other < 0) continue;
-        if (centroid_T(scene, state, to_tool, other).x() >= 0) continue;
-        const Vec3 p = to_tool * face_centre(scene, state, t, f);
+        if (centroid_T(scene, state, s, other).x() >= 0) continue;
+        const Vec3 p = face_centre_T(scene, state, s, t, f);
         // Written so that a place that is no number is not between the blades.
         if (!(p.z() <= kPastTip && p.z() >= -length)) continue;
         if (!(std::abs(p.y()) <= slope * (length + p.z()) + kEdge)) continue;
@@ -67,13 +79,12 @@ void plan(const Scene& scene, State& state, int tool) noexcept {
     s.planned_count = s.next = 0;
     const double length = scene.tools[tool].tip_length_m;
     const double slope = half_tangent(s.start_rad);
-    const Pose to_tool = state.tools[tool].proxy.inverse();
     const double pad = state.scratch->longest_edge_m;
     const double wide = slope * length + kEdge + pad;
     auto& seen = state.scratch->tet_seen;
     const auto stamp = ++state.scratch->stamp;
     for (int v = 0; v < static_cast<int>(state.body.x.size()); ++v) {
-        const Vec3 p = to_tool * position(state.body, v);
+        const Vec3 p = met_at(s, state.body, v);
         if (std::abs(p.x()) > pad || std::abs(p.y()) > wide || p.z() > pad ||
             p.z() < -length - pad) {
             continue;
@@ -81,7 +92,7 @@ void plan(const Scene& scene, State& state, int tool) noexcept {
         for (const int32_t t : tets_around(scene.body, state.body, v)) {
             if (!state.body.tet_alive[t] || seen[t] == stamp) continue;
             seen[t] = stamp;
-            plan_tet(scene, state, s, to_tool, t, length, slope);
+            plan_tet(scene, state, s, t, length, slope);
         }
     }
     std::sort(s.planned.begin(), s.planned.begin() + s.planned_count,
@@ -90,10 +101,32 @@ void plan(const Scene& scene, State& state, int tool) noexcept {
               });
 }
 
+BladeReach reach_of(const Scene& scene, const State& state, int tool) noexcept {
+    return {scene.tools[tool].tip_length_m, half_tangent(state.scissors[tool].start_rad), kSlidPad};
+}
+
+/// Blades that begin to close: what they meet first is moved onto their plane, if the scene does.
+void begin_snip(const Scene& scene, State& state, int tool) noexcept {
+    Scissors& s = state.scissors[tool];
+    s.closing = 1;
+    s.plane = state.tools[tool].proxy.inverse();
+    s.planned_count = s.next = 0;
+    begin_slides(scene, state, s, reach_of(scene, state, tool));
+    if (s.sliding == 0) plan(scene, state, tool);
+}
+
+/// One frame of slides; plans the faces behind the last one.
+void slide(const Scene& scene, State& state, int tool) noexcept {
+    Scissors& s = state.scissors[tool];
+    if (slide_to_blades(scene, state, s, reach_of(scene, state, tool))) return;
+    s.sliding = 0;
+    plan(scene, state, tool);
+}
+
 void note(const Scene& scene, const State& state, Scissors& s, int tet, int f) noexcept {
-    const auto& c = scene.body.mesh().tets[tet];
+    const auto& c = corners(scene.body, state.body, tet);
     std::array<Vec3, 3> x;
-    for (int i = 0; i < 3; ++i) x[i] = scene.body.mesh().rest[c[kTetFaces[f][i]]];
+    for (int i = 0; i < 3; ++i) x[i] = rest_place(scene.body, state.body, c[kTetFaces[f][i]]);
     const double area = (x[1] - x[0]).cross(x[2] - x[0]).norm() / 2;
     const int other = scene.surface.neighbours()[tet][f];
     const Tissue mine = scene.body.mesh().tissue[tet], yours = scene.body.mesh().tissue[other];
@@ -107,7 +140,6 @@ void note(const Scene& scene, const State& state, Scissors& s, int tet, int f) n
     s.rest_sum += (x[0] + x[1] + x[2]) / 3;
     s.tet = tet;
     ++s.faces;
-    static_cast<void>(state);
 }
 
 void end_snip(State& state, int tool) noexcept {
@@ -170,19 +202,19 @@ void run_scissors(const Scene& scene, State& state) noexcept {
         }
         if (!tool.engaged) {
             end_snip(state, t);
-            s.closing = 0;
+            s.closing = s.sliding = 0;
             s.planned_count = s.next = 0;
         } else if (jaw > s.jaw_rad) {
             if (s.closing) end_snip(state, t);
-            s.closing = 0;
+            s.closing = s.sliding = 0;
             s.start_rad = jaw;
         } else if (!s.closing && s.start_rad > kBladesOpen && jaw < s.start_rad - kBegin) {
-            s.closing = 1;
-            plan(scene, state, t);
+            begin_snip(scene, state, t);
             close(scene, state, t, jaw);
         } else if (s.closing) {
+            if (s.sliding) slide(scene, state, t);
             close(scene, state, t, jaw);
-            if (jaw <= 0 && s.next >= s.planned_count) {
+            if (jaw <= 0 && !s.sliding && s.next >= s.planned_count) {
                 end_snip(state, t);
                 if (s.planned_count == 0) s.planned_count = kMetNothing;
                 s.closing = 0;

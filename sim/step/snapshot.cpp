@@ -51,6 +51,14 @@ void fill_snapshot(const Scene& scene, const State& state, Snapshot& out) {
             out.damage[v] = {0, 0, 0, 37};
         }
     }
+    if (out.slides != state.slides) {
+        out.slides = state.slides;
+        out.rest.resize(vertices);
+        for (size_t v = 0; v < vertices; ++v) {
+            const Vec3& p = rest_place(scene.body, state.body, static_cast<int>(v));
+            for (int k = 0; k < 3; ++k) out.rest[v][k] = static_cast<float>(p[k]);
+        }
+    }
     // The list is copied only when it changed since this buffer was last filled.
     if (out.triangles.empty() || out.surface_version != state.surface.version()) {
         const auto triangles = state.surface.triangles();

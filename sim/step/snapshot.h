@@ -30,6 +30,9 @@ struct Snapshot {
         damage;  ///< (V) blanch (Omega clamped 0..1), dried 0..1, charred 0..1, temperature [C]
     std::vector<SurfaceTriangle> triangles;  ///< Current surface.
     uint32_t surface_version = 0;
+    /// (V) At rest [m]; empty while every vertex is where the mesh has it. Cuts slide some.
+    std::vector<std::array<float, 3>> rest;
+    int32_t slides = 0;  ///< Changes with `rest`.
     std::array<ToolSnapshot, kMaxTools> tools{};
     int tool_count = 0;
     std::vector<uint8_t> contour_cut;           ///< Per planned-contour point.

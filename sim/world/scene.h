@@ -75,6 +75,9 @@ struct Scene {
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
     Sac sac;                        ///< Of the cystic variant; absent otherwise.
     ContactSettings contact;
+    /// How far a vertex may slide to where blades pass, as a share of the way to its neighbours; 0
+    /// = cuts follow the faces of the mesh, as in recordings of before.
+    double cut_snap = 0;
     std::vector<uint8_t> marked;  ///< (T) 1 = to be resected; empty = nothing is marked.
     double marked_volume_m3 = 0;
     Resection resection;

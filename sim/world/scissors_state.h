@@ -4,9 +4,11 @@
 // What a pair of blades is about to cut, and the snip so far.
 #include <array>
 #include <cstdint>
+#include <vector>
 #include "sim/core/fields.h"
 #include "sim/core/geometry.h"
 #include "sim/core/tissue.h"
+#include "sim/solver/soft_body.h"
 
 namespace placode::sim {
 
@@ -35,6 +37,12 @@ struct Scissors {
     float jaw_rad = 0;    ///< Opening in the last frame.
     float start_rad = 0;  ///< Opening from which they close.
     uint8_t closing = 0;
+    uint8_t sliding = 0;  ///< Vertices still slide onto the plane: blade_slides.h.
+    float slid_to_m = 0;  ///< Along the blades, as PlannedFace: done up to here.
+    Pose plane;           ///< Of the blades when they began to close, from W to T.
+    /// (V + spares) Where the vertices were then, in T; slides move them. Only where cuts snap.
+    std::vector<std::array<float, 3>> met_T;
+    int32_t met_count = 0;  ///< Later vertices are copies: where they are now counts.
     // The current snip, for the ledger.
     float area_m2 = 0, placode_m2 = 0, depth_m = 0;
     std::array<float, kTissueCount> area_of{};  ///< By tissue, where it was cut.
@@ -43,10 +51,18 @@ struct Scissors {
 };
 template <class Visit>
 void fields(Of<Scissors> auto& s, Visit&& visit) {
-    auto& [planned, planned_count, next, jaw_rad, start_rad, closing, area_m2, placode_m2, depth_m,
-           area_of, rest_sum, faces, tet] = s;
-    visit.state(planned, planned_count, next, jaw_rad, start_rad, closing, area_m2, placode_m2,
-                depth_m, area_of, rest_sum, faces, tet);
+    auto& [planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m, plane,
+           met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces, tet] = s;
+    visit.state(planned, planned_count, next, jaw_rad, start_rad, closing, sliding, slid_to_m,
+                plane, met_T, met_count, area_m2, placode_m2, depth_m, area_of, rest_sum, faces,
+                tet);
+}
+
+/// Where blades met a vertex when they began to close, in T.
+[[nodiscard]] inline Vec3 met_at(const Scissors& s, const SoftBodyState& body, int v) noexcept {
+    if (v >= s.met_count) return s.plane * position(body, v);
+    const auto& p = s.met_T[static_cast<size_t>(v)];
+    return {p[0], p[1], p[2]};
 }
 
 /// Blades that stand open are thin edges: they pass beside tissue instead of pushing it.

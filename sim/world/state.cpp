@@ -23,7 +23,9 @@ State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
       pieces(scene),
       sac_thirds(scene.sac.triangles.size()),
       sector_stack(scene.body.tet_count()),
-      tet_seen(scene.body.tet_count(), 0) {
+      tet_seen(scene.body.tet_count(), 0),
+      beside_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0) {
+    choices.reserve(scene.body.spec().spare_vertices > 0 ? kMostChoices : 0);
     CutProgress nobodys;
     cut = make_cut_tables(scene, untouched != nullptr ? *untouched : nobodys);
     const TetMesh& mesh = scene.body.mesh();
@@ -78,6 +80,10 @@ State::State(const Scene& scene, int threads)
     release.checked.fill(~surface.version());  // every sector is looked at once before any cut
     resection.cut.assign(scene.resection.line.size(), 0);
     resection.checked.assign(scene.resection.line.size(), 0);
+    for (size_t t = 0; t < scene.tools.size() && scene.cut_snap > 0; ++t) {
+        if (scene.tools[t].kind == ToolKind::kScissors && body.topology)
+            scissors[t].met_T.resize(scene.body.vertex_capacity());
+    }
     if (scene.heat) {
         heat.emplace_back(*scene.heat, scene.body.vertex_count(), scene.body.tet_count());
         const auto start = static_cast<float>(scene.heat->settings().body_temperature_c);

@@ -52,8 +52,9 @@ struct State {
     ReleaseProgress release;
     ResectionProgress resection;
     Pieces pieces;
-    int32_t splits = 0;           ///< Vertices that cutting has split.
-    std::vector<int8_t> held_by;  ///< (V) Tool whose jaws hold the vertex, -1 = none.
+    int32_t splits = 0;                      ///< Vertices that cutting has split.
+    int32_t slides = 0, slides_refused = 0;  ///< That blades asked for: blade_slides.h.
+    std::vector<int8_t> held_by;             ///< (V) Tool whose jaws hold the vertex, -1 = none.
     CutProgress progress;
     float placode_peak_cem43_min = 0, placode_peak_c = 37, placode_burned_m3 = 0;
     float removed_m3 = 0, vapour_rate_m3_s = 0;
@@ -85,19 +86,19 @@ struct State {
 template <class Visit>
 void fields(Of<State> auto& s, Visit&& visit) {
     auto& [frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat, tools,
-           tool_side, grasps, scissors, release, resection, pieces, splits, held_by, progress,
-           placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3, vapour_rate_m3_s,
-           colour, separation, flood, over_stretch, gone_by_heat, tether_known, friction,
-           stretch_count, stretch_reported, dose_reported, over_stretch_pause_s, overheat_pause_s,
-           burn_pause_s, idle_s, placode_now_c, last_substeps, loose_version, events, event_count,
-           flags, workers, scratch] = s;
+           tool_side, grasps, scissors, release, resection, pieces, splits, slides, slides_refused,
+           held_by, progress, placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
+           vapour_rate_m3_s, colour, separation, flood, over_stretch, gone_by_heat, tether_known,
+           friction, stretch_count, stretch_reported, dose_reported, over_stretch_pause_s,
+           overheat_pause_s, burn_pause_s, idle_s, placode_now_c, last_substeps, loose_version,
+           events, event_count, flags, workers, scratch] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
-                tools, tool_side, grasps, scissors, release, resection, pieces, splits, held_by,
-                progress, placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
-                vapour_rate_m3_s, colour, separation, flood, over_stretch, gone_by_heat,
-                tether_known, friction, stretch_count, stretch_reported, dose_reported,
-                over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s, placode_now_c,
-                last_substeps, loose_version);
+                tools, tool_side, grasps, scissors, release, resection, pieces, splits, slides,
+                slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
+                placode_burned_m3, removed_m3, vapour_rate_m3_s, colour, separation, flood,
+                over_stretch, gone_by_heat, tether_known, friction, stretch_count, stretch_reported,
+                dose_reported, over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s,
+                placode_now_c, last_substeps, loose_version);
     // Of one frame; threads; lists of one frame.
     visit.constant(events, event_count, flags, workers, scratch);
 }

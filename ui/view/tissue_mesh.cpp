@@ -43,6 +43,7 @@ Quadric fit(const std::vector<Vector3f>& points) {
 TissueMesh::TissueMesh(const ViewField& field) : has_depth_(!field.depth_m.empty()) {
     rest_mm_.reserve(field.rest.size());
     for (const auto& p : field.rest) rest_mm_.emplace_back(1000 * p[0], 1000 * p[1], 1000 * p[2]);
+    mesh_mm_ = rest_mm_;
     depth_mm_.assign(field.rest.size(), 0.0F);
     for (size_t i = 0; i < field.depth_m.size(); ++i) depth_mm_[i] = 1000 * field.depth_m[i];
     whole_ = field.rest.size();
@@ -62,7 +63,7 @@ bool TissueMesh::drawn(const SurfaceTriangle& triangle) const {
 
 bool TissueMesh::update(const Snapshot& snapshot) {
     const bool changed = !built_ || snapshot.surface_version != version_ ||
-                         snapshot.triangles.size() != triangle_count_;
+                         snapshot.slides != slides_ || snapshot.triangles.size() != triangle_count_;
     if (changed) rebuild(snapshot);
     place(snapshot);
     shade();
@@ -81,14 +82,18 @@ void TissueMesh::rebuild(const Snapshot& snapshot) {
     built_ = true;
     version_ = snapshot.surface_version;
     triangle_count_ = snapshot.triangles.size();
+    slides_ = snapshot.slides;
     // Copies that cutting made look at rest like the vertex they came from.
-    while (rest_mm_.size() > whole_) {
-        rest_mm_.pop_back();
-        depth_mm_.pop_back();
-    }
+    rest_mm_ = mesh_mm_;
+    depth_mm_.resize(whole_);
     for (const int32_t o : snapshot.origin) {
-        rest_mm_.push_back(rest_mm_[static_cast<size_t>(o)]);
+        rest_mm_.push_back(mesh_mm_[static_cast<size_t>(o)]);
         depth_mm_.push_back(depth_mm_[static_cast<size_t>(o)]);
+    }
+    // Where a cut slid a vertex through the tissue, the tissue's pattern stays where it is.
+    for (size_t v = 0; v < rest_mm_.size() && v < snapshot.rest.size(); ++v) {
+        const auto& p = snapshot.rest[v];
+        rest_mm_[v] = 1000 * Vector3f(p[0], p[1], p[2]);
     }
     slot_of_.resize(2 * rest_mm_.size(), -1);
     touched_.resize(rest_mm_.size(), 0);

@@ -41,6 +41,8 @@ class TissueMesh {
     bool has_depth_ = false;
     uint32_t version_ = 0;
     size_t triangle_count_ = 0;
+    int32_t slides_ = 0;
+    std::vector<Eigen::Vector3f> mesh_mm_;  // (V) at rest in the mesh
     bool built_ = false;
 
     // Compact vertices: one for each (vertex, fresh) that is drawn.
