@@ -41,8 +41,8 @@ struct Field : test::CutField {
             run(from + static_cast<double>(i) / frames * (to - from), jaw, 1);
     }
     /// Takes hold in the middle and draws it out of the field.
-    void draw_out() {
-        const Vec3 away(0, 0, 0.010), touch(0, 0, 0.0001), out(0, 0, 0.040);
+    void draw_out(double height_m = 0.040) {
+        const Vec3 away(0, 0, 0.010), touch(0, 0, 0.0001), out(0, 0, height_m);
         move(away, touch, 0.6);
         const double closed = 0.5 * grip_angle(scene.tools[0]);
         for (double jaw = 0.6; jaw > closed; jaw -= 0.01) run(touch, jaw, 1);
@@ -57,6 +57,17 @@ struct Field : test::CutField {
         return found;
     }
 };
+
+TEST(Reached, APieceIsOutWith62PercentOfTheWayToThePortLeft) {
+    // The port is 80 mm above: at 30.4 mm, 62 % of that is left.
+    for (const double height_m : {0.029, 0.032}) {
+        Field field;
+        field.cut_out(in_patch);
+        field.run(Vec3(0, 0, 0.01), 0.6, 200);
+        field.draw_out(height_m);
+        EXPECT_EQ(field.state.pieces.out, height_m > 0.0304 ? 1 : 0) << height_m;
+    }
+}
 
 TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     Field field;

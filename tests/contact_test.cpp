@@ -208,6 +208,20 @@ TEST(Contact, AFloorSlidesAtTheAngleOfFriction) {
     }
 }
 
+TEST(Contact, AFloorThatHasSlidTurnsItsFrictionWhenItTurns) {
+    const double mu = 0.3, full = std::atan(mu) * 180 / M_PI;
+    const Scene scene = test::box_scene(under_a_floor(mu, 1.0));
+    State state(scene, 1);
+    press(scene, state, 0.00005, 0.05);
+    ToolFeedback f;
+    for (int i = 0; i < 350; ++i) frame(scene, state, upright(Vec3(1e-6 * i, 0, -5e-5)), f);
+    ASSERT_NEAR(angle_deg(f), full, 0.3);
+    // Twice the shear of the slab lies between the cones: what slid does not remember
+    // where it once stuck.
+    for (int i = 350; i > 150; --i) frame(scene, state, upright(Vec3(1e-6 * i, 0, -5e-5)), f);
+    EXPECT_NEAR(angle_deg(f), -full, 1);
+}
+
 TEST(Contact, AFloorSticksJustBelowTheAngleOfFriction) {
     const double mu = 0.3, stop = std::atan(mu) * 180 / M_PI - 0.3;
     const Scene scene = test::box_scene(under_a_floor(mu, 1.0));

@@ -177,6 +177,23 @@ TEST(Grasp, CrushesAboveTheTissuesPressureAndOnlyThen) {
     EXPECT_EQ(e->tissue, Tissue::kZone);
 }
 
+TEST(Grasp, CrushesFromTheVeryPressureOn) {
+    BoxOptions options = options_for();
+    options.material.crush_pa = 1e9;
+    Jaws first(options);
+    first.grasp(0.5);
+    const double pressure = first.held().pinch_n / static_cast<double>(first.held().area_m2);
+    ASSERT_GT(pressure, 50000);
+    options.material.crush_pa = 0.9 * pressure;
+    Jaws above(options);
+    above.grasp(0.5);
+    EXPECT_NE(above.find(EventKind::kCrushed), nullptr);
+    options.material.crush_pa = 1.1 * pressure;
+    Jaws below(options);
+    below.grasp(0.5);
+    EXPECT_EQ(below.find(EventKind::kCrushed), nullptr);
+}
+
 TEST(Grasp, APullAboveTheLimitIsEnteredWithItsPeak) {
     BoxOptions options = options_for(40000);
     options.material.traction_limit_n = 0.02;
