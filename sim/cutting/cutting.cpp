@@ -66,7 +66,7 @@ int check_stretch(const Scene& scene, State& state, int tet, int weight, int too
         }
     }
     if (stretch > material.injury_stretch) {
-        const auto volume = static_cast<double>(scene.body.volume_m3()[tet]);
+        const auto volume = static_cast<double>(rest_volume_of(scene.body, state.body, tet));
         sums.beyond(tet, state.frame, stretch, volume, tissue);
     } else {
         sums.below(tet);
@@ -181,7 +181,7 @@ void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, i
     if (!state.body.tet_alive[tet]) return;
     take_out(scene, state, tet);
     if (cause == EventKind::kVaporised) state.gone_by_heat[tet] = 1;
-    const float volume = scene.body.volume_m3()[tet];
+    const float volume = rest_volume_of(scene.body, state.body, tet);
     state.removed_m3 += volume;
     Event e = tissue_event(scene, state, cause, tet);
     e.tool = static_cast<int8_t>(tool);

@@ -18,7 +18,7 @@ namespace {
 using bench::CutRow;
 
 struct Options {
-    std::string task = "dissection", out;
+    std::string task = "sb_dissection", out;
     int snips = 24;
 };
 
