@@ -13,6 +13,23 @@ namespace {
 
 constexpr int64_t kDayS = 86400;
 
+/// Done as this exam and under its conditions, whatever became of it.
+bool is_exam_of(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
+    return stage.mode == StageMode::kExam && outcome.task_id == stage.task_id &&
+           outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
+           (!stage.exam.proctor || !outcome.proctor.empty()) &&
+           (!stage.exam.haptic_certificate || outcome.certified) &&
+           std::find(stage.exam.seeds.begin(), stage.exam.seeds.end(), outcome.seed) !=
+               stage.exam.seeds.end();
+}
+
+/// The case after `seed` in the list, then from the start.
+uint64_t seed_after(const std::vector<uint64_t>& seeds, uint64_t seed) {
+    auto next = std::find(seeds.begin(), seeds.end(), seed);
+    if (next != seeds.end()) ++next;
+    return next == seeds.end() ? seeds.front() : *next;
+}
+
 /// One stage in the light of all outcomes: mastery that was reached once stays reached.
 StageProgress stage_progress(const Course& course, const CourseStage& stage,
                              const std::vector<AttemptOutcome>& outcomes) {
@@ -20,7 +37,18 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
     progress.status = StageStatus::kOpen;
     std::string last_met_utc;
     int outcomes_seen = 0;
+    if (!stage.exam.seeds.empty()) progress.next_seed = stage.exam.seeds.front();
     for (const AttemptOutcome& outcome : outcomes) {
+        if (is_exam_of(course, stage, outcome)) {
+            // Its case was seen, even where the machine spoilt the attempt.
+            progress.next_seed = seed_after(stage.exam.seeds, outcome.seed);
+            if (outcome.interrupted && !outcome.voided) {
+                // Whoever could leave an exam that goes badly could try as often as he likes.
+                ++progress.attempts;
+                progress.streak = 0;
+                continue;
+            }
+        }
         if (!counts_for(course, stage, outcome)) continue;
         if (outcome.not_attempted) {
             ++progress.attempts;  // of an exam: counts_for() lets no other one in
@@ -43,9 +71,6 @@ StageProgress stage_progress(const Course& course, const CourseStage& stage,
         if (const auto last = utc_seconds(last_met_utc))
             progress.refresh_utc = utc_text(*last + stage.remind_after_days * kDayS);
     }
-    if (!stage.exam.seeds.empty())
-        progress.next_seed =
-            stage.exam.seeds[static_cast<size_t>(progress.attempts) % stage.exam.seeds.size()];
     return progress;
 }
 
@@ -81,11 +106,7 @@ const CourseStage* Course::stage(const std::string& stage_id) const {
 bool counts_for(const Course& course, const CourseStage& stage, const AttemptOutcome& outcome) {
     if (outcome.task_id != stage.task_id || outcome.interrupted || outcome.voided) return false;
     if (stage.mode != StageMode::kExam) return !outcome.not_attempted;
-    return outcome.exam_course == course.id && outcome.exam_stage == stage.id &&
-           (!stage.exam.proctor || !outcome.proctor.empty()) &&
-           (!stage.exam.haptic_certificate || outcome.certified) &&
-           std::find(stage.exam.seeds.begin(), stage.exam.seeds.end(), outcome.seed) !=
-               stage.exam.seeds.end();
+    return is_exam_of(course, stage, outcome);
 }
 
 CourseProgress course_progress(const Course& course, const std::vector<AttemptOutcome>& outcomes,

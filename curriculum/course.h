@@ -52,7 +52,7 @@ struct AttemptOutcome {
     std::string task_id;
     double points = 0;
     bool critical = false;
-    bool interrupted = false;  ///< Does not count.
+    bool interrupted = false;  ///< Does not count; of an exam it uses up an attempt.
     std::string at_utc = {};   ///< Start of the attempt; empty = unknown.
     uint64_t seed = 0;
     std::string exam_course = {}, exam_stage = {};  ///< Done as this exam; empty = practice.
@@ -73,8 +73,8 @@ enum class StageStatus : uint8_t {
 
 struct StageProgress {
     StageStatus status = StageStatus::kLocked;
-    int streak = 0;  ///< Benchmarks met in a row, up to now.
-    int attempts = 0;
+    int streak = 0;    ///< Benchmarks met in a row, up to now.
+    int attempts = 0;  ///< That count; of an exam also those that were left.
     double best_points = 0;
     std::vector<std::string> missing;  ///< Task ids of the stages that still lock it.
     int attempts_left = -1;            ///< -1 = no limit.
@@ -82,7 +82,7 @@ struct StageProgress {
     std::string mastered_utc;          ///< Of the attempt that mastered it.
     std::string refresh_utc;           ///< From when the skill is to be refreshed; empty = never.
     bool refresh_due = false;
-    uint64_t next_seed = 0;  ///< kExam: for the next attempt.
+    uint64_t next_seed = 0;  ///< kExam: the case after the one that was shown last.
 };
 
 struct CourseProgress {

@@ -171,6 +171,30 @@ TEST(AttemptControls, LeavingIsAskedAndKeptAsInterrupted) {
     EXPECT_EQ(bench.controls.end(), EndReason::kInterrupted);
 }
 
+TEST(AttemptControls, WhoLeavesAnExamIsToldThatItUsesUpTheAttempt) {
+    const auto lines = [](AttemptMode mode, double attempt_s, bool close) {
+        ControlsSetup setup;
+        setup.mode = mode;
+        Bench bench(setup);
+        bench.attempt_s = attempt_s;
+        if (close) {
+            bench.step({{.kind = Kind::kClose}});
+        } else {
+            for (const Key key : {Key::kEscape, Key::kUp, Key::kEnter}) bench.tap(key);
+        }
+        EXPECT_EQ(bench.controls.screen(), Screen::kQuestion);
+        return bench.controls.menu().lines;
+    };
+    const char* const uses_up = "This is an exam: leaving uses up this attempt.";
+    for (const bool close : {false, true}) {
+        EXPECT_THAT(lines(AttemptMode::kExam, 40, close), testing::ElementsAre(uses_up));
+        EXPECT_THAT(lines(AttemptMode::kExam, 0, close),
+                    testing::ElementsAre(HasSubstr("leaving uses up nothing")));
+        EXPECT_THAT(lines(AttemptMode::kPractice, 40, close),
+                    testing::ElementsAre(HasSubstr("counts for nothing")));
+    }
+}
+
 TEST(AttemptControls, ClosingTheWindowPausesAndAsks) {
     Bench bench;
     for (int i = 0; i < 3; ++i) bench.step({{.kind = Kind::kClose}});

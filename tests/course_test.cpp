@@ -283,11 +283,53 @@ TEST(Course, AnExamCountsOnlyUnderItsConditions) {
     poor.points = 40;
     all.push_back(poor);
     EXPECT_EQ(course_progress(course, all).stages[1].next_seed, 8u);
+    poor.seed = 8;
     all.push_back(poor);
     EXPECT_EQ(course_progress(course, all).stages[1].next_seed, 7u) << "from the start again";
     all.push_back(good);
     EXPECT_TRUE(course_progress(course, all).mastered);
     EXPECT_EQ(course_progress(course, all).mastered_utc, "2026-01-01");
+}
+
+TEST(Course, AnExamThatIsLeftUsesUpAnAttemptAndTheNextHasAnotherCase) {
+    Course course = two_stages();
+    CourseStage& exam = course.stages[0];
+    exam.mode = StageMode::kExam;
+    exam.exam.proctor = false;
+    exam.exam.seeds = {7, 8, 9};
+    exam.max_attempts = 3;
+    const auto sat = [](uint64_t seed, double points, bool left, bool voided) {
+        AttemptOutcome outcome{"warm_up", points};
+        outcome.exam_course = "c";
+        outcome.exam_stage = "warm_up";
+        outcome.seed = seed;
+        outcome.interrupted = left;
+        outcome.voided = voided;
+        return outcome;
+    };
+    std::vector<AttemptOutcome> all{sat(7, 90, false, false), sat(8, 0, true, false)};
+    const StageProgress left = course_progress(course, all).stages[0];
+    EXPECT_EQ(left.attempts_left, 1);
+    EXPECT_EQ(left.next_seed, 9u);
+    EXPECT_EQ(left.streak, 0) << "to leave is not to meet the benchmark";
+    EXPECT_DOUBLE_EQ(left.best_points, 90) << "it has no score";
+    // The machine was at fault: no attempt is used up, but the case was seen.
+    all.push_back(sat(9, 40, false, true));
+    const StageProgress voided = course_progress(course, all).stages[0];
+    EXPECT_EQ(voided.attempts_left, 1);
+    EXPECT_EQ(voided.next_seed, 7u);
+    EXPECT_EQ(voided.status, StageStatus::kOpen);
+    all.push_back(sat(7, 0, true, true));
+    EXPECT_EQ(course_progress(course, all).stages[0].attempts_left, 1);
+    all.push_back(sat(8, 0, true, false));
+    EXPECT_EQ(course_progress(course, all).stages[0].status, StageStatus::kExhausted);
+    exam.exam.seeds = {7};
+    EXPECT_EQ(course_progress(course, {sat(7, 0, true, false)}).stages[0].next_seed, 7u)
+        << "there is no other case";
+    // Practice in the same case is no exam.
+    AttemptOutcome practice = sat(7, 80, true, false);
+    practice.exam_course.clear();
+    EXPECT_EQ(course_progress(course, {practice}).stages[0].attempts, 0);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QSpinBox>
+#include <csignal>
 
 #include "db/course_conduct.h"
 #include "shell_harness.h"
@@ -33,6 +34,8 @@ class ShellTrainingTest : public QObject {
     void educatorBuildsAndAssignsTheCourse();
     void traineeIsToldTheControlsAndPractises();
     void examNeedsItsProctor();
+    void anExamThatIsLeftUsesUpItsAttempt();
+    void theNextExamHasAnotherCase();
     void masteredCourseGivesTheCertificate();
     void educatorReviewsAndRemarks();
     void attemptsAreSeenSideBySide();
@@ -44,6 +47,9 @@ class ShellTrainingTest : public QObject {
         return shell_->click("start_attempt") && shell_->arrives(PageId::kRunning) &&
                shell_->arrives(PageId::kResult, kAttemptSeconds);
     }
+
+    /// The exam's page, with device and proctor filled in.
+    [[nodiscard]] bool openExam();
 
     std::unique_ptr<ShellHarness> shell_;
     QString code_;
@@ -211,14 +217,70 @@ void ShellTrainingTest::examNeedsItsProctor() {
     QVERIFY(shell.arrives(PageId::kRunning));
     QVERIFY(shell.find<QLabel>("live_ring")->isHidden());  // Time only.
     shell.shot("76_exam_running");
+    QVERIFY(shell.find<QLabel>("running_words")->text().contains("uses up this attempt"));
+}
+
+void ShellTrainingTest::anExamThatIsLeftUsesUpItsAttempt() {
+    ShellHarness& shell = *shell_;
+    const auto begun = [&] {
+        return QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
+                               30000);
+    };
+    const auto attempts = [&] { return shell.context().store().attempts().list(shell.idOf("nina")); };
+    QVERIFY(begun());
+    // Nobody is asked whether it is kept: the case was seen.
+    ::kill(static_cast<pid_t>(shell.context().launcher().processId()), SIGKILL);
+    QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
+    QVERIFY(shell.text("void_for_cause").contains("uses up an attempt of this exam"));
+    QCOMPARE(attempts().size(), size_t{3});
+    QCOMPARE(attempts()[2].end, sim::EndReason::kInterrupted);
+    QCOMPARE(attempts()[2].exam.stage_id, std::string("lift_as_exam"));
+    QCOMPARE(attempts()[2].seed, uint64_t{11});
+    shell.shot("76_exam_left");
+    // The shell itself goes away in mid-exam: what is left over is saved before the next one.
+    QVERIFY(openExam());
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.arrives(PageId::kRunning));
+    QVERIFY(begun());
+    shell.start();
+    QVERIFY(shell.signIn("nina", "quiet river 7"));
+    QVERIFY(openExam());
+    QVERIFY(shell.click("start_attempt"));
+    QVERIFY(shell.bannerSays("Save it first"));
+    shell.window().open({PageId::kRecovery, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kRecovery));
+    QVERIFY(shell.find<QPushButton>("recover_delete_0")->isHidden());
+    shell.shot("76_exam_left_over");
+    QVERIFY(shell.click("recover_save_0"));
+    QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
+    QCOMPARE(attempts().size(), size_t{4});
+    QCOMPARE(attempts()[3].seed, uint64_t{12});
+}
+
+void ShellTrainingTest::theNextExamHasAnotherCase() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(openExam());
+    QVERIFY(shell.click("start_attempt"));
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
     const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
-    QCOMPARE(attempts.size(), size_t{3});
-    QCOMPARE(attempts[2].exam.course_id, std::string("lift_exam"));
-    QCOMPARE(attempts[2].exam.stage_id, std::string("lift_as_exam"));
-    QCOMPARE(attempts[2].exam.proctor, std::string("Demonstration educator"));
-    QCOMPARE(attempts[2].seed, uint64_t{11});
+    QCOMPARE(attempts.size(), size_t{5});
+    QCOMPARE(attempts[4].exam.course_id, std::string("lift_exam"));
+    QCOMPARE(attempts[4].exam.stage_id, std::string("lift_as_exam"));
+    QCOMPARE(attempts[4].exam.proctor, std::string("Demonstration educator"));
+    QCOMPARE(attempts[4].seed, uint64_t{11});  // There are two cases.
     QCOMPARE(shell.context().user().login, std::string("nina"));
+}
+
+bool ShellTrainingTest::openExam() {
+    ShellHarness& shell = *shell_;
+    if (!shell.click("rail_course") || !shell.arrives(PageId::kCourse) ||
+        !shell.click("open_exam_lift_as_exam") || !shell.arrives(PageId::kTask))
+        return false;
+    auto* device = shell.find<QComboBox>("device");
+    if (!QTest::qWaitFor([&] { return device->findData("mouse") >= 0; }, 30000)) return false;
+    device->setCurrentIndex(device->findData("mouse"));
+    return shell.type("proctor_login", "demo.educator") &&
+           shell.type("proctor_password", "placode-demo");
 }
 
 void ShellTrainingTest::masteredCourseGivesTheCertificate() {
@@ -244,16 +306,16 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QVERIFY(shell.signIn("demo.educator", "placode-demo"));
     QVERIFY(shell.click("rail_attempts"));
     QVERIFY(shell.arrives(PageId::kAttempts));
-    QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 3 of 3"));
+    QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 5 of 5"));
     auto* table = shell.find<QTableWidget>("attempts_table");
-    QCOMPARE(table->rowCount(), 3);
+    QCOMPARE(table->rowCount(), 5);
     table->setCurrentCell(0, 0);
     Q_EMIT table->cellActivated(0, 0);
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
     QVERIFY(shell.click("comment_add"));
     const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
-    const auto remarks = shell.context().store().reviews().comments(attempts[2].id);
+    const auto remarks = shell.context().store().reviews().comments(attempts[4].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
 }

@@ -131,14 +131,20 @@ std::vector<std::string> AttemptControls::warnings(Question question) const {
     else if (question != Question::kLeave && early())
         lines.push_back(with(say("It usually takes %1; %2 are over."),
                              sim::clock_text(setup_.usual_s), sim::clock_text(attempt_s_)));
-    if (setup_.mode == AttemptMode::kExam)
+    const bool exam = setup_.mode == AttemptMode::kExam;
+    if (exam && question == Question::kFinish)
         lines.push_back(say("This is an exam: an end is final."));
+    // Before the first motion nothing is recorded and nothing is used up.
+    const bool begun = attempt_s_ > 0;
+    if (exam && question != Question::kFinish)
+        lines.push_back(say(begun ? "This is an exam: leaving uses up this attempt."
+                                  : "The exam has not begun yet: leaving uses up nothing."));
     const bool study = setup_.mode == AttemptMode::kStudy;
     if (study && question != Question::kLeave && !too_short())
         lines.push_back(say("This procedure then is over for good."));
     if (study && (question != Question::kFinish || too_short()))
         lines.push_back(say("A procedure that is broken off has to be done again from the start."));
-    if (!study && question != Question::kFinish)
+    if (!study && !exam && question != Question::kFinish)
         lines.push_back(
             say("An attempt that is left is kept as interrupted and counts for nothing."));
     return lines;

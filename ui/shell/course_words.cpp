@@ -49,6 +49,7 @@ QString exam_words(const curriculum::ExamRule& exam) {
     QStringList parts;
     parts << CourseWords::tr("No help, no planned line, no read-outs but the time")
           << CourseWords::tr("fixed cases, one after the other: %1").arg(exam.seeds.size());
+    parts << CourseWords::tr("leaving uses up an attempt");
     if (exam.proctor) parts << CourseWords::tr("a proctor confirms that the exam may begin");
     if (exam.haptic_certificate)
         parts << CourseWords::tr("only on a haptic device, whose loop must stay sound");

@@ -40,7 +40,19 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
         if (waiting) leaveRunning(ending.order);
         return;
     }
-    if ((ending.crashed || ending.exit_code != 0) && !ending.asked) {
+    const bool broke = (ending.crashed || ending.exit_code != 0) && !ending.asked;
+    // Of an exam nothing is asked: its case was seen, however it ended. An educator may grant
+    // another attempt.
+    const bool exam = ending.order.mode() == curriculum::AttemptMode::kExam;
+    if (broke && exam) {
+        Problem problem = simulator_problem(
+            {ending.crashed, ending.exit_code, true, ending.order.device, ending.message});
+        problem.way_out =
+            tr("What was recorded is saved and uses up this attempt of the exam. An "
+               "educator can grant another one.");
+        context_.report(problem);
+    }
+    if (broke && !exam) {
         // The person decides what becomes of it; until then the file stays. Of a study it is the
         // coordinator who decides, after taking the screen back.
         const bool study = !ending.order.study.isEmpty();

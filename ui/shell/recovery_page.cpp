@@ -66,9 +66,18 @@ class RecoveryPage : public Page {
         QStringList exact{leftover.recording_file};
         for (const QString& said : {leftover.problem, leftover.damage})
             if (!said.isEmpty()) exact << said;
+        if (keepsExam(leftover))
+            layout->addWidget(
+                make_label(tr("This is an exam: it is saved and uses up this attempt."), "warn"));
         layout->addWidget(new Details(context_, exact.join("\n")));
         layout->addLayout(buttons(leftover, owner, index));
         return make_card(layout);
+    }
+
+    /// Its case was seen: nobody throws an exam away, or begins the next one beside it.
+    [[nodiscard]] static bool keepsExam(const Leftover& leftover) {
+        return leftover.order && leftover.order->mode() == curriculum::AttemptMode::kExam &&
+               leftover.problem.isEmpty();
     }
 
     [[nodiscard]] static QString headline(const Leftover& leftover) {
@@ -125,6 +134,7 @@ class RecoveryPage : public Page {
         });
         row->addWidget(keep);
         row->addStretch();
+        remove->setVisible(!keepsExam(leftover));
         row->addWidget(remove);
         return row;
     }

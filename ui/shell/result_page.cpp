@@ -124,19 +124,24 @@ class ResultPage : public Page {
     [[nodiscard]] QString whyNotCounted(bool own) const {
         const db::AttemptRecord& record = data_.detail.record;
         QStringList said;
-        if (!record.void_reason.empty() && db::was_tried(record)) {
+        const bool exam = !record.exam.course_id.empty();
+        if (!record.void_reason.empty()) {
             // Of an exam also the force device; its reasons are figures for technicians.
-            const bool exam = !record.exam.course_id.empty() && record.haptic_grade == "bad";
+            const bool device = exam && record.haptic_grade == "bad";
             const QString reason = reports::void_words(record.void_reason);
-            said << (exam ? tr("The force device did not work as it must (%1).") : tr("%1."))
+            said << (device ? tr("The force device did not work as it must (%1).") : tr("%1."))
                         .arg(reason);
             if (db::machine_at_fault(record))
                 said << (own ? tr("This was not your fault.")
                              : tr("The machine was the cause, not the person."));
         }
-        said << (db::machine_at_fault(record)
-                     ? tr("The attempt is kept, and uses up no attempt of an exam.")
-                     : tr("The attempt is kept, and does not count for the course."));
+        if (exam)
+            said << (record.void_reason.empty()
+                         ? tr("The attempt is kept, and uses up an attempt of this exam.")
+                         : tr("The attempt is kept, and uses up no attempt of this exam; the next "
+                              "one has another case, if there is one."));
+        else
+            said << tr("The attempt is kept, and does not count for the course.");
         return said.join(' ');
     }
 

@@ -70,9 +70,13 @@ class RunningPage : public Page {
             study()
                 ? tr("The procedure ends in the fetoscope's window, by itself or from its menu. "
                      "What is ended here ends for good.")
+            : exam()
+                ? tr("Stop and score ends the exam here and scores it as it is. Abort uses up this "
+                     "attempt, too.")
                 : tr("Stop and score ends the attempt here and scores what was done. Abort keeps "
                      "it in the history as interrupted; it does not count for the course."),
             "small");
+        explained_->setObjectName("running_words");
         column->addWidget(explained_);
         column->addStretch();
         scored_.setInterval(1000);
@@ -91,6 +95,7 @@ class RunningPage : public Page {
         return context_.launcher().order().mode();
     }
     [[nodiscard]] bool study() const { return mode() == curriculum::AttemptMode::kStudy; }
+    [[nodiscard]] bool exam() const { return mode() == curriculum::AttemptMode::kExam; }
 
     QLabel* number(QGridLayout* grid, int column, const QString& name, const char* object) {
         QLabel* above = make_label(name, "muted");
@@ -181,9 +186,10 @@ class RunningPage : public Page {
         connect(abort_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
             if (ask(launcher, window(),
                     study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
-                    study() ? tr("What was done so far is kept and does not count; the procedure "
-                                 "has to be done again from the beginning.")
-                            : tr("It is kept as interrupted and does not count for the course."),
+                    study()  ? tr("What was done so far is kept and does not count; the procedure "
+                                   "has to be done again from the beginning.")
+                    : exam() ? tr("This is an exam: leaving uses up this attempt.")
+                             : tr("It is kept as interrupted and does not count for the course."),
                     study() ? tr("Break off") : tr("Abort")))
                 launcher.abort();
         });

@@ -177,7 +177,20 @@ class TaskPage : public Page {
         return qstr(found.user->display_name);
     }
 
+    /// An exam that a crash left over is saved before the next one: it uses up an attempt.
+    void refuseBesideLeftExam() const {
+        for (const Leftover& left : find_leftovers(context_.recordingsFolder())) {
+            if (!left.order || !left.problem.isEmpty() || left.duration_s <= 0) continue;
+            if (left.order->user_id == context_.user().id &&
+                left.order->exam.course_id == course_ && left.order->exam.stage_id == exam_->id)
+                throw Refusal(
+                    tr("An attempt at this exam was not finished and not saved. Save it "
+                       "first: it uses up this attempt."));
+        }
+    }
+
     void makeExam(AttemptOrder& order) {
+        refuseBesideLeftExam();
         const std::string device = order.device.toStdString();
         // The loop of a force device is judged when the attempt is saved; anything else has none.
         const bool haptic = haptic_.count(order.device) > 0;

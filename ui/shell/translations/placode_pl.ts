@@ -3617,6 +3617,10 @@
         <source>A recording</source>
         <translation>Zapis</translation>
     </message>
+    <message>
+        <source>This is an exam: it is saved and uses up this attempt.</source>
+        <translation>To jest egzamin: próba zostanie zapisana i zużyta.</translation>
+    </message>
 </context>
 <context>
     <name>ResultPage</name>
@@ -3957,10 +3961,6 @@
         <translation>Przyczyną był sprzęt, nie osoba.</translation>
     </message>
     <message>
-        <source>The attempt is kept, and uses up no attempt of an exam.</source>
-        <translation>Próba zostaje zapisana i nie zużywa żadnej próby egzaminu.</translation>
-    </message>
-    <message>
         <source>The attempt is kept, and does not count for the course.</source>
         <translation>Próba zostaje zapisana i nie liczy się w kursie.</translation>
     </message>
@@ -3971,6 +3971,14 @@
     <message>
         <source>More: %1</source>
         <translation>Więcej: %1</translation>
+    </message>
+    <message>
+        <source>The attempt is kept, and uses up an attempt of this exam.</source>
+        <translation>Próba zostaje zachowana i zużywa jedną próbę tego egzaminu.</translation>
+    </message>
+    <message>
+        <source>The attempt is kept, and uses up no attempt of this exam; the next one has another case, if there is one.</source>
+        <translation>Próba zostaje zachowana i nie zużywa próby tego egzaminu; następna ma inny przypadek, jeśli taki jest.</translation>
     </message>
 </context>
 <context>
@@ -4134,6 +4142,14 @@
     <message>
         <source>About %1 left.</source>
         <translation>Jeszcze około %1.</translation>
+    </message>
+    <message>
+        <source>This is an exam: leaving uses up this attempt.</source>
+        <translation>To jest egzamin: wyjście zużywa tę próbę.</translation>
+    </message>
+    <message>
+        <source>Stop and score ends the exam here and scores it as it is. Abort uses up this attempt, too.</source>
+        <translation>„Zakończ i oceń” kończy tu egzamin i ocenia go takim, jaki jest. „Przerwij” także zużywa tę próbę.</translation>
     </message>
 </context>
 <context>
@@ -4757,6 +4773,18 @@
     <message>
         <source>A window with the fetoscope&apos;s view opens.</source>
         <translation>Otworzy się okno z widokiem z fetoskopu.</translation>
+    </message>
+    <message>
+        <source>An attempt at this exam was not finished and not saved. Save it first: it uses up this attempt.</source>
+        <translation>Jedna próba tego egzaminu nie została zakończona ani zapisana. Najpierw ją zapisz: zużywa tę próbę.</translation>
+    </message>
+    <message>
+        <source>F5 in the window shows the planned line.</source>
+        <translation>F5 w oknie pokazuje planowaną linię.</translation>
+    </message>
+    <message>
+        <source>Escape in the window pauses.</source>
+        <translation>Escape w oknie wstrzymuje próbę.</translation>
     </message>
 </context>
 <context>
@@ -5383,6 +5411,10 @@
     <message>
         <source>Stay</source>
         <translation>Zostań</translation>
+    </message>
+    <message>
+        <source>What was recorded is saved and uses up this attempt of the exam. An educator can grant another one.</source>
+        <translation>To, co nagrano, zostaje zapisane i zużywa tę próbę egzaminu. Osoba prowadząca może przyznać następną.</translation>
     </message>
 </context>
 <context>
@@ -7652,6 +7684,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
             <numerusform>%n próby to mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</numerusform>
             <numerusform>%n prób to mniej niż wymagane z rzędu: etapu nie dałoby się zaliczyć.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>leaving uses up an attempt</source>
+        <translation>wyjście zużywa próbę</translation>
     </message>
 </context>
 <context>
