@@ -36,6 +36,7 @@ class ShellAttemptTest : public QObject {
     void abortedAttemptCountsAsInterrupted();
     void unknownDeviceComesBackWithTheReason();
     void educatorSeesAllOfThem();
+    void theTimeToTheLockBeginsWhenTheAttemptEnds();
 
  private:
     /// From the course to a running attempt.
@@ -201,6 +202,28 @@ void ShellAttemptTest::leftoverIsOfferedAfterARestart() {
     QVERIFY(shell.click("recover_delete_0"));
     QVERIFY(QTest::qWaitFor([&] { return recordings().isEmpty(); }, 5000));
     QCOMPARE(attempts().size(), size_t{3});
+}
+
+void ShellAttemptTest::theTimeToTheLockBeginsWhenTheAttemptEnds() {
+    ShellHarness& shell = *shell_;
+    constexpr int kLockMs = 3000;
+    shell.lock_after_s = kLockMs / 1000;
+    shell.start();
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
+    startAttempt("script:novice");
+    if (QTest::currentTestFailed()) return;
+    // Nobody touches the shell; the attempt ends shortly before the second time is over.
+    QTest::qWait(2 * kLockMs - 500);
+    QVERIFY2(shell.context().signedIn(), "locked while an attempt ran");
+    QVERIFY(shell.context().launcher().running());
+    shell.context().launcher().abort();
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().launcher().running(); }, 10000));
+    QTest::qWait(kLockMs - 1000);
+    QVERIFY2(shell.context().signedIn(), "locked before the time was over");
+    QVERIFY(QTest::qWaitFor([&] { return !shell.context().signedIn(); }, 2 * kLockMs));
+    shell.lock_after_s = 0;
+    shell.start();
+    QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
 }
 
 void ShellAttemptTest::recordingStaysWhenTheStoreIsLocked() {

@@ -50,6 +50,10 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
     connect(&context.launcher(), &AttemptLauncher::started, this, &MainWindow::updateFrame);
+    // Whoever operates touches another window than this one: from the end on he has the whole time.
+    for (const auto change : {&AttemptLauncher::statusChanged, &AttemptLauncher::started})
+        connect(&context.launcher(), change, this, &MainWindow::touched);
+    connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::touched);
     idle_.setSingleShot(true);
     connect(&idle_, &QTimer::timeout, this, &MainWindow::lock);
     qApp->installEventFilter(this);
@@ -110,8 +114,7 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
         case QEvent::MouseMove:
         case QEvent::Wheel:
         case QEvent::TouchBegin:
-            if (context_.signedIn() && context_.lockAfterSeconds() > 0)
-                idle_.start(context_.lockAfterSeconds() * 1000);
+            touched();
             if (closesNotice(object, event)) return true;
             if (event->type() == QEvent::Wheel && holds_a_value(object)) {
                 event->ignore();  // goes to the page, which scrolls
@@ -122,6 +125,11 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
             break;
     }
     return QMainWindow::eventFilter(object, event);
+}
+
+void MainWindow::touched() {
+    if (context_.signedIn() && context_.lockAfterSeconds() > 0)
+        idle_.start(context_.lockAfterSeconds() * 1000);
 }
 
 // Escape belongs to an open list, menu or dialog first.

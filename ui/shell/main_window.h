@@ -64,6 +64,8 @@ class MainWindow : public QMainWindow {
     void saveAttempt(const AttemptEnding& ending);
     void offerLeftovers();
     void openSearch();
+    /// The time to the lock begins anew.
+    void touched();
     /// Back to log-in; who comes back as the same person is where he was. Not while an attempt
     /// runs, nor while a participant is at the screen.
     void lock();
