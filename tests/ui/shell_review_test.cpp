@@ -103,6 +103,17 @@ void ShellReviewTest::resultPageSaysWhatWhenAndWhere() {
     }
     shell.shot("40_result");
     QVERIFY(picturesAreThere());
+    // The other reasons unfold in place: neither the page nor the focus goes elsewhere.
+    QVERIFY(detail.score.reasons.size() > 3);
+    auto* scroll = shell.window().page()->findChild<QScrollArea*>();
+    shell.find<QPushButton>("more_reasons")->setFocus();
+    QCoreApplication::processEvents();
+    const int place = scroll->verticalScrollBar()->value();
+    QVERIFY(shell.click("more_reasons"));
+    QVERIFY(shell.find<QLabel>("reason_3")->isVisibleTo(shell.window().page()));
+    QCOMPARE(scroll->verticalScrollBar()->value(), place);
+    QVERIFY(!shell.focusIsIn("comment_text"));
+    shell.window().grab().save(shell.shotFile("40_result_reasons"));
     shell.scrollTo("ledger");
     shell.shot("41_result_ledger");
     QVERIFY(picturesAreThere());

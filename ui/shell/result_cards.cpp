@@ -141,6 +141,8 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
     }
     if (reasons.size() > shown) {
         auto* rest = new QWidget;
+        rest->setObjectName("other_reasons");
+        rest->setFocusPolicy(Qt::StrongFocus);
         auto* more = new QVBoxLayout(rest);
         more->setContentsMargins(0, 0, 0, 0);
         more->setSpacing(kSpace12);
@@ -162,6 +164,9 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
         all->setObjectName("more_reasons");
         QObject::connect(all, &QPushButton::clicked, rest, [rest, all] {
             rest->show();
+            // Hidden with the focus it would hand it on to the next field, and the page would
+            // scroll there.
+            rest->setFocus();
             all->hide();
         });
         layout->addWidget(all, 0, Qt::AlignLeft);
