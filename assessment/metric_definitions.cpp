@@ -64,8 +64,10 @@ constexpr MetricDefinition kMetrics[] = {
      "Places of the placode, squares of 2 mm, where tissue passed the warning dose.", "Placode"},
     {"placode_burned_percent", "Placode burned", "%", kLowerIsBetter,
      "Share of the placode's volume beyond the injury dose or temperature.", "Placode"},
-    {"placode_cut_mm3", "Placode cut", "mm3", kLowerIsBetter,
-     "Volume of the placode that was removed or torn.", "Placode"},
+    {"placode_cut_mm3", "Placode removed or torn", "mm3", kLowerIsBetter,
+     "Volume of the placode that heat removed or stretch tore; pulling or pressing beside it tears "
+     "it, too, without a contact.",
+     "Placode"},
     {"energy_activations", "Activations", "", kNeutral, "Times the energy was switched on.",
      "Placode"},
     {"energy_on_s", "Energy on", "s", kLowerIsBetter, "Time with the pedal down.", "Placode"},

@@ -58,7 +58,6 @@ TEST(Ledger, APlacodeContactStandsWhereAndWhenItLasted) {
 
 TEST(Ledger, CuttingTheZoneIsTheTaskAndNoDamage) {
     std::vector<Event> events{event(EventKind::kVaporised, 1, 1e-10F, 0, 0.0055F),
-                              event(EventKind::kTorn, 1.1, 1e-10F, 0, 0.0055F),
                               event(EventKind::kSnipped, 1.2, 1e-6F, 0, 0.0055F)};
     EXPECT_TRUE(damage_ledger(events, field()).empty());
     // Half a millimetre into the skin is within the band, two are not.
@@ -68,6 +67,21 @@ TEST(Ledger, CuttingTheZoneIsTheTaskAndNoDamage) {
     ASSERT_EQ(damage_ledger(events, field()).size(), 1U);
     EXPECT_EQ(damage_ledger(events, field())[0].hour, 3);  // the patient's right
     EXPECT_EQ(damage_ledger(events, field())[0].region, Region::kSkin);
+}
+
+TEST(Ledger, TornTissueIsDamageInEveryTissue) {
+    const std::vector<Event> events{event(EventKind::kTorn, 1, 1e-10F, 0, 0.0055F),
+                                    event(EventKind::kTorn, 1.1, 2e-10F, 0, 0.0056F),
+                                    event(EventKind::kTorn, 5, 1e-10F, 0, 0.003F, Tissue::kPlacode),
+                                    event(EventKind::kTorn, 9, 1e-10F, 0, 0.01F, Tissue::kSkin)};
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 3U);
+    EXPECT_EQ(entries[0].lane, HarmLane::kTissue);
+    EXPECT_EQ(entries[0].region, Region::kZone);
+    EXPECT_FALSE(entries[0].critical) << "of the tissue that is cut anyway";
+    EXPECT_NEAR(entries[0].value, 3e-10, 1e-15);
+    EXPECT_TRUE(entries[1].critical);
+    EXPECT_EQ(entries[2].region, Region::kSkin);
 }
 
 TEST(Ledger, ElementsOfOneHarmAreOneEntryWithTheSumOfTheirVolumes) {

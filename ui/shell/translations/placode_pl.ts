@@ -1797,6 +1797,10 @@
         <source>Tip below the surface</source>
         <translation>Końcówka pod powierzchnią</translation>
     </message>
+    <message>
+        <source>Tissue torn</source>
+        <translation>Rozerwana tkanka</translation>
+    </message>
 </context>
 <context>
     <name>LedgerView</name>
@@ -1989,10 +1993,6 @@
     <message>
         <source>Placode burned</source>
         <translation>Oparzenie płytki</translation>
-    </message>
-    <message>
-        <source>Placode cut</source>
-        <translation>Nacięcie płytki</translation>
     </message>
     <message>
         <source>Activations</source>
@@ -2321,6 +2321,10 @@
     <message>
         <source>Times below the surface</source>
         <translation>Ile razy pod powierzchnią</translation>
+    </message>
+    <message>
+        <source>Placode removed or torn</source>
+        <translation>Płytka usunięta lub rozerwana</translation>
     </message>
 </context>
 <context>
