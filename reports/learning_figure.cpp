@@ -198,7 +198,7 @@ Figure flow_figure(const std::string& id, const std::string& title, const FlowNu
     if (numbers.kept > 0) both("withdrew, data to date are used", numbers.kept, true);
     if (numbers.consented >= 0) both("consented", numbers.consented, false);
     for (const auto& [step, n] : numbers.reached) both(step, n, false);
-    both("analysed", numbers.analysed, false);
+    both("answers or attempts analysed", numbers.analysed, false);
     figure.id = id;
     figure.title = title;
     figure.caption = "Flow of participants.";

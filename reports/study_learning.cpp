@@ -101,7 +101,9 @@ Analysis learning_curves(const StudyReport& report, const ChartStyle& style) {
     const auto learners =
         attempts == nullptr ? std::map<std::string, Learner>{} : learners_of(*attempts);
     if (learners.empty()) {
-        analysis.problem = "There are no attempts yet.";
+        analysis.problem = attempts == nullptr || attempts->rows.empty()
+                               ? "There are no attempts yet."
+                               : "There are attempts, but none of them counts.";
         return analysis;
     }
     const auto limits = assessment::cusum_limits(0.05, 0.10, 0.05, 0.20);

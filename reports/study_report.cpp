@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "reports/attempt_counts.h"
 #include "reports/export.h"
 #include "reports/paper.h"
 #include "reports/study_report_parts.h"
@@ -47,8 +48,10 @@ FlowNumbers flow_of(const StudyReport& report) {
     }
     std::set<std::string> answered;
     for (const auto& record : report.data.answers) answered.insert(record.participant);
-    for (const auto& step : report.steps)
-        if (step.attempt_id > 0) answered.insert(step.participant);
+    // An attempt that does not count is in no analysis.
+    if (const Form* attempts = report.data.form("attempts"))
+        for (const Row& row : attempts->rows)
+            if (row.counts) answered.insert(row.participant);
     std::set<std::string> usable;
     for (const auto& each : report.data.participants) usable.insert(each.code);
     flow.analysed = static_cast<int>(
@@ -341,6 +344,13 @@ void write_comparison(Paper& paper, const StudyNumbers& numbers) {
                 {"item", "delta", "95 % interval", "p (exact)", "p (Holm)"}, "lrrrr", rows);
 }
 
+/// " (1 of them does not count)", so that no number here contradicts the analyses.
+QString uncounted_part(const Dataset& data) {
+    const int n = attempt_counts(data).uncounted();
+    if (n == 0) return {};
+    return QString(" (%1 of them %2 not count)").arg(n).arg(n == 1 ? "does" : "do");
+}
+
 void write_versions(Paper& paper, const StudyReport& report) {
     paper.heading("Software and data");
     const Dataset& data = report.data;
@@ -353,7 +363,7 @@ void write_versions(Paper& paper, const StudyReport& report) {
     QString html = "<p>" + safe(data.software) + "; data read from the store at " +
                    safe(data.created_utc) + ": " + many(data.participants.size(), "participant") +
                    ", " + many(data.answers.size(), "set of answers", "sets of answers") + ", " +
-                   many(data.attempts.size(), "attempt") + ", " +
+                   many(data.attempts.size(), "attempt") + uncounted_part(data) + ", " +
                    many(cells_of(data).size(), "value") + ".</p><p>";
     if (!data.definition_json.empty())
         html += "Protocol " + safe(data.id) + " version " + QString::number(data.version) +

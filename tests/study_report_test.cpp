@@ -331,6 +331,38 @@ TEST_F(StudyReportTest, DeviationsAreCountedAndListedAndNoAnalysisUsesWhatDoesNo
                                                                 << text.toStdString();
 }
 
+TEST_F(StudyReportTest, AnAttemptThatDoesNotCountIsNotSaidToBeAnalysed) {
+    const std::string code = store->studies().new_participant(kStudy, true);
+    db::record_consent(*store, kStudy, code, "en", {"read", "voluntary", "data"});
+    const int64_t user = store->accounts().create({"station", "Station", "correct horse", 1, true});
+    db::AttemptResult result;
+    result.header.task_id = "diathermy_ring";
+    result.header.started_utc = "2026-11-21T10:00:00.000Z";
+    result.header.demonstration = true;
+    result.end.duration_s = 2;
+    result.end.reason = sim::EndReason::kInterrupted;
+    db::StepRecord step;
+    step.study_id = kStudy;
+    step.participant = code;
+    step.step = "procedure_1";
+    step.attempt_id = store->attempts().save(user, result);
+    db::record_attempt_step(*store, step);
+    EXPECT_EQ(reports::learning_curves(report(), {}).problem,
+              "There are attempts, but none of them counts.");
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    const QString path = QString::fromStdString(folder.file("study.pdf"));
+    reports::write_study_pdf(report(), path.toStdString());
+    QProcess process;
+    process.start(pdftotext, {"-layout", path, "-"});
+    ASSERT_TRUE(process.waitForFinished());
+    const QString text = QString::fromUtf8(process.readAllStandardOutput()).simplified();
+    for (const char* expected :
+         {"answers or attempts analysed (n = 0)", "1 attempt (1 of them does not count)"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
+                                                                << text.toStdString();
+}
+
 TEST_F(StudyReportTest, EveryFigureIsSvgPngAndDataAndSaysDemonstration) {
     answer_as_the_paper();
     add_attempts();

@@ -29,6 +29,7 @@ namespace {
                       "There are no two levels with attempts of at least two people each."),
     QT_TRANSLATE_NOOP("Analysis", "At least three people with two attempts each are needed."),
     QT_TRANSLATE_NOOP("Analysis", "There are no attempts yet."),
+    QT_TRANSLATE_NOOP("Analysis", "There are attempts, but none of them counts."),
 };
 
 // Words of reports/conduct_words.cpp: why an attempt does not count, what deviated from a protocol.

@@ -6495,6 +6495,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>There are no attempts yet.</source>
         <translation>Nie ma jeszcze żadnych prób.</translation>
     </message>
+    <message>
+        <source>There are attempts, but none of them counts.</source>
+        <translation>Są próby, ale żadna się nie liczy.</translation>
+    </message>
 </context>
 <context>
     <name>NamesCard</name>
