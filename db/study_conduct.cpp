@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "db/attempt_counting.h"
 #include "db/packing.h"
 #include "db/study_records.h"
 
@@ -53,13 +54,15 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
 /// Why an attempt does not do the step; empty = it does.
 std::string why_not_done(const AttemptRecord& attempt,
                          const std::optional<curriculum::StudyStep>& asked) {
-    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
-        return "interrupted";
-    if (!attempt.void_reason.empty()) return "void: " + attempt.void_reason;
-    if (!asked || attempt.duration_s >= asked->min_s) return {};
+    std::string why;
     const auto whole = [](double s) { return std::to_string(static_cast<int>(s)) + " s"; };
-    return "ended after " + whole(attempt.duration_s) + ", before the least duration of " +
-           whole(asked->min_s);
+    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
+        why = "interrupted";
+    else if (asked && attempt.duration_s < asked->min_s)
+        why = "ended after " + whole(attempt.duration_s) + ", before the least duration of " +
+              whole(asked->min_s);
+    return joined_reasons(
+        why, attempt.void_reason.empty() ? std::string() : "void: " + attempt.void_reason);
 }
 
 /// Consent and demographics are not asked again at a second visit.

@@ -11,6 +11,7 @@
 #include "reports/paper.h"
 #include "reports/report.h"
 #include "reports/text.h"
+#include "reports/words.h"
 #include "sim/core/counted.h"
 
 namespace placode::reports {
@@ -245,13 +246,13 @@ TraineeReport read_trainee_report(db::Store& store, const db::UserRecord& user,
 
 namespace {
 
-/// Which attempts do not count because the machine failed, and how.
-void write_void(Paper& paper, const std::vector<db::AttemptRecord>& attempts) {
+/// Which attempts do not count, and why.
+void write_not_counted(Paper& paper, const std::vector<db::AttemptRecord>& attempts) {
     QString list;
     for (const db::AttemptRecord& each : attempts)
-        if (!each.void_reason.empty())
-            list += "<li>Attempt " + QString::number(each.id) +
-                    " does not count: " + safe(each.void_reason) + ".</li>";
+        if (!db::counts(each))
+            list += "<li>Attempt " + QString::number(each.id) + " does not count: " +
+                    not_counted_words(each, Language::kEnglish).toHtmlEscaped() + ".</li>";
     if (!list.isEmpty()) paper.html("<ul>" + list + "</ul>");
 }
 
@@ -291,16 +292,16 @@ void write_trainee_pdf(const TraineeReport& report, const std::string& path) {
         paper.heading("History");
         std::vector<QStringList> attempts;
         for (const db::AttemptRecord& each : report.attempts)
-            attempts.push_back({QString::number(each.id), safe(each.started_utc),
-                                safe(each.task_id), number(each.points, 1),
-                                each.void_reason.empty() ? verdict_word(each.verdict)
-                                                         : QStringLiteral("does not count"),
-                                end_word(each.end), safe(each.device), safe(each.exam.stage_id)});
+            attempts.push_back(
+                {QString::number(each.id), safe(each.started_utc), safe(each.task_id),
+                 number(each.points, 1),
+                 db::counts(each) ? verdict_word(each.verdict) : QStringLiteral("does not count"),
+                 end_word(each.end), safe(each.device), safe(each.exam.stage_id)});
         write_rows(
             paper,
             {"attempt", "started (UTC)", "task", "points", "verdict", "end", "device", "exam"},
             attempts);
-        write_void(paper, report.attempts);
+        write_not_counted(paper, report.attempts);
     }
     paper.finish();
 }

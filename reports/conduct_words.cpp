@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include "db/attempt_counting.h"
 #include "reports/text.h"
 #include "reports/words.h"
 
@@ -18,6 +19,9 @@ constexpr const char* kVoidPatterns[]{
     "Tissue or generator was tuned"};
 constexpr const char* kPictures =
     "The computer was too slow: %n picture(s) a second, 20 are needed";
+
+/// How every reason of a slow machine begins.
+constexpr const char* kSlowStart = "The computer was too slow";
 
 class Speaker {
  public:
@@ -103,20 +107,33 @@ QString void_words(const std::string& english) {
 
 QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     const Speaker say(language);
+    QStringList said;
     if (attempt.end == sim::EndReason::kInterrupted)
-        return say("left after %1").arg(duration_words(attempt.duration_s));
-    if (attempt.verdict == assessment::Verdict::kNotAttempted) return say("nothing was done");
-    if (attempt.void_reason.empty()) return {};
-    const QString all = language == Language::kEnglish ? QString::fromStdString(attempt.void_reason)
-                                                       : void_words(attempt.void_reason);
-    // The figures behind the colon stand where there is room for them.
-    QString cause = all.section(QStringLiteral("; "), 0, 0).section(QStringLiteral(": "), 0, 0);
-    if (!cause.isEmpty()) cause[0] = cause[0].toLower();
-    return cause;
+        said << say("left after %1").arg(duration_words(attempt.duration_s));
+    if (attempt.verdict == assessment::Verdict::kNotAttempted) said << say("nothing was done");
+    // The figures of a machine stand where there is room for them.
+    bool tuned = false, device = false, slow = false;
+    for (const QString& part : QString::fromStdString(attempt.void_reason)
+                                   .split(QStringLiteral("; "), Qt::SkipEmptyParts)) {
+        if (part == QLatin1String(db::kTunedReason.data(), db::kTunedReason.size()))
+            tuned = true;
+        else if (part.startsWith(QLatin1String(kSlowStart)))
+            slow = true;
+        else
+            device = true;
+    }
+    if (tuned) said << say("tissue or generator was tuned");
+    if (device) said << say("the force device did not work as it must");
+    if (slow) said << say("the computer was too slow");
+    return said.join(QStringLiteral("; "));
 }
 
 QString not_done_words(const std::string& english) {
     const QString said = QString::fromStdString(english);
+    // What the person did stands before what the machine did.
+    if (const auto at = said.indexOf(QStringLiteral("; void: ")); at > 0)
+        return not_done_words(said.left(at).toStdString()) + QStringLiteral("; ") +
+               not_done_words(said.mid(at + 2).toStdString());
     if (said == QLatin1String("interrupted"))
         return QCoreApplication::translate("Deviation", "broken off");
     static const QString kVoid = QStringLiteral("void: ");

@@ -27,8 +27,9 @@ namespace placode::reports {
 /// In which language something is said: the program's, or English for files.
 enum class Language : uint8_t { kProgram, kEnglish };
 
-/// Why an attempt does not count, in a few words that go on a sentence ("left after 5 s", "nothing
-/// was done", "the computer was too slow"): what the person did comes first. Empty when it counts.
+/// Why an attempt does not count, in a few words that go on a sentence ("left after 5 s; the
+/// computer was too slow"): every reason, what the person did first. Empty when it counts. Pages,
+/// tables and reports say it in these words.
 [[nodiscard]] QString not_counted_words(const db::AttemptRecord& attempt,
                                         Language language = Language::kProgram);
 

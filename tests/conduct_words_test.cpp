@@ -64,10 +64,21 @@ TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
     EXPECT_EQ(not_counted_words(attempt), "") << "it counts";
     attempt.void_reason = "The computer was too slow: 14 pictures a second, 20 are needed";
     EXPECT_EQ(not_counted_words(attempt, Language::kEnglish), "the computer was too slow");
+    // Every reason, once.
+    attempt.void_reason +=
+        "; The computer was too slow: the simulation ran at 82 % of real time, "
+        "95 % are needed; 40 drop-outs of the force loop; 2 device faults";
+    EXPECT_EQ(not_counted_words(attempt, Language::kEnglish),
+              "the force device did not work as it must; the computer was too slow");
+    attempt.void_reason += "; " + std::string(db::kTunedReason);
     attempt.verdict = assessment::Verdict::kNotAttempted;
-    EXPECT_EQ(not_counted_words(attempt), "~nothing was done");
     attempt.end = sim::EndReason::kInterrupted;
-    EXPECT_EQ(not_counted_words(attempt), "~left after 5 s");
+    EXPECT_EQ(not_counted_words(attempt),
+              "~left after 5 s; ~nothing was done; ~tissue or generator was tuned; ~the force "
+              "device did not work as it must; ~the computer was too slow");
+    attempt.void_reason.clear();
+    attempt.end = sim::EndReason::kFinished;
+    EXPECT_EQ(not_counted_words(attempt), "~nothing was done");
     EXPECT_EQ(void_words(std::string(db::kTunedReason)), "~Tissue or generator was tuned");
 }
 
@@ -78,6 +89,10 @@ TEST_F(ConductWords, WhyAStepIsStillToBeDone) {
     EXPECT_TRUE(
         not_done_words("void: The computer was too slow: 3 pictures a second, 20 are needed")
             .startsWith("~The computer"));
+    EXPECT_EQ(not_done_words("ended after 2 s, before the least duration of 60 s; void: The "
+                             "computer was too slow: 3 pictures a second, 20 are needed"),
+              "~it ended after 2 s, before 60 s were over; ~The computer was too slow: 3 pictures "
+              "a second, 20 are needed");
     EXPECT_EQ(not_done_words("the pedal was unplugged"), "the pedal was unplugged")
         << "a coordinator's own words";
 }

@@ -372,6 +372,10 @@ TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     perform(code, 40, sim::EndReason::kFinished, {slow});
     EXPECT_THAT(db::study_progress(*store, "pilot").at(0).open_because,
                 HasSubstr("void: The computer was too slow: 12 pictures a second"));
+    perform(code, 12, sim::EndReason::kFinished, {slow});
+    EXPECT_THAT(db::study_progress(*store, "pilot").at(0).open_because,
+                testing::StartsWith("ended after 12 s, before the least duration of 30 s; void: "))
+        << "who ended too early is told so, whatever the computer did";
     const int64_t good = perform(code, 40);
     progress = db::study_progress(*store, "pilot").at(0);
     EXPECT_TRUE(progress.next.empty());
@@ -379,7 +383,19 @@ TEST_P(StudyStore, AnAttemptThatIsTooShortOrVoidDoesNotDoTheStep) {
     auto again = step(code, "run");
     again.attempt_id = good;
     db::record_attempt_step(*store, again);
-    EXPECT_EQ(store->studies().steps("pilot").size(), 5u);
+    EXPECT_EQ(store->studies().steps("pilot").size(), 6u);
+}
+
+TEST_P(StudyStore, ASkippedStepIsOverAndNotDone) {
+    store->definitions().publish(study(1));
+    const std::string code = store->studies().new_participant("pilot");
+    auto skipped = step(code, "consent");
+    skipped.state = db::StepState::kSkipped;
+    store->studies().record_step(skipped);
+    const auto progress = db::study_progress(*store, "pilot").at(0);
+    EXPECT_EQ(progress.done, 0);
+    EXPECT_EQ(progress.skipped, std::vector<std::string>{"1/consent"});
+    EXPECT_NE(progress.next, "consent") << "it is not asked for again";
 }
 
 TEST_P(StudyStore, TheDeviceIsTheCoordinatorsChoice) {

@@ -35,8 +35,8 @@ QTableWidgetItem* verdict_cell(const AppContext& context, const db::AttemptRecor
     const bool failed = db::counts(attempt) && attempt.verdict == assessment::Verdict::kFailed;
     QTableWidgetItem* cell =
         make_cell(failed ? AttemptsTable::tr("Failed") : verdict_word(attempt));
-    cell->setToolTip(attempt.void_reason.empty() ? verdict_word(attempt)
-                                                 : reports::void_words(attempt.void_reason));
+    const QString why = reports::not_counted_words(attempt);
+    cell->setToolTip(why.isEmpty() ? verdict_word(attempt) : why);
     const Tokens& colors = context.colors();
     const std::string tone = verdict_tone(attempt);
     cell->setForeground(tone == "good"       ? colors.good
@@ -83,11 +83,10 @@ QTableWidget* make_attempts_table(AppContext& context,
         table->setItem(row, column++,
                        make_number_cell(format_duration(attempt.duration_s), attempt.duration_s));
         table->setItem(row, column++, make_cell(device_name(attempt.device)));
-        table->setItem(
-            row, column++,
-            make_cell(!attempt.void_reason.empty() ? reports::void_words(attempt.void_reason)
-                      : attempt.demonstration      ? AttemptsTable::tr("DEMONSTRATION")
-                                                   : end_word(attempt.end)));
+        table->setItem(row, column++,
+                       make_cell(!counts                 ? reports::not_counted_words(attempt)
+                                 : attempt.demonstration ? AttemptsTable::tr("DEMONSTRATION")
+                                                         : end_word(attempt.end)));
         table->item(row, column - 1)->setToolTip(table->item(row, column - 1)->text());
         ++row;
     }

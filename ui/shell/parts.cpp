@@ -261,15 +261,13 @@ QString format_points(double points) { return format_number(points, 0); }
 int whole_points(double points) { return QString::number(points, 'f', 0).toInt(); }
 
 QString verdict_word(const db::AttemptRecord& attempt) {
-    if (attempt.end == sim::EndReason::kInterrupted) return Parts::tr("Interrupted");
-    if (!attempt.void_reason.empty()) return Parts::tr("Does not count");
+    // One word for all of them; why it is so stands beside it.
+    if (!db::counts(attempt)) return Parts::tr("Does not count");
     switch (attempt.verdict) {
         case assessment::Verdict::kPassed:
             return Parts::tr("Passed");
         case assessment::Verdict::kFailed:
             return Parts::tr("Failed: critical error");
-        case assessment::Verdict::kNotAttempted:
-            return Parts::tr("Not attempted");
         default:
             return Parts::tr("Not yet");
     }

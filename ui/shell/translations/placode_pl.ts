@@ -2971,10 +2971,6 @@
         <translation>Zostaw</translation>
     </message>
     <message>
-        <source>Interrupted</source>
-        <translation>Przerwana</translation>
-    </message>
-    <message>
         <source>Passed</source>
         <translation>Zaliczone</translation>
     </message>
@@ -3041,10 +3037,6 @@
     <message>
         <source>Scripted novice</source>
         <translation>Program: początkujący</translation>
-    </message>
-    <message>
-        <source>Not attempted</source>
-        <translation>Nie podjęto</translation>
     </message>
 <message>
         <source>Does not count</source>
@@ -8387,6 +8379,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Nothing was done</source>
         <translation>Nic nie zrobiono</translation>
+    </message>
+    <message>
+        <source>tissue or generator was tuned</source>
+        <translation>strojono tkankę lub generator</translation>
+    </message>
+    <message>
+        <source>the force device did not work as it must</source>
+        <translation>urządzenie siłowe nie działało jak trzeba</translation>
+    </message>
+    <message>
+        <source>the computer was too slow</source>
+        <translation>komputer był za wolny</translation>
     </message>
 </context>
 <context>
