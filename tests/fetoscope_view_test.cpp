@@ -270,6 +270,24 @@ TEST_F(FetoscopeViewTest, WritesTheReadOutsOutsideTheCircle) {
     EXPECT_GT(difference(full, draw(f.snapshot, overlay)), 5.0);
 }
 
+TEST_F(FetoscopeViewTest, AnExamIsToldThatTheComputerIsTooSlow) {
+    const Field f = field();
+    OverlayState overlay = quiet();
+    const Picture before = draw(f.snapshot, overlay);
+    overlay.banner = "COMPUTER TOO SLOW, does not count";
+    const Picture banner = draw(f.snapshot, overlay);
+    overlay.banner.clear();
+    overlay.notice = "This computer is slow: the picture was made simpler";
+    const Picture notice = draw(f.snapshot, overlay);
+    const auto foot = [](const Picture& picture) {
+        return picture.mean(60, kSize - 40, kSize - 60, kSize);
+    };
+    EXPECT_GT(std::abs(foot(banner) - foot(before)), 0.01);
+    EXPECT_GT(std::abs(foot(notice) - foot(before)), 0.01);
+    EXPECT_NE(translated("COMPUTER TOO SLOW, does not count", "pl"),
+              "COMPUTER TOO SLOW, does not count");
+}
+
 // Where a point of W [mm] stands in the picture of the default camera [px].
 Vec2 place_of(const Vec3& mm) {
     const Camera camera = look_at(Vec3(-15.4, 0, 25.7), Vec3(0, 0, 0), 70);

@@ -22,7 +22,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kSpeedKnownS = 5;  // of an attempt; before it one slow second decides
-constexpr const char* kTooSlow = "TOO SLOW, does not count";
+constexpr const char* kTooSlow = "COMPUTER TOO SLOW, does not count";
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
 
 bool is_script(const Arguments& arguments) { return arguments.device.rfind("script:", 0) == 0; }

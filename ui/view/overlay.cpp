@@ -110,15 +110,20 @@ void Overlay::read_outs() {
                                      : say("of") + " " + clock_text(state_->time_limit_s);
         paint_->text(x + 0.5 * unit_, y, text, TextSize::kSmall, kMuted);
     }
-    text_foot_ = y;
-    if (state_->exam) return;
+    // The goal needs a wide window: it must not run into the picture.
+    const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
+    if (!state_->exam) y = task_words(y, room);
+    // Whether the attempt counts, and what the computer says, is no aid.
+    text_foot_ = banner(y, room);
+    notice(room);
+}
+
+double Overlay::task_words(double y, double room) {
     y += 1.9 * unit_;
     // The phases are those of the operation; exercises have steps.
     const bool operates = energised_tools() || snapshot_->resected_fraction >= 0;
     const char* phase = practising() || !operates ? "Practice" : phase_text(snapshot_->phase);
     paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
-    // The goal needs a wide window: it must not run into the picture.
-    const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     if (room > 9 * unit_) {
         y += 2.4 * unit_;
         for (const std::string& line : paint_->wrapped(state_->title, TextSize::kNormal, room)) {
@@ -139,25 +144,29 @@ void Overlay::read_outs() {
                      kMuted.faded(0.7F), Align::kRight);
     }
     if (practising() && room <= 9 * unit_) practice_line();
-    if (!state_->banner.empty()) {
-        const std::string text = say(state_->banner);
-        const double w = paint_->text_width(text, TextSize::kSmall) + 1.2 * unit_;
-        const double x = room > 9 * unit_ ? margin_ : 0.5 * (width_ - w);
-        const double top = room > 9 * unit_ ? y + 0.6 * unit_ : height_ - margin_ - 1.0 * unit_;
-        paint_->box(x, top, w, 1.5 * unit_, kRaised);
-        paint_->text(x + 0.6 * unit_, top + 1.05 * unit_, text, TextSize::kSmall, kWarn);
-        if (room > 9 * unit_) y = top + 1.5 * unit_;
-    }
-    text_foot_ = y;
-    if (!state_->notice.empty()) {
-        // Above the banner where that one stands in the middle.
-        const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
-        const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
-        const std::string text = say(state_->notice);
-        const double w = paint_->text_width(text, TextSize::kNormal) + 1.6 * unit_;
-        paint_->box(0.5 * (width_ - w), foot - 1.35 * unit_, w, 2.0 * unit_, kRaised.faded(0.85F));
-        paint_->text(0.5 * width_, foot, text, TextSize::kNormal, kText, Align::kCentre);
-    }
+    return y;
+}
+
+double Overlay::banner(double y, double room) {
+    if (state_->banner.empty()) return y;
+    const std::string text = say(state_->banner);
+    const double w = paint_->text_width(text, TextSize::kSmall) + 1.2 * unit_;
+    const double x = room > 9 * unit_ ? margin_ : 0.5 * (width_ - w);
+    const double top = room > 9 * unit_ ? y + 0.6 * unit_ : height_ - margin_ - 1.0 * unit_;
+    paint_->box(x, top, w, 1.5 * unit_, kRaised);
+    paint_->text(x + 0.6 * unit_, top + 1.05 * unit_, text, TextSize::kSmall, kWarn);
+    return room > 9 * unit_ ? top + 1.5 * unit_ : y;
+}
+
+void Overlay::notice(double room) {
+    if (state_->notice.empty()) return;
+    // Above the banner where that one stands in the middle.
+    const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
+    const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
+    const std::string text = say(state_->notice);
+    const double w = paint_->text_width(text, TextSize::kNormal) + 1.6 * unit_;
+    paint_->box(0.5 * (width_ - w), foot - 1.35 * unit_, w, 2.0 * unit_, kRaised.faded(0.85F));
+    paint_->text(0.5 * width_, foot, text, TextSize::kNormal, kText, Align::kCentre);
 }
 
 void Overlay::energy() {

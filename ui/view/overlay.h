@@ -95,6 +95,10 @@ class Overlay {
 
  private:
     void read_outs();
+    /// Each writes from `y` on, beside the circle where there is `room` [px]; returns its foot.
+    double task_words(double y, double room);
+    double banner(double y, double room);
+    void notice(double room);
     void energy();
     // overlay_meters.cpp: a bar of force per hand, what the machine does.
     void force();

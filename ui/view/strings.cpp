@@ -124,7 +124,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"Too long on one spot", "Za długo w jednym miejscu"},
     {"Too much force", "Za duża siła"},
     {"Tissue torn", "Rozerwanie tkanki"},
-    {"TOO SLOW, does not count", "ZA WOLNO, nie liczy się"},
+    {"COMPUTER TOO SLOW, does not count", "KOMPUTER ZA WOLNY, nie liczy się"},
     {"Grasp slips", "Tkanka wysuwa się ze szczęk"},
     {"Tissue crushed", "Tkanka zmiażdżona"},
     {"Pulled too hard", "Za mocne pociąganie"},
