@@ -53,6 +53,15 @@ std::optional<std::string> check_date(const std::string& answer) {
     return date.ok() ? std::nullopt : std::optional(problem);
 }
 
+double lowest(const QuestionnaireItem& item) {
+    return item.kind == ItemKind::kLikert ? item.scale_min : item.number_min;
+}
+double highest(const QuestionnaireItem& item) {
+    return item.kind == ItemKind::kLikert ? item.scale_max : item.number_max;
+}
+
+}  // namespace
+
 std::optional<std::string> check_answer(const QuestionnaireItem& item, const std::string& answer) {
     if (answer == kNotApplicable && item.kind != ItemKind::kText)
         return item.not_applicable ? std::nullopt
@@ -74,15 +83,6 @@ std::optional<std::string> check_answer(const QuestionnaireItem& item, const std
     }
     return std::nullopt;
 }
-
-double lowest(const QuestionnaireItem& item) {
-    return item.kind == ItemKind::kLikert ? item.scale_min : item.number_min;
-}
-double highest(const QuestionnaireItem& item) {
-    return item.kind == ItemKind::kLikert ? item.scale_max : item.number_max;
-}
-
-}  // namespace
 
 std::optional<double> answer_number(const std::string& answer) {
     double value = 0;

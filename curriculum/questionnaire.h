@@ -90,6 +90,10 @@ using Answers = std::map<std::string, std::string>;
 [[nodiscard]] bool is_shown(const Questionnaire& questionnaire, const QuestionnaireItem& item,
                             const Answers& answers);
 
+/// What is wrong with one answer that is given ("190 is above 120"), or nothing.
+[[nodiscard]] std::optional<std::string> check_answer(const QuestionnaireItem& item,
+                                                      const std::string& answer);
+
 /// First problem in plain words ("item C needs an answer", "item age: 190 is above 120"), or
 /// nothing.
 [[nodiscard]] std::optional<std::string> check_answers(const Questionnaire& questionnaire,

@@ -210,12 +210,20 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     which->click();
     shell.find<QCheckBox>("answer_M_1")->click();
     QVERIFY(press("review"));
-    QVERIFY2(shell.text("participant_message").contains("above 5"),
-             qPrintable(shell.text("participant_message")));
+    // Both at once, each in its question's words and at its field.
+    const QString said = shell.text("participant_message");
+    QVERIFY2(said.contains(": 5 or less") && said.contains(": a date such as 2026-11-21"),
+             qPrintable(said));
+    QVERIFY2(!said.contains("item "), qPrintable(said));
+    QVERIFY(shell.text("missing_N").endsWith(": 5 or less"));
+    QVERIFY(shell.text("missing_D").endsWith(": a date such as 2026-11-21"));
+    QVERIFY(shell.find<QFrame>("card_N")->isAncestorOf(shell.window().focusWidget()));
+    QVERIFY(shell.find<QLabel>("missing_D")->isVisibleTo(page));
+    shell.window().grab().save(shell.shotFile("74_wrong_answers"));
     QVERIFY(shell.type("answer_N", "2,5"));
     QVERIFY(press("review"));
-    QVERIFY2(shell.text("participant_message").contains("2026-02-30"),
-             qPrintable(shell.text("participant_message")));
+    QVERIFY(!shell.text("participant_message").contains("or less"));
+    QVERIFY(shell.find<QLabel>("missing_D")->isVisibleTo(page));
     QVERIFY(shell.type("answer_D", "2026-02-28"));
     QVERIFY(press("review"));
     // Without a change of theme, which would lead back to the questions.

@@ -182,7 +182,7 @@ class ParticipantPage : public Page {
             label->setObjectName("notes_" + qstr(item.id));
             layout->addWidget(label);
         }
-        QLabel* missing = make_label(tr("This question needs an answer."), "critical");
+        QLabel* missing = make_label({}, "critical");
         missing->setObjectName("missing_" + qstr(item.id));
         missing->hide();
         missing_[item.id] = missing;
@@ -220,7 +220,8 @@ class ParticipantPage : public Page {
         } else {
             answers_[id] = text.toStdString();
         }
-        unmark(id);
+        mark(id, {});
+        message_->hide();
         showBranches();
     }
 
@@ -249,18 +250,36 @@ class ParticipantPage : public Page {
             headings_[item.id]->setText(headingOf(item));
     }
 
-    void unmark(const std::string& id) {
-        mark(id, false);
-        message_->hide();
-    }
-
     /// In the colour of what is wrong, and in words: the colour of focus says something else.
-    void mark(const std::string& id, bool missing) {
+    void mark(const std::string& id, const QString& problem) {
         QFrame* card = cards_[id];
-        card->setProperty("tone", missing ? "critical" : "");
+        card->setProperty("tone", problem.isEmpty() ? "" : "critical");
         card->style()->unpolish(card);
         card->style()->polish(card);
-        missing_[id]->setVisible(missing);
+        missing_[id]->setText(problem);
+        missing_[id]->setVisible(!problem.isEmpty());
+    }
+
+    /// What would be right, in the words of the question; empty when the answer is.
+    [[nodiscard]] QString problemOf(const QuestionnaireItem& item) const {
+        const std::string given = answer(item.id).toStdString();
+        if (given.empty() || !curriculum::check_answer(item, given)) return {};
+        const QString name = context_.in(item.text);
+        const auto said = [](double limit) { return QLocale().toString(limit, 'g', 6); };
+        switch (item.kind) {
+            case ItemKind::kNumber:
+            case ItemKind::kVisualAnalogue: {
+                const auto value = curriculum::answer_number(given);
+                if (!value) return tr("%1: a number").arg(name);
+                return *value < item.number_min
+                           ? tr("%1: %2 or more").arg(name, said(item.number_min))
+                           : tr("%1: %2 or less").arg(name, said(item.number_max));
+            }
+            case ItemKind::kDate:
+                return tr("%1: a date such as 2026-11-21").arg(name);
+            default:
+                return tr("%1: one of the answers that are offered").arg(name);
+        }
     }
 
     /// The first field of the question that can be answered by keys.
@@ -270,32 +289,36 @@ class ParticipantPage : public Page {
                 return field->setFocus(Qt::OtherFocusReason);
     }
 
-    /// All answers that are missing are marked; the message names the first problem.
+    /// All answers that are missing or impossible are marked at once; the message names them all.
     [[nodiscard]] bool complete() {
         const QuestionnaireItem* first = nullptr;
-        QStringList missing_marks;
+        QStringList missing_marks, problems;
         for (const QuestionnaireItem& item : questionnaire_.items) {
-            const bool missing = item.required && answers_.count(item.id) == 0 &&
-                                 curriculum::is_shown(questionnaire_, item, answers_);
-            mark(item.id, missing);
+            const bool asked = curriculum::is_shown(questionnaire_, item, answers_);
+            const bool missing = asked && item.required && answers_.count(item.id) == 0;
+            const QString problem = asked ? problemOf(item) : QString();
+            mark(item.id, missing ? tr("This question needs an answer.") : problem);
             if (missing) missing_marks << markOf(item);
-            if (missing && first == nullptr) first = &item;
+            if (!problem.isEmpty()) problems << problem;
+            if ((missing || !problem.isEmpty()) && first == nullptr) first = &item;
         }
-        if (first != nullptr) {
-            message_->setText(
+        if (!missing_marks.isEmpty())
+            problems.prepend(
                 missing_marks.size() == 1
                     ? tr("Question %1 needs an answer.").arg(missing_marks.front())
                     : tr("Questions %1 need an answer.").arg(missing_marks.join(", ")));
-            message_->show();
-            focusOn(first->id);
-            if (auto* scroll = steps_->currentWidget()->findChild<QScrollArea*>())
-                scroll->ensureWidgetVisible(cards_[first->id]);
-            return false;
+        if (first == nullptr) {
+            // What only the whole shows, e.g. an answer to a hidden question.
+            if (const auto problem = curriculum::check_answers(questionnaire_, answers_))
+                problems << qstr(*problem);
         }
-        const auto problem = curriculum::check_answers(questionnaire_, answers_);
-        message_->setText(problem ? qstr(*problem) : QString());
-        message_->setVisible(problem.has_value());
-        return !problem;
+        message_->setText(problems.join("\n"));
+        message_->setVisible(!problems.isEmpty());
+        if (first == nullptr) return problems.isEmpty();
+        focusOn(first->id);
+        if (auto* scroll = steps_->currentWidget()->findChild<QScrollArea*>())
+            scroll->ensureWidgetVisible(cards_[first->id]);
+        return false;
     }
 
     void review() {

@@ -2955,6 +2955,26 @@
         <source>Questions %1 need an answer.</source>
         <translation>Pytania %1 wymagają odpowiedzi.</translation>
     </message>
+    <message>
+        <source>%1: a number</source>
+        <translation>%1: liczba</translation>
+    </message>
+    <message>
+        <source>%1: %2 or more</source>
+        <translation>%1: co najmniej %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 or less</source>
+        <translation>%1: najwyżej %2</translation>
+    </message>
+    <message>
+        <source>%1: a date such as 2026-11-21</source>
+        <translation>%1: data, na przykład 2026-11-21</translation>
+    </message>
+    <message>
+        <source>%1: one of the answers that are offered</source>
+        <translation>%1: jedna z podanych odpowiedzi</translation>
+    </message>
 </context>
 <context>
     <name>Parts</name>
