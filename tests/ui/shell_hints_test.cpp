@@ -21,6 +21,7 @@ class ShellHintsTest : public QObject {
     void cleanupTestCase() { shell_.reset(); }
 
     void aLockedStageSaysWhatOpensIt();
+    void whyAnAttemptDoesNotCountIsTheSameEverywhere();
     void idleAttemptsLeaveASentenceInsteadOfAnEmptyChart();
     void anAttemptThatDoesNotCountHasNoScore();
     void todayNamesNewRemarksUntilTheyAreRead();
@@ -90,6 +91,39 @@ void ShellHintsTest::aLockedStageSaysWhatOpensIt() {
     QVERIFY(shell_->fits());
 }
 
+void ShellHintsTest::whyAnAttemptDoesNotCountIsTheSameEverywhere() {
+    const QString why = "nothing was done; the computer was too slow";
+    const int64_t id = add("familiarisation", assessment::Verdict::kNotAttempted,
+                           sim::EndReason::kFinished, "slow");
+    shell_->window().open({PageId::kResult, id, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QCOMPARE(shell_->text("result_verdict"), "Does not count: " + why);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "familiarisation"}}});
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    auto* table = shell_->find<QTableWidget>("history_table");
+    QCOMPARE(table->item(0, table->columnCount() - 1)->text(), why);
+    QCOMPARE(table->item(0, 2)->text(), QString("Does not count"));
+    QCOMPARE(table->item(0, 2)->toolTip(), why);
+    shell_->window().open({PageId::kCourse, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kCourse));
+    const QString standing = shell_->text("standing_familiarisation");
+    QVERIFY2(standing.contains("tried, does not count: " + why), qPrintable(standing));
+    QVERIFY(!standing.contains("not tried yet"));
+    shell_->shot("34_course_not_counted");
+    // For the educator there are attempts, though none is in any table of the cohort.
+    QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
+    shell_->window().open({PageId::kAttempts, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kAttempts));
+    table = shell_->find<QTableWidget>("attempts_table");
+    QCOMPARE(table->item(0, table->columnCount() - 1)->text(), why);
+    shell_->window().open({PageId::kCohort, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kCohort));
+    QCOMPARE(shell_->text("cohort_empty"),
+             QString("There are attempts, but none of them counts (nothing was done: 1)."));
+    shell_->shot("34_cohort_not_counted");
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+}
+
 void ShellHintsTest::idleAttemptsLeaveASentenceInsteadOfAnEmptyChart() {
     const int64_t idle =
         add("touch_targets", assessment::Verdict::kNotAttempted, sim::EndReason::kFinished);
@@ -126,7 +160,7 @@ void ShellHintsTest::anAttemptThatDoesNotCountHasNoScore() {
         add("trace_contour", assessment::Verdict::kNotYet, sim::EndReason::kInterrupted, "slow");
     shell_->window().open({PageId::kResult, left, {}, {}});
     QVERIFY(shell_->arrives(PageId::kResult));
-    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: left after 20 s"));
+    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: left after 20 s; the computer was too slow"));
     QVERIFY(shell_->find<QLabel>("result_points") == nullptr);
     QVERIFY(!shell_->text("void_for_cause").contains("fault"));
     const int64_t slow =

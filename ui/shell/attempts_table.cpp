@@ -104,7 +104,14 @@ QTableWidget* make_attempts_table(AppContext& context,
     return table;
 }
 
-QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
+namespace {
+
+/// Why attempts do not count, how many for each reason, and what to do about it.
+struct Uncounted {
+    QStringList why, what;
+};
+
+Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
     int slow = 0, broken_off = 0, idle = 0, tuned = 0;
     for (const db::AttemptRecord& each : attempts) {
         // What the person did comes first, as on the result.
@@ -117,7 +124,8 @@ QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
         else if (!each.void_reason.empty())
             ++tuned;
     }
-    QStringList why, what;
+    Uncounted found;
+    QStringList &why = found.why, &what = found.what;
     if (idle > 0) {
         why << AttemptsTable::tr("nothing was done: %1").arg(idle);
         what << AttemptsTable::tr("Begin the first step of the task and go on as far as you can.");
@@ -135,9 +143,21 @@ QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
         why << AttemptsTable::tr("tuned: %1").arg(tuned);
         what << AttemptsTable::tr("Leave the tuning panel (F2) closed.");
     }
+    return found;
+}
+
+}  // namespace
+
+QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts) {
+    const Uncounted found = uncounted_of(attempts);
     return AttemptsTable::tr("There is no score to show: no attempt at this task counts yet (%1).")
-               .arg(why.join(", ")) +
-           " " + what.join(" ");
+               .arg(found.why.join(", ")) +
+           " " + found.what.join(" ");
+}
+
+QString why_nobody_counts(const std::vector<db::AttemptRecord>& attempts) {
+    return AttemptsTable::tr("There are attempts, but none of them counts (%1).")
+        .arg(uncounted_of(attempts).why.join(", "));
 }
 
 int64_t attempt_of_row(const QTableWidget* table, int row) {

@@ -22,6 +22,9 @@ enum class AttemptColumns : uint8_t {
 /// Where none of `attempts` (at one task) counts: why the chart is empty, and what to do.
 [[nodiscard]] QString why_nothing_counts(const std::vector<db::AttemptRecord>& attempts);
 
+/// The same for a list of many people's attempts, without advice.
+[[nodiscard]] QString why_nobody_counts(const std::vector<db::AttemptRecord>& attempts);
+
 /// Attempt id of a row, however the table is sorted.
 [[nodiscard]] int64_t attempt_of_row(const QTableWidget* table, int row);
 

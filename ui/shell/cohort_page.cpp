@@ -18,6 +18,7 @@
 #include "reports/csv_table.h"
 #include "reports/export.h"
 #include "reports/figure.h"
+#include "ui/shell/attempts_table.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -76,9 +77,9 @@ class CohortPage : public Page {
         head->addWidget(save);
         column->addLayout(head);
         if (people_.empty()) {
-            column->addWidget(make_label(
-                tr("Nobody has made an attempt yet. Once a trainee has, it shows up here."),
-                "muted"));
+            QLabel* why = make_label(whyEmpty(), "muted");
+            why->setObjectName("cohort_empty");
+            column->addWidget(why);
             column->addStretch();
             return;
         }
@@ -116,6 +117,14 @@ class CohortPage : public Page {
         std::sort(people_.begin(), people_.end(), [&](const Person& a, const Person& b) {
             return by_name.compare(a.name, b.name) < 0;
         });
+    }
+
+    /// The page of attempts may list some that do not count.
+    [[nodiscard]] QString whyEmpty() const {
+        const auto made = context_.store().attempts().page({}).rows;
+        if (made.empty())
+            return tr("Nobody has made an attempt yet. Once a trainee has, it shows up here.");
+        return why_nobody_counts(made);
     }
 
     [[nodiscard]] static QString wordOf(Standing standing) {

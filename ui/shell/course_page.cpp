@@ -6,8 +6,10 @@
 #include <QHBoxLayout>
 #include <QPainter>
 
+#include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "reports/cohort_report.h"
+#include "reports/words.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -252,6 +254,19 @@ class CoursePage : public Page {
         return false;
     }
 
+    /// The last attempt that was made for this stage and does not count; null = none.
+    [[nodiscard]] const db::AttemptRecord* lastTry(const TrainingStage& stage) const {
+        const bool exam = stage.rule.mode == curriculum::StageMode::kExam;
+        for (auto each = training_.attempts.rbegin(); each != training_.attempts.rend(); ++each) {
+            if (each->task_id != stage.task_id || db::counts(*each)) continue;
+            if (exam && (each->exam.course_id != training_.course.id ||
+                         each->exam.stage_id != stage.rule.id))
+                continue;
+            return &*each;
+        }
+        return nullptr;
+    }
+
     [[nodiscard]] QString standing(const TrainingStage& stage) const {
         if (stage.progress.status == StageStatus::kLocked) {
             QStringList missing;
@@ -263,7 +278,12 @@ class CoursePage : public Page {
             rule += tr(" · open to everybody: needs no stage before it");
         if (stage.progress.attempts_left >= 0)
             rule += tr(" · left: %1").arg(stage.progress.attempts_left);
-        if (stage.progress.attempts == 0) return rule + tr(" · not tried yet");
+        if (stage.progress.attempts == 0) {
+            const db::AttemptRecord* last = lastTry(stage);
+            return rule + (last == nullptr ? tr(" · not tried yet")
+                                           : tr(" · tried, does not count: %1")
+                                                 .arg(reports::not_counted_words(*last)));
+        }
         return rule + tr(" · streak %1 · best %2 · attempts %3")
                           .arg(stage.progress.streak)
                           .arg(format_points(stage.progress.best_points))

@@ -332,6 +332,10 @@
         <source>Leave the tuning panel (F2) closed.</source>
         <translation>Nie otwieraj panelu strojenia (F2).</translation>
     </message>
+    <message>
+        <source>There are attempts, but none of them counts (%1).</source>
+        <translation>Są próby, ale żadna się nie liczy (%1).</translation>
+    </message>
 </context>
 <context>
     <name>AuditPage</name>
@@ -1301,6 +1305,10 @@
     <message>
         <source> · open to everybody: needs no stage before it</source>
         <translation> · otwarte dla wszystkich: nie wymaga wcześniejszego etapu</translation>
+    </message>
+    <message>
+        <source> · tried, does not count: %1</source>
+        <translation> · próbowano, nie liczy się: %1</translation>
     </message>
 </context>
 <context>
