@@ -28,6 +28,18 @@ const Vec3 kScopeReach(0.020, 0.020, 0.015);
 
 }  // namespace
 
+int hand_after(std::span<const sim::ToolSpec> tools, uint32_t tabs) noexcept {
+    const auto is_hand = [](const sim::ToolSpec& tool) {
+        return tool.kind != sim::ToolKind::kScope;
+    };
+    const auto hands = static_cast<uint32_t>(std::count_if(tools.begin(), tools.end(), is_hand));
+    if (hands == 0) return -1;
+    uint32_t left = tabs % hands;
+    for (size_t i = 0; i < tools.size(); ++i)
+        if (is_hand(tools[i]) && left-- == 0) return static_cast<int>(i);
+    return -1;
+}
+
 uint8_t PedalGuard::update(uint8_t pressed, int64_t t_ns, bool allowed, bool endless) noexcept {
     if (pressed == 0) spent_ = false;
     if (pressed != 0 && before_ == 0) since_ns_ = t_ns;

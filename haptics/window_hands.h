@@ -5,6 +5,7 @@
 // when the window loses focus, pedals that let go by themselves, clutch and finish key. A variant
 // only says how far the hand wants to go.
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "haptics/foot_pedals.h"
 
 namespace placode::haptics {
+
+/// The tool that `tabs` presses of Tab lead to: from the first one to the next, round and round,
+/// leaving the scope out; -1 where there is none.
+[[nodiscard]] int hand_after(std::span<const sim::ToolSpec> tools, uint32_t tabs) noexcept;
 
 /// Pedals from buttons: released after 10 s without a break, and when motion is not allowed.
 class PedalGuard {

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "haptics/trocar.h"
+#include "haptics/window_hands.h"
 
 namespace placode::haptics {
 namespace {
@@ -185,6 +186,18 @@ TEST(Mouse, PressesThePedalsOfTheNeedleOnly) {
     EXPECT_EQ(bench.read(1).pedals, 0);
     bench.hold(Key::kCut);  // a foot pedal
     EXPECT_EQ(bench.read(1).pedals, sim::kPedalCut);
+}
+
+TEST(Mouse, TabGoesFromHandToHandAndNeverToTheScope) {
+    std::vector<sim::ToolSpec> tools(3);
+    tools[0].kind = sim::ToolKind::kNeedle;
+    tools[1].kind = sim::ToolKind::kScope;
+    tools[2].kind = sim::ToolKind::kGrasper;
+    EXPECT_EQ(hand_after(tools, 0), 0);
+    EXPECT_EQ(hand_after(tools, 1), 2);
+    EXPECT_EQ(hand_after(tools, 2), 0);
+    EXPECT_EQ(hand_after(tools, 7), 2);
+    EXPECT_EQ(hand_after(std::span(tools).subspan(1, 1), 1), -1);
 }
 
 TEST(Mouse, KeepsJawsClosedOverTabUntilTheNextPress) {

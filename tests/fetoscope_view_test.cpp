@@ -519,6 +519,23 @@ TEST_F(OverlayRimTest, ASingleHandHasOneBarOfForce) {
     EXPECT_GT(count(changed(both, draw(overlay))), 200) << "a hand that is not there has none";
 }
 
+TEST_F(OverlayRimTest, TheBarIsOfTheInstrumentInHandAndTabLeadsBack) {
+    OverlayState overlay;
+    overlay.practice.device = HintDevice::kMouse;
+    overlay.practice.steps = {{"Lift the needle away", "Wheel towards you.", false}};
+    overlay.practice.goal.count = 1;
+    overlay.practice.goal.step.kind = PracticeKind::kWithdraw;
+    overlay.practice.goal.step.hand = Hand::kRight;
+    overlay.practice.in_hand = 0;
+    const auto right = draw(overlay);
+    overlay.practice.in_hand = 2;
+    const auto wrong = draw(overlay);
+    EXPECT_GT(count(changed(right, wrong)), 100) << "another name at the bar, another hint";
+    EXPECT_EQ(translated("Tab: back to the %1", "pl"), "Tab: z powrotem %1");
+    overlay.practice.steps[0].hint = "Draw it back.";
+    EXPECT_EQ(count(changed(wrong, draw(overlay))), 0) << "the step's own hint would not help";
+}
+
 TEST_F(OverlayRimTest, ThePerformanceIsNotWrittenOverTheTask) {
     OverlayState overlay;
     const auto bare = draw(overlay);

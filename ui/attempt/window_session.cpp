@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "curriculum/usual_time.h"
+#include "haptics/window_hands.h"
 #include "ui/attempt/attempt_controls.h"
 #include "ui/attempt/attempt_overlay.h"
 #include "ui/attempt/picture_pace.h"
@@ -80,6 +81,7 @@ class WindowSession {
           pace_(quality_),
           sound_(sound_settings(arguments)),
           scripted_(is_script(arguments)),
+          one_hand_(has_window_hands(arguments) || arguments.device == "spacemouse"),
           read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help) {}
 
     void run() {
@@ -203,6 +205,10 @@ class WindowSession {
     void picture(const curriculum::AttemptStatus& status) {
         const sim::Snapshot& snapshot = runner_.snapshot();
         overlay_.practice.goal = runner_.practice();
+        if (one_hand_)
+            overlay_.practice.in_hand = haptics::hand_after(
+                runner_.task().scene.tools,
+                controls_.for_devices().presses[static_cast<size_t>(sim::Key::kTab)]);
         overlay_.waiting = status.waiting;
         // Beside arms and scripts nobody presses a key: the help goes by itself.
         const bool read = scripted_ ? status.time_s < kReadHelpS && overlay_.practice.steps.empty()
@@ -257,7 +263,7 @@ class WindowSession {
     Sound sound_;
     SoundScore score_;
     sim::WindowInput totals_;
-    bool scripted_ = false, read_on_ = false, lens_told_ = false;
+    bool scripted_ = false, one_hand_ = false, read_on_ = false, lens_told_ = false;
     bool screenshot_asked_ = false, paused_ = false;
     std::string notice_;
     Clock::time_point notice_until_{};

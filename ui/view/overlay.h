@@ -21,6 +21,9 @@
 
 namespace placode::sim {
 
+/// "needle": English, translated by whoever writes it.
+[[nodiscard]] const char* tool_word(ToolKind kind);
+
 /// Steps of a practice task, in the user's language: what to do, and how with the device at hand.
 struct PracticeOverlay {
     struct Step {
@@ -30,6 +33,7 @@ struct PracticeOverlay {
     std::vector<Step> steps;                ///< Empty = the task has none.
     HintDevice device = HintDevice::kNone;  ///< Whose keys and buttons the hints show.
     PracticeGoal goal;                      ///< Where it stands.
+    int in_hand = -1;  ///< The tool that the window's one hand moves; -1 = not known.
 };
 
 /// The pause menu, or a question. Texts are already in the user's language.
@@ -121,6 +125,10 @@ class Overlay {
     void shaft_scale(int tool, double low_mm, double high_mm, double now_mm, int next);
     void turn_arc(int tool);
     [[nodiscard]] int tool_of(Hand hand) const;  ///< -1 = none.
+    /// Another instrument than the step's is in hand: nothing that the hint says would help.
+    [[nodiscard]] bool wrong_hand() const;
+    /// How to do the present step; first of all how to get its instrument back.
+    [[nodiscard]] std::string hint_text() const;
     [[nodiscard]] int goal_tool() const { return tool_of(state_->practice.goal.step.hand); }
     // overlay_depth.cpp: gauge beside the tips, what is below the surface.
     void depth();

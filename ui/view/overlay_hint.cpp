@@ -218,15 +218,18 @@ class SymbolPainter {
 }  // namespace
 
 void Overlay::hint() {
-    if (!practising() || state_->menu.shown || state_->show_help || state_->exam || !watch_.stuck())
-        return;
+    if (!practising() || state_->menu.shown || state_->show_help || state_->exam) return;
+    const bool wrong = wrong_hand();
+    if (!watch_.stuck() && !wrong) return;
     if (state_->tuning.shown) return;  // it stands where the panel does
     const PracticeOverlay& practice = state_->practice;
     const auto now = static_cast<size_t>(practice.goal.index);
     if (now >= practice.steps.size()) return;
     const PracticeOverlay::Step& step = practice.steps[now];
-    const std::vector<HintSymbol> symbols =
-        hint_symbols(practice.goal.step, practice.device, step.changes_hand);
+    // Of a step for the other hand the keys begin with the change; done, it is not asked for again.
+    const bool change = practice.in_hand < 0 ? step.changes_hand : wrong;
+    std::vector<HintSymbol> symbols = hint_symbols(practice.goal.step, practice.device, change);
+    if (wrong && !step.changes_hand && !symbols.empty()) symbols.resize(1);
     if (symbols.empty()) return;
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
     const bool wide = room > 9 * unit_;
@@ -235,7 +238,7 @@ void Overlay::hint() {
     const double most = wide ? room - 0.8 * unit_ : 0.9 * width_;
     u = std::min(u, u * most / SymbolPainter(*paint_, u).width(symbols));
     const std::vector<std::string> lines =
-        wide ? paint_->wrapped(step.hint, TextSize::kSmall, room - 0.8 * unit_)
+        wide ? paint_->wrapped(hint_text(), TextSize::kSmall, room - 0.8 * unit_)
              : std::vector<std::string>{};
     const double line = paint_->line_height(TextSize::kSmall);
     SymbolPainter painter(*paint_, u);

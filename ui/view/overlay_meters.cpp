@@ -13,7 +13,7 @@ namespace placode::sim {
 
 using namespace style;
 
-namespace {
+namespace {}  // namespace
 
 const char* tool_word(ToolKind kind) {
     switch (kind) {
@@ -32,6 +32,8 @@ const char* tool_word(ToolKind kind) {
     }
     return "";
 }
+
+namespace {
 
 double force_of(const ToolSnapshot& tool) {
     return std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
@@ -67,7 +69,10 @@ std::array<int, kMaxTools> Overlay::force_tools(int& count) const {
         count = held;
         return touching;
     }
-    const int about = practising() ? goal_tool() : -1;
+    const int in_hand = state_->practice.in_hand;
+    const int about = in_hand >= 0 && in_hand < snapshot_->tool_count ? in_hand
+                      : practising()                                  ? goal_tool()
+                                                                      : -1;
     if (about >= 0 && snapshot_->tools[static_cast<size_t>(about)].engaged != 0) all[0] = about;
     count = 1;
     return all;

@@ -36,6 +36,27 @@ std::string Overlay::amount_text() const {
            number(amount.whole, amount.digits) + amount.unit;
 }
 
+bool Overlay::wrong_hand() const {
+    const PracticeOverlay& practice = state_->practice;
+    if (!practising() || practice.in_hand < 0 || practice.goal.step.hand == Hand::kCamera)
+        return false;
+    // The exercise with both hands is done with one after the other.
+    if (practice.goal.step.kind == PracticeKind::kTraction) return false;
+    const int wanted = goal_tool();
+    return wanted >= 0 && wanted != practice.in_hand;
+}
+
+std::string Overlay::hint_text() const {
+    const PracticeOverlay& practice = state_->practice;
+    const auto now = static_cast<size_t>(practice.goal.index);
+    if (now >= practice.steps.size()) return {};
+    const PracticeOverlay::Step& step = practice.steps[now];
+    // A step for the other hand says it itself.
+    if (!wrong_hand() || step.changes_hand) return step.hint;
+    const auto wanted = static_cast<size_t>(goal_tool());
+    return phrase("Tab: back to the %1", say(tool_word(snapshot_->tools[wanted].kind)));
+}
+
 // The whole list, each step ticked off when it is done; how to do it stands below the present one.
 double Overlay::practice_steps(double y, double room) {
     const PracticeOverlay& practice = state_->practice;
@@ -53,7 +74,7 @@ double Overlay::practice_steps(double y, double room) {
         }
         if (i == now) {
             for (const std::string& line :
-                 paint_->wrapped(step.hint, TextSize::kSmall, room - indent)) {
+                 paint_->wrapped(hint_text(), TextSize::kSmall, room - indent)) {
                 paint_->text(margin_ + indent, y, line, TextSize::kSmall, kAccent);
                 y += row;
             }
@@ -84,7 +105,7 @@ void Overlay::practice_line() {
     const double most = width_ - 2 * margin_ - 1.6 * unit_;
     std::vector<std::string> lines = paint_->wrapped(text, TextSize::kSmall, most);
     const size_t first = lines.size();
-    for (std::string& line : paint_->wrapped(step.hint, TextSize::kSmall, most))
+    for (std::string& line : paint_->wrapped(hint_text(), TextSize::kSmall, most))
         lines.push_back(std::move(line));
     double widest = 0;
     for (const std::string& line : lines)
