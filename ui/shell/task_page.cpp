@@ -13,10 +13,12 @@
 #include <map>
 #include <set>
 
+#include "curriculum/conduct.h"
 #include "curriculum/definitions.h"
 #include "db/course_conduct.h"
 #include "db/standards.h"
 #include "haptics/device.h"
+#include "reports/metric_groups.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/device_tester.h"
 #include "ui/shell/metric_words.h"
@@ -223,7 +225,21 @@ class TaskPage : public Page {
             line->addWidget(make_label(context_.in(step)), 1);
             layout->addLayout(line);
         }
+        if (const QString aids = aidWords(); !aids.isEmpty())
+            layout->addWidget(make_label(aids, "small"));
         return make_card(layout);
+    }
+
+    /// Steps say what to do in every mode; what helps with it exists in practice alone.
+    [[nodiscard]] QString aidWords() const {
+        const auto mode =
+            exam_ ? curriculum::AttemptMode::kExam : curriculum::AttemptMode::kPractice;
+        std::vector<std::string> scored;
+        for (const auto& item : task_.rubric.items) scored.push_back(item.metric);
+        const bool line = curriculum::conduct_of(mode).aids.planned_line;
+        return line && reports::looks_at_ring(scored)
+                   ? tr("F5 in the window shows the planned line.")
+                   : QString();
     }
 
     QWidget* scoredCard() {
@@ -352,7 +368,9 @@ class TaskPage : public Page {
                              .toHtmlEscaped());
         if (rows.isEmpty()) return tr("Nothing to hold. Escape in the window opens the menu.");
         return rows + "<p style='margin:0'>" +
-               tr("F1 in the window shows them again, Escape pauses.") + "</p>";
+               (exam_ ? tr("Escape in the window pauses.")
+                      : tr("F1 in the window shows them again, Escape pauses.")) +
+               "</p>";
     }
 
     void start() {
