@@ -51,7 +51,8 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
     return asked == nullptr ? std::nullopt : std::optional(*asked);
 }
 
-/// Why an attempt does not do the step; empty = it does.
+/// Why an attempt does not do the step; empty = it does. What the person did stands first: told
+/// only that the computer was slow, who ended too early would do the same again.
 std::string why_not_done(const AttemptRecord& attempt,
                          const std::optional<curriculum::StudyStep>& asked) {
     std::string why;
@@ -156,6 +157,8 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
             if (step.superseded()) continue;
             if (step.state == StepState::kStarted) continue;
             progress.finished.push_back(std::to_string(step.visit) + "/" + step.step);
+            if (step.state == StepState::kSkipped)
+                progress.skipped.push_back(progress.finished.back());
             if (step.attempt_id != 0 && step.detail == kNothingDone)
                 progress.idle.push_back(progress.finished.back());
         }
@@ -171,7 +174,9 @@ std::vector<Progress> study_progress(Store& store, const std::string& study_id) 
                     const std::string key = std::to_string(visit) + "/" + step.id;
                     if (std::find(progress.finished.begin(), progress.finished.end(), key) !=
                         progress.finished.end()) {
-                        ++progress.done;
+                        const auto& skipped = progress.skipped;
+                        if (std::find(skipped.begin(), skipped.end(), key) == skipped.end())
+                            ++progress.done;
                     } else if (progress.next.empty()) {
                         progress.next = step.id;
                         progress.visit = visit;

@@ -48,14 +48,16 @@ void record_attempt_step(Store& store, StepRecord step);
 /// Where a participant stands.
 struct Progress {
     ParticipantRecord participant;
-    int visit = 1;                      ///< Of the next step.
-    int done = 0, total = 0;            ///< Steps of all visits; total 0 = no protocol.
+    int visit = 1;  ///< Of the next step.
+    /// Steps of all visits that were done, and all of them; total 0 = no protocol.
+    int done = 0, total = 0;
     std::string next;                   ///< Id of the next step; empty = finished, or no protocol.
     std::vector<std::string> finished;  ///< "visit/step", done or skipped, and not superseded.
     std::string open_because;           ///< Why the next step was tried and is not done; or empty.
     std::string last_utc;               ///< Of the newest step.
     /// "visit/step" of the finished ones in which nothing was done: whoever runs the study sees it.
     std::vector<std::string> idle;
+    std::vector<std::string> skipped;  ///< "visit/step" of the finished ones: over, but not done.
 };
 [[nodiscard]] std::vector<Progress> study_progress(Store& store, const std::string& study_id);
 

@@ -120,6 +120,9 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());
     auto* agree = shell.find<QPushButton>("consent_given");
     QVERIFY(agree != nullptr && !agree->isEnabled());
+    const QString missing = shell.text("consent_missing");
+    QVERIFY2(missing.contains("statements to agree to: ") && missing.contains("signature"),
+             qPrintable(missing));
     shell.shot("61_consent");
     shell.context().setLanguage("pl");
     QVERIFY(shell.arrives(PageId::kStudyRun));
@@ -136,6 +139,9 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     }
     auto* given = shell.find<QPushButton>("consent_given");
     QVERIFY2(!given->isEnabled(), "the signature is missing");
+    QVERIFY(!shell.text("consent_missing").contains("statements"));
+    QVERIFY(shell.text("consent_missing").contains("the signature"));
+    shell.window().grab().save(shell.shotFile("62_consent_missing"));
     auto* paper = shell.find<QCheckBox>("signed_on_paper");
     paper->setFocus();
     QTest::keyClick(paper, Qt::Key_Space);

@@ -225,17 +225,14 @@ class ProtocolCard : public QFrame {
                 remark =
                     tr("to be done again: %1").arg(reports::not_done_words(each.open_because)) +
                     " " + remark;
-            if (!each.idle.empty()) {
-                QStringList names;
-                for (const std::string& key : each.idle) {
-                    const auto* step = protocol.step(key.substr(key.find('/') + 1));
-                    names << (step != nullptr ? context_.in(step->title) : qstr(key));
-                }
-                remark = tr("nothing was done: %1").arg(names.join(", ")) + " " + remark;
-            }
+            if (!each.idle.empty())
+                remark =
+                    tr("nothing was done: %1").arg(namesOf(protocol, each.idle)) + " " + remark;
             table_->setItem(row, 0, make_cell(qstr(each.participant.code)));
             table_->setItem(
                 row, 1, make_number_cell(tr("%1 of %2").arg(each.done).arg(each.total), each.done));
+            if (!each.skipped.empty())
+                remark = tr("skipped: %1").arg(namesOf(protocol, each.skipped)) + " " + remark;
             table_->setItem(row, 2,
                             make_cell(each.participant.withdrawal ? QString()
                                       : next == nullptr           ? tr("finished")
@@ -251,13 +248,26 @@ class ProtocolCard : public QFrame {
         return table_;
     }
 
+    /// Of steps given as "visit/step".
+    [[nodiscard]] QString namesOf(const curriculum::StudyProtocol& protocol,
+                                  const std::vector<std::string>& keys) const {
+        QStringList names;
+        for (const std::string& key : keys) {
+            const auto* step = protocol.step(key.substr(key.find('/') + 1));
+            names << (step != nullptr ? context_.in(step->title) : qstr(key));
+        }
+        return names.join(", ");
+    }
+
     /// How many have done which step, and who left.
     QLabel* flow(const curriculum::StudyProtocol& protocol) {
         QStringList words;
         for (const auto& step : protocol.steps) {
+            const auto has = [&](const std::vector<std::string>& keys) {
+                return std::find(keys.begin(), keys.end(), "1/" + step.id) != keys.end();
+            };
             const auto done = std::count_if(list_.begin(), list_.end(), [&](const auto& each) {
-                return std::find(each.finished.begin(), each.finished.end(), "1/" + step.id) !=
-                       each.finished.end();
+                return has(each.finished) && !has(each.skipped);
             });
             words << QString("%1: %2").arg(context_.in(step.title)).arg(done);
         }

@@ -85,7 +85,8 @@ class StudiesPage : public Page {
                "answers, reviews and submits."),
             "muted"));
         layout->addLayout(text, 1);
-        QPushButton* run = make_button(context_, tr("Enrol a participant"), "primary", "plus");
+        QPushButton* run =
+            make_button(context_, tr("Give this questionnaire"), "secondary", "plus");
         run->setObjectName("new_participant");
         connect(run, &QPushButton::clicked, this, [this] {
             context_.guard(tr("Making a participant code"), [this] {
@@ -177,10 +178,11 @@ class StudiesPage : public Page {
     QWidget* participantsCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
-        layout->addWidget(make_label(tr("Participants: %1").arg(answers_.size()), "heading"));
+        layout->addWidget(
+            make_label(tr("Answered this questionnaire: %1").arg(answers_.size()), "heading"));
         if (answers_.empty()) {
             layout->addWidget(
-                make_label(tr("No answers yet. Enrol the first participant above."), "muted"));
+                make_label(tr("Nobody has answered this questionnaire yet."), "muted"));
             return make_card(layout);
         }
         QTableWidget* table =

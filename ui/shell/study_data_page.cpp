@@ -88,7 +88,7 @@ class StudyDataPage : public Page {
             return std::count_if(progress_.begin(), progress_.end(), wanted);
         };
         const auto complete =
-            count([](const auto& each) { return each.total > 0 && each.done == each.total; });
+            count([](const auto& each) { return each.total > 0 && each.next.empty(); });
         const auto locked = count([&](const auto& each) {
             const auto found = states_.find(each.participant.code);
             return found != states_.end() && found->second.locked;

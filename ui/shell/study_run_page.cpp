@@ -43,7 +43,7 @@ class StudyRunPage : public Page {
         column->addWidget(make_label(context.in(protocol_.title), "display"));
         column->addWidget(make_label(tr("Participant %1 · step %2 of %3")
                                          .arg(code_)
-                                         .arg(std::min(progress_.done + 1, progress_.total))
+                                         .arg(std::min(stepNumber(), progress_.total))
                                          .arg(progress_.total),
                                      "muted"));
         column->addWidget(stepsCard());
@@ -80,6 +80,11 @@ class StudyRunPage : public Page {
         return name.isEmpty() ? qstr(step.id) : name;
     }
 
+    /// Of the step that is asked for now; skipped ones are behind it, too.
+    [[nodiscard]] int stepNumber() const {
+        return progress_.done + static_cast<int>(progress_.skipped.size()) + 1;
+    }
+
     QWidget* stepsCard() {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace4);
@@ -89,13 +94,19 @@ class StudyRunPage : public Page {
             const auto& done = progress_.finished;
             const bool finished = std::find(done.begin(), done.end(), key) != done.end();
             const bool now = step.id == progress_.next;
-            layout->addWidget(make_label((finished ? "✓  "
-                                          : now    ? "▸  "
-                                                   : "    ") +
-                                             nameOf(step),
-                                         now        ? "heading"
-                                         : finished ? "good"
-                                                    : "muted"));
+            const auto& over = progress_.skipped;
+            const bool skipped = std::find(over.begin(), over.end(), key) != over.end();
+            QLabel* line =
+                make_label((skipped    ? "–  "
+                            : finished ? "✓  "
+                            : now      ? "▸  "
+                                       : "    ") +
+                               (skipped ? tr("%1 (skipped)").arg(nameOf(step)) : nameOf(step)),
+                           now                    ? "heading"
+                           : finished && !skipped ? "good"
+                                                  : "muted");
+            line->setObjectName("step_line_" + qstr(step.id));
+            layout->addWidget(line);
         }
         return make_card(layout);
     }
@@ -165,12 +176,20 @@ class StudyRunPage : public Page {
         QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
         agree->setObjectName("consent_given");
         agree->setEnabled(false);
-        const auto update = [boxes, agree, pad, on_paper] {
+        QLabel* missing = make_label({}, "small");
+        missing->setObjectName("consent_missing");
+        const auto update = [boxes, agree, pad, on_paper, missing] {
             pad->setEnabled(!on_paper->isChecked());
-            agree->setEnabled((on_paper->isChecked() || !pad->path().isEmpty()) &&
-                              std::all_of(boxes.begin(), boxes.end(), [](const auto& each) {
-                                  return each.first->isChecked() || !each.second->required;
-                              }));
+            QStringList still;
+            const auto unread = std::count_if(boxes.begin(), boxes.end(), [](const auto& each) {
+                return !each.first->isChecked() && each.second->required;
+            });
+            if (unread > 0) still << tr("statements to agree to: %1").arg(unread);
+            if (!on_paper->isChecked() && pad->path().isEmpty())
+                still << tr("the signature, or the mark that it was signed on paper");
+            agree->setEnabled(still.isEmpty());
+            missing->setText(tr("To consent there is still missing: %1.").arg(still.join("; ")));
+            missing->setVisible(!still.isEmpty());
         };
         for (const auto& [box, unused] : boxes) connect(box, &QCheckBox::toggled, this, update);
         connect(on_paper, &QCheckBox::toggled, this, update);
@@ -188,6 +207,8 @@ class StudyRunPage : public Page {
         QPushButton* refuse = make_button(context_, tr("I do not consent"), "secondary", "close");
         refuse->setObjectName("consent_refused");
         connect(refuse, &QPushButton::clicked, this, [this] { refuseConsent(); });
+        layout->addWidget(missing);
+        update();
         auto* answer = new QHBoxLayout;
         answer->addStretch();
         answer->addWidget(refuse);

@@ -3432,6 +3432,10 @@
         <source>nothing was done: %1</source>
         <translation>nic nie zrobiono: %1</translation>
     </message>
+    <message>
+        <source>skipped: %1</source>
+        <translation>pominięto: %1</translation>
+    </message>
 </context>
 <context>
     <name>RatingsPage</name>
@@ -4465,10 +4469,6 @@
         <translation>SD to odchylenie standardowe z próby (n − 1); brakujące odpowiedzi są pominięte.</translation>
     </message>
     <message>
-        <source>Participants: %1</source>
-        <translation>Uczestnicy: %1</translation>
-    </message>
-    <message>
         <source>Code</source>
         <translation>Kod</translation>
     </message>
@@ -4512,14 +4512,6 @@
         <source>Questionnaires without a protocol</source>
         <translation>Kwestionariusze bez protokołu</translation>
     </message>
-    <message>
-        <source>Enrol a participant</source>
-        <translation>Włącz uczestnika</translation>
-    </message>
-    <message>
-        <source>No answers yet. Enrol the first participant above.</source>
-        <translation>Jeszcze brak odpowiedzi. Włącz pierwszego uczestnika powyżej.</translation>
-    </message>
     <message numerus="yes">
         <source>%n file(s), read back and compared with the store: %1</source>
         <translation>
@@ -4527,6 +4519,18 @@
             <numerusform>%n pliki, odczytane i porównane z bazą: %1</numerusform>
             <numerusform>%n plików, odczytanych i porównanych z bazą: %1</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Give this questionnaire</source>
+        <translation>Daj ten kwestionariusz</translation>
+    </message>
+    <message>
+        <source>Answered this questionnaire: %1</source>
+        <translation>Odpowiedzi na ten kwestionariusz: %1</translation>
+    </message>
+    <message>
+        <source>Nobody has answered this questionnaire yet.</source>
+        <translation>Nikt jeszcze nie odpowiedział na ten kwestionariusz.</translation>
     </message>
 </context>
 <context>
@@ -4658,6 +4662,22 @@
     <message>
         <source>Your run has ended; nothing more is recorded. Please hand the screen back to the coordinator.</source>
         <translation>Udział jest zakończony; nic więcej nie jest zapisywane. Proszę oddać ekran koordynatorowi.</translation>
+    </message>
+    <message>
+        <source>%1 (skipped)</source>
+        <translation>%1 (pominięto)</translation>
+    </message>
+    <message>
+        <source>statements to agree to: %1</source>
+        <translation>oświadczenia do zaznaczenia: %1</translation>
+    </message>
+    <message>
+        <source>the signature, or the mark that it was signed on paper</source>
+        <translation>podpis albo zaznaczenie, że podpisano na papierze</translation>
+    </message>
+    <message>
+        <source>To consent there is still missing: %1.</source>
+        <translation>Do zgody brakuje jeszcze: %1.</translation>
     </message>
 </context>
 <context>
