@@ -47,5 +47,13 @@ TEST(LabelRows, NothingLeavesTheWindow) {
     EXPECT_EQ(row({{0, 0, 50, 18}}, {0, 2, 50, 18}), 18 + kGap);
 }
 
+TEST(LabelRows, AGaugeStandsOverNoRing) {
+    const std::vector<LabelBox> rings{{100, 100, 40, 40}};
+    const LabelBox over{110, 60, 12, 60}, beside{150, 60, 12, 60};
+    EXPECT_EQ(first_free(rings, {over, beside}).x, beside.x);
+    EXPECT_EQ(first_free({}, {over, beside}).x, over.x);
+    EXPECT_EQ(first_free(rings, {over, over}).x, over.x) << "it has to stand somewhere";
+}
+
 }  // namespace
 }  // namespace placode::sim

@@ -73,7 +73,13 @@ void ShellHandoverTest::refuseToTakeBack(const QString& typed) {
             QTest::keyClicks(dialog->findChild<QLineEdit*>("take_back_password"), typed);
             QTest::mouseClick(dialog->findChild<QPushButton*>("take_back_yes"), Qt::LeftButton);
             QVERIFY(dialog->isVisible());
-            QVERIFY(dialog->findChild<QLabel*>("take_back_message")->isVisibleTo(dialog));
+            const auto* said = dialog->findChild<QLabel*>("take_back_message");
+            QVERIFY(said->isVisibleTo(dialog));
+            QCoreApplication::processEvents();
+            QVERIFY2(!said->geometry().intersects(
+                         dialog->findChild<QLineEdit*>("take_back_password")->geometry()) &&
+                         said->height() >= said->heightForWidth(said->width()),
+                     "it lies over the field");
             dialog->grab().save(shell_->shotFile("65_take_back_wrong"));
         } else if (asked_ == 1) {
             dialog->grab().save(shell_->shotFile("65_take_back"));

@@ -102,6 +102,12 @@ class TakeBackDialog : public QDialog {
     void say(const QString& text) {
         message_->setText(text);
         message_->show();
+        // A dialog keeps its height when something appears in it: the words would lie over the
+        // field.
+        layout()->activate();
+        const int needed = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width())
+                                                         : layout()->totalSizeHint().height();
+        if (needed > height()) resize(width(), needed);
     }
 
     AppContext& context_;

@@ -5,8 +5,10 @@
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QProgressBar>
+#include <QTableView>
 #include <algorithm>
 
 #include "ui/shell/parts.h"
@@ -114,8 +116,8 @@ void Notices::showPace() {
     const QString text =
         pace ? tr("%1, about %2 left").arg(doing_, format_duration(std::max(1.0, pace->left_s)))
              : doing_;
-    if (text == busy_text_->text()) return;
-    busy_text_->setText(text);
+    if (text != busy_text_->text()) busy_text_->setText(text);
+    // The page and its bar may have been built, or built anew, meanwhile.
     if (!busy_->isHidden()) arrange();
 }
 
@@ -210,11 +212,21 @@ int Notices::covered(const QRect& place) const {
         const QRect both = there.intersected(place);
         area += weight * both.width() * both.height();
     };
+    // Of a table its rows; the empty rest is free.
+    const auto count_rows = [&](const QTableView* table) {
+        if (!table->isVisible()) return;
+        QRect rows = table->viewport()->visibleRegion().boundingRect();
+        rows.setHeight(std::min(rows.height(), table->verticalHeader()->length()));
+        rows.moveTopLeft(table->viewport()->mapTo(window(), rows.topLeft()));
+        const QRect both = rows.intersected(place);
+        area += both.width() * both.height();
+    };
     // Best over nothing that is used; never over the button that the page is there for.
     for (const auto* button : window()->findChildren<QAbstractButton*>())
         count_in(button, button->property("role") == "primary" && button->isEnabled() ? 100 : 1);
     for (const auto* field : window()->findChildren<QLineEdit*>()) count_in(field, 1);
     for (const auto* box : window()->findChildren<QComboBox*>()) count_in(box, 1);
+    for (const auto* table : window()->findChildren<QTableView*>()) count_rows(table);
     count_in(window()->focusWidget(), 10);
     return area;
 }

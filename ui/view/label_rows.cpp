@@ -7,13 +7,20 @@
 
 namespace placode::sim {
 
+namespace {
+
+bool overlap(const LabelBox& a, const LabelBox& b) {
+    return a.x < b.x + b.w && b.x < a.x + a.w && a.y < b.y + b.h && b.y < a.y + a.h;
+}
+
+}  // namespace
+
 double free_row(const std::vector<LabelBox>& placed, const LabelBox& wanted, double top,
                 double bottom, double gap) {
     constexpr int kFarthest = 4;  // farther away nobody knows what a label belongs to
     const auto lies_over = [&](double y) {
         return std::any_of(placed.begin(), placed.end(), [&](const LabelBox& other) {
-            return wanted.x < other.x + other.w && other.x < wanted.x + wanted.w &&
-                   y < other.y + other.h && other.y < y + wanted.h;
+            return overlap({wanted.x, y, wanted.w, wanted.h}, other);
         });
     };
     // Right below or above what is in the way, not a whole row away.
@@ -30,6 +37,15 @@ double free_row(const std::vector<LabelBox>& placed, const LabelBox& wanted, dou
         if (near && y >= top && y + wanted.h <= bottom && !lies_over(y)) return y;
     }
     return wanted.y;
+}
+
+LabelBox first_free(const std::vector<LabelBox>& placed, const std::vector<LabelBox>& places) {
+    for (const LabelBox& place : places) {
+        if (std::none_of(placed.begin(), placed.end(),
+                         [&](const LabelBox& other) { return overlap(place, other); }))
+            return place;
+    }
+    return places.empty() ? LabelBox{} : places.front();
 }
 
 }  // namespace placode::sim

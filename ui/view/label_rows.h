@@ -17,4 +17,8 @@ struct LabelBox {
 [[nodiscard]] double free_row(const std::vector<LabelBox>& placed, const LabelBox& wanted,
                               double top, double bottom, double gap);
 
+/// The first of `places` that lies over none of `placed`; the first of all where there is none.
+[[nodiscard]] LabelBox first_free(const std::vector<LabelBox>& placed,
+                                  const std::vector<LabelBox>& places);
+
 }  // namespace placode::sim

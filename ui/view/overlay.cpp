@@ -284,6 +284,7 @@ void Overlay::warning() {
     double y = circle_.y + 0.80 * circle_.radius * direction.y() - 0.5 * h;
     x = std::clamp(x, margin_, width_ - margin_ - w);
     y = std::clamp(y, margin_, height_ - margin_ - h);
+    y = free_row(labels_, {x, y, w, h}, margin_, height_ - margin_, 0.15 * unit_);
     paint_->box(x, y, w, h, kRaised.faded(alpha));
     paint_->box(x, y, 0.25 * unit_, h, kWarn.faded(alpha));
     paint_->text(x + 0.9 * unit_, y + 1.35 * unit_, text, TextSize::kNormal, kText.faded(alpha));

@@ -132,6 +132,7 @@ class Overlay {
     [[nodiscard]] int goal_tool() const { return tool_of(state_->practice.goal.step.hand); }
     // overlay_depth.cpp: gauge beside the tips, what is below the surface.
     void depth();
+    [[nodiscard]] Vec2 gauge_foot(int tool, const Vec2& tip_px);
     void depth_gauge(int tool, double gap_mm);
     void buried(int tool);
     [[nodiscard]] double gap_mm(int tool) const;
@@ -168,7 +169,7 @@ class Overlay {
     double foot_top_ = 0;           // of what stands at the foot of a narrow window
     double text_foot_ = 0;          // of what is written at the left, from the top
     double bars_top_ = 0;           // of the bars of force, from the bottom
-    std::vector<LabelBox> labels_;  // in the picture so far: no two lie over each other
+    std::vector<LabelBox> labels_;  // labels, rings and gauges so far: no two lie over each other
     double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
     bool menu_shown_ = false;
     int menu_count_ = 0;

@@ -77,13 +77,26 @@ void Overlay::depth() {
     }
 }
 
+/// Where the gauge stands: beside the tip, away from its shaft, and over no ring and no label.
+Vec2 Overlay::gauge_foot(int tool, const Vec2& tip_px) {
+    const double u = unit_, w = 1.2 * u, h = 0.8 * u * kGaugeMm + 2.0 * u;
+    const Vec2 first = beside(tool, tip_px) + Vec2(0, 1.2 * u);
+    const double side = first.x() < tip_px.x() ? -1 : 1;
+    std::vector<LabelBox> places;
+    for (const double way : {0.0, 2.2 * side, 4.4 * side, 6.6 * side, -6.8 * side, -9.0 * side})
+        places.push_back({first.x() + way * u - 0.5 * w, first.y() - h + 2.0 * u, w, h});
+    const LabelBox place = first_free(labels_, places);
+    labels_.push_back(place);
+    return {place.x + 0.5 * w, first.y()};
+}
+
 // Five millimetres of height beside the tip; the tissue is its foot.
 void Overlay::depth_gauge(int tool, double gap) {
     const ToolSnapshot& seen = snapshot_->tools[static_cast<size_t>(tool)];
     Vec2 tip;
     if (!place_of(1000 * seen.pose.p, tip)) return;
     const double u = unit_, mm = 0.8 * u, w = 0.5 * u;
-    const Vec2 foot = beside(tool, tip) + Vec2(0, 1.2 * u);
+    const Vec2 foot = gauge_foot(tool, tip);
     const bool touches = seen.in_contact != 0 || gap < kTouchMm;
     const double height = std::clamp(gap, 0.0, kGaugeMm) * mm;
     const double x = foot.x() - 0.5 * w;

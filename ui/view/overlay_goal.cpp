@@ -133,6 +133,7 @@ void Overlay::scope_marks() {
         if (!place_of(watch_.anchor_mm + side * kScopeSwingMm * watch_.right_mm, px)) continue;
         const bool next = side == watch_.side;
         paint_->ring(px.x(), px.y(), 1.2 * u, 0.78, next ? kAccent : kText.faded(0.45F));
+        labels_.push_back({px.x() - 1.2 * u, px.y() - 1.2 * u, 2.4 * u, 2.4 * u});
         if (next && (px - centre).norm() < 1.1 * u) watch_.side = -watch_.side;
         if (next && (px - centre).norm() > 3 * u) {
             const Vec2 way = (px - centre).normalized();

@@ -35,6 +35,7 @@ void Overlay::targets() {
         if (goal.progress > 0)
             paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
                          kAccent.faded(0.5F));
+        labels_.push_back({px.x() - radius, px.y() - radius, 2 * radius, 2 * radius});
         if (tool >= 0) target_text(tool, px, radius, away, above);
     }
 }
