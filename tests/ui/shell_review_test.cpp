@@ -191,6 +191,8 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
     QVERIFY(QTest::qWaitFor([&] { return ledger() != nullptr; }, 30000));
     QVERIFY(QTest::qWaitFor(
         [&] { return shell.find<QPushButton>("replay_play")->text() == "Pause"; }, kPatienceMs));
+    QCOMPARE(shell.find<QPushButton>("replay_play")->property("icon_name").toString(),
+             QString("pause"));
     shell.shot("45_watch_begins");
     QVERIFY(QTest::qWaitFor([&] { return ledger() != nullptr; }, 30000));
     auto* speed = shell.find<QComboBox>("replay_speed");

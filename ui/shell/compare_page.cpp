@@ -387,6 +387,8 @@ class ComparePage : public Page {
         play_->setText(!any                                ? tr("Watch both")
                        : halves_[0].replay->state().paused ? tr("Go on")
                                                            : tr("Pause"));
+        set_button_icon(context_, play_,
+                        any && !halves_[0].replay->state().paused ? "pause" : "play");
         for (Half& half : halves_) {
             const bool runs = half.replay && half.replay->running();
             if (half.clock)

@@ -90,15 +90,19 @@ QPushButton* make_button(const AppContext& context, const QString& text, const c
     button->setProperty("role", role);
     button->setAutoDefault(true);  // Enter presses what has the focus.
     button->setCursor(Qt::PointingHandCursor);
-    if (!icon.isEmpty()) {
-        const Tokens& colors = context.colors();
-        const QString kind = role;
-        button->setIcon(line_icon(icon, kind == "primary"  ? colors.on_accent
-                                        : kind == "danger" ? colors.critical
-                                                           : colors.text));
-        button->setIconSize(QSize(20, 20));
-    }
+    if (!icon.isEmpty()) set_button_icon(context, button, icon);
     return button;
+}
+
+void set_button_icon(const AppContext& context, QPushButton* button, const QString& icon) {
+    if (button->property("icon_name").toString() == icon) return;
+    button->setProperty("icon_name", icon);
+    const Tokens& colors = context.colors();
+    const QString kind = button->property("role").toString();
+    button->setIcon(line_icon(icon, kind == "primary"  ? colors.on_accent
+                                    : kind == "danger" ? colors.critical
+                                                       : colors.text));
+    button->setIconSize(QSize(20, 20));
 }
 
 QFrame* make_card(QLayout* content) {

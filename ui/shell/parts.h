@@ -28,6 +28,8 @@ namespace placode::ui {
 /// Roles: primary, secondary, danger, quiet. `icon` may be empty.
 [[nodiscard]] QPushButton* make_button(const AppContext& context, const QString& text,
                                        const char* role, const QString& icon = {});
+/// Another icon in the colour of the button's role.
+void set_button_icon(const AppContext& context, QPushButton* button, const QString& icon);
 /// A raised card; the layout has the card's margins set.
 [[nodiscard]] QFrame* make_card(QLayout* content);
 [[nodiscard]] QFrame* make_rule();

@@ -285,6 +285,7 @@ class WatchPage : public Page {
         const ReplayState& now = replay_->state();
         play_->setEnabled(!file_.isEmpty());
         play_->setText(!running ? tr("Watch") : now.paused ? tr("Go on") : tr("Pause"));
+        set_button_icon(context_, play_, running && !now.paused ? "pause" : "play");
         for (QPushButton* button : {back_, on_, close_}) button->setEnabled(running);
         clock_->setText(reports::minute_second(running ? now.time_s : from_s_) + " / " +
                         reports::minute_second(record_.duration_s));
