@@ -7923,7 +7923,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>A pack holds bands of a task (means and spreads of people, never of fewer than %1 and never a single attempt), signed by its centre. The pack in use is shown behind every attempt of the task. Packs of this centre are made on the page Standards.</source>
-        <translation>Pakiet zawiera pasma zadania (średnie i rozrzuty osób, nigdy mniej niż %1 i nigdy pojedynczej próby) podpisane przez ośrodek. Używany pakiet jest pokazywany za każdą próbą zadania. Pakiety tego ośrodka powstają na stronie Standardy.</translation>
+        <translation>Pakiet zawiera pasma zadania (średnie i rozrzuty osób, nigdy mniej niż %1 i nigdy pojedynczej próby) podpisane przez ośrodek. Używany pakiet jest pokazywany za każdą próbą zadania. Pakiety tego ośrodka powstają na stronie Progi.</translation>
     </message>
     <message>
         <source>Task</source>
@@ -7951,7 +7951,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>There are no packs yet. Import one of another centre, or make one from two groups on the page Standards.</source>
-        <translation>Nie ma jeszcze pakietów. Zaimportuj pakiet innego ośrodka lub utwórz własny z dwóch grup na stronie Standardy.</translation>
+        <translation>Nie ma jeszcze pakietów. Zaimportuj pakiet innego ośrodka lub utwórz własny z dwóch grup na stronie Progi.</translation>
     </message>
     <message>
         <source>Use for its task</source>
