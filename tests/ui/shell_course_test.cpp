@@ -131,6 +131,11 @@ void ShellCourseTest::courseIsPublishedAndExported() {
     shell.save_as = shell.path("course.json");
     QVERIFY(shell.click("export_course"));
     QVERIFY(shell.bannerSays("course.json"));
+    shell.refuseNext();
+    QVERIFY(shell.click("publish_course"));
+    QTest::qWait(100);
+    QVERIFY2(!shell.context().store().definitions().find("course", "ring_exam"), "it asks first");
+    shell.confirmNext();
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
     const auto published = shell.context().store().definitions().find("course", "ring_exam");
@@ -155,6 +160,7 @@ void ShellCourseTest::importedFileBecomesTheNextVersion() {
     QCOMPARE(shell.find<QPushButton>("publish_course")->text(), QString("Publish version 2"));
     QVERIFY(!shell.find<QPushButton>("publish_course")->isEnabled());  // The reason is missing.
     QVERIFY(shell.type("publish_reason", "From the other site"));
+    shell.confirmNext();
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
     QVERIFY(shell.bannerSays("version 2, is published"));

@@ -67,6 +67,7 @@ class AccountPage : public Page {
         QPushButton* change = make_button(context_, tr("Change the password"), "primary", "key");
         change->setObjectName("change_password");
         connect(change, &QPushButton::clicked, this, [this] { this->change(); });
+        hide_when_edited(message_, {old_, new_, again_});
         enter_submits({old_, new_, again_}, this, [this] { this->change(); });
         layout->addWidget(change, 0, Qt::AlignLeft);
         return make_card(layout);

@@ -64,7 +64,7 @@ class CohortPage : public Page {
         QVBoxLayout* column = make_column(this, 1400);
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(tr("Cohort"), "display"), 1);
-        help_ = new QCheckBox(tr("Only who needs help"));
+        help_ = new QCheckBox(tr("Only people who need help"));
         help_->setObjectName("only_help");
         help_->setChecked(place.state.value("help").toBool());
         help_->setEnabled(!people_.empty());  // Without people there is no table.
@@ -163,7 +163,7 @@ class CohortPage : public Page {
                 }
         if (waiting > 0) {
             QLabel* more = make_label(
-                tr("And %1 more: choose \"Only who needs help\" to see them in the table.")
+                tr("And %1 more: choose \"Only people who need help\" to see them in the table.")
                     .arg(waiting));
             more->setObjectName("help_more");
             layout->addWidget(more);

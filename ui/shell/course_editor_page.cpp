@@ -334,11 +334,10 @@ class CourseEditorPage : public Page {
         publish_->setText(tr("Publish version %1").arg(version));
         const bool reason = version == 1 || !reason_->text().trimmed().isEmpty();
         publish_->setEnabled(problems_.empty() && reason);
-        standing_->setText(
-            !problems_.empty() ? tr("Not yet: %1").arg(problemsInWords())
-            : !reason
-                ? tr("Not yet: give the reason of the change.")
-                : tr("Sound. A published version is never changed; a change is the next one."));
+        standing_->setText(!problems_.empty() ? tr("Not yet: %1").arg(problemsInWords())
+                           : !reason          ? tr("Not yet: give the reason of the change.")
+                                     : tr("No problems found. A published version is never "
+                                          "changed; a change is the next one."));
     }
 
     [[nodiscard]] QString problemsInWords() const {
@@ -353,6 +352,10 @@ class CourseEditorPage : public Page {
     // --- out
 
     void publish() {
+        if (!confirm(window(), tr("Publish version %1?").arg(draft_->course().version),
+                     tr("A published version is never changed; a change is the next one."),
+                     publish_->text()))
+            return;
         context_.guard(tr("Publishing the course"), [this] {
             context_.require(db::Action::kManageCourses, db::Scope::kOther);
             const std::string text = curriculum::course_json(draft_->course());

@@ -24,6 +24,12 @@ inline void enter_submits(std::initializer_list<QLineEdit*> fields, QObject* rec
         QObject::connect(field, &QLineEdit::returnPressed, receiver, act);
 }
 
+/// What was said of these fields goes when one of them is mended.
+inline void hide_when_edited(QWidget* message, std::initializer_list<QLineEdit*> fields) {
+    for (QLineEdit* field : fields)
+        QObject::connect(field, &QLineEdit::textEdited, message, &QWidget::hide);
+}
+
 /// The first empty field of some, with what is said then: "Fill in: Name".
 [[nodiscard]] FormProblem first_missing(std::initializer_list<QLineEdit*> fields);
 

@@ -41,6 +41,8 @@ class JoinPage : public Page {
         row->addStretch();
         layout->addLayout(row);
         connect(make, &QPushButton::clicked, this, [this] { join(); });
+        hide_when_edited(message_,
+                         {code_, fields_.name, fields_.login, fields_.password, fields_.again});
         enter_submits({code_, fields_.name, fields_.login, fields_.password, fields_.again}, this,
                       [this] { join(); });
         connect(leave, &QPushButton::clicked, this, [this] {

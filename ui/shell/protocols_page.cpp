@@ -344,7 +344,7 @@ class ProtocolsPage : public Page {
 
     void check() {
         const QString found = problem();
-        status_->setText(found.isEmpty() ? tr("The definition is right.") : found);
+        status_->setText(found.isEmpty() ? tr("No errors.") : found);
         status_->setProperty("role", found.isEmpty() ? "good" : "critical");
         status_->style()->unpolish(status_);
         status_->style()->polish(status_);

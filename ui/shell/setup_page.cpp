@@ -37,6 +37,7 @@ class SetupPage : public Page {
         create->setObjectName("create_administrator");
         create->setProperty("scale", "large");
         connect(create, &QPushButton::clicked, this, [this] { this->create(); });
+        hide_when_edited(message_, {fields_.name, fields_.login, fields_.password, fields_.again});
         enter_submits({fields_.name, fields_.login, fields_.password, fields_.again}, this,
                       [this] { this->create(); });
         layout->addWidget(create);

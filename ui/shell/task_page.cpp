@@ -171,7 +171,7 @@ class TaskPage : public Page {
         if (found.outcome != db::SignInOutcome::kOk)
             refuse(tr("The proctor's name or password is wrong."));
         if (found.user->id == context_.user().id)
-            refuse(tr("Nobody is the own proctor; ask somebody who is present."));
+            refuse(tr("Nobody can be their own proctor; ask somebody who is present."));
         if (!db::has_role(found.user->roles, db::Role::kEducator) &&
             !db::has_role(found.user->roles, db::Role::kAdministrator))
             refuse(tr("%1 is neither educator nor administrator and cannot be the proctor.")

@@ -742,7 +742,7 @@
         <translation>Grupa</translation>
     </message>
     <message>
-        <source>Only who needs help</source>
+        <source>Only people who need help</source>
         <translation>Tylko potrzebujący pomocy</translation>
     </message>
     <message>
@@ -862,7 +862,7 @@
         <translation>numer %1</translation>
     </message>
     <message>
-        <source>And %1 more: choose "Only who needs help" to see them in the table.</source>
+        <source>And %1 more: choose &quot;Only people who need help&quot; to see them in the table.</source>
         <translation>I jeszcze %1: wybierz „Tylko potrzebujący pomocy”, aby zobaczyć ich w tabeli.</translation>
     </message>
     <message>
@@ -4783,7 +4783,7 @@
         <translation>Login lub hasło osoby nadzorującej jest błędne.</translation>
     </message>
     <message>
-        <source>Nobody is the own proctor; ask somebody who is present.</source>
+        <source>Nobody can be their own proctor; ask somebody who is present.</source>
         <translation>Nikt nie nadzoruje sam siebie; poproś kogoś obecnego.</translation>
     </message>
     <message>
@@ -6750,8 +6750,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Grupy</translation>
     </message>
     <message>
-        <source>The definition is right.</source>
-        <translation>Definicja jest poprawna.</translation>
+        <source>No errors.</source>
+        <translation>Brak błędów.</translation>
     </message>
     <message>
         <source>Publishing</source>
@@ -7587,8 +7587,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Jeszcze nie: podaj powód zmiany.</translation>
     </message>
     <message>
-        <source>Sound. A published version is never changed; a change is the next one.</source>
-        <translation>Poprawny. Opublikowana wersja nigdy się nie zmienia; zmiana to następna wersja.</translation>
+        <source>No problems found. A published version is never changed; a change is the next one.</source>
+        <translation>Nie znaleziono błędów. Opublikowanej wersji nigdy się nie zmienia; zmiana to następna wersja.</translation>
     </message>
     <message>
         <source>stage %1: %2</source>
@@ -7617,6 +7617,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Here stands what a trainee will see.</source>
         <translation>Tu będzie widać to, co zobaczy kursant.</translation>
+    </message>
+    <message>
+        <source>Publish version %1?</source>
+        <translation>Opublikować wersję %1?</translation>
+    </message>
+    <message>
+        <source>A published version is never changed; a change is the next one.</source>
+        <translation>Opublikowanej wersji nigdy się nie zmienia; zmiana to następna wersja.</translation>
     </message>
 </context>
 <context>
