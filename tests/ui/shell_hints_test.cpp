@@ -160,7 +160,8 @@ void ShellHintsTest::anAttemptThatDoesNotCountHasNoScore() {
         add("trace_contour", assessment::Verdict::kNotYet, sim::EndReason::kInterrupted, "slow");
     shell_->window().open({PageId::kResult, left, {}, {}});
     QVERIFY(shell_->arrives(PageId::kResult));
-    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: left after 20 s; the computer was too slow"));
+    QCOMPARE(shell_->text("result_verdict"),
+             QString("Does not count: left after 20 s; the computer was too slow"));
     QVERIFY(shell_->find<QLabel>("result_points") == nullptr);
     QVERIFY(!shell_->text("void_for_cause").contains("fault"));
     const int64_t slow =

@@ -319,7 +319,7 @@ void ShellProtocolsTest::definitionsGoOutAndIn() {
     QCOMPARE(json()->toPlainText(), QString(kKinds));
     shell_->context().setLanguage("pl");
     QVERIFY(shell_->arrives(PageId::kProtocols));
-    QVERIFY(statusSays("poprawna"));
+    QVERIFY(statusSays("Brak błędów"));
     shell_->shot("76_protocol_editor_polish");
     shell_->context().setLanguage("en");
 }
