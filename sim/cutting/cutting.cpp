@@ -117,8 +117,8 @@ double principal_stretch(const Scene& scene, const State& state, int tet) noexce
     const auto& c = corners(scene.body, state.body, tet);
     Mat3 rest, now;
     for (int i = 0; i < 3; ++i) {
-        rest.col(i) = rest_place(scene.body, state.body, c[i + 1]) -
-                      rest_place(scene.body, state.body, c[0]);
+        rest.col(i) =
+            rest_place(scene.body, state.body, c[i + 1]) - rest_place(scene.body, state.body, c[0]);
         now.col(i) = position(state.body, c[i + 1]) - position(state.body, c[0]);
     }
     rest = rest_stretch(spec, tet) * rest;

@@ -13,7 +13,7 @@ namespace placode::sim {
 
 /// What the tets around a vertex must still be like after a slide.
 struct SlideLimits {
-    double least_volume = 0.4;  ///< Of the volume in the mesh, by slides of all of its corners.
+    double least_volume = 0.4;   ///< Of the volume in the mesh, by slides of all of its corners.
     double least_quality = 0.1;  ///< tet_quality(), where it was better.
 };
 
