@@ -63,7 +63,9 @@ namespace {
         "Places of the placode, squares of 2 mm, where tissue passed the warning dose."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the placode's volume beyond the injury dose or temperature."),
-    QT_TRANSLATE_NOOP("MetricDefinition", "Volume of the placode that was removed or torn."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Volume of the placode that heat removed or stretch tore; pulling or "
+                      "pressing beside it tears it, too, without a contact."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Times the energy was switched on."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the pedal down."),
     QT_TRANSLATE_NOOP("MetricDefinition", "Time with the pedal down and no contact with tissue."),

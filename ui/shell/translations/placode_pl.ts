@@ -2437,8 +2437,8 @@
         <translation>Część objętości płytki powyżej dawki lub temperatury uszkadzającej.</translation>
     </message>
     <message>
-        <source>Volume of the placode that was removed or torn.</source>
-        <translation>Objętość płytki, którą usunięto lub rozerwano.</translation>
+        <source>Volume of the placode that heat removed or stretch tore; pulling or pressing beside it tears it, too, without a contact.</source>
+        <translation>Objętość płytki usunięta ciepłem lub rozerwana rozciąganiem; rozrywa ją też ciągnięcie lub nacisk obok niej, bez dotyku.</translation>
     </message>
     <message>
         <source>Times the energy was switched on.</source>
