@@ -9,6 +9,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mkdir -p build
+export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
 
 need() {
   command -v "$1" >/dev/null && return
