@@ -7,10 +7,9 @@
 #include <cmath>
 #include <set>
 
-#include "bench/timing.h"
 #include "sim/cutting/blade_slides.h"
 #include "sim/cutting/cutting.h"
-#include "sim/mesh/mesh.h"
+#include "sim/solver/slide_vertex.h"
 #include "sim/solver/topology.h"
 #include "sim/step/step.h"
 #include "sim/world/state.h"
@@ -55,10 +54,10 @@ void run(const Scene& scene, State& state, const sim::Pose& pose, double jaw_rad
     sim::step(scene, state, {&input, 1}, {&feedback, 1});
 }
 
-/// Elastic energy of the tets [J], zero at rest without pre-tension.
-double energy_of(const Scene& scene, const State& state, const std::vector<int32_t>& tets) {
+/// Elastic energy of an uncut body [J], zero at rest without pre-tension.
+double energy_of(const Scene& scene, const State& state) {
     double sum = 0;
-    for (const int32_t t : tets) {
+    for (int t = 0; t < scene.body.tet_count(); ++t) {
         const auto& c = sim::corners(scene.body, state.body, t);
         sim::Mat3 rest, now;
         for (int i = 0; i < 3; ++i) {
@@ -87,10 +86,8 @@ void measure_slides(const Scene& scene, State& state, const Cut& cut, CutRow& ro
     s.plane = cut.pose().inverse();
     const sim::BladeReach reach{kBladeM, std::tan(kOpenRad / 2), kPadM};
     sim::begin_slides(scene, state, s, reach);
-    std::vector<int32_t> all(static_cast<size_t>(scene.body.tet_count()));
-    for (size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int32_t>(t);
     while (s.sliding != 0) {
-        const double before = energy_of(scene, state, all);
+        const double before = energy_of(scene, state);
         const int slides = state.slides;
         const auto start = std::chrono::steady_clock::now();
         if (!sim::slide_to_blades(scene, state, s, reach)) s.sliding = 0;
@@ -98,7 +95,7 @@ void measure_slides(const Scene& scene, State& state, const Cut& cut, CutRow& ro
             std::chrono::steady_clock::now() - start;
         if (state.slides == slides) continue;
         frames_us.push_back(took.count());
-        const double after = energy_of(scene, state, all);
+        const double after = energy_of(scene, state);
         row.energy_jump = std::max(row.energy_jump, std::abs(after / before - 1));
     }
     s.met_count = 0;
@@ -126,17 +123,6 @@ std::vector<std::array<double, 2>> rim_of(const Scene& scene, const State& state
     const double slope = (n * xy - x * y) / (n * xx - x * x), offset = (y - slope * x) / n;
     for (auto& p : points) p[1] -= offset + slope * p[0];
     return points;
-}
-
-double least_quality(const Scene& scene, const State& state) {
-    double least = 1;
-    for (int t = 0; t < scene.body.tet_count(); ++t) {
-        sim::TetMesh one{{}, {{0, 1, 2, 3}}, {sim::Tissue::kZone}};
-        for (const int32_t v : sim::corners(scene.body, state.body, t))
-            one.rest.push_back(sim::rest_place(scene.body, state.body, v));
-        least = std::min(least, sim::tet_quality(one, 0));
-    }
-    return least;
 }
 
 }  // namespace
@@ -174,7 +160,8 @@ CutRow measure_cuts(sim::OperativeFieldSpec spec, double snap, int snips) {
         count += static_cast<int>(rim.size());
         row.slides += state.slides;
         row.refused += state.slides_refused;
-        row.least_quality = std::min(row.least_quality, least_quality(*scene, state));
+        row.least_quality =
+            std::min(row.least_quality, sim::least_quality(scene->body, state.body));
         if (!(snap > 0)) continue;
         State untouched(*scene, 1);
         for (int k = 0; k < 200; ++k)

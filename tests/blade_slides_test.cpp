@@ -27,22 +27,7 @@ using test::blades;
 using test::BoxOptions;
 
 BoxOptions slab(Method method = Method::kVbd) {
-    BoxOptions options;
-    options.size_m = Vec3(0.006, 0.006, 0.0015);
-    options.cells = {12, 12, 3};
-    options.tissue = Tissue::kZone;
-    options.material.youngs_modulus_pa = method == Method::kXpbd ? 300 : 10000;
-    options.material.damping_per_s = 60;
-    options.material.fail_stretch = options.material.injury_stretch = 100;
-    options.method = method;
-    options.heat = false;
-    options.hold_bottom = false;
-    options.spare_vertices = 2600;
-    options.tool.kind = ToolKind::kScissors;
-    options.tool.tip_radius_m = 0.0003;
-    options.tool.tip_length_m = 0.008;
-    options.tool.grip_n_m = 1e7;
-    return options;
+    return test::scissors_sheet(Vec3(0.006, 0.006, 0.0015), {12, 12, 3}, 2600, method);
 }
 
 /// Opens and closes within `frames`.
@@ -76,17 +61,6 @@ Slide random_slide(const Scene& scene, const State& state, std::mt19937& random)
         slide.share[n++] = share(random);
     }
     return slide;
-}
-
-double least_quality(const Scene& scene, const State& state) {
-    double least = 1;
-    for (int t = 0; t < scene.body.tet_count(); ++t) {
-        TetMesh one{{}, {{0, 1, 2, 3}}, {Tissue::kZone}};
-        for (const int32_t v : corners(scene.body, state.body, t))
-            one.rest.push_back(rest_place(scene.body, state.body, v));
-        least = std::min(least, tet_quality(one, 0));
-    }
-    return least;
 }
 
 TEST(SlideVertex, LeavesForcesThatTheTetsHaveOneByOne) {
@@ -177,7 +151,7 @@ TEST(SlideVertex, RefusesWhatWouldFlattenTurnOrLoosenATet) {
             EXPECT_EQ(rest, rest_place(scene.body, state.body, slide.vertex));
         }
     }
-    EXPECT_GE(least_quality(scene, state), SlideLimits{}.least_quality - 1e-9);
+    EXPECT_GE(least_quality(scene.body, state.body), SlideLimits{}.least_quality - 1e-9);
     for (int t = 0; t < scene.body.tet_count(); ++t)
         ASSERT_GE(static_cast<double>(rest_volume_of(scene.body, state.body, t)),
                   (SlideLimits{}.least_volume - 1e-6) * rest_volume(scene.body.mesh(), t));
@@ -241,7 +215,8 @@ double rim_rms_mm(double snap, double* quality = nullptr) {
         const Rim rim = rim_of(*scene, state, tip, ahead);
         all.square_sum += rim.square_sum;
         all.points += rim.points;
-        if (quality != nullptr) *quality = std::min(*quality, least_quality(*scene, state));
+        if (quality != nullptr)
+            *quality = std::min(*quality, least_quality(scene->body, state.body));
     }
     return std::sqrt(all.square_sum / all.points);
 }
@@ -272,7 +247,7 @@ TEST(BladeSlides, RandomCutsKeepTheMeshSoundAndTheBitsWithAnyThreads) {
             EXPECT_GT(state.slides, 100);
             test::expect_closed_surface(scene, state);
             test::expect_whole_vertices(scene, state);
-            EXPECT_GE(least_quality(scene, state), SlideLimits{}.least_quality - 1e-9);
+            EXPECT_GE(least_quality(scene.body, state.body), SlideLimits{}.least_quality - 1e-9);
             uint64_t& kept = hash[method == Method::kVbd ? 0 : 1];
             const uint64_t now = whole_hash(state);
             if (threads == 1) kept = now;

@@ -14,6 +14,28 @@
 
 namespace placode::sim::test {
 
+/// Soft tissue that nothing holds, with scissors over it.
+inline BoxOptions scissors_sheet(const Vec3& size_m, const std::array<int, 3>& cells,
+                                 int spare_vertices, Method method) {
+    BoxOptions options;
+    options.size_m = size_m;
+    options.cells = cells;
+    options.tissue = Tissue::kZone;
+    // XPBD needs a small Courant number.
+    options.material.youngs_modulus_pa = method == Method::kXpbd ? 300 : 10000;
+    options.material.damping_per_s = 60;
+    options.material.fail_stretch = options.material.injury_stretch = 100;
+    options.method = method;
+    options.heat = false;
+    options.hold_bottom = false;
+    options.spare_vertices = spare_vertices;
+    options.tool.kind = ToolKind::kScissors;
+    options.tool.tip_radius_m = 0.0003;
+    options.tool.tip_length_m = 0.008;
+    options.tool.grip_n_m = 1e7;
+    return options;
+}
+
 inline Vec3 at(const State& state, int v) {
     const Float4& x = state.body.x[static_cast<size_t>(v)];
     return {x.x, x.y, x.z};

@@ -28,23 +28,7 @@ using test::force_by_tets;
 using test::living_volume;
 
 BoxOptions sheet(Method method = Method::kVbd) {
-    BoxOptions options;
-    options.size_m = Vec3(0.006, 0.006, 0.001);
-    options.cells = {12, 12, 2};
-    options.tissue = Tissue::kZone;
-    // XPBD needs a small Courant number.
-    options.material.youngs_modulus_pa = method == Method::kXpbd ? 300 : 10000;
-    options.material.damping_per_s = 60;
-    options.material.fail_stretch = options.material.injury_stretch = 100;
-    options.method = method;
-    options.heat = false;
-    options.hold_bottom = false;
-    options.spare_vertices = 600;
-    options.tool.kind = ToolKind::kScissors;
-    options.tool.tip_radius_m = 0.0003;
-    options.tool.tip_length_m = 0.008;
-    options.tool.grip_n_m = 1e7;
-    return options;
+    return test::scissors_sheet(Vec3(0.006, 0.006, 0.001), {12, 12, 2}, 600, method);
 }
 
 /// Opens to `angle` at a pose and closes within `frames`.

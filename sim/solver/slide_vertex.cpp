@@ -176,4 +176,11 @@ bool slide_vertex(const SoftBody& body, SoftBodyState& state, const Slide& slide
     return true;
 }
 
+double least_quality(const SoftBody& body, const SoftBodyState& state) noexcept {
+    double least = 1;
+    for (int t = 0; t < body.tet_count(); ++t)
+        least = std::min(least, quality(rest_corners(body, state, t)));
+    return least;
+}
+
 }  // namespace placode::sim

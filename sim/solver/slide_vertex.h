@@ -44,4 +44,7 @@ void fields(Of<Slide> auto& s, Visit&& visit) {
 [[nodiscard]] bool slide_vertex(const SoftBody& body, SoftBodyState& state, const Slide& slide,
                                 const SlideLimits& limits) noexcept;
 
+/// The lowest tet_quality() of the body, its vertices where they are at rest by now.
+[[nodiscard]] double least_quality(const SoftBody& body, const SoftBodyState& state) noexcept;
+
 }  // namespace placode::sim
