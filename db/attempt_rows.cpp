@@ -101,4 +101,20 @@ std::string is_finished(const std::string& table) {
            std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
 }
 
+void insert_score(Connection& connection, const std::string& table, const std::string& owner,
+                  int64_t id, const assessment::MetricSet& metrics,
+                  const assessment::Score& score) {
+    Statement metric(connection, "INSERT INTO " + table + "_metrics (" + owner +
+                                     ", position, metric_id, value) VALUES (?, ?, ?, ?)");
+    int position = 0;
+    for (const auto& value : metrics.values) metric.run(id, position++, value.id, value.value);
+    Statement reason(connection, "INSERT INTO " + table + "_reasons (" + owner +
+                                     ", position, item, reason, points, time_s, critical, "
+                                     "meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+    position = 0;
+    for (const auto& one : score.reasons)
+        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
+                   reason_json(one.meaning));
+}
+
 }  // namespace placode::db

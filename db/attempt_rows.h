@@ -22,6 +22,12 @@ namespace placode::db {
 /// From a question for all columns of attempt_events but the attempt's.
 [[nodiscard]] sim::Event read_event(const Statement& row);
 
+/// Metrics and reasons of an attempt or of a further score.
+/// @param table "attempt" or "attempt_score", before "_metrics" and "_reasons".
+/// @param owner column that refers to what `id` is.
+void insert_score(Connection& connection, const std::string& table, const std::string& owner,
+                  int64_t id, const assessment::MetricSet& metrics, const assessment::Score& score);
+
 /// WHERE over `attempts t`. Conditions are written only where they are asked for: "(? = 0 OR ...)"
 /// would keep the engine from using an index.
 struct AttemptConditions {

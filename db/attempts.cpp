@@ -12,7 +12,6 @@
 #include "db/attempt_rows.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
-#include "db/reason_json.h"
 #include "db/recording_chunks.h"
 #include "db/store_context.h"
 #include "sim/core/event.h"
@@ -49,25 +48,13 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
 }
 
 void insert_lists(Connection& connection, int64_t id, const AttemptResult& result) {
-    Statement metric(connection,
-                     "INSERT INTO attempt_metrics (attempt_id, position, metric_id, value) VALUES "
-                     "(?, ?, ?, ?)");
-    int position = 0;
-    for (const auto& value : result.metrics.values)
-        metric.run(id, position++, value.id, value.value);
-    Statement reason(connection,
-                     "INSERT INTO attempt_reasons (attempt_id, position, item, reason, points, "
-                     "time_s, critical, meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    position = 0;
-    for (const auto& one : result.score.reasons)
-        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
-                   reason_json(one.meaning));
+    insert_score(connection, "attempt", "attempt_id", id, result.metrics, result.score);
     Statement event(
         connection,
         "INSERT INTO attempt_events (attempt_id, position, time_s, kind, tool, tissue, "
         "value, value2, rest_x_m, rest_y_m, rest_z_m, element) VALUES (?, ?, ?, ?, ?, ?, "
         "?, ?, ?, ?, ?, ?)");
-    position = 0;
+    int position = 0;
     for (const auto& one : result.events) {
         if (sim::only_in_recording(one.kind)) continue;
         event.run(id, position++, one.time_s, static_cast<int>(one.kind), int{one.tool},

@@ -4,7 +4,6 @@
 
 #include "db/attempt_rows.h"
 #include "db/attempts.h"
-#include "db/reason_json.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -27,19 +26,7 @@ int64_t Attempts::save_rescore(const RescoreRecord& rescore) {
                score.rubric_version, score.metric_set_version, rescore.preprocessing_version,
                utc_now(), context_.actor.name);
     const int64_t id = insert.returned_id();
-    Statement metric(connection_,
-                     "INSERT INTO attempt_score_metrics (score_id, position, metric_id, value) "
-                     "VALUES (?, ?, ?, ?)");
-    int position = 0;
-    for (const auto& value : rescore.metrics.values)
-        metric.run(id, position++, value.id, value.value);
-    Statement reason(connection_,
-                     "INSERT INTO attempt_score_reasons (score_id, position, item, reason, points, "
-                     "time_s, critical, meaning) VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    position = 0;
-    for (const auto& one : score.reasons)
-        reason.run(id, position++, one.item, one.text, one.points, one.time_s, one.critical,
-                   reason_json(one.meaning));
+    insert_score(connection_, "attempt_score", "score_id", id, rescore.metrics, score);
     context_.append_audit("attempt.rescore", "attempt " + std::to_string(rescore.attempt_id),
                           score.rubric_id + " version " + std::to_string(score.rubric_version));
     work.commit();
