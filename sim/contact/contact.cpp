@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact/contact_law.h"
 #include "sim/contact/narrow_phase.h"
 #include "sim/contact/self_contact.h"
 #include "sim/world/scene.h"
@@ -16,10 +17,6 @@ namespace {
 
 constexpr int kMostCandidates = 16384, kMostContacts = 2048;
 constexpr int kFeatureTable = 8192;  // a power of two, four times the most contacts
-// Stiffness of a contact against what the touched vertices answer at once. Sphere of 1.5 mm pressed
-// 0.1 mm into skin (edges 0.1 mm): 2 to 8 are quiet and 0.2 to 1 % below the rigid force; 25 and
-// more burst, because a vertex with a small weight then overshoots before its neighbours answer.
-constexpr double kContactRatio = 6;
 // Deepest overlap that still adds force [m]. In touch it stays below 0.02 mm; more only happens
 // where surface appears inside an instrument (removed tets) or a hand comes back inside tissue.
 constexpr double kDeepest = 2e-4;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/contact/contact.h"
+#include "sim/contact/contact_law.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -22,28 +23,16 @@ double gap_of(const Contact& c, const SoftBodyState& body) noexcept {
     return gap;
 }
 
-struct Friction {
-    Vec3 slide = Vec3::Zero();  // tangential way from the anchor [m]
-    Vec3 normal = Vec3::UnitZ();
-    double stiffness_n_m = 0, limit_n = 0;
-};
-
-/// Tangential spring of a vertex, softened where the cone ends.
+/// Tangential spring of a vertex that an instrument presses.
 Friction friction_of(const State& state, const ContactVertex& cv) noexcept {
-    Friction f;
     const FrictionAnchor& anchor = state.friction[cv.vertex];
     const double load = cv.normal_force_n.norm();
-    if (anchor.tool < 0 || !(load > 0)) return f;
-    f.normal = cv.normal_force_n / load;
+    if (anchor.tool < 0 || !(load > 0)) return {};
     const Vec3 at = state.tools[anchor.tool].proxy *
                     Vec3(anchor.anchor_T[0], anchor.anchor_T[1], anchor.anchor_T[2]);
-    const Vec3 way = position(state.body, cv.vertex) - at;
-    f.slide = way - f.normal * f.normal.dot(way);
-    f.limit_n = cv.friction * load * (anchor.slipping ? 1.0f : cv.friction_static_ratio);
-    f.stiffness_n_m = cv.friction_n_m;
-    const double length = f.slide.norm();
-    if (length * f.stiffness_n_m > f.limit_n) f.stiffness_n_m = f.limit_n / length;
-    return f;
+    const double limit = cv.friction * load * (anchor.slipping ? 1.0f : cv.friction_static_ratio);
+    return dry_friction(cv.normal_force_n, position(state.body, cv.vertex) - at, limit,
+                        cv.friction_n_m);
 }
 
 /// Friction of tissue on tissue within the substep: a spring against the way since its start,
@@ -108,8 +97,7 @@ void solve_contacts(const Scene& scene, State& state, double h, bool backward) n
             const double b = c.b[set.incidence[n] % 4], gap = gap_of(c, state.body);
             const double k = c.stiffness_n_m;
             if (gap >= 0) continue;
-            system.gradient += k * gap * b * c.n;
-            system.hessian += (k * b * b) * c.n * c.n.transpose();
+            add_normal_contact(system, k, b, gap, c.n);
             if (c.tool == kTissueSide)
                 rub(state.body, c, b, -k * gap, system);
             else
@@ -119,26 +107,17 @@ void solve_contacts(const Scene& scene, State& state, double h, bool backward) n
         const double size = load.norm();
         cv.stiffness_n_m = size > 0 ? load.dot(tissue * load) / (size * size) : 0.0;
         const Friction f = friction_of(state, cv);
-        if (f.stiffness_n_m > 0) {
-            system.gradient += f.stiffness_n_m * f.slide;
-            system.hessian +=
-                f.stiffness_n_m * (Mat3::Identity() - f.normal * f.normal.transpose());
-        }
-        Vec3 step = -system.hessian.llt().solve(system.gradient);
-        const double longest =
-            0.25 * scene.body.shortest_edge_m()[origin_of(state.body, cv.vertex)];
-        const double length = step.norm();
-        if (!std::isfinite(length)) {
+        if (f.stiffness_n_m > 0) add_friction(system, f);
+        const VertexStep way =
+            vertex_step(system, 1, scene.body.shortest_edge_m()[origin_of(state.body, cv.vertex)]);
+        if (!way.finite) {
             state.flags |= kNotFinite;
             continue;
         }
-        if (length > longest) {
-            step *= longest / length;
-            state.flags |= kStepLimited;
-        }
-        x.x += static_cast<float>(step.x());
-        x.y += static_cast<float>(step.y());
-        x.z += static_cast<float>(step.z());
+        if (way.limited) state.flags |= kStepLimited;
+        x.x += static_cast<float>(way.step.x());
+        x.y += static_cast<float>(way.step.y());
+        x.z += static_cast<float>(way.step.z());
     }
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sim/verify/constrained_vertices.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -14,10 +13,8 @@ namespace placode::sim {
 namespace {
 
 constexpr int kPasses = 2;  // over what is touched, for each sweep, as in sim/step
-// Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation,
-// and x what the touched vertices answer at once, as in sim/contact/contact.cpp: more bursts on
-// fine patches.
-constexpr double kContactStiffness = 300, kContactRatio = 6;
+// Stiffness of a contact: x E x edge at most, so that the penetration is far below the indentation.
+constexpr double kContactStiffness = 300;
 
 }  // namespace
 
@@ -182,25 +179,19 @@ double ConstrainedVertices::gap(const SphereTouch& t) const {
     return g;
 }
 
-double ConstrainedVertices::grip_n_m(int32_t v) const {
+double ConstrainedVertices::friction_n_m(int32_t v) const {
     return std::min(k_, kContactRatio * answer_[as_index(slot_[as_index(v)])].trace() / 3);
 }
 
-/// Dry friction with a memory: a spring to the place where the vertex sticks to the sphere.
-ConstrainedVertices::Grip ConstrainedVertices::grip_of(int32_t v, const Vec3& load) const {
-    Grip grip;
+/// Friction of a vertex that a sphere presses.
+Friction ConstrainedVertices::friction_of(int32_t v, const Vec3& load) const {
     const Anchor& a = anchor_[as_index(v)];
     const double size = load.norm();
-    if (a.sphere < 0 || !(size > 0)) return grip;
+    if (a.sphere < 0 || !(size > 0)) return {};
     const SphereObstacle& s = spheres_[as_index(a.sphere)];
-    grip.normal = load / size;
-    const Vec3 way = exact_position(state_, v) - (s.centre_at(time_) + a.from_centre);
-    grip.slide = way - grip.normal * grip.normal.dot(way);
-    grip.limit_n = s.friction * size;
-    grip.stiffness_n_m = grip_n_m(v);
-    const double length = grip.slide.norm();
-    if (length * grip.stiffness_n_m > grip.limit_n) grip.stiffness_n_m = grip.limit_n / length;
-    return grip;
+    const Vec3 sticks_at = s.centre_at(time_) + a.from_centre;
+    return dry_friction(load, exact_position(state_, v) - sticks_at, s.friction * size,
+                        friction_n_m(v));
 }
 
 void ConstrainedVertices::hold_axes(int32_t v, VertexSystem& system) const {
@@ -229,23 +220,14 @@ void ConstrainedVertices::solve_vertex(size_t i) {
         const SphereTouch& t = touches_[as_index(entry / 4)];
         const double b = t.b[entry % 4], g = gap(t), k = touch_n_m_[as_index(entry / 4)];
         if (g >= 0 || b == 0) continue;
-        system.gradient += k * g * b * t.n;
-        system.hessian += k * b * b * t.n * t.n.transpose();
+        add_normal_contact(system, k, b, g, t.n);
         load -= k * g * b * t.n;
     }
-    if (load.squaredNorm() > 0) {
-        const Grip grip = grip_of(v, load);
-        system.gradient += grip.stiffness_n_m * grip.slide;
-        system.hessian +=
-            grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose());
-    }
+    if (load.squaredNorm() > 0) add_friction(system, friction_of(v, load));
     hold_axes(v, system);
-    Vec3 step = -relaxation_of(i) * system.hessian.llt().solve(system.gradient);
-    const double longest = static_cast<double>(body_.shortest_edge_m()[as_index(v)]) / 4;
-    const double length = step.norm();
-    if (!std::isfinite(length)) return;
-    if (length > longest) step *= longest / length;
-    move_vertex(state_, v, step);
+    const VertexStep way =
+        vertex_step(system, relaxation_of(i), body_.shortest_edge_m()[as_index(v)]);
+    if (way.finite) move_vertex(state_, v, way.step);
 }
 
 void ConstrainedVertices::solve() {
@@ -276,10 +258,10 @@ const std::vector<ContactPush>& ConstrainedVertices::pushes() {
     for (size_t i = 0; i < special_.size(); ++i) {
         const int32_t v = special_[i];
         if (load_sphere_[i] < 0 || anchor_[as_index(v)].sphere != load_sphere_[i]) continue;
-        const Grip grip = grip_of(v, load_[i]);
-        pushes_.push_back(
-            {load_sphere_[i], v, exact_position(state_, v), -grip.stiffness_n_m * grip.slide,
-             grip.stiffness_n_m * (Mat3::Identity() - grip.normal * grip.normal.transpose())});
+        const Friction f = friction_of(v, load_[i]);
+        pushes_.push_back({load_sphere_[i], v, exact_position(state_, v),
+                           -f.stiffness_n_m * f.slide,
+                           f.stiffness_n_m * (Mat3::Identity() - f.normal * f.normal.transpose())});
     }
     return pushes_;
 }
@@ -304,8 +286,8 @@ void ConstrainedVertices::stick() {
         }
         Vec3 place = exact_position(state_, v);
         if (anchor.sphere == load_sphere_[i]) {
-            const Grip grip = grip_of(v, load_[i]);
-            place -= grip.stiffness_n_m / grip_n_m(v) * grip.slide;
+            const Friction f = friction_of(v, load_[i]);
+            place -= f.stiffness_n_m / friction_n_m(v) * f.slide;
         }
         anchor = {load_sphere_[i], place - spheres_[as_index(load_sphere_[i])].centre_at(time_)};
     }

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The vertices that the kernels leave to others: those that spheres touch, with dry friction, and
-// those that only some axes hold. As sim/contact, for bodies without instruments. Private to
-// sim/verify.
+// those that only some axes hold. The law of sim/contact, for bodies without instruments. Private
+// to sim/verify.
 
 #include <memory>
 #include <vector>
 
+#include "sim/contact/contact_law.h"
 #include "sim/solver/soft_body.h"
 #include "sim/verify/kernel_units.h"
 #include "sim/verify/rigid_modes.h"
@@ -48,10 +49,6 @@ class ConstrainedVertices {
         int sphere = -1;
         Vec3 from_centre = Vec3::Zero();
     };
-    struct Grip {
-        Vec3 slide = Vec3::Zero(), normal = Vec3::UnitZ();
-        double stiffness_n_m = 0, limit_n = 0;
-    };
     void find_touches();
     void drop_doubles();
     void set_stiffness();
@@ -62,8 +59,8 @@ class ConstrainedVertices {
     [[nodiscard]] double gap(const SphereTouch& t) const;
     /// Axes that are held go where their region is.
     void put_on_axes(int32_t v);
-    [[nodiscard]] Grip grip_of(int32_t v, const Vec3& load) const;
-    [[nodiscard]] double grip_n_m(int32_t v) const;
+    [[nodiscard]] Friction friction_of(int32_t v, const Vec3& load) const;
+    [[nodiscard]] double friction_n_m(int32_t v) const;
     void start_where_they_were(const RigidModes* modes);
     void anchor_newcomers();
     void stick();
