@@ -6,6 +6,7 @@
 
 #include "haptics/device.h"
 #include "haptics/operators/operator_profile.h"
+#include "haptics/operators/operator_random.h"
 
 namespace placode::haptics {
 

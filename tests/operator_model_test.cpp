@@ -3,6 +3,7 @@
 // Scripted operators in a kinematic world: a flat ring that parts where an energised tip passes
 // slowly. No tissue mechanics, so that only behaviour is tested.
 #include "haptics/operators/operator_model.h"
+#include "haptics/operators/operator_random.h"
 
 #include <gtest/gtest.h>
 

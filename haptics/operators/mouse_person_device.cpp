@@ -11,6 +11,7 @@
 
 #include "haptics/mouse_mapping.h"
 #include "haptics/operators/open_operator.h"
+#include "haptics/operators/operator_random.h"
 #include "haptics/trocar.h"
 
 namespace placode::haptics {

@@ -11,6 +11,7 @@
 #include "haptics/device.h"
 #include "haptics/operators/incision_line.h"
 #include "haptics/operators/operator_profile.h"
+#include "haptics/operators/operator_random.h"
 
 namespace placode::haptics {
 

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "haptics/operators/operator_profile.h"
 
-#include "sim/core/random.h"
-
 namespace placode::haptics {
 
 namespace {
@@ -11,105 +9,100 @@ namespace {
 constexpr std::array kLevels{OperatorLevel::kExpert, OperatorLevel::kIntermediate,
                              OperatorLevel::kNovice};
 
-OperatorProfile expert() {
-    OperatorProfile p;
-    p.look_s = 2;
-    p.free_speed_m_s = 0.02;
-    p.cut_speed_m_s = 0.0038;
-    p.press_m = 4e-4;
-    p.press_limit_m = 6e-4;
-    p.wander_m = 7e-5;
-    p.wander_inward_m = -2.5e-4;  // Keeps a little outside the line: heat runs inwards as well.
-    p.second_out_m = 1.5e-4;
-    p.clear_m = 9e-4;
-    p.clear_metal_m = 4.5e-4;
-    p.cool_s = 12;
-    p.seeks_bridges = true;
-    p.tries = 4;
-    p.lean_out_m = 5e-4;
-    p.lean_up_m = 3e-4;
-    p.watch = 0.55;
-    p.wait_s = 0.3;
-    p.burst_s = 3;
-    p.pause_s = 0.3;
-    p.patience_s = 140;
-    return p;
-}
+// What is not said has the default of the header.
+constexpr OperatorProfile kExpert{
+    .look_s = 2,
+    .free_speed_m_s = 0.02,
+    .cut_speed_m_s = 0.0038,
+    .wander_m = 7e-5,
+    .wander_inward_m = -2.5e-4,  // Keeps a little outside the line: heat runs inwards as well.
+    .lean_out_m = 5e-4,
+    .lean_up_m = 3e-4,
+    .press_m = 4e-4,
+    .press_limit_m = 6e-4,
+    .watch = 0.55,
+    .wait_s = 0.3,
+    .burst_s = 3,
+    .pause_s = 0.3,
+    .second_out_m = 1.5e-4,
+    .clear_m = 9e-4,
+    .clear_metal_m = 4.5e-4,
+    .cool_s = 12,
+    .seeks_bridges = true,
+    .tries = 4,
+    .patience_s = 140,
+};
 
-OperatorProfile intermediate() {
-    OperatorProfile p;
-    p.look_s = 4;
-    p.free_speed_m_s = 0.012;
-    p.descend_m_s = 0.004;
-    p.cut_speed_m_s = 0.0032;
-    p.wander_inward_m = -2.4e-4;
-    p.lean_out_m = 4e-4;
-    p.lean_up_m = 2.5e-4;
-    p.press_m = 4e-4;
-    p.press_limit_m = 7e-4;
-    p.speed_noise = 0.25;
-    p.tremor_m = 1.2e-4;
-    p.wander_m = 1.8e-4;
-    p.watch = 0.55;
-    p.wait_s = 0.4;
-    p.burst_s = 2;
-    p.pause_s = 1.2;
-    p.settle_s = 0.25;
-    p.early_chance = 0.4;
-    p.early_s = 0.5;
-    p.hesitate_hz = 0.1;
-    p.hesitate_s = {0.2, 0.4};
-    p.skip_per_m = 40;
-    p.skip_m = {0.8e-3, 1.4e-3};
-    p.submovements = 2;
-    p.aim_error_m = 1e-3;
-    p.notice_gap_m = 6e-4;
-    p.second_care = 0.5;
-    p.second_out_m = 2e-4;
-    p.clear_m = 9.5e-4;
-    p.clear_metal_m = 3e-4;
-    p.cool_s = 12;
-    p.tries = 4;
-    p.patience_s = 80;
-    return p;
-}
+constexpr OperatorProfile kIntermediate{
+    .look_s = 4,
+    .free_speed_m_s = 0.012,
+    .descend_m_s = 0.004,
+    .cut_speed_m_s = 0.0032,
+    .speed_noise = 0.25,
+    .tremor_m = 1.2e-4,
+    .wander_m = 1.8e-4,
+    .wander_inward_m = -2.4e-4,
+    .lean_out_m = 4e-4,
+    .lean_up_m = 2.5e-4,
+    .press_m = 4e-4,
+    .press_limit_m = 7e-4,
+    .watch = 0.55,
+    .wait_s = 0.4,
+    .burst_s = 2,
+    .pause_s = 1.2,
+    .settle_s = 0.25,
+    .early_chance = 0.4,
+    .early_s = 0.5,
+    .hesitate_hz = 0.1,
+    .hesitate_s = {0.2, 0.4},
+    .skip_per_m = 40,
+    .skip_m = {0.8e-3, 1.4e-3},
+    .submovements = 2,
+    .aim_error_m = 1e-3,
+    .notice_gap_m = 6e-4,
+    .second_care = 0.5,
+    .second_out_m = 2e-4,
+    .clear_m = 9.5e-4,
+    .clear_metal_m = 3e-4,
+    .cool_s = 12,
+    .tries = 4,
+    .patience_s = 80,
+};
 
-OperatorProfile novice() {
-    OperatorProfile p;
-    p.look_s = 3;
-    p.free_speed_m_s = 0.014;
-    p.descend_m_s = 0.004;
-    p.cut_speed_m_s = 0.0026;
-    p.speed_noise = 0.6;
-    p.tremor_m = 3e-4;
-    p.wander_m = 6e-4;
-    p.wander_s = 0.6;
-    p.wander_inward_m = 4e-4;
-    p.press_m = 4e-4;
-    p.press_limit_m = 1.4e-3;
-    p.force_limit_n = 0.12;
-    p.watch = 0.2;
-    p.wait_s = 0.3;
-    p.burst_s = 3;
-    p.pause_s = 0.9;
-    p.settle_s = 0.1;
-    p.early_chance = 0.9;
-    p.early_s = 1.3;
-    p.hesitate_hz = 0.14;
-    p.hesitate_s = {1.1, 2.0};
-    p.skip_per_m = 120;
-    p.skip_m = {1e-3, 3e-3};
-    p.overshoots = 2;
-    p.overshoot_m = 3.2e-3;
-    p.overshoot_notice_s = 0.25;
-    p.submovements = 3;
-    p.aim_error_m = 2.5e-3;
-    p.notice_gap_m = 2.5e-3;
-    p.second_care = 0.9;
-    p.tries = 2;
-    p.patience_s = 80;
-    return p;
-}
+constexpr OperatorProfile kNovice{
+    .look_s = 3,
+    .free_speed_m_s = 0.014,
+    .descend_m_s = 0.004,
+    .cut_speed_m_s = 0.0026,
+    .speed_noise = 0.6,
+    .tremor_m = 3e-4,
+    .wander_m = 6e-4,
+    .wander_s = 0.6,
+    .wander_inward_m = 4e-4,
+    .press_m = 4e-4,
+    .press_limit_m = 1.4e-3,
+    .force_limit_n = 0.12,
+    .watch = 0.2,
+    .wait_s = 0.3,
+    .burst_s = 3,
+    .pause_s = 0.9,
+    .settle_s = 0.1,
+    .early_chance = 0.9,
+    .early_s = 1.3,
+    .hesitate_hz = 0.14,
+    .hesitate_s = {1.1, 2.0},
+    .skip_per_m = 120,
+    .skip_m = {1e-3, 3e-3},
+    .overshoots = 2,
+    .overshoot_m = 3.2e-3,
+    .overshoot_notice_s = 0.25,
+    .submovements = 3,
+    .aim_error_m = 2.5e-3,
+    .notice_gap_m = 2.5e-3,
+    .second_care = 0.9,
+    .tries = 2,
+    .patience_s = 80,
+};
 
 }  // namespace
 
@@ -134,35 +127,8 @@ std::optional<OperatorLevel> operator_level(std::string_view name) noexcept {
 }
 
 const OperatorProfile& operator_profile(OperatorLevel level) noexcept {
-    static const std::array profiles{expert(), intermediate(), novice()};
-    return profiles[static_cast<size_t>(level)];
-}
-
-OperatorRandom::OperatorRandom(uint64_t seed) noexcept {
-    sim::SplitMix64 spread(seed);  // a small seed over the whole state
-    for (auto& word : state_) word = spread.next();
-}
-
-double OperatorRandom::uniform() noexcept {
-    const auto rotated = [](uint64_t x, int k) { return (x << k) | (x >> (64 - k)); };
-    const uint64_t result = rotated(state_[1] * 5, 7) * 9, t = state_[1] << 17;
-    state_[2] ^= state_[0];
-    state_[3] ^= state_[1];
-    state_[1] ^= state_[2];
-    state_[0] ^= state_[3];
-    state_[2] ^= t;
-    state_[3] = rotated(state_[3], 45);
-    return static_cast<double>(result >> 11) * 0x1.0p-53;
-}
-
-double OperatorRandom::uniform(const std::array<double, 2>& range) noexcept {
-    return range[0] + (range[1] - range[0]) * uniform();
-}
-
-double OperatorRandom::normal() noexcept {
-    double sum = -6;
-    for (int i = 0; i < 12; ++i) sum += uniform();
-    return sum;
+    static constexpr std::array kProfiles{kExpert, kIntermediate, kNovice};
+    return kProfiles[static_cast<size_t>(level)];
 }
 
 }  // namespace placode::haptics

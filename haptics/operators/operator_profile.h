@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Who is at work: habits by level, and the random numbers of a hand. Levels differ by behaviour
-// only; nobody tells the score who is at work. Same seed, same bits.
+// Who is at work: habits by level, as data. Levels differ by behaviour only; nobody tells the score
+// who is at work.
 
 #include <array>
 #include <cstdint>
@@ -61,17 +61,5 @@ struct OperatorProfile {
     double patience_s = 60;         ///< Gives up after.
 };
 [[nodiscard]] const OperatorProfile& operator_profile(OperatorLevel level) noexcept;
-
-/// xoshiro256** (Blackman & Vigna): the same numbers with every standard library.
-class OperatorRandom {
- public:
-    explicit OperatorRandom(uint64_t seed) noexcept;
-    [[nodiscard]] double uniform() noexcept;  ///< [0, 1)
-    [[nodiscard]] double uniform(const std::array<double, 2>& range) noexcept;
-    [[nodiscard]] double normal() noexcept;  ///< Sum of twelve uniforms, minus six.
-
- private:
-    std::array<uint64_t, 4> state_{};
-};
 
 }  // namespace placode::haptics
