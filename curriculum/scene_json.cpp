@@ -211,6 +211,7 @@ void visit_field(const V& v, S& s) {
     v("resect_margin_m", s.resect_margin_m);
     v("spare_vertices", s.spare_vertices);
     v("cut_snap", s.cut_snap);
+    v("tear_radius_m", s.tear_radius_m);
     v("isotropic", s.isotropic);
     v("tethers", s.tethers);
     v("tether_break_n", s.tether_break_n);

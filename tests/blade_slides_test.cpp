@@ -14,6 +14,7 @@
 
 #include "sim/anatomy/operative_field.h"
 #include "sim/cutting/cutting.h"
+#include "sim/cutting/tissue_stretch.h"
 #include "sim/solver/slide_vertex.h"
 #include "sim/world/saved_state.h"
 #include "tests/box_scene.h"

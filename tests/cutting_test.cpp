@@ -3,6 +3,7 @@
 // Tissue that goes: torn, vaporised, and counted as incision on the operative field.
 
 #include "sim/cutting/cutting.h"
+#include "sim/cutting/tissue_stretch.h"
 #include "sim/world/add_event.h"
 
 #include <gtest/gtest.h>

@@ -13,6 +13,7 @@
 
 #include "sim/anatomy/operative_field.h"
 #include "sim/cutting/cutting.h"
+#include "sim/cutting/tissue_stretch.h"
 #include "sim/solver/kernel_layout.h"
 #include "sim/step/step.h"
 

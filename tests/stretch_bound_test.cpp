@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sim/cutting/cutting.h"
+#include "sim/cutting/tissue_stretch.h"
 #include "tests/box_scene.h"
 
 namespace placode::sim {

@@ -58,6 +58,7 @@ class Checker {
         range("resect_to_deg", spec_.resect_to_deg, -360, 720);
         range("resect_margin_m", spec_.resect_margin_m, 0, 0.003);
         range("cut_snap", spec_.cut_snap, 0, 0.75);
+        range("tear_radius_m", spec_.tear_radius_m, 0, 0.001);
         range("spare_vertices", spec_.spare_vertices, 0, 20000);
         // Between the outlines there is room for the contour and one edge behind it.
         const double gap = (spec_.contour_offset_m + edge) / (1 - swing);

@@ -264,6 +264,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     scene->sac = std::move(sac);
     scene->contact = spec.contact;
     scene->cut_snap = spec.cut_snap;
+    scene->tear_radius_m = spec.tear_radius_m;
     scene->tools = spec.tools;
     scene->colour_linear = kColourLinear;
     add_landmarks(spec, shape, field, *scene);

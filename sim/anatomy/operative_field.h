@@ -56,6 +56,7 @@ struct OperativeFieldSpec {
     double resect_from_deg = 0, resect_to_deg = 0;
     double resect_margin_m = 0.0004;  ///< Left standing along the skin edge.
     double cut_snap = 0;              ///< Scene::cut_snap.
+    double tear_radius_m = 0;         ///< Scene::tear_radius_m.
     int spare_vertices = 4000;  ///< For cutting; used only where scissors are among the tools.
     bool isotropic = false;     ///< `paper` preset: triangles of `edge_ring_m` everywhere, skin not
                                 ///< thinned; with equal layers the tets have about equal edges.

@@ -8,6 +8,7 @@
 
 #include "sim/cutting/grasp.h"
 #include "sim/cutting/separation.h"
+#include "sim/cutting/tissue_stretch.h"
 #include "sim/solver/stretch_bound.h"
 #include "sim/world/add_event.h"
 #include "sim/world/cut_columns.h"
@@ -24,24 +25,6 @@ constexpr int kTearPerFrame = 8;
 constexpr int kTearCount = 20, kTearCountFar = 10;
 constexpr double kOverStretchPause = 0.5;  // between ledger entries of one tissue [s]
 
-/// Largest eigenvalue of a symmetric positive matrix: Newton on the characteristic polynomial from
-/// an upper bound, where it runs down monotonically. Plain arithmetic gives the same bits on every
-/// processor; the trigonometric closed form does not.
-double largest_eigenvalue(const Mat3& m) noexcept {
-    const double mean = m.trace() / 3;
-    const Mat3 d = m - mean * Mat3::Identity();
-    const double half = d.squaredNorm() / 2, det = d.determinant();
-    double x = std::sqrt(4 * half / 3);  // bound: x^3 - half x - det >= 0 from here on
-    for (int i = 0; i < 40 && x > 0; ++i) {
-        const double slope = 3 * x * x - half;
-        if (!(slope > 0)) break;
-        const double next = x - (x * x * x - half * x - det) / slope;
-        if (!(next < x)) break;
-        x = next;
-    }
-    return mean + x;
-}
-
 /// A tet that is below all limits.
 void forget_stretch(State& state, int tet) noexcept {
     state.stretch_count[tet] = 0;
@@ -53,7 +36,10 @@ int check_stretch(const Scene& scene, State& state, int tet, int weight, int too
     const Tissue tissue = scene.body.mesh().tissue[tet];
     const Material& material = scene.body.spec().materials[static_cast<int>(tissue)];
     OverStretch& sums = state.over_stretch;
-    const double stretch = principal_stretch(scene, state, tet);
+    double stretch = principal_stretch(scene, state, tet);
+    // The mean costs more, so that it is asked only where one tet is beyond a limit.
+    if (stretch > std::min(material.injury_stretch, material.fail_stretch))
+        stretch = mean_stretch(scene, state, tet, scene.tear_radius_m);
     if (stretch > material.injury_stretch && !state.stretch_reported[tet]) {
         state.stretch_reported[tet] = 1;
         float& pause = state.over_stretch_pause_s[static_cast<int>(tissue)];
@@ -111,20 +97,6 @@ struct StretchGroup {
 };
 
 }  // namespace
-
-double principal_stretch(const Scene& scene, const State& state, int tet) noexcept {
-    const SoftBodySpec& spec = scene.body.spec();
-    const auto& c = corners(scene.body, state.body, tet);
-    Mat3 rest, now;
-    for (int i = 0; i < 3; ++i) {
-        rest.col(i) =
-            rest_place(scene.body, state.body, c[i + 1]) - rest_place(scene.body, state.body, c[0]);
-        now.col(i) = position(state.body, c[i + 1]) - position(state.body, c[0]);
-    }
-    rest = rest_stretch(spec, tet) * rest;
-    const Mat3 f = now * rest.inverse();
-    return std::sqrt(largest_eigenvalue(f.transpose() * f));
-}
 
 int32_t linked_across(const Scene& scene, const State& state, int tet, int face) noexcept {
     if (state.surface.on_surface(tet, face)) return -1;

@@ -14,9 +14,6 @@ namespace placode::sim {
 struct Scene;
 struct State;
 
-/// Largest principal stretch of a tet against its stress-free shape.
-[[nodiscard]] double principal_stretch(const Scene& scene, const State& state, int tet) noexcept;
-
 /// Takes a tet out of body, surface, heat and contour columns and writes its event. `tool` = who
 /// did it, `value2` as in EventKind.
 void remove_tissue(const Scene& scene, State& state, int tet, EventKind cause, int tool,

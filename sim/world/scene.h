@@ -78,6 +78,9 @@ struct Scene {
     /// How far a vertex may slide to where blades pass, as a share of the way to its neighbours; 0
     /// = cuts follow the faces of the mesh, as in recordings of before.
     double cut_snap = 0;
+    /// Tissue tears by its mean stretch over this distance at rest [m]; 0 = tet by tet, as in
+    /// recordings of before.
+    double tear_radius_m = 0;
     std::vector<uint8_t> marked;  ///< (T) 1 = to be resected; empty = nothing is marked.
     double marked_volume_m3 = 0;
     Resection resection;
