@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <string>
 
 namespace placode::sim {
@@ -22,6 +23,15 @@ namespace placode::sim {
     return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
                                        std::chars_format::general, digits)
                              .ptr};
+}
+
+/// With `decimals` places; "-" for what is no finite number.
+[[nodiscard]] inline std::string fixed_text(double value, int decimals) {
+    if (!std::isfinite(value)) return "-";
+    std::array<char, 400> text{};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                            std::chars_format::fixed, decimals);
+    return error == std::errc{} ? std::string(text.data(), end) : "-";
 }
 
 }  // namespace placode::sim

@@ -3,9 +3,6 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 
@@ -51,13 +48,7 @@ void print(const Context& context, const Json& json, const std::string& text) {
         std::cout << text << (text.empty() || text.back() == '\n' ? "" : "\n");
 }
 
-std::string fixed(double value, int decimals) {
-    if (!std::isfinite(value)) return "-";
-    std::array<char, 400> text{};
-    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
-                                            std::chars_format::fixed, decimals);
-    return error == std::errc{} ? std::string(text.data(), end) : "-";
-}
+std::string fixed(double value, int decimals) { return sim::fixed_text(value, decimals); }
 
 std::string shortest(double value) { return sim::shortest_text(value); }
 

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 
+#include "bench/stability_report.h"
 #include "sim/verify/stability_cases.h"
 #include "ui/cli/cli.h"
 
@@ -44,56 +45,34 @@ std::string length_text(const Options& options) {
            shortest(kFullRest) + " s";
 }
 
-void write_files(const std::string& folder, const Json& json) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    std::ofstream csv(folder + "/bench_stability.csv");
-    csv << "case,method,verdict,seconds,error,detail\n";
-    for (const Json& row : json["rows"]) {
-        std::string detail = row["detail"].get<std::string>();
-        std::replace(detail.begin(), detail.end(), '"', '\'');
-        csv << '"' << row["case"].get<std::string>() << "\"," << row["method"].get<std::string>()
-            << ",\"" << row["verdict"].get<std::string>() << "\","
-            << shortest(row["seconds"].get<double>()) << ',' << shortest(row["error"].get<double>())
-            << ",\"" << detail << "\"\n";
-    }
-    std::ofstream document(folder + "/bench_stability.json");
-    document << json.dump(2) << '\n';
-    csv.flush();
-    document.flush();
-    if (!csv || !document)
-        throw InputError("--out " + folder + ": cannot be written; choose another place");
-}
-
-void write_report(const std::string& file, const Json& json, const std::string& length) {
-    const Json& m = json["machine"];
-    std::string text =
-        "<!-- Written by `placodectl bench stability --report`; run it again instead of editing. "
-        "-->\n# Hard cases for the tissue solvers\n\nRun by `placodectl bench stability` on " +
-        m["processor"].get<std::string>() + ", " + m["compiler"].get<std::string>() + ", " +
-        m["build"].get<std::string>() + ", kernels " + m["kernel_target"].get<std::string>() +
-        ", one thread. " + length +
-        ".\n\nA block of 6 mm, 1,296 tets of 1 mm, 5 kPa, nu 0.45; `vbd` "
-        "with 4 substeps a frame of 1 ms, `xpbd` and `xpbd_pair` with 8. Verdicts: holds (never "
-        "left "
-        "its bounds), recovers (edges within 2 % and nothing inverted, from then to the end), "
-        "re-seeded "
-        "(an event says so), refused at load (with the reason), FAILS.\n\n"
-        "| case | method | verdict | after | detail |\n|---|---|---|---|---|\n";
-    for (const Json& row : json["rows"]) {
-        const std::string verdict = row["verdict"].get<std::string>();
-        const bool back = verdict == "recovers" || verdict == "re-seeded";
-        text += "| " + row["case"].get<std::string>() + " | `" + row["method"].get<std::string>() +
-                "` | " + verdict + " | " +
-                (back ? fixed(row["seconds"].get<double>(), 2) + " s" : "") + " | " +
-                row["detail"].get<std::string>() + " |\n";
-    }
-    text += "\n" + std::to_string(json["failed"].get<int>()) + " failed. Simulated in " +
-            fixed(json["wall_s"].get<double>() / 60, 1) + " minutes.\n";
+void write_text(const std::string& option, const std::string& file, const std::string& text) {
     std::ofstream out(file, std::ios::binary);
     out << text;
     out.flush();
-    if (!out) throw InputError("--report " + file + ": cannot be written; choose another place");
+    if (!out) throw InputError(option + ' ' + file + ": cannot be written; choose another place");
+}
+
+/// Every case that was asked for, with every method. @throws InputError for an unknown one.
+std::vector<sim::StabilityResult> run_cases(const Options& options,
+                                            const sim::StabilityOptions& cases) {
+    const auto names = sim::stability_case_names();
+    if (!options.only.empty() &&
+        std::find(names.begin(), names.end(), options.only) == names.end()) {
+        std::string known;
+        for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+        throw InputError("--case " + options.only + ": no such case; one of: " + known);
+    }
+    std::vector<sim::StabilityResult> results;
+    for (const std::string& name : names) {
+        if (!options.only.empty() && name != options.only) continue;
+        for (const sim::Method method :
+             {sim::Method::kVbd, sim::Method::kXpbd, sim::Method::kXpbdPair}) {
+            results.push_back(sim::run_stability_case(name, method, cases));
+            std::cerr << name << ", " << results.back().method << ": "
+                      << sim::verdict_name(results.back().verdict) << '\n';
+        }
+    }
+    return results;
 }
 
 int run(const Context& context, const Options& options) {
@@ -103,13 +82,6 @@ int run(const Context& context, const Options& options) {
     cases.rest_seconds = options.rest();
     cases.poke_frames = options.pokes();
     cases.progress = [](const std::string& text) { std::cerr << text << '\n'; };
-    const auto names = sim::stability_case_names();
-    if (!options.only.empty() &&
-        std::find(names.begin(), names.end(), options.only) == names.end()) {
-        std::string known;
-        for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
-        throw InputError("--case " + options.only + ": no such case; one of: " + known);
-    }
     Json json{{"benchmark", "stability"},
               {"machine", machine()},
               {"seconds_a_case", cases.seconds},
@@ -117,36 +89,35 @@ int run(const Context& context, const Options& options) {
               {"poke_frames", cases.poke_frames},
               {"length", length_text(options)},
               {"rows", Json::array()}};
+    bench::StabilityRun measured{bench::this_machine(), length_text(options), 0, 0};
+    const auto results = run_cases(options, cases);
     std::vector<std::vector<std::string>> cells{{"case", "method", "verdict", "after", "detail"}};
-    int failed = 0;
-    for (const std::string& name : names) {
-        if (!options.only.empty() && name != options.only) continue;
-        for (const sim::Method method :
-             {sim::Method::kVbd, sim::Method::kXpbd, sim::Method::kXpbdPair}) {
-            const sim::StabilityResult r = sim::run_stability_case(name, method, cases);
-            const std::string verdict = sim::verdict_name(r.verdict);
-            const bool back = r.verdict == sim::StabilityVerdict::kRecovers ||
-                              r.verdict == sim::StabilityVerdict::kReseeded;
-            failed += r.verdict == sim::StabilityVerdict::kFails;
-            std::cerr << name << ", " << r.method << ": " << verdict << '\n';
-            json["rows"].push_back({{"case", r.name},
-                                    {"method", r.method},
-                                    {"verdict", verdict},
-                                    {"seconds", r.seconds},
-                                    {"error", r.error},
-                                    {"detail", r.detail}});
-            cells.push_back(
-                {r.name, r.method, verdict, back ? fixed(r.seconds, 2) + " s" : "", r.detail});
-        }
+    for (const sim::StabilityResult& r : results) {
+        const std::string verdict = sim::verdict_name(r.verdict);
+        measured.failed += r.verdict == sim::StabilityVerdict::kFails;
+        json["rows"].push_back({{"case", r.name},
+                                {"method", r.method},
+                                {"verdict", verdict},
+                                {"seconds", r.seconds},
+                                {"error", r.error},
+                                {"detail", r.detail}});
+        cells.push_back({r.name, r.method, verdict, bench::recovery_text(r), r.detail});
     }
-    json["failed"] = failed;
-    json["wall_s"] =
+    measured.wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    if (!options.out.empty()) write_files(options.out, json);
-    if (!options.report.empty()) write_report(options.report, json, length_text(options));
+    json["failed"] = measured.failed;
+    json["wall_s"] = measured.wall_s;
+    if (!options.out.empty()) {
+        std::error_code error;
+        std::filesystem::create_directories(options.out, error);
+        write_text("--out", options.out + "/bench_stability.csv", bench::stability_csv(results));
+        write_text("--out", options.out + "/bench_stability.json", json.dump(2) + "\n");
+    }
+    if (!options.report.empty())
+        write_text("--report", options.report, bench::stability_report(results, measured));
     print(context, json,
-          table(cells) + std::to_string(failed) + " failed (" + length_text(options) + ")\n");
-    return failed == 0 ? 0 : 1;
+          table(cells) + std::to_string(measured.failed) + " failed (" + measured.length + ")\n");
+    return measured.failed == 0 ? 0 : 1;
 }
 
 }  // namespace
