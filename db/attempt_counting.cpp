@@ -7,40 +7,30 @@
 #include <set>
 
 #include "curriculum/machine_speed.h"
-#include "sim/core/counted.h"
 
 namespace placode::db {
 
-std::string slow_machine_reason(const std::vector<sim::Event>& events) {
-    std::string reason;
-    const auto say = [&](const std::string& more) {
-        reason += (reason.empty() ? "" : "; ") + more;
-    };
-    const auto whole = [](double value) { return std::to_string(std::lround(std::floor(value))); };
+std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events) {
+    std::vector<VoidReason> tuned, slow;
+    const auto whole = [](double value) { return static_cast<int>(std::floor(value)); };
     for (const sim::Event& event : events) {
+        if (event.kind == sim::EventKind::kTuned && tuned.empty())
+            tuned.push_back({VoidCause::kTuned, 0, 0, {}});
         if (event.kind != sim::EventKind::kMachineSpeed) continue;
         if (event.value2 > 0 && event.value2 < curriculum::kLeastPicturesHz)
-            say("The computer was too slow: " +
-                sim::counted(std::lround(std::floor(event.value2)), "picture") + " a second, " +
-                whole(curriculum::kLeastPicturesHz) + " are needed");
+            slow.push_back({VoidCause::kFewPictures,
+                            whole(event.value2),
+                            whole(curriculum::kLeastPicturesHz),
+                            {}});
         // Not "less than" alone: a value that is no number is no proof of speed.
         if (!(event.value >= static_cast<float>(curriculum::kLeastRealTime)))
-            say("The computer was too slow: the simulation ran at " + whole(100 * event.value) +
-                " % of real time, " + whole(100 * curriculum::kLeastRealTime + 0.5) +
-                " % are needed");
+            slow.push_back({VoidCause::kNotRealTime,
+                            std::isfinite(event.value) ? whole(100 * event.value) : 0,
+                            whole(100 * curriculum::kLeastRealTime + 0.5),
+                            {}});
     }
-    return reason;
-}
-
-std::string tuned_reason(const std::vector<sim::Event>& events) {
-    const bool tuned = std::any_of(events.begin(), events.end(), [](const sim::Event& event) {
-        return event.kind == sim::EventKind::kTuned;
-    });
-    return tuned ? std::string(kTunedReason) : std::string();
-}
-
-std::string joined_reasons(const std::string& a, const std::string& b) {
-    return a.empty() || b.empty() ? a + b : a + "; " + b;
+    tuned.insert(tuned.end(), slow.begin(), slow.end());
+    return tuned;
 }
 
 bool counts(const AttemptRecord& attempt) noexcept {
@@ -48,8 +38,10 @@ bool counts(const AttemptRecord& attempt) noexcept {
 }
 
 bool machine_at_fault(const AttemptRecord& attempt) noexcept {
-    return was_tried(attempt) && !attempt.void_reason.empty() &&
-           attempt.void_reason.find(kTunedReason) == std::string::npos;
+    const auto reasons = void_reasons(attempt.void_reason);
+    return was_tried(attempt) && !reasons.empty() &&
+           std::none_of(reasons.begin(), reasons.end(),
+                        [](const VoidReason& reason) { return reason.cause == VoidCause::kTuned; });
 }
 
 std::vector<AttemptRecord> attempts_beside(Store& store, const AttemptRecord& attempt) {

@@ -4,23 +4,17 @@
 // Which attempts count. One that the machine spoilt, or that was broken off, is kept and counts for
 // nothing: neither mastery nor standings, norms, standards, cohort or studies.
 
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "db/store.h"
+#include "db/void_reason.h"
 
 namespace placode::db {
 
-/// Why the computer was too slow for the attempt to count, in plain words; empty = it was not, or
-/// nobody measured it (scripts and windowless runs have no wall clock to keep to).
-[[nodiscard]] std::string slow_machine_reason(const std::vector<sim::Event>& events);
-/// How the store says that tissue or generator were tuned by hand.
-inline constexpr std::string_view kTunedReason = "Tissue or generator was tuned";
-/// That, or empty: what was tuned is not the task any more.
-[[nodiscard]] std::string tuned_reason(const std::vector<sim::Event>& events);
-/// "a; b", or the one that is not empty.
-[[nodiscard]] std::string joined_reasons(const std::string& a, const std::string& b);
+/// Why an attempt does not count, from what happened in it: tissue or generator were tuned, or the
+/// computer was too slow. Nobody measures the speed of scripts and windowless runs: they have no
+/// wall clock to keep to.
+[[nodiscard]] std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events);
 
 /// Neither broken off, nor void for cause, and something was tried.
 [[nodiscard]] bool counts(const AttemptRecord& attempt) noexcept;

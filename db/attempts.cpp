@@ -92,9 +92,9 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
         packed = compress(file);
     }
     const HapticVerdict haptics = haptic_verdict(result);
-    const std::string void_reason =
-        joined_reasons(tuned_reason(result.events),
-                       joined_reasons(haptics.void_reason, slow_machine_reason(result.events)));
+    std::vector<VoidReason> voids = void_reasons(result.events);
+    for (VoidReason& device : void_reasons(haptics.void_reason)) voids.push_back(std::move(device));
+    const std::string void_reason = void_text(voids);
     UnitOfWork work(connection_);
     (void)context_.need_user(user_id);
     const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);

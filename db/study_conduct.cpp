@@ -51,19 +51,18 @@ std::optional<curriculum::StudyStep> asked_step(Store& store, const StepRecord& 
     return asked == nullptr ? std::nullopt : std::optional(*asked);
 }
 
-/// Why an attempt does not do the step; empty = it does. What the person did stands first: told
-/// only that the computer was slow, who ended too early would do the same again.
+/// Why an attempt does not do the step; empty = it does.
 std::string why_not_done(const AttemptRecord& attempt,
                          const std::optional<curriculum::StudyStep>& asked) {
-    std::string why;
-    const auto whole = [](double s) { return std::to_string(static_cast<int>(s)) + " s"; };
-    if (attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning)
-        why = "interrupted";
-    else if (asked && attempt.duration_s < asked->min_s)
-        why = "ended after " + whole(attempt.duration_s) + ", before the least duration of " +
-              whole(asked->min_s);
-    return joined_reasons(
-        why, attempt.void_reason.empty() ? std::string() : "void: " + attempt.void_reason);
+    NotDone why;
+    why.interrupted =
+        attempt.end == sim::EndReason::kInterrupted || attempt.end == sim::EndReason::kRunning;
+    if (!why.interrupted && asked && attempt.duration_s < asked->min_s) {
+        why.ended_s = static_cast<int>(attempt.duration_s);
+        why.least_s = static_cast<int>(asked->min_s);
+    }
+    why.voids = void_reasons(attempt.void_reason);
+    return not_done_text(why);
 }
 
 /// Consent and demographics are not asked again at a second visit.

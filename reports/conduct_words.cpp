@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QRegularExpression>
 
 #include "db/attempt_counting.h"
 #include "reports/text.h"
@@ -12,16 +11,6 @@
 
 namespace placode::reports {
 namespace {
-
-/// As slow_machine_reason() says them; %1 is a whole number, and of pictures there may be one.
-constexpr const char* kVoidPatterns[]{
-    "The computer was too slow: the simulation ran at %1 % of real time, 95 % are needed",
-    "Tissue or generator was tuned"};
-constexpr const char* kPictures =
-    "The computer was too slow: %n picture(s) a second, 20 are needed";
-
-/// How every reason of a slow machine begins.
-constexpr const char* kSlowStart = "The computer was too slow";
 
 class Speaker {
  public:
@@ -77,31 +66,34 @@ QString slow_words(const Speaker& say, Language language, const db::Deviation& d
     return parts.join(' ');
 }
 
+QString void_reason_words(const db::VoidReason& reason) {
+    const auto say = [](const char* english, int n = -1) {
+        return QCoreApplication::translate("Deviation", english, nullptr, n);
+    };
+    switch (reason.cause) {
+        case db::VoidCause::kFewPictures: {
+            const QString words = say(
+                "The computer was too slow: %n picture(s) a second, 20 are needed", reason.found);
+            // Without a translator (the programs) the noun is still undecided.
+            return QString(words).replace("picture(s)", reason.found == 1 ? "picture" : "pictures");
+        }
+        case db::VoidCause::kNotRealTime:
+            return say("The computer was too slow: the simulation ran at %1 % of real time, "
+                       "95 % are needed")
+                .arg(reason.found);
+        case db::VoidCause::kTuned:
+            return say("Tissue or generator was tuned");
+        case db::VoidCause::kDevice:
+            return QString::fromStdString(reason.text);  // figures for technicians
+    }
+    return {};
+}
+
 }  // namespace
 
-QString void_words(const std::string& english) {
+QString void_words(const std::string& text) {
     QStringList parts;
-    for (const QString& part : QString::fromStdString(english).split(QStringLiteral("; "))) {
-        QString said = part;
-        // Stores hold "1 pictures" of earlier versions, too.
-        static const QRegularExpression kSlow(
-            "^The computer was too slow: (-?\\d+) pictures? a second, 20 are needed$");
-        if (const auto slow = kSlow.match(part); slow.hasMatch()) {
-            const int n = slow.captured(1).toInt();
-            const QString words = QCoreApplication::translate("Deviation", kPictures, nullptr, n);
-            // Without a translator (the programs) the noun is still undecided.
-            said = QString(words).replace("picture(s)", n == 1 ? "picture" : "pictures");
-        }
-        for (const char* pattern : kVoidPatterns) {
-            QString text = QRegularExpression::escape(QString::fromUtf8(pattern));
-            text.replace(QStringLiteral("\\%1"), QStringLiteral("(-?\\d+)"));
-            const auto match = QRegularExpression("^" + text + "$").match(part);
-            if (!match.hasMatch()) continue;
-            said = QCoreApplication::translate("Deviation", pattern);
-            if (match.lastCapturedIndex() > 0) said = said.arg(match.captured(1));
-        }
-        parts << said;
-    }
+    for (const db::VoidReason& reason : db::void_reasons(text)) parts << void_reason_words(reason);
     return parts.join(QStringLiteral("; "));
 }
 
@@ -113,14 +105,11 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     if (attempt.verdict == assessment::Verdict::kNotAttempted) said << say("nothing was done");
     // The figures of a machine stand where there is room for them.
     bool tuned = false, device = false, slow = false;
-    for (const QString& part : QString::fromStdString(attempt.void_reason)
-                                   .split(QStringLiteral("; "), Qt::SkipEmptyParts)) {
-        if (part == QLatin1String(db::kTunedReason.data(), db::kTunedReason.size()))
-            tuned = true;
-        else if (part.startsWith(QLatin1String(kSlowStart)))
-            slow = true;
-        else
-            device = true;
+    for (const db::VoidReason& reason : db::void_reasons(attempt.void_reason)) {
+        tuned |= reason.cause == db::VoidCause::kTuned;
+        device |= reason.cause == db::VoidCause::kDevice;
+        slow |= reason.cause == db::VoidCause::kFewPictures ||
+                reason.cause == db::VoidCause::kNotRealTime;
     }
     if (tuned) said << say("tissue or generator was tuned");
     if (device) said << say("the force device did not work as it must");
@@ -128,22 +117,18 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
     return said.join(QStringLiteral("; "));
 }
 
-QString not_done_words(const std::string& english) {
-    const QString said = QString::fromStdString(english);
-    // What the person did stands before what the machine did.
-    if (const auto at = said.indexOf(QStringLiteral("; void: ")); at > 0)
-        return not_done_words(said.left(at).toStdString()) + QStringLiteral("; ") +
-               not_done_words(said.mid(at + 2).toStdString());
-    if (said == QLatin1String("interrupted"))
-        return QCoreApplication::translate("Deviation", "broken off");
-    static const QString kVoid = QStringLiteral("void: ");
-    if (said.startsWith(kVoid)) return void_words(said.mid(kVoid.size()).toStdString());
-    static const QRegularExpression kEarly(
-        QStringLiteral("^ended after (\\d+) s, before the least duration of (\\d+) s$"));
-    const auto match = kEarly.match(said);
-    if (!match.hasMatch()) return said;
-    return QCoreApplication::translate("Deviation", "it ended after %1 s, before %2 s were over")
-        .arg(match.captured(1), match.captured(2));
+QString not_done_words(const std::string& text) {
+    const auto say = [](const char* english) {
+        return QCoreApplication::translate("Deviation", english);
+    };
+    const db::NotDone why = db::not_done(text);
+    QStringList said;
+    if (why.interrupted) said << say("broken off");
+    if (why.least_s > 0)
+        said << say("it ended after %1 s, before %2 s were over").arg(why.ended_s).arg(why.least_s);
+    if (!why.note.empty()) said << QString::fromStdString(why.note);
+    for (const db::VoidReason& reason : why.voids) said << void_reason_words(reason);
+    return said.join(QStringLiteral("; "));
 }
 
 QString deviation_words(const db::Deviation& deviation, Language language) {

@@ -21,8 +21,8 @@ namespace placode::reports {
 /// scored again it has its meaning, too.
 [[nodiscard]] QString reason_words(const assessment::Reason& reason);
 
-/// Why an attempt is void, as the store keeps it (English), said again in the program's language.
-[[nodiscard]] QString void_words(const std::string& english);
+/// Why an attempt is void, from what the store keeps (db/void_reason.h), in the program's language.
+[[nodiscard]] QString void_words(const std::string& text);
 
 /// In which language something is said: the program's, or English for files.
 enum class Language : uint8_t { kProgram, kEnglish };
@@ -33,9 +33,9 @@ enum class Language : uint8_t { kProgram, kEnglish };
 [[nodiscard]] QString not_counted_words(const db::AttemptRecord& attempt,
                                         Language language = Language::kProgram);
 
-/// Why a step of a study is still to be done, as its record keeps it (English), said again in the
-/// program's language.
-[[nodiscard]] QString not_done_words(const std::string& english);
+/// Why a step of a study is still to be done, from what its record keeps, in the program's
+/// language.
+[[nodiscard]] QString not_done_words(const std::string& text);
 
 /// "Stood still twice, 12 s in all (menu, help)."
 [[nodiscard]] QString deviation_words(const db::Deviation& deviation,

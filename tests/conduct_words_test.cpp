@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the store says in English about an attempt is known again, whatever its numbers are.
+// What the store keeps about an attempt is said in the language of the program.
 
 #include <gmock/gmock.h>
 
@@ -48,7 +48,7 @@ TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
             event.value = speed;
             event.value2 = pictures;
             const QStringList parts =
-                void_words(db::slow_machine_reason({event})).split(QStringLiteral("; "));
+                void_words(db::void_text(db::void_reasons({event}))).split(QStringLiteral("; "));
             ASSERT_EQ(parts.size(), 2);
             for (const QString& part : parts) {
                 EXPECT_TRUE(part.startsWith('~')) << part.toStdString();
@@ -70,7 +70,7 @@ TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
         "95 % are needed; 40 drop-outs of the force loop; 2 device faults";
     EXPECT_EQ(not_counted_words(attempt, Language::kEnglish),
               "the force device did not work as it must; the computer was too slow");
-    attempt.void_reason += "; " + std::string(db::kTunedReason);
+    attempt.void_reason += "; Tissue or generator was tuned";
     attempt.verdict = assessment::Verdict::kNotAttempted;
     attempt.end = sim::EndReason::kInterrupted;
     EXPECT_EQ(not_counted_words(attempt),
@@ -79,7 +79,7 @@ TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
     attempt.void_reason.clear();
     attempt.end = sim::EndReason::kFinished;
     EXPECT_EQ(not_counted_words(attempt), "~nothing was done");
-    EXPECT_EQ(void_words(std::string(db::kTunedReason)), "~Tissue or generator was tuned");
+    EXPECT_EQ(void_words("Tissue or generator was tuned"), "~Tissue or generator was tuned");
 }
 
 TEST_F(ConductWords, WhyAStepIsStillToBeDone) {

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the store keeps of the reasons why an attempt does not count means the same when it is read.
+
+#include "db/void_reason.h"
+
+#include <gmock/gmock.h>
+
+using namespace placode::db;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+namespace {
+
+const std::vector<VoidReason> kAll{{VoidCause::kTuned, 0, 0, {}},
+                                   {VoidCause::kDevice, 0, 0, "40 drop-outs of the force loop"},
+                                   {VoidCause::kFewPictures, 0, 20, {}},
+                                   {VoidCause::kFewPictures, 1, 20, {}},
+                                   {VoidCause::kFewPictures, 19, 20, {}},
+                                   {VoidCause::kNotRealTime, 94, 95, {}}};
+
+}  // namespace
+
+TEST(VoidReason, EveryListIsReadAsItWasWritten) {
+    EXPECT_EQ(void_text({}), "");
+    EXPECT_THAT(void_reasons(""), IsEmpty());
+    EXPECT_EQ(void_reasons(void_text(kAll)), kAll);
+    for (const VoidReason& reason : kAll)
+        EXPECT_THAT(void_reasons(void_text({reason})), ElementsAre(reason));
+}
+
+TEST(VoidReason, StoresOfEarlierVersionsMeanTheSame) {
+    EXPECT_THAT(void_reasons("The computer was too slow: 1 pictures a second, 20 are needed"),
+                ElementsAre(VoidReason{VoidCause::kFewPictures, 1, 20, {}}));
+    // Nearly one of ours is not: it is shown as it stands.
+    for (const char* other : {"The computer was too slow: x pictures a second, 20 are needed",
+                              "The computer was too slow: 3 pictures a second, 20 are needed!",
+                              "The computer was too slow: 99999999999 pictures a second, 20 are "
+                              "needed",
+                              "2 device faults"}) {
+        const auto read = void_reasons(other);
+        ASSERT_EQ(read.size(), 1u);
+        EXPECT_EQ(read[0].cause, VoidCause::kDevice) << other;
+        EXPECT_EQ(read[0].text, other);
+    }
+}
+
+TEST(VoidReason, WhyAStepIsNotDoneIsReadAsItWasWritten) {
+    EXPECT_EQ(not_done_text({}), "");
+    for (const bool interrupted : {false, true})
+        for (const int ended : {0, 2})
+            for (const bool voids : {false, true}) {
+                if (interrupted && ended > 0) continue;  // said once: it was broken off
+                NotDone why;
+                why.interrupted = interrupted;
+                why.ended_s = ended;
+                why.least_s = ended > 0 ? 60 : 0;
+                if (voids) why.voids = kAll;
+                EXPECT_EQ(not_done(not_done_text(why)), why) << not_done_text(why);
+            }
+    NotDone own;
+    own.note = "the pedal was unplugged; void of sense";
+    EXPECT_EQ(not_done(not_done_text(own)), own) << "a coordinator's own words";
+    EXPECT_EQ(not_done("interrupted; void: 2 device faults").voids.at(0).text, "2 device faults");
+}
