@@ -86,7 +86,7 @@ std::vector<EmbeddedSql> embedded_migrations() {
 endfunction()
 
 # placode_embed_shaders(TARGET FOLDER): every .glsl becomes text of one generated source that defines
-# placode::sim::shader_text(name) (declared in ui/view/gl_program.h).
+# placode::view::shader_text(name) (declared in ui/view/gl_program.h).
 function(placode_embed_shaders target folder)
   file(GLOB shader_files CONFIGURE_DEPENDS ${folder}/*.glsl)
   set(body)
@@ -100,11 +100,11 @@ function(placode_embed_shaders target folder)
   file(CONFIGURE OUTPUT ${out} @ONLY CONTENT
 "// Generated from ${folder} by cmake/compiler.cmake.
 #include \"ui/view/gl_program.h\"
-namespace placode::sim {
+namespace placode::view {
 std::string_view shader_text(std::string_view name) {
 @body@    return {};
 }
-}  // namespace placode::sim
+}  // namespace placode::view
 ")
   target_sources(${target} PRIVATE ${out})
 endfunction()

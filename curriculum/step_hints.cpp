@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/step_hints.h"
 
+#include "haptics/hint_device.h"
+
 #include <array>
 
 namespace placode::curriculum {
 
 namespace {
 
-using sim::HintDevice;
+using haptics::HintDevice;
 using sim::PracticeKind;
 
 struct Words {
@@ -153,7 +155,7 @@ constexpr ByDevice kOtherHand{
 LocalText step_hint(const TaskStep& step, const std::string& device, bool changes_hand) {
     const auto own = step.hints.find(device.substr(0, device.find(':')));
     if (own != step.hints.end()) return own->second;
-    const HintDevice hand = sim::hint_device(device);
+    const HintDevice hand = haptics::hint_device(device);
     if (hand == HintDevice::kNone) return {};
     const size_t column = static_cast<size_t>(hand) - 1;
     const bool scope = step.goal.hand == sim::Hand::kCamera;

@@ -13,8 +13,8 @@ namespace {
 using curriculum::AttemptMode;
 using sim::EndReason;
 using sim::Key;
-using sim::WindowEvent;
 using testing::HasSubstr;
+using view::WindowEvent;
 using Kind = WindowEvent::Kind;
 
 WindowEvent key(Key k, bool down = true) { return {.kind = Kind::kKey, .key = k, .down = down}; }
@@ -39,7 +39,7 @@ class Bench {
         return loaded;
     }
     /// `passed_s` later, with these events in one round.
-    void step(const sim::WindowEvents& events, double passed_s = 0.02) {
+    void step(const view::WindowEvents& events, double passed_s = 0.02) {
         now_s += passed_s;
         for (const WindowEvent& event : events) {
             if (event.kind != Kind::kKey) continue;

@@ -27,6 +27,7 @@
 #pragma GCC diagnostic pop
 
 using namespace placode::sim;
+using namespace placode::view;
 
 namespace {
 
@@ -403,7 +404,7 @@ TEST_F(FetoscopeViewTest, ShowsWhatOfANeedleLiesBelowTheSurface) {
     EXPECT_GT(warning(shown), warning(stump) + 40);
 }
 
-OverlayState practising(PracticeKind kind, HintDevice device) {
+OverlayState practising(PracticeKind kind, placode::haptics::HintDevice device) {
     OverlayState overlay;
     overlay.practice.steps = {{"Step", "Press the key", false}};
     overlay.practice.device = device;
@@ -415,7 +416,7 @@ OverlayState practising(PracticeKind kind, HintDevice device) {
 TEST_F(FetoscopeViewTest, WhoIsStuckIsShownTheVeryKey) {
     Field f = field();
     f.snapshot.tools[0].engaged = 1;
-    OverlayState overlay = practising(PracticeKind::kCut, HintDevice::kMouse);
+    OverlayState overlay = practising(PracticeKind::kCut, placode::haptics::HintDevice::kMouse);
     const auto after = [&](double seconds) {  // offscreen the watcher's clock is the simulation's
         f.snapshot.time_s = seconds;
         return draw(f.snapshot, overlay);
@@ -451,7 +452,7 @@ TEST_F(FetoscopeViewTest, EveryKindOfStepHasAGoalInThePicture) {
         if (step == PracticeKind::kTrace) continue;  // it has the line
         f.snapshot.tools[0].engaged = 1;
         f.snapshot.time_s = 1000 + 10 * kind;
-        OverlayState overlay = practising(step, HintDevice::kMouse);
+        OverlayState overlay = practising(step, placode::haptics::HintDevice::kMouse);
         overlay.practice.goal.targets = targets_of(step);
         OverlayState done = overlay;
         done.practice.goal.index = 1;
@@ -506,22 +507,22 @@ class OverlayRimTest : public FetoscopeViewTest {
 
 TEST_F(OverlayRimTest, ASingleHandHasOneBarOfForce) {
     OverlayState overlay;
-    overlay.practice.device = HintDevice::kArm;
+    overlay.practice.device = placode::haptics::HintDevice::kArm;
     const auto both = draw(overlay);
-    overlay.practice.device = HintDevice::kMouse;
+    overlay.practice.device = placode::haptics::HintDevice::kMouse;
     const auto one = draw(overlay);
     const auto gone = count(changed(both, one));
     EXPECT_GT(gone, 200) << "the instrument that is put aside has no bar";
     field_.snapshot.tools[0].in_contact = field_.snapshot.tools[2].in_contact = 1;
     EXPECT_LT(count(changed(both, draw(overlay))), 20) << "unless it touches";
-    overlay.practice.device = HintDevice::kArm;
+    overlay.practice.device = placode::haptics::HintDevice::kArm;
     field_.snapshot.tools[2].engaged = 0;
     EXPECT_GT(count(changed(both, draw(overlay))), 200) << "a hand that is not there has none";
 }
 
 TEST_F(OverlayRimTest, TheBarIsOfTheInstrumentInHandAndTabLeadsBack) {
     OverlayState overlay;
-    overlay.practice.device = HintDevice::kMouse;
+    overlay.practice.device = placode::haptics::HintDevice::kMouse;
     overlay.practice.steps = {{"Lift the needle away", "Wheel towards you.", false}};
     overlay.practice.goal.count = 1;
     overlay.practice.goal.step.kind = PracticeKind::kWithdraw;

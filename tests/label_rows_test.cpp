@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace placode::sim {
+namespace placode::view {
 namespace {
 
 constexpr double kTop = 0, kBottom = 800, kGap = 2;
@@ -56,4 +56,4 @@ TEST(LabelRows, AGaugeStandsOverNoRing) {
 }
 
 }  // namespace
-}  // namespace placode::sim
+}  // namespace placode::view

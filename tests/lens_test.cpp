@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
+
 namespace {
 
 const Vec3 kScope(0, 0, 0.025);
@@ -85,4 +88,4 @@ TEST(Lens, TouchingTissueSmearsItOnce) {
 }
 
 }  // namespace
-}  // namespace placode::sim
+}  // namespace placode::view

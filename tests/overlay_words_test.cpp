@@ -12,7 +12,7 @@
 
 #include "ui/view/strings.h"
 
-namespace placode::sim {
+namespace placode::view {
 namespace {
 
 // The phrases stand in the code as plain literals: read there, so that a new one cannot be
@@ -32,4 +32,4 @@ TEST(OverlayWords, EveryLiveWarningHasItsPolish) {
 }
 
 }  // namespace
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -17,7 +17,7 @@ namespace {
 
 using curriculum::AttemptMode;
 using sim::Key;
-using sim::WindowEvent;
+using view::WindowEvent;
 using Kind = WindowEvent::Kind;
 
 /// Everything of one window that the test presses at random, and a second opinion on what may end.

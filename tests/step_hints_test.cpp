@@ -27,7 +27,8 @@ TEST(StepHints, EveryStepHasWordsAndSymbolsForEveryDeviceThatCanDoIt) {
                     EXPECT_FALSE(hint.en.empty()) << id << " " << device << " " << step.text.en;
                     EXPECT_FALSE(hint.pl.empty()) << id << " " << device << " " << step.text.en;
                     EXPECT_FALSE(
-                        sim::hint_symbols(step.goal, sim::hint_device(device), changes).empty())
+                        view::hint_symbols(step.goal, haptics::hint_device(device), changes)
+                            .empty())
                         << id << " " << device << " " << step.text.en;
                 }
                 ++steps;
@@ -45,7 +46,7 @@ TEST(StepHints, EveryKindOfStepHasThemWhateverTasksThereWillBe) {
             const LocalText hint = step_hint(step, device, false);
             EXPECT_FALSE(hint.en.empty()) << device << " " << kind;
             EXPECT_NE(hint.pl, hint.en) << device << " " << kind;
-            EXPECT_FALSE(sim::hint_symbols(step.goal, sim::hint_device(device), false).empty())
+            EXPECT_FALSE(view::hint_symbols(step.goal, haptics::hint_device(device), false).empty())
                 << device << " " << kind;
         }
     }
@@ -56,7 +57,7 @@ TEST(StepHints, AStepForTheOtherHandBeginsWithChangingHands) {
     step.goal.kind = sim::PracticeKind::kTurn;
     step.goal.hand = sim::Hand::kLeft;
     EXPECT_EQ(step_hint(step, "mouse", true).en.rfind("Tab changes hands. ", 0), 0U);
-    const auto symbols = sim::hint_symbols(step.goal, sim::HintDevice::kMouse, true);
+    const auto symbols = view::hint_symbols(step.goal, haptics::HintDevice::kMouse, true);
     ASSERT_EQ(symbols.size(), 3U);
     EXPECT_STREQ(symbols[0].name, "Tab");
     EXPECT_STREQ(symbols[1].name, "Shift");
@@ -69,7 +70,7 @@ TEST(StepHints, ATasksOwnWordsComeFirstAndScriptsNeedNone) {
     EXPECT_EQ(step_hint(step, "mouse", true).en, "Own words.");
     EXPECT_NE(step_hint(step, "keyboard", false).en, "Own words.");
     EXPECT_TRUE(step_hint(step, "script:expert", false).en.empty());
-    EXPECT_TRUE(sim::hint_symbols(step.goal, sim::hint_device("script:mouse"), false).empty());
+    EXPECT_TRUE(view::hint_symbols(step.goal, haptics::hint_device("script:mouse"), false).empty());
     // Only a mouse and a keyboard steer the scope.
     step.goal.hand = sim::Hand::kCamera;
     EXPECT_TRUE(step_hint(step, "gamepad", false).en.empty());

@@ -8,6 +8,7 @@
 #include <numbers>
 
 using namespace placode::sim;
+using namespace placode::view;
 
 namespace {
 

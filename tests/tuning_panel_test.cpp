@@ -55,13 +55,13 @@ TEST_F(TuningPanelTest, ArrowsChangeWhatIsSelectedAtOnce) {
 TEST_F(TuningPanelTest, TheMouseDoesTheSameAndResetPutsEverythingBack) {
     TuningPanel panel = make();
     panel.toggle();
-    panel.click(sim::kTuningParts * 5 + sim::kTuningMore);  // cut power
+    panel.click(view::kTuningParts * 5 + view::kTuningMore);  // cut power
     ASSERT_EQ(made_.size(), 1U);
     EXPECT_EQ(made_[0].parameter, TuneParameter::kCutPower);
     EXPECT_EQ(made_[0].value, 13);
-    panel.click(sim::kTuningParts * 7 + sim::kTuningWhole);
+    panel.click(view::kTuningParts * 7 + view::kTuningWhole);
     EXPECT_EQ(made_.back().value, 12);
-    for (const sim::TuningRow& row : panel.picture().rows) EXPECT_FALSE(row.changed);
+    for (const view::TuningRow& row : panel.picture().rows) EXPECT_FALSE(row.changed);
     panel.click(-1);
     panel.click(999);
 }
@@ -85,7 +85,7 @@ TEST_F(TuningPanelTest, ItSaysBeforeAChangeThatSuchAnAttemptDoesNotCount) {
     panel.toggle();
     EXPECT_THAT(panel.picture().note, HasSubstr("Once something is changed"));
     EXPECT_FALSE(panel.tuned());
-    panel.click(sim::kTuningParts * 5 + sim::kTuningMore);
+    panel.click(view::kTuningParts * 5 + view::kTuningMore);
     EXPECT_TRUE(panel.tuned());
     EXPECT_THAT(panel.picture().note, HasSubstr("was tuned: it does not count"));
 }
@@ -102,12 +102,12 @@ TEST_F(TuningPanelTest, APresetIsSavedUnderTheNameThatWasTyped) {
     setenv("PLACODE_PRESETS", folder.c_str(), 1);
     TuningPanel panel = make();
     panel.toggle();
-    const int save = sim::kTuningParts * 8 + sim::kTuningWhole;
+    const int save = view::kTuningParts * 8 + view::kTuningWhole;
     panel.click(save);
     EXPECT_TRUE(panel.typing());
     EXPECT_TRUE(panel.key(Key::kEnter));
     EXPECT_THAT(panel.picture().foot, HasSubstr("nothing to save"));
-    panel.click(sim::kTuningParts * 3 + sim::kTuningMore);  // friction
+    panel.click(view::kTuningParts * 3 + view::kTuningMore);  // friction
     panel.click(save);
     panel.type("Gladż\b\bko");
     EXPECT_TRUE(panel.key(Key::kEnter));

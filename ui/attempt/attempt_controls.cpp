@@ -14,8 +14,8 @@ using curriculum::AttemptMode;
 using sim::EndReason;
 using sim::Key;
 using sim::PauseCause;
-using sim::WindowEvent;
-using Kind = sim::WindowEvent::Kind;
+using view::WindowEvent;
+using Kind = view::WindowEvent::Kind;
 
 constexpr double kMeantCounts = 400;  // enough motion to mean it
 constexpr uint16_t kPadStart = 1U << 7;
@@ -41,7 +41,7 @@ bool AttemptControls::captures_pointer() const {
 std::vector<Command> AttemptControls::take_commands() { return std::exchange(commands_, {}); }
 std::string AttemptControls::take_note() { return std::exchange(note_, {}); }
 
-void AttemptControls::update(const sim::WindowEvents& events, const sim::WindowInput& totals,
+void AttemptControls::update(const view::WindowEvents& events, const sim::WindowInput& totals,
                              const Pointer& pointer, double attempt_s, double now_s) {
     now_s_ = now_s;
     attempt_s_ = attempt_s;
@@ -123,7 +123,7 @@ bool AttemptControls::panel_takes(const WindowEvent& event) {
     }
     if (!panel_.shown()) return false;
     if (event.kind == Kind::kLetter && panel_.typing()) {
-        sim::WindowEvent copy = event;
+        view::WindowEvent copy = event;
         std::string text;  // UTF-8 of one code point of the basic plane
         const auto code = static_cast<uint32_t>(copy.letter);
         if (code < 0x80) {

@@ -56,7 +56,7 @@ class AttemptControls {
 
     /// What happened since the last call, in order. `totals` is the window's state after it,
     /// `attempt_s` the simulated time (0: not begun), `now_s` a clock that only grows.
-    void update(const sim::WindowEvents& events, const sim::WindowInput& totals,
+    void update(const view::WindowEvents& events, const sim::WindowInput& totals,
                 const Pointer& pointer, double attempt_s, double now_s);
 
     /// How the attempt is to end; set once, by a confirmed wish.
@@ -68,7 +68,7 @@ class AttemptControls {
     [[nodiscard]] bool captures_pointer() const;
     /// What the devices see: nothing of what was meant for a screen, and never Enter or Start.
     [[nodiscard]] const sim::WindowInput& for_devices() const { return devices_; }
-    [[nodiscard]] const sim::MenuOverlay& menu() const { return menu_; }
+    [[nodiscard]] const view::MenuOverlay& menu() const { return menu_; }
     /// How much of the second is over for which Enter ends the attempt, 0..1.
     [[nodiscard]] double holding() const { return holding_; }
     [[nodiscard]] std::vector<Command> take_commands();
@@ -80,12 +80,12 @@ class AttemptControls {
  private:
     enum class Question : uint8_t { kFinish, kLeave, kClose };
 
-    void take(const sim::WindowEvent& event);
-    void operate(const sim::WindowEvent& event);
-    void operate_key(const sim::WindowEvent& event);
+    void take(const view::WindowEvent& event);
+    void operate(const view::WindowEvent& event);
+    void operate_key(const view::WindowEvent& event);
     void letter(char32_t code);
-    [[nodiscard]] bool panel_takes(const sim::WindowEvent& event);
-    void menu_key(const sim::WindowEvent& event);
+    [[nodiscard]] bool panel_takes(const view::WindowEvent& event);
+    void menu_key(const view::WindowEvent& event);
     void choose();
     void show(Screen screen, sim::PauseCause cause);
     void open_menu(const char* title, sim::PauseCause cause);
@@ -107,7 +107,7 @@ class AttemptControls {
     sim::PauseCause cause_ = sim::PauseCause::kMenu;
     Question question_ = Question::kFinish;
     std::optional<sim::EndReason> end_;
-    sim::MenuOverlay menu_;
+    view::MenuOverlay menu_;
     std::vector<Command> commands_;
     std::string note_;
     // Enter, held while operating.

@@ -16,8 +16,8 @@ using curriculum::AttemptMode;
 using sim::EndReason;
 using sim::Key;
 using sim::PauseCause;
-using sim::WindowEvent;
-using Kind = sim::WindowEvent::Kind;
+using view::WindowEvent;
+using Kind = view::WindowEvent::Kind;
 
 constexpr double kMeantPx = 4;  // a pointer that moved less still rests
 
@@ -32,7 +32,7 @@ std::string with(std::string text, const std::string& first, const std::string& 
 }  // namespace
 
 std::string AttemptControls::say(const std::string& english) const {
-    return sim::translated(english, setup_.language);
+    return view::translated(english, setup_.language);
 }
 
 bool AttemptControls::too_short() const { return attempt_s_ < setup_.least_s; }
@@ -127,10 +127,10 @@ std::vector<std::string> AttemptControls::warnings(Question question) const {
     if (question != Question::kLeave && too_short())
         lines.push_back(
             with(say("The study asks for at least %1. Ended after %2 it does not count."),
-                 sim::clock_text(setup_.least_s), sim::clock_text(attempt_s_)));
+                 view::clock_text(setup_.least_s), view::clock_text(attempt_s_)));
     else if (question != Question::kLeave && early())
         lines.push_back(with(say("It usually takes %1; %2 are over."),
-                             sim::clock_text(setup_.usual_s), sim::clock_text(attempt_s_)));
+                             view::clock_text(setup_.usual_s), view::clock_text(attempt_s_)));
     const bool exam = setup_.mode == AttemptMode::kExam;
     if (exam && question == Question::kFinish)
         lines.push_back(say("This is an exam: an end is final."));

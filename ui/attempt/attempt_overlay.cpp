@@ -5,6 +5,7 @@
 #include "curriculum/preset.h"
 #include "curriculum/step_hints.h"
 #include "ui/attempt/motion.h"
+#include "ui/view/strings.h"
 
 namespace placode::ui {
 namespace {
@@ -69,8 +70,8 @@ Help controls(const Arguments& arguments) {
 
 }  // namespace
 
-sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments& arguments) {
-    sim::OverlayState overlay;
+view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments& arguments) {
+    view::OverlayState overlay;
     overlay.language = arguments.language;
     overlay.title = task.title.in(arguments.language);
     overlay.goal = task.goal.in(arguments.language);
@@ -89,7 +90,7 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
         overlay.coag_power_w = tool.coag_power_w;
         break;
     }
-    overlay.practice.device = sim::hint_device(arguments.device);
+    overlay.practice.device = haptics::hint_device(arguments.device);
     const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(task, arguments.device);
     for (size_t i = 0; i < steps.size(); ++i) {
         const curriculum::TaskStep& step = steps[i];
@@ -110,8 +111,8 @@ sim::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments&
     return overlay;
 }
 
-sim::ViewSettings view_settings(const Arguments& arguments, const std::string& title) {
-    sim::ViewSettings settings;
+view::ViewSettings view_settings(const Arguments& arguments, const std::string& title) {
+    view::ViewSettings settings;
     settings.width = arguments.width;
     settings.height = arguments.height;
     settings.offscreen = arguments.headless;

@@ -9,8 +9,9 @@
 
 namespace placode::ui {
 
-[[nodiscard]] sim::OverlayState attempt_overlay(const curriculum::Task& task,
-                                                const Arguments& arguments);
-[[nodiscard]] sim::ViewSettings view_settings(const Arguments& arguments, const std::string& title);
+[[nodiscard]] view::OverlayState attempt_overlay(const curriculum::Task& task,
+                                                 const Arguments& arguments);
+[[nodiscard]] view::ViewSettings view_settings(const Arguments& arguments,
+                                               const std::string& title);
 
 }  // namespace placode::ui

@@ -15,10 +15,10 @@ namespace placode::ui {
 void run_headless(curriculum::AttemptRunner& runner, const Arguments& arguments,
                   StatusLine& status) {
     Screenshots shots(arguments);
-    sim::OverlayState overlay = attempt_overlay(runner.task(), arguments);
-    std::optional<sim::FetoscopeView> view;
+    view::OverlayState overlay = attempt_overlay(runner.task(), arguments);
+    std::optional<view::FetoscopeView> view;
     if (shots.wanted()) {
-        view.emplace(sim::view_field(*runner.scene(), arguments.seed),
+        view.emplace(view::view_field(*runner.scene(), arguments.seed),
                      view_settings(arguments, overlay.title));
     }
     runner.start();

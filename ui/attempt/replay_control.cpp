@@ -148,7 +148,7 @@ void place_camera(ReplayCamera camera, const std::vector<sim::ToolSpec>& tools,
         }
         eye = target + Vec3(-0.009, 0.004, 0.014);
     }
-    const sim::Camera seen = sim::look_at(1000 * eye, 1000 * target, 70);
+    const view::Camera seen = view::look_at(1000 * eye, 1000 * target, 70);
     for (int i = 0; i < snapshot.tool_count; ++i) {
         sim::ToolSnapshot& tool = snapshot.tools[static_cast<size_t>(i)];
         if (tool.kind != sim::ToolKind::kScope) continue;

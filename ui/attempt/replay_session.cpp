@@ -45,7 +45,7 @@ std::string foot_text(const ReplayWish& wish, double target_s, bool at_end, bool
     text += "   ";
     text += polish ? kPolish[camera] : kEnglish[camera];
     if (target_s >= 0)
-        text += (polish ? "   symulacja do " : "   simulating to ") + sim::clock_text(target_s);
+        text += (polish ? "   symulacja do " : "   simulating to ") + view::clock_text(target_s);
     else if (at_end)
         text += polish ? "   koniec zapisu" : "   end of the recording";
     else if (wish.paused)
@@ -165,7 +165,7 @@ class Watcher {
         sim::fill_snapshot(scene, state, snapshot_);
         place_camera(wish_.camera, scene.tools, snapshot_);
         if (!view_)
-            view_.emplace(sim::view_field(scene, arguments_.seed),
+            view_.emplace(view::view_field(scene, arguments_.seed),
                           view_settings(arguments_, overlay_.title));
         if (!draw) {
             view_->observe(snapshot_);
@@ -220,8 +220,8 @@ class Watcher {
     ReplayWish wish_;
     ControlInput control_;
     ReplayKeys keys_;
-    sim::OverlayState overlay_;
-    std::optional<sim::FetoscopeView> view_;
+    view::OverlayState overlay_;
+    std::optional<view::FetoscopeView> view_;
     sim::Snapshot snapshot_;
     curriculum::AttemptStatus last_;
     bool paced_, started_ = false, at_end_ = false;

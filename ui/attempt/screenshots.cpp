@@ -27,13 +27,13 @@ Screenshots::Screenshots(const Arguments& arguments)
     }
 }
 
-void Screenshots::save(sim::FetoscopeView& view, double time_s) {
+void Screenshots::save(view::FetoscopeView& view, double time_s) {
     view.save_png((std::filesystem::path(folder_) / name("placode", time_s)).string());
     ++saved_;
     next_s_ = (std::floor(time_s / every_s_ + 1e-9) + 1) * every_s_;
 }
 
-std::string Screenshots::save_extra(sim::FetoscopeView& view, double time_s) {
+std::string Screenshots::save_extra(view::FetoscopeView& view, double time_s) {
     const std::filesystem::path folder =
         folder_.empty() ? std::filesystem::path(".") : std::filesystem::path(folder_);
     const std::string path = (folder / name("placode_shot", time_s)).string();

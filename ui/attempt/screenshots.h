@@ -18,9 +18,9 @@ class Screenshots {
     /// True when a picture is due at `time_s`.
     [[nodiscard]] bool due(double time_s) const { return wanted() && time_s >= next_s_; }
     /// Saves what `view` drew last. Throws ViewError.
-    void save(sim::FetoscopeView& view, double time_s);
+    void save(view::FetoscopeView& view, double time_s);
     /// Saves on demand (F12), in the folder or here; returns the path.
-    std::string save_extra(sim::FetoscopeView& view, double time_s);
+    std::string save_extra(view::FetoscopeView& view, double time_s);
     [[nodiscard]] int saved() const { return saved_; }
     [[nodiscard]] const std::string& folder() const { return folder_; }
 

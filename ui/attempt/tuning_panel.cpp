@@ -80,7 +80,7 @@ TuningPanel::TuningPanel(const curriculum::Task& task, TuningSetup setup)
 }
 
 std::string TuningPanel::say(const char* english) const {
-    return sim::translated(english, setup_.language);
+    return view::translated(english, setup_.language);
 }
 
 double TuningPanel::value(TuneParameter parameter, Tissue tissue) const {
@@ -131,14 +131,14 @@ bool TuningPanel::key(sim::Key key) {
 
 void TuningPanel::click(int item) {
     if (item < 0 || !shown()) return;
-    const int row = item / sim::kTuningParts, part = item % sim::kTuningParts;
+    const int row = item / view::kTuningParts, part = item % view::kTuningParts;
     if (row >= kRows) return;
     selected_ = row;
     if (row >= kResetRow)
         press(row);
-    else if (part == sim::kTuningLess)
+    else if (part == view::kTuningLess)
         change(row, -1);
-    else if (part == sim::kTuningMore)
+    else if (part == view::kTuningMore)
         change(row, 1);
 }
 
@@ -245,7 +245,7 @@ void TuningPanel::save() {
     }
 }
 
-const sim::TuningOverlay& TuningPanel::picture() {
+const view::TuningOverlay& TuningPanel::picture() {
     picture_.shown = shown();
     if (!shown()) return picture_;
     picture_.title = say("Tuning");
@@ -256,7 +256,7 @@ const sim::TuningOverlay& TuningPanel::picture() {
     picture_.rows[kTissueRow] = {say("Tissue"), say(kTissues[static_cast<size_t>(tissue_)])};
     for (int p = 0; p < sim::kTuneParameters; ++p) {
         const auto parameter = static_cast<TuneParameter>(p);
-        sim::TuningRow& row = picture_.rows[static_cast<size_t>(kFirstRow + p)];
+        view::TuningRow& row = picture_.rows[static_cast<size_t>(kFirstRow + p)];
         row.label = say(kLabels[static_cast<size_t>(p)]);
         row.value = tuning_text(parameter, value(parameter, tissue_));
         row.changed = value(parameter, tissue_) != published(parameter, tissue_);

@@ -40,7 +40,7 @@ class TuningPanel {
     [[nodiscard]] bool tuned() const { return tuned_; }
     [[nodiscard]] double power_w(sim::TuneParameter parameter) const;
     /// What the overlay shows.
-    [[nodiscard]] const sim::TuningOverlay& picture();
+    [[nodiscard]] const view::TuningOverlay& picture();
 
  private:
     void change(int row, int direction);
@@ -60,7 +60,7 @@ class TuningPanel {
     int selected_ = 0;
     bool shown_ = false, typing_ = false, tuned_ = false, warn_ = false;
     std::string name_, said_;
-    sim::TuningOverlay picture_;
+    view::TuningOverlay picture_;
 };
 
 /// "25.0 kPa", "0.08", "12 W": as the panel writes values.

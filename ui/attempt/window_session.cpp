@@ -49,12 +49,12 @@ ControlsSetup controls_setup(const curriculum::Task& task, const Arguments& argu
 
 class ViewQuality final : public PictureQuality {
  public:
-    explicit ViewQuality(sim::FetoscopeView& view) : view_(view) {}
+    explicit ViewQuality(view::FetoscopeView& view) : view_(view) {}
     bool simplify() override { return view_.simplify(); }
     [[nodiscard]] bool software() const override { return view_.software(); }
 
  private:
-    sim::FetoscopeView& view_;
+    view::FetoscopeView& view_;
 };
 
 class WindowSession {
@@ -67,7 +67,7 @@ class WindowSession {
           conduct_(curriculum::conduct_of(arguments.mode)),
           shots_(arguments),
           overlay_(attempt_overlay(runner.task(), arguments)),
-          view_(sim::view_field(*runner.scene(), arguments.seed),
+          view_(view::view_field(*runner.scene(), arguments.seed),
                 view_settings(arguments, overlay_.title)),
           panel_(runner.task(),
                  {.language = arguments.language,
@@ -244,7 +244,7 @@ class WindowSession {
         try {
             shots_.save_extra(view_, time_s);
             note("Screenshot saved");
-        } catch (const sim::ViewError&) {
+        } catch (const view::ViewError&) {
             note("Screenshot could not be saved");
         }
     }
@@ -254,8 +254,8 @@ class WindowSession {
     StatusLine& status_;
     const curriculum::Conduct& conduct_;
     Screenshots shots_;
-    sim::OverlayState overlay_;
-    sim::FetoscopeView view_;
+    view::OverlayState overlay_;
+    view::FetoscopeView view_;
     TuningPanel panel_;
     AttemptControls controls_;
     ViewQuality quality_;

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 constexpr double kNearMm = 1.0, kFarMm = 300.0;
@@ -68,4 +70,4 @@ Camera camera_of(const Snapshot& snapshot, const std::vector<ToolSpec>& tools) {
     return look_at(Vec3(-15.4, 0, 25.7), Vec3(0, 0, 0), 70);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

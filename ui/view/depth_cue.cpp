@@ -7,7 +7,9 @@
 
 #include "ui/view/tissue_mesh.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 using Eigen::Vector3f;
@@ -113,4 +115,4 @@ void DepthCue::draw() {
     glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -11,12 +11,12 @@
 
 #include "ui/view/tool_renderer.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// The place right below a tip (along -z of W) on the drawn tissue.
 struct TipFoot {
     bool found = false;
-    Vec3 foot_mm = Vec3::Zero();
+    sim::Vec3 foot_mm = sim::Vec3::Zero();
     double height_mm = 0;  ///< Of the tip above it; negative below.
 };
 
@@ -31,9 +31,9 @@ class DepthCue {
     DepthCue();
 
     /// Looks for feet and for the tissue below the instruments. Reads every triangle once.
-    void update(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
+    void update(const sim::Snapshot& snapshot, const std::vector<sim::ToolSpec>& tools,
                 std::span<const DrawnTissue> parts);
-    [[nodiscard]] const std::array<TipFoot, kMaxTools>& feet() const { return feet_; }
+    [[nodiscard]] const std::array<TipFoot, sim::kMaxTools>& feet() const { return feet_; }
     /// Triangles in the shadow's reach.
     [[nodiscard]] size_t triangles() const { return below_.size() / 9; }
     [[nodiscard]] GlProgram& program() { return program_; }
@@ -54,9 +54,9 @@ class DepthCue {
     void collect(const DrawnTissue& tissue);
     GlProgram program_;
     GlMesh mesh_;
-    std::array<TipFoot, kMaxTools> feet_, before_;  // of this picture and the one before
+    std::array<TipFoot, sim::kMaxTools> feet_, before_;  // of this picture and the one before
     std::vector<float> below_;
     std::vector<Drop> drops_;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -13,7 +13,9 @@
 #include "ui/view/tissue_mesh.h"
 #include "ui/view/tool_renderer.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -450,4 +452,4 @@ void FetoscopeView::save_png(const std::string& path) {
     write_png(path, width(), height(), pixels());
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -16,7 +16,7 @@
 #include "ui/view/picture_quality.h"
 #include "ui/view/view_field.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct ViewSettings {
     int width = 1280, height = 800;  ///< [px]
@@ -35,9 +35,9 @@ class FetoscopeView {
     ~FetoscopeView();
 
     /// Draws one picture and shows it.
-    void draw(const Snapshot& snapshot, const OverlayState& overlay);
+    void draw(const sim::Snapshot& snapshot, const OverlayState& overlay);
     /// Lets smoke and haze go on between pictures, without drawing.
-    void observe(const Snapshot& snapshot);
+    void observe(const sim::Snapshot& snapshot);
     /// Wipes the lens; takes a second of simulated time.
     void wipe_lens();
     /// What is on the lens.
@@ -48,7 +48,7 @@ class FetoscopeView {
     /// as it gets.
     bool simplify();
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
-    void poll(WindowInput& input);
+    void poll(sim::WindowInput& input);
     [[nodiscard]] bool close_requested() const;
     /// What happened at the window since the last call, in order; it then stays open when somebody
     /// wanted to close it. Off-screen: nothing.
@@ -75,4 +75,4 @@ class FetoscopeView {
     std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

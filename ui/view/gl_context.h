@@ -9,7 +9,7 @@
 
 #include "ui/view/window_event.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct ContextSettings {
     int width = 1280, height = 800;  ///< [px]
@@ -25,7 +25,7 @@ class GlContext {
     [[nodiscard]] virtual int height() const = 0;  ///< Of the framebuffer [px].
     virtual void swap() {}
     /// Handles events and brings `input` up to date; its totals only grow.
-    virtual void poll(WindowInput&) {}
+    virtual void poll(sim::WindowInput&) {}
     /// Hides and holds the pointer, so that motion has no end (off while a menu is open).
     virtual void capture_pointer(bool) {}
     /// Pointer in framebuffer pixels, y down.
@@ -40,4 +40,4 @@ class GlContext {
 /// EGL without a surface: works with no display at all. Throws ViewError.
 [[nodiscard]] std::unique_ptr<GlContext> open_offscreen(const ContextSettings& settings);
 
-}  // namespace placode::sim
+}  // namespace placode::view

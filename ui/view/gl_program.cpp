@@ -4,7 +4,9 @@
 
 #include <utility>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 GLuint compile(GLenum kind, std::string_view name, std::string_view option = {}) {
@@ -233,4 +235,4 @@ void draw_screen_triangle() {
     glDeleteVertexArrays(1, &empty);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -13,7 +13,7 @@
 
 #include "sim/core/geometry.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// The view cannot work: no display, no OpenGL 3.3, no font. Says what is missing and what to do.
 class ViewError : public std::runtime_error {
@@ -40,7 +40,7 @@ class GlProgram {
     void set(const char* name, float value);
     void set(const char* name, int value);
     void set(const char* name, float x, float y);
-    void set(const char* name, const Vec3& value);
+    void set(const char* name, const sim::Vec3& value);
     void set(const char* name, const Mat4f& value);
     /// Array of vec4 (n x 4 floats).
     void set_array(const char* name, const float* values, int count);
@@ -121,4 +121,4 @@ class GlMesh {
 /// Draws one triangle that covers the viewport (needs the `screen` vertex shader).
 void draw_screen_triangle();
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placode::sim {
+namespace placode::view {
 
 namespace {
 
@@ -48,4 +48,4 @@ LabelBox first_free(const std::vector<LabelBox>& placed, const std::vector<Label
     return places.empty() ? LabelBox{} : places.front();
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace placode::sim {
+namespace placode::view {
 
 /// A label's place in the window, y downwards [px].
 struct LabelBox {
@@ -21,4 +21,4 @@ struct LabelBox {
 [[nodiscard]] LabelBox first_free(const std::vector<LabelBox>& placed,
                                   const std::vector<LabelBox>& places);
 
-}  // namespace placode::sim
+}  // namespace placode::view

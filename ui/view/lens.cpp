@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 // By trial on a 12 W ring (20 mm3 boil away in 35 s) seen from 30 mm: the first droplets after some
@@ -65,4 +67,4 @@ void Lens::update(const Snapshot& snapshot, const Vec3& scope_tip_m, bool scope_
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

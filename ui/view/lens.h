@@ -11,10 +11,10 @@
 #include "sim/step/snapshot.h"
 #include "ui/view/camera.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct LensDrop {
-    Vec2 at = Vec2::Zero();  ///< In the round picture, radius 1.
+    sim::Vec2 at = sim::Vec2::Zero();  ///< In the round picture, radius 1.
     double radius = 0.05;
     double strength = 1;  ///< Fades as it dries.
 };
@@ -24,7 +24,7 @@ inline constexpr int kMostDrops = 10;
 class Lens {
  public:
     /// `scope_tip_m`: where the lens is, in W; `scope_touches`: it lies on tissue.
-    void update(const Snapshot& snapshot, const Vec3& scope_tip_m, bool scope_touches);
+    void update(const sim::Snapshot& snapshot, const sim::Vec3& scope_tip_m, bool scope_touches);
     /// Begins to wipe: the cloth passes over the lens within kWipeS.
     void wipe();
     [[nodiscard]] double fog() const { return fog_; }  ///< 0 clear .. 0.8
@@ -44,4 +44,4 @@ class Lens {
     uint64_t random_ = 0x9E3779B97F4A7C15ULL;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -7,7 +7,9 @@
 #include "ui/view/gl_context.h"
 #include "ui/view/gl_program.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 class OffscreenContext final : public GlContext {
@@ -74,4 +76,4 @@ std::unique_ptr<GlContext> open_offscreen(const ContextSettings& settings) {
     return std::make_unique<OffscreenContext>(settings);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -11,7 +11,9 @@
 #include "ui/view/overlay_style.h"
 #include "ui/view/strings.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -315,4 +317,4 @@ void Overlay::help() {
                      kText, Align::kCentre);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

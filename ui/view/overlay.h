@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "haptics/hint_device.h"
 #include "sim/core/practice.h"
 #include "sim/step/snapshot.h"
 #include "ui/view/camera.h"
@@ -19,10 +20,10 @@
 #include "ui/view/text.h"
 #include "ui/view/tuning_view.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// "needle": English, translated by whoever writes it.
-[[nodiscard]] const char* tool_word(ToolKind kind);
+[[nodiscard]] const char* tool_word(sim::ToolKind kind);
 
 /// Steps of a practice task, in the user's language: what to do, and how with the device at hand.
 struct PracticeOverlay {
@@ -30,10 +31,11 @@ struct PracticeOverlay {
         std::string text, hint;
         bool changes_hand = false;  ///< The step before was for the other hand.
     };
-    std::vector<Step> steps;                ///< Empty = the task has none.
-    HintDevice device = HintDevice::kNone;  ///< Whose keys and buttons the hints show.
-    PracticeGoal goal;                      ///< Where it stands.
-    int in_hand = -1;  ///< The tool that the window's one hand moves; -1 = not known.
+    std::vector<Step> steps;  ///< Empty = the task has none.
+    /// Whose keys and buttons the hints show.
+    haptics::HintDevice device = haptics::HintDevice::kNone;
+    sim::PracticeGoal goal;  ///< Where it stands.
+    int in_hand = -1;        ///< The tool that the window's one hand moves; -1 = not known.
 };
 
 /// The pause menu, or a question. Texts are already in the user's language.
@@ -82,14 +84,14 @@ struct FrameTimes {
 
 /// What the view knows about the instruments, and the watcher's clock.
 struct TipScene {
-    const std::vector<ToolSpec>* tools = nullptr;
-    std::array<TipFoot, kMaxTools> feet;
+    const std::vector<sim::ToolSpec>* tools = nullptr;
+    std::array<TipFoot, sim::kMaxTools> feet;
     double clock_s = 0;
 };
 
 class Overlay {
  public:
-    void draw(TextPainter& painter, const Snapshot& snapshot, const OverlayState& state,
+    void draw(TextPainter& painter, const sim::Snapshot& snapshot, const OverlayState& state,
               const Circle& circle, const Camera& camera, const TipScene& tips,
               const FrameTimes& times, int width, int height);
     /// Menu item under a pointer [px], -1 = none.
@@ -107,7 +109,7 @@ class Overlay {
     // overlay_meters.cpp: a bar of force per hand, what the machine does.
     void force();
     void force_bar(int tool, double y, bool named);
-    [[nodiscard]] std::array<int, kMaxTools> force_tools(int& count) const;
+    [[nodiscard]] std::array<int, sim::kMaxTools> force_tools(int& count) const;
     void ring();
     /// A ring whose parts light up where they are done, with the share [0..1] in its middle.
     void gauge(double share, const char* name, std::span<const uint8_t> done);
@@ -119,12 +121,13 @@ class Overlay {
     // overlay_goal.cpp, overlay_targets.cpp: what the present step is about, in the picture.
     void goals();
     void targets();
-    void target_text(int tool, const Vec2& px, double radius, const Vec3& away_mm, bool above);
+    void target_text(int tool, const sim::Vec2& px, double radius, const sim::Vec3& away_mm,
+                     bool above);
     void end_marks(int tool);
     void scope_marks();
     void shaft_scale(int tool, double low_mm, double high_mm, double now_mm, int next);
     void turn_arc(int tool);
-    [[nodiscard]] int tool_of(Hand hand) const;  ///< -1 = none.
+    [[nodiscard]] int tool_of(sim::Hand hand) const;  ///< -1 = none.
     /// Another instrument than the step's is in hand: nothing that the hint says would help.
     [[nodiscard]] bool wrong_hand() const;
     /// How to do the present step; first of all how to get its instrument back.
@@ -132,12 +135,12 @@ class Overlay {
     [[nodiscard]] int goal_tool() const { return tool_of(state_->practice.goal.step.hand); }
     // overlay_depth.cpp: gauge beside the tips, what is below the surface.
     void depth();
-    [[nodiscard]] Vec2 gauge_foot(int tool, const Vec2& tip_px);
+    [[nodiscard]] sim::Vec2 gauge_foot(int tool, const sim::Vec2& tip_px);
     void depth_gauge(int tool, double gap_mm);
     void buried(int tool);
     [[nodiscard]] double gap_mm(int tool) const;
-    [[nodiscard]] Vec2 beside(int tool, const Vec2& tip_px) const;
-    void label(const Vec2& at, const std::string& text, const Colour& colour,
+    [[nodiscard]] sim::Vec2 beside(int tool, const sim::Vec2& tip_px) const;
+    void label(const sim::Vec2& at, const std::string& text, const Colour& colour,
                Align align = Align::kCentre);
     // overlay_hint.cpp: the very key or button, when nothing comes of a step.
     void hint();
@@ -151,14 +154,14 @@ class Overlay {
     void hold_ring();  ///< Fills while Enter is held.
     void waiting();
     /// Where a point of W [mm] stands in the window [px]; false behind the lens or off the picture.
-    [[nodiscard]] bool place_of(const Vec3& mm, Vec2& px) const;
+    [[nodiscard]] bool place_of(const sim::Vec3& mm, sim::Vec2& px) const;
     [[nodiscard]] bool practising() const;
     [[nodiscard]] bool energised_tools() const;  ///< One of the instruments can carry current.
     [[nodiscard]] std::string say(std::string_view english) const;
 
     // Of the picture being drawn.
     TextPainter* paint_ = nullptr;
-    const Snapshot* snapshot_ = nullptr;
+    const sim::Snapshot* snapshot_ = nullptr;
     const OverlayState* state_ = nullptr;
     const Camera* camera_ = nullptr;
     const TipScene* tips_ = nullptr;
@@ -179,4 +182,4 @@ class Overlay {
 /// "3:07".
 [[nodiscard]] std::string clock_text(double seconds);
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -10,7 +10,9 @@
 #include "ui/view/overlay_shapes.h"
 #include "ui/view/overlay_style.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -155,4 +157,4 @@ void Overlay::buried(int tool) {
           kWarn);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -10,7 +10,9 @@
 #include "ui/view/overlay_shapes.h"
 #include "ui/view/overlay_style.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -191,4 +193,4 @@ void Overlay::turn_arc(int tool) {
     label(tip + Vec2(0, radius + 1.6 * u), amount_text(), kText);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

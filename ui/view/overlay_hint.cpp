@@ -12,7 +12,9 @@
 #include "ui/view/overlay_style.h"
 #include "ui/view/practice_hint.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -259,4 +261,4 @@ void Overlay::hint() {
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

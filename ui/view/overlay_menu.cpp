@@ -8,7 +8,9 @@
 #include "ui/view/overlay.h"
 #include "ui/view/overlay_colours.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 void Overlay::menu() {
     const MenuOverlay& menu = state_->menu;
@@ -83,4 +85,4 @@ void Overlay::waiting() {
     paint_->text(0.5 * width_, y + 1.55 * unit_, text, TextSize::kNormal, kText, Align::kCentre);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

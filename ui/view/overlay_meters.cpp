@@ -9,7 +9,9 @@
 #include "ui/view/overlay.h"
 #include "ui/view/overlay_style.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -40,9 +42,9 @@ double force_of(const ToolSnapshot& tool) {
 }
 
 /// Window devices move one instrument at a time; the others stand where they were left.
-bool has_one_hand(HintDevice device) {
-    return device == HintDevice::kMouse || device == HintDevice::kKeyboard ||
-           device == HintDevice::kGamepad;
+bool has_one_hand(haptics::HintDevice device) {
+    return device == haptics::HintDevice::kMouse || device == haptics::HintDevice::kKeyboard ||
+           device == haptics::HintDevice::kGamepad;
 }
 
 }  // namespace
@@ -150,4 +152,4 @@ void Overlay::performance() {
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

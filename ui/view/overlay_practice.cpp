@@ -9,7 +9,9 @@
 #include "ui/view/overlay_shapes.h"
 #include "ui/view/overlay_style.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -122,4 +124,4 @@ void Overlay::practice_line() {
     foot_top_ = y;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

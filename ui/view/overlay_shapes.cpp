@@ -7,7 +7,10 @@
 #include <numbers>
 #include <utility>
 
-namespace placode::sim::shapes {
+namespace placode::view::shapes {
+
+using namespace sim;
+
 namespace {
 
 Vec2 at(double angle) { return {std::sin(angle), -std::cos(angle)}; }
@@ -77,4 +80,4 @@ void arrow(TextPainter& paint, const Vec2& from, const Vec2& to, double size, do
     chevron(paint, to, way.normalized(), size, width, colour);
 }
 
-}  // namespace placode::sim::shapes
+}  // namespace placode::view::shapes

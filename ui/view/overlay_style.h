@@ -8,7 +8,7 @@
 
 #include "ui/view/overlay_colours.h"
 
-namespace placode::sim::style {
+namespace placode::view::style {
 
 /// With a point, whatever the locale says.
 inline std::string number(double value, int digits) {
@@ -20,4 +20,4 @@ inline std::string number(double value, int digits) {
     return text;
 }
 
-}  // namespace placode::sim::style
+}  // namespace placode::view::style

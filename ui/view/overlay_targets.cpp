@@ -9,7 +9,9 @@
 #include "ui/view/overlay_shapes.h"
 #include "ui/view/overlay_style.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 using namespace style;
 
@@ -92,4 +94,4 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
         label(place, amount, kText);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

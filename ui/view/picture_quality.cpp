@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
-namespace placode::sim {
+namespace placode::view {
+
 namespace {
 
 constexpr double kScales[] = {0.3, 0.45, 0.6, 0.8, 1.0, 1.25};
@@ -53,4 +54,4 @@ Quality software_quality(Quality wanted, int height_px) {
     return wanted;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -4,7 +4,7 @@
 // How much is computed per picture, and the order in which things are left out where pictures are
 // slow: first smooth edges, then pixels, then what lens and camera add, then pixels again.
 
-namespace placode::sim {
+namespace placode::view {
 
 struct Quality {
     double render_scale = 1;  ///< Pixels computed per pixel shown, along each side.
@@ -19,4 +19,4 @@ struct Quality {
 /// Where the processor draws, to start with: it never stutters through its first second.
 [[nodiscard]] Quality software_quality(Quality wanted, int height_px);
 
-}  // namespace placode::sim
+}  // namespace placode::view

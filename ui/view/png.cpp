@@ -12,7 +12,9 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgb) {
     if (stbi_write_png(path.c_str(), width, height, 3, rgb.data(), 3 * width) == 0) {
@@ -21,4 +23,4 @@ void write_png(const std::string& path, int width, int height, const std::vector
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace placode::sim {
+namespace placode::view {
 
 /// Writes 8-bit RGB rows from the top (height x width x 3). Throws ViewError.
 void write_png(const std::string& path, int width, int height, const std::vector<uint8_t>& rgb);
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -7,7 +7,9 @@
 
 #include "ui/view/lens.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 constexpr double kIrisS = 0.35;        // time constant of the automatic exposure
@@ -172,4 +174,4 @@ void PostProcess::set_lens(GlProgram& program, const Lens* lens) {
     program.set("cloth", lens != nullptr ? static_cast<float>(lens->cloth()) : 2.0F);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -7,7 +7,7 @@
 
 #include "ui/view/gl_program.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 class Lens;
 
@@ -47,4 +47,4 @@ class PostProcess {
     bool first_ = true;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

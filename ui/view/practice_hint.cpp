@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/practice_hint.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 using Act = HintAct;
@@ -142,32 +144,32 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
 
 }  // namespace
 
-std::vector<HintSymbol> hint_symbols(const PracticeStep& step, HintDevice device,
+std::vector<HintSymbol> hint_symbols(const PracticeStep& step, haptics::HintDevice device,
                                      bool changes_hand) {
     const bool scope = step.hand == Hand::kCamera;
     Symbols symbols;
     switch (device) {
-        case HintDevice::kNone:
+        case haptics::HintDevice::kNone:
             return {};
-        case HintDevice::kMouse:
+        case haptics::HintDevice::kMouse:
             symbols = with_mouse(step.kind, scope);
             break;
-        case HintDevice::kKeyboard:
+        case haptics::HintDevice::kKeyboard:
             symbols = with_keyboard(step.kind, scope);
             break;
-        case HintDevice::kGamepad:
+        case haptics::HintDevice::kGamepad:
             if (!scope) symbols = with_gamepad(step.kind);
             break;
-        case HintDevice::kSpaceMouse:
+        case haptics::HintDevice::kSpaceMouse:
             if (!scope) symbols = with_grip(step.kind, HintThing::kCap, key("1"));
             break;
-        case HintDevice::kArm:
+        case haptics::HintDevice::kArm:
             if (!scope) symbols = with_grip(step.kind, HintThing::kHandle, key("1"));
             break;
     }
     if (changes_hand && !scope && !symbols.empty())
-        symbols.insert(symbols.begin(), key(device == HintDevice::kArm ? "2" : "Tab"));
+        symbols.insert(symbols.begin(), key(device == haptics::HintDevice::kArm ? "2" : "Tab"));
     return symbols;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "haptics/hint_device.h"
 #include "sim/core/practice.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// What is drawn: a thing of the device and what is done with it.
 enum class HintThing : uint8_t {
@@ -35,7 +36,7 @@ struct HintSymbol {
 };
 
 /// Empty where this device has nothing for the step.
-[[nodiscard]] std::vector<HintSymbol> hint_symbols(const PracticeStep& step, HintDevice device,
-                                                   bool changes_hand);
+[[nodiscard]] std::vector<HintSymbol> hint_symbols(const sim::PracticeStep& step,
+                                                   haptics::HintDevice device, bool changes_hand);
 
-}  // namespace placode::sim
+}  // namespace placode::view

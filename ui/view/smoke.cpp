@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 // Chosen by trial on a 12 W cut (about 2 mm^3/s): 60 puffs a second, and half the contrast is gone
@@ -60,4 +62,4 @@ void Smoke::update(const Snapshot& snapshot) {
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

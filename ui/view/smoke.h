@@ -8,10 +8,10 @@
 
 #include "sim/step/snapshot.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct Puff {
-    Vec3 position_mm = Vec3::Zero(), velocity_mm_s = Vec3::Zero();
+    sim::Vec3 position_mm = sim::Vec3::Zero(), velocity_mm_s = sim::Vec3::Zero();
     double radius_mm = 1, age_s = 0, life_s = 2;
     float opacity = 0.1F, seed = 0;
 };
@@ -19,7 +19,7 @@ struct Puff {
 /// Deterministic in the snapshots it is shown. Advances in simulated time.
 class Smoke {
  public:
-    void update(const Snapshot& snapshot);
+    void update(const sim::Snapshot& snapshot);
     [[nodiscard]] const std::vector<Puff>& puffs() const { return puffs_; }
     [[nodiscard]] double haze() const { return haze_; }  ///< 0 clear .. 0.55
 
@@ -30,4 +30,4 @@ class Smoke {
     uint64_t random_ = 88172645463325252ULL;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

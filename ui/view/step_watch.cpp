@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <numbers>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 constexpr double kSomeProgress = 0.02;  // of a step; less is a hand that trembles
@@ -67,4 +69,4 @@ bool contact_lost(const PracticeStep& step, uint8_t pedals, bool touches, double
     return wanted != 0 && pedals == wanted && !touches && gap_mm < kLostMm;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -5,7 +5,8 @@
 #include <array>
 #include <utility>
 
-namespace placode::sim {
+namespace placode::view {
+
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
@@ -189,4 +190,4 @@ std::string translated(std::string_view english, std::string_view language) {
     return std::string(english);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -6,9 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace placode::sim {
+namespace placode::view {
 
 /// `english` in `language` ("en", "pl"); the English text itself when there is no translation.
 [[nodiscard]] std::string translated(std::string_view english, std::string_view language);
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -15,7 +15,9 @@
 #include <stb/stb_truetype.h>
 #pragma GCC diagnostic pop
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 constexpr int kAtlas = 1024;
@@ -219,4 +221,4 @@ void TextPainter::draw() {
     glDisable(GL_BLEND);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

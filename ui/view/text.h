@@ -12,7 +12,7 @@
 
 #include "ui/view/gl_program.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct Colour {
     float r = 1, g = 1, b = 1, a = 1;  ///< sRGB-encoded, as on the screen.
@@ -42,7 +42,7 @@ class TextPainter {
     void box(double x, double y, double width, double height, const Colour& colour);
     void ring(double x, double y, double radius, double inner_share, const Colour& colour);
     /// Four corners in order [px].
-    void quad(const std::array<Vec2, 4>& corners, const Colour& colour);
+    void quad(const std::array<sim::Vec2, 4>& corners, const Colour& colour);
     void draw();
 
  private:
@@ -64,4 +64,4 @@ class TextPainter {
     std::vector<float> vertices_;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

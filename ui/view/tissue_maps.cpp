@@ -8,7 +8,9 @@
 
 #include "ui/view/vessel_tree.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 constexpr int kBorderSize = 256, kVesselSize = 1024, kSkinSize = 768, kNoiseSize = 256;
@@ -313,4 +315,4 @@ void TissueMaps::bind() const {
     noise.bind(3);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

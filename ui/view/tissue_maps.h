@@ -7,13 +7,14 @@
 #include "ui/view/gl_program.h"
 #include "ui/view/view_field.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// Plain pixels, for tests and upload.
 struct BakedMaps {
-    Vec2 low_mm = Vec2(-24, -18), high_mm = Vec2(24, 18);  ///< Rest box that the maps cover.
-    int border_size = 0;                                   ///< Width = height of `borders`.
-    std::vector<float> borders;  ///< (n x n x 2) d_p, d_s [mm], negative inside.
+    sim::Vec2 low_mm = sim::Vec2(-24, -18),
+              high_mm = sim::Vec2(24, 18);  ///< Rest box that the maps cover.
+    int border_size = 0;                    ///< Width = height of `borders`.
+    std::vector<float> borders;             ///< (n x n x 2) d_p, d_s [mm], negative inside.
     int vessel_size = 0;
     std::vector<uint8_t> vessels;  ///< (n x n x 4) placode, arteriole, venule, unused.
     int skin_size = 0;
@@ -30,7 +31,7 @@ struct TissueMaps {
     /// Binds to units 0..3: borders, vessels, skin, noise.
     void bind() const;
     GlTexture borders, vessels, skin, noise;
-    Vec2 low_mm, high_mm;
+    sim::Vec2 low_mm, high_mm;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

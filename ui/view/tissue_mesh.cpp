@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 using Eigen::Vector3f;
@@ -301,4 +303,4 @@ void TissueMesh::build_skirt(const ViewField& field) {
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -9,7 +9,7 @@
 #include "sim/step/snapshot.h"
 #include "ui/view/view_field.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// 16 floats a vertex: position 3, normal 3, rest + depth 4, damage 4, hollow, fresh. [mm]
 inline constexpr int kTissueVertexFloats = 16;
@@ -19,7 +19,7 @@ class TissueMesh {
     explicit TissueMesh(const ViewField& field);
 
     /// Follows the snapshot. True when `indices()` changed.
-    bool update(const Snapshot& snapshot);
+    bool update(const sim::Snapshot& snapshot);
     [[nodiscard]] const std::vector<float>& vertices() const { return vertices_; }
     [[nodiscard]] const std::vector<unsigned>& indices() const { return indices_; }
 
@@ -28,12 +28,12 @@ class TissueMesh {
     [[nodiscard]] const std::vector<unsigned>& skirt_indices() const { return skirt_indices_; }
 
  private:
-    void rebuild(const Snapshot& snapshot);
-    void place(const Snapshot& snapshot);
+    void rebuild(const sim::Snapshot& snapshot);
+    void place(const sim::Snapshot& snapshot);
     void shade();
     [[nodiscard]] bool on_rim(size_t c) const;  // of a cut, by compact vertex
     void build_skirt(const ViewField& field);
-    [[nodiscard]] bool drawn(const SurfaceTriangle& triangle) const;
+    [[nodiscard]] bool drawn(const sim::SurfaceTriangle& triangle) const;
 
     std::vector<Eigen::Vector3f> rest_mm_;
     std::vector<float> depth_mm_;
@@ -59,4 +59,4 @@ class TissueMesh {
     std::vector<unsigned> skirt_indices_;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

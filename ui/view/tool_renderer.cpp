@@ -8,7 +8,9 @@
 
 #include "ui/view/tissue_mesh.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 using Eigen::Vector3f;
@@ -265,4 +267,4 @@ void ToolRenderer::draw(const Snapshot& snapshot, GlProgram& program) {
     }
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -9,7 +9,7 @@
 #include "sim/step/snapshot.h"
 #include "ui/view/gl_program.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 enum class ToolMaterial { kSteel = 0, kInsulation = 1, kCeramic = 2 };
 
@@ -24,26 +24,27 @@ struct ToolModel {
     std::vector<unsigned> indices;
     float hinge_mm = 0;  ///< Distance of the hinge from the tip.
 };
-[[nodiscard]] ToolModel tool_model(const ToolSpec& spec);
+[[nodiscard]] ToolModel tool_model(const sim::ToolSpec& spec);
 
 /// Capsules (a, b, radius) [mm] that stand for a tool in shadows.
 struct ShadowCapsule {
-    Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+    sim::Vec3 a = sim::Vec3::Zero(), b = sim::Vec3::Zero();
     double radius = 0;
 };
-[[nodiscard]] std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_WT);
+[[nodiscard]] std::vector<ShadowCapsule> shadow_capsules(const sim::ToolSpec& spec,
+                                                         const sim::Pose& X_WT);
 
 class ToolRenderer {
  public:
-    explicit ToolRenderer(const std::vector<ToolSpec>& tools);
+    explicit ToolRenderer(const std::vector<sim::ToolSpec>& tools);
     /// Draws all tools except the scope. The program is `tissue_vertex` + `tool`, in use.
-    void draw(const Snapshot& snapshot, GlProgram& program);
+    void draw(const sim::Snapshot& snapshot, GlProgram& program);
 
  private:
-    std::vector<ToolSpec> specs_;
+    std::vector<sim::ToolSpec> specs_;
     std::vector<ToolModel> shapes_;
-    std::array<GlMesh, kMaxTools> meshes_;
+    std::array<GlMesh, sim::kMaxTools> meshes_;
     std::vector<float> staging_;
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

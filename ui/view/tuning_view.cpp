@@ -7,7 +7,9 @@
 
 #include "ui/view/overlay_colours.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 void TuningView::draw(TextPainter& paint, const TuningOverlay& panel, double width, double height,
                       double unit) {
@@ -79,4 +81,4 @@ int TuningView::item_at(double x, double y) const {
     return -1;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

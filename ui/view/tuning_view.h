@@ -9,7 +9,7 @@
 
 #include "ui/view/text.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct TuningRow {
     std::string label, value;  ///< In the user's language.
@@ -47,4 +47,4 @@ class TuningView {
     std::vector<Hit> hits_;  // the smaller ones later
 };
 
-}  // namespace placode::sim
+}  // namespace placode::view

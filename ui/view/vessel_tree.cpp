@@ -6,7 +6,9 @@
 #include <cmath>
 #include <random>
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 struct Node {
@@ -103,4 +105,4 @@ std::vector<VesselSegment> grow_vessels(const VesselSpec& spec) {
     return segments(nodes, spec);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

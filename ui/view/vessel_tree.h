@@ -11,17 +11,17 @@
 
 #include "sim/core/geometry.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct VesselSegment {
-    Vec2 a = Vec2::Zero(), b = Vec2::Zero();  ///< [mm]
-    double radius_a = 0, radius_b = 0;        ///< [mm]
+    sim::Vec2 a = sim::Vec2::Zero(), b = sim::Vec2::Zero();  ///< [mm]
+    double radius_a = 0, radius_b = 0;                       ///< [mm]
 };
 
 struct VesselSpec {
-    std::vector<Vec2> roots;                       ///< Where trees start [mm].
-    std::function<bool(const Vec2&)> inside;       ///< Where they may grow.
-    Vec2 low = Vec2::Zero(), high = Vec2::Zero();  ///< Box that holds `inside` [mm].
+    std::vector<sim::Vec2> roots;                                 ///< Where trees start [mm].
+    std::function<bool(const sim::Vec2&)> inside;                 ///< Where they may grow.
+    sim::Vec2 low = sim::Vec2::Zero(), high = sim::Vec2::Zero();  ///< Box that holds `inside` [mm].
     int attractors = 500;
     double step_mm = 0.3, kill_mm = 0.55, reach_mm = 6;
     double thinnest_mm = 0.012, murray = 2.6;
@@ -31,4 +31,4 @@ struct VesselSpec {
 
 [[nodiscard]] std::vector<VesselSegment> grow_vessels(const VesselSpec& spec);
 
-}  // namespace placode::sim
+}  // namespace placode::view

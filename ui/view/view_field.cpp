@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/view_field.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 
 ViewField view_field(const Scene& scene, uint64_t seed) {
     ViewField field;
@@ -22,4 +24,4 @@ ViewField view_field(const Scene& scene, uint64_t seed) {
     return field;
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

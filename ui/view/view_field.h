@@ -10,18 +10,18 @@
 
 #include "sim/world/scene.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 struct ViewField {
-    std::vector<std::array<float, 3>> rest;       ///< (V) rest positions [m].
-    std::vector<float> depth_m;                   ///< (V) below the rest surface; empty = 0.
-    std::vector<SurfaceTriangle> rest_triangles;  ///< Boundary at rest.
-    std::vector<Vec3> placode_edge, skin_edge;    ///< Closed outlines on the surface [m].
-    CanalFloor floor;                             ///< Below a sac; empty without one.
-    std::vector<ToolSpec> tools;
+    std::vector<std::array<float, 3>> rest;            ///< (V) rest positions [m].
+    std::vector<float> depth_m;                        ///< (V) below the rest surface; empty = 0.
+    std::vector<sim::SurfaceTriangle> rest_triangles;  ///< Boundary at rest.
+    std::vector<sim::Vec3> placode_edge, skin_edge;    ///< Closed outlines on the surface [m].
+    sim::CanalFloor floor;                             ///< Below a sac; empty without one.
+    std::vector<sim::ToolSpec> tools;
     uint64_t seed = 1;  ///< Vessels, flecks and hairs.
 };
 
-[[nodiscard]] ViewField view_field(const Scene& scene, uint64_t seed);
+[[nodiscard]] ViewField view_field(const sim::Scene& scene, uint64_t seed);
 
-}  // namespace placode::sim
+}  // namespace placode::view

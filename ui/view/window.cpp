@@ -13,7 +13,9 @@
 #include "ui/view/gl_context.h"
 #include "ui/view/gl_program.h"
 
-namespace placode::sim {
+namespace placode::view {
+
+using namespace sim;
 namespace {
 
 // Pedals appear as keyboards (F13, F14); 1 and 2 stand in for them.
@@ -269,4 +271,4 @@ std::unique_ptr<GlContext> open_window(const ContextSettings& settings) {
     return std::make_unique<GlfwWindow>(settings);
 }
 
-}  // namespace placode::sim
+}  // namespace placode::view

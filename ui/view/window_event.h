@@ -8,7 +8,7 @@
 
 #include "haptics/window_input.h"
 
-namespace placode::sim {
+namespace placode::view {
 
 /// One thing that happened at the window. Between two pictures several may happen: their order says
 /// which screen each of them was meant for.
@@ -22,11 +22,11 @@ struct WindowEvent {
         kClose    ///< Somebody wants to close the window.
     };
     Kind kind = Kind::kKey;
-    Key key = Key::kCount;
+    sim::Key key = sim::Key::kCount;
     uint8_t button = 0;
     bool down = false;
     char32_t letter = 0;
 };
 using WindowEvents = std::vector<WindowEvent>;
 
-}  // namespace placode::sim
+}  // namespace placode::view
