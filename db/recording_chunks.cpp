@@ -140,7 +140,7 @@ void decode(std::span<const std::byte> packed, size_t count, std::vector<Record>
         stated_size(packed) == old_size(Record{}) * count ? old_size(Record{}) : size_of<Record>();
     const Bytes columns = decompress(packed, stride * count);
     Bytes record(size_of<Record>());
-    out.reserve(out.size() + count);
+    // Nothing is reserved: room for one chunk more at a time would copy all before it with each.
     for (size_t i = 0; i < count; ++i) {
         for (size_t b = 0; b < stride; ++b) record[b] ^= columns[b * count + i];
         Record& target = out.emplace_back();
