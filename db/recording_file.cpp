@@ -33,16 +33,26 @@ class FileReader {
  public:
     explicit FileReader(const std::string& path) : path_(path) { open(); }
 
+    RecordingSummary summary() {
+        RecordingSummary result;
+        result.header = read_header();
+        if (const auto end = meta("end")) {
+            result.end = end_from_json(*end);
+        } else {
+            result.end.reason = sim::EndReason::kInterrupted;
+            RawStatement frames(database_.get(),
+                                "SELECT COALESCE(MAX(first + count), 0) FROM chunks WHERE kind = "
+                                "'inputs'");
+            if (frames.prepared() == SQLITE_OK && frames.step() == SQLITE_ROW)
+                result.end.duration_s =
+                    static_cast<double>(frames.integer(0)) * result.header.frame_s;
+        }
+        return result;
+    }
+
     RecoveredRecording read() {
         RecoveredRecording result;
-        const auto header = meta("header");
-        if (!header)
-            fail(Kind::kDamaged, "it has no header: the attempt never began; nothing can be saved");
-        try {
-            result.recording.header = header_from_json(*header);
-        } catch (const StoreError& error) {
-            fail(error.kind(), std::string("chunk 0: ") + error.what());
-        }
+        result.recording.header = read_header();
         result.damage = read_chunks(result.recording);
         if (result.damage.empty()) result.damage = read_end(result.recording);
         finish(result.recording);
@@ -56,6 +66,17 @@ class FileReader {
  private:
     [[noreturn]] void fail(Kind kind, const std::string& problem) const {
         throw StoreError(kind, kRead + " " + path_ + ": " + problem);
+    }
+
+    sim::RecordingHeader read_header() {
+        const auto header = meta("header");
+        if (!header)
+            fail(Kind::kDamaged, "it has no header: the attempt never began; nothing can be saved");
+        try {
+            return header_from_json(*header);
+        } catch (const StoreError& error) {
+            fail(error.kind(), std::string("chunk 0: ") + error.what());
+        }
     }
 
     void open() {
@@ -174,6 +195,8 @@ class FileReader {
 RecoveredRecording recover_recording_file(const std::string& path) {
     return FileReader(path).read();
 }
+
+RecordingSummary recording_summary(const std::string& path) { return FileReader(path).summary(); }
 
 sim::Recording read_recording_file(const std::string& path) {
     RecoveredRecording result = recover_recording_file(path);

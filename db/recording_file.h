@@ -37,6 +37,15 @@ struct RecoveredRecording {
 /// header can be read.
 [[nodiscard]] RecoveredRecording recover_recording_file(const std::string& path);
 
+struct RecordingSummary {
+    sim::RecordingHeader header;
+    sim::RecordingEnd end;  ///< kInterrupted, with the time that was committed, after a crash.
+};
+
+/// Header and end without what lies between, which takes milliseconds instead of seconds. Throws
+/// as recover_recording_file(); a damaged chunk is not seen.
+[[nodiscard]] RecordingSummary recording_summary(const std::string& path);
+
 /// Recording files (*.placode) in `folder` that no living program is writing to: the shell removes
 /// a file once it is in the store, so these are left over from a crash. One that cannot be read is
 /// listed as well: reading it says why. Sorted by name.

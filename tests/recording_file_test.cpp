@@ -256,6 +256,23 @@ TEST(RecordingFile, WithoutAnEndIsInterruptedAndAsLongAsWhatWasCommitted) {
     EXPECT_NEAR(read.end.duration_s, 1.5, 1e-9);  // 1500 frames of 1 ms.
 }
 
+TEST(RecordingFile, TheSummarySaysWhatTheWholeFileSays) {
+    const Folder folder;
+    for (const bool finished : {true, false}) {
+        const std::string path = folder.file(finished ? "whole.placode" : "broken.placode");
+        write_recording(path, 5, finished);
+        const db::RecordingSummary brief = db::recording_summary(path);
+        const sim::Recording whole = db::read_recording_file(path);
+        EXPECT_EQ(brief.header.task_id, whole.header.task_id);
+        EXPECT_EQ(brief.header.started_utc, whole.header.started_utc);
+        EXPECT_EQ(brief.end.reason, whole.end.reason);
+        EXPECT_EQ(brief.end.final_hash, whole.end.final_hash);
+        EXPECT_NEAR(brief.end.duration_s, whole.end.duration_s, 1e-9);
+    }
+    write_text(folder.file("no.placode"), "nothing");
+    EXPECT_THROW((void)db::recording_summary(folder.file("no.placode")), db::StoreError);
+}
+
 TEST(RecordingFile, AKilledWriterLosesOnlyWhatItHadNotAppended) {
     const Folder folder;
     const std::string path = folder.file("a.placode");

@@ -114,7 +114,9 @@ void ShellRandomTest::anAttemptEndsByItselfOrByAConfirmedWish() {
     // The last attempt ends; nothing of any is lost.
     if (shell.context().launcher().running()) shell.context().launcher().abort();
     QVERIFY(QTest::qWaitFor([&] { return !shell.context().launcher().running(); }, 10000));
-    const auto left = [&] { return find_leftovers(shell.context().recordingsFolder()).size(); };
+    const auto left = [&] {
+        return find_leftovers(shell.context().recordingsFolder(), Depth::kLength).size();
+    };
     const size_t ended = monkey.recordings.size();
     const auto kept = [&] {
         return saved() - before + left() + static_cast<size_t>(monkey.deleted);

@@ -13,11 +13,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "curriculum/task.h"
 #include "db/access.h"
 #include "db/store.h"
 #include "ui/shell/attempt_launcher.h"
+#include "ui/shell/attempt_order.h"
 #include "ui/shell/messages.h"
 #include "ui/shell/theme.h"
 
@@ -67,6 +69,12 @@ class AppContext : public QObject {
     [[nodiscard]] const std::string& storeUrl() const { return store_url_; }
     [[nodiscard]] QString recordingsFolder() const { return recordings_folder(store_url_); }
 
+    /// Recordings that nobody writes to, and that this program is not saving just now.
+    [[nodiscard]] std::vector<Leftover> leftovers(Depth depth) const {
+        return find_leftovers(recordingsFolder(), depth, saving_);
+    }
+    void savingBegins(const QString& recording_file) { saving_.insert(recording_file); }
+    void savingEnds(const QString& recording_file) { saving_.erase(recording_file); }
     [[nodiscard]] bool signedIn() const { return user_.has_value(); }
     [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
     void signIn(const db::UserRecord& user);
@@ -145,6 +153,7 @@ class AppContext : public QObject {
     ThemeKind theme_ = ThemeKind::kLight;
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;
+    std::set<QString> saving_;  ///< Recordings on their way into the store.
     std::unique_ptr<AttemptLauncher> launcher_;
     int busy_ = 0;
     WorkSize work_size_;  ///< Of the last work that began.

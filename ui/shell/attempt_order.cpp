@@ -127,12 +127,27 @@ std::optional<AttemptOrder> read_order(const QString& recording_file) {
     return order;
 }
 
-std::vector<Leftover> find_leftovers(const QString& folder) {
+namespace {
+
+void fill_in(Leftover& leftover, const sim::RecordingHeader& header, const sim::RecordingEnd& end) {
+    leftover.duration_s = end.duration_s;
+    leftover.complete =
+        end.reason != sim::EndReason::kInterrupted && end.reason != sim::EndReason::kRunning;
+    if (leftover.started_utc.isEmpty())
+        leftover.started_utc = QString::fromStdString(header.started_utc);
+    if (leftover.task.isEmpty()) leftover.task = QString::fromStdString(header.task_id);
+}
+
+}  // namespace
+
+std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
+                                     const std::set<QString>& saved) {
     std::vector<Leftover> found;
     if (!QDir(folder).exists()) return found;
     for (const std::string& path : db::leftover_recordings(folder.toStdString())) {
         Leftover leftover;
         leftover.recording_file = QString::fromStdString(path);
+        if (saved.count(leftover.recording_file) > 0) continue;
         leftover.order = read_order(leftover.recording_file);
         if (leftover.order) {
             leftover.started_utc = leftover.order->started_utc;
@@ -140,16 +155,14 @@ std::vector<Leftover> find_leftovers(const QString& folder) {
         }
         // A damaged file is shown with its reason instead of hiding all the others.
         try {
-            const db::RecoveredRecording recovered = db::recover_recording_file(path);
-            const sim::Recording& recording = recovered.recording;
-            leftover.damage = QString::fromStdString(recovered.damage);
-            leftover.duration_s = recording.end.duration_s;
-            leftover.complete = recording.end.reason != sim::EndReason::kInterrupted &&
-                                recording.end.reason != sim::EndReason::kRunning;
-            if (leftover.started_utc.isEmpty())
-                leftover.started_utc = QString::fromStdString(recording.header.started_utc);
-            if (leftover.task.isEmpty())
-                leftover.task = QString::fromStdString(recording.header.task_id);
+            if (depth == Depth::kLength) {
+                const db::RecordingSummary summary = db::recording_summary(path);
+                fill_in(leftover, summary.header, summary.end);
+            } else {
+                const db::RecoveredRecording recovered = db::recover_recording_file(path);
+                leftover.damage = QString::fromStdString(recovered.damage);
+                fill_in(leftover, recovered.recording.header, recovered.recording.end);
+            }
         } catch (const db::StoreError& error) {
             leftover.problem = QString::fromUtf8(error.what());
         }

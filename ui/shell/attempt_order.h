@@ -7,6 +7,7 @@
 
 #include <QString>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "curriculum/conduct.h"
@@ -61,8 +62,13 @@ void write_order(AttemptOrder& order, const QString& folder);
 /// The order beside a recording, if there is a readable one.
 [[nodiscard]] std::optional<AttemptOrder> read_order(const QString& recording_file);
 
-/// Recordings in `folder` that nobody writes to, oldest first.
-[[nodiscard]] std::vector<Leftover> find_leftovers(const QString& folder);
+/// How much of each recording is read: its length (milliseconds), or all of it, which finds what is
+/// damaged and takes seconds.
+enum class Depth : uint8_t { kLength, kWhole };
+/// Recordings in `folder` that nobody writes to, oldest first. @param saved those that are being
+/// saved now: they are no leftovers.
+[[nodiscard]] std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
+                                                   const std::set<QString>& saved = {});
 
 /// Removes a recording and its order.
 void remove_recording(const QString& recording_file);

@@ -68,10 +68,12 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
 
 void MainWindow::saveAttempt(const AttemptEnding& ending) {
     auto saved = std::make_shared<SavedAttempt>();
+    context_.savingBegins(ending.order.recording_file);
     context_.background(
         this, tr("Scoring and saving the attempt"),
         [saved, order = ending.order](db::Store& store) { *saved = save_recording(store, order); },
         [this, saved, ending](bool done) {
+            context_.savingEnds(ending.order.recording_file);
             // Who has begun the next attempt meanwhile watches that one.
             const bool waiting = place_.page == PageId::kRunning && !context_.launcher().running();
             if (!done) {
@@ -110,7 +112,7 @@ void MainWindow::offerLeftovers() {
     Leftover last;
     context_.guard(tr("Looking for unfinished attempts"), [&] {
         const bool all = context_.may(db::Action::kManageUsers, db::Scope::kOther);
-        for (Leftover& leftover : find_leftovers(context_.recordingsFolder())) {
+        for (Leftover& leftover : context_.leftovers(Depth::kLength)) {
             const bool own = leftover.order && leftover.order->user_id == context_.user().id;
             if (!own && !(all && !leftover.order)) continue;
             ++mine;

@@ -23,7 +23,7 @@ class RecoveryPage : public Page {
         column->addWidget(make_label(
             tr("Everything up to half a second before the end is in the recording."), "muted"));
         int shown = 0;
-        for (const Leftover& leftover : find_leftovers(context.recordingsFolder())) {
+        for (const Leftover& leftover : context.leftovers(Depth::kWhole)) {
             if (!mine(leftover)) continue;
             column->addWidget(card(leftover, shown++));
         }

@@ -181,7 +181,7 @@ class TaskPage : public Page {
 
     /// An exam that a crash left over is saved before the next one: it uses up an attempt.
     void refuseBesideLeftExam() const {
-        for (const Leftover& left : find_leftovers(context_.recordingsFolder())) {
+        for (const Leftover& left : find_leftovers(context_.recordingsFolder(), Depth::kLength)) {
             if (!left.order || !left.problem.isEmpty() || left.duration_s <= 0) continue;
             if (left.order->user_id == context_.user().id &&
                 left.order->exam.course_id == course_ && left.order->exam.stage_id == exam_->id)
