@@ -55,8 +55,8 @@ int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
         connection_.fail(Kind::kConflict, "the login is taken; choose another one");
     Statement insert(connection_,
                      "INSERT INTO accounts (password_hash, roles, active, demonstration, "
-                     "created_utc) VALUES (?, ?, 1, ?, ?) RETURNING id");
-    insert.run(hash, int{user.roles}, user.demonstration, utc_now());
+                     "created_utc, password_given) VALUES (?, ?, 1, ?, ?, ?) RETURNING id");
+    insert.run(hash, int{user.roles}, user.demonstration, utc_now(), user.password_given);
     const int64_t id = insert.returned_id();
     Statement(connection_,
               "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, ?, "
@@ -131,14 +131,15 @@ SignIn Accounts::sign_in(const std::string& login, const std::string& password) 
     return {SignInOutcome::kOk, user, 0};
 }
 
-void Accounts::set_password(int64_t user_id, const std::string& password) {
+void Accounts::set_password(int64_t user_id, const std::string& password, bool given) {
     connection_.begin_operation("set a password in");
     const UserRecord user = context_.need_user(user_id);
     if (const auto problem = password_problem(user.login, password))
         connection_.fail(Kind::kRefused, *problem);
     const std::string hash = hash_password(password, context_.options.cheap_passwords);
     UnitOfWork work(connection_);
-    Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?").run(hash, user_id);
+    Statement(connection_, "UPDATE accounts SET password_hash = ?, password_given = ? WHERE id = ?")
+        .run(hash, given, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(login_key(user.login));
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);

@@ -26,6 +26,7 @@ struct NewUser {
     std::string login, display_name, password;
     Roles roles = static_cast<Roles>(Role::kTrainee);
     bool demonstration = false;
+    bool password_given = false;  ///< Somebody else chose it: the owner is to choose another.
 };
 
 /// `store.accounts()`. Every change is one transaction and in the audit trail.
@@ -37,7 +38,8 @@ class Accounts {
     /// After 5 wrong passwords in a row the login has to wait: 5 s, then twice as long each time,
     /// at most 15 min. What is not an account waits and takes as long as what is one.
     SignIn sign_in(const std::string& login, const std::string& password);
-    void set_password(int64_t user_id, const std::string& password);
+    /// @param given somebody else chose it.
+    void set_password(int64_t user_id, const std::string& password, bool given = false);
     /// Throws kRefused when it would leave no active administrator.
     void set_active(int64_t user_id, bool active);
     [[nodiscard]] std::vector<UserRecord> list();  ///< By login.

@@ -30,6 +30,7 @@ struct UserRecord {
     bool active = true;
     bool demonstration = false;
     std::string created_utc;
+    bool password_given = false;  ///< Somebody else chose the password, and knows it.
 };
 
 /// Under which exam of a course an attempt was made; `course_id` empty = practice.

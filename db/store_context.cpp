@@ -74,8 +74,8 @@ std::optional<DefinitionRecord> StoreContext::find_definition(const std::string&
 
 const std::string& user_columns() {
     static const std::string columns =
-        "SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc "
-        "FROM accounts a JOIN persons p ON p.account_id = a.id ";
+        "SELECT a.id, p.login, p.display_name, a.roles, a.active, a.demonstration, a.created_utc, "
+        "a.password_given FROM accounts a JOIN persons p ON p.account_id = a.id ";
     return columns;
 }
 
@@ -88,6 +88,7 @@ UserRecord read_user(const Statement& row) {
     user.active = row.integer("active") != 0;
     user.demonstration = row.integer("demonstration") != 0;
     user.created_utc = row.text("created_utc");
+    user.password_given = row.integer("password_given") != 0;
     return user;
 }
 

@@ -33,6 +33,21 @@ TEST_P(StoreTest, APersonWithTheRightPasswordSignsIn) {
     EXPECT_FALSE(sign_in.user->created_utc.empty());
 }
 
+TEST_P(StoreTest, ItIsKnownWhetherSomebodyElseChoseThePassword) {
+    const auto store = open();
+    const int64_t own = store->accounts().create(trainee("anna"));
+    EXPECT_FALSE(store->accounts().find(own)->password_given);
+    db::NewUser user = trainee("bert");
+    user.password_given = true;
+    const int64_t given = store->accounts().create(user);
+    EXPECT_TRUE(store->accounts().sign_in("bert", kPassword).user->password_given);
+    store->accounts().set_password(given, "one of my own 1");
+    EXPECT_FALSE(store->accounts().sign_in("bert", "one of my own 1").user->password_given);
+    store->accounts().set_password(own, "forgotten, given anew", true);
+    EXPECT_TRUE(store->accounts().find(own)->password_given);
+    EXPECT_TRUE(open()->accounts().find(own)->password_given) << "it is kept";
+}
+
 TEST_P(StoreTest, AccountsAreStillThereAfterClosing) {
     const int64_t id = open()->accounts().create(trainee("anna"));
     const auto store = open();

@@ -105,6 +105,8 @@ void ShellFormsTest::theNextPersonIsATraineeAgain() {
     QVERIFY(fill("Tom Trainee", "tom"));
     QVERIFY(shell.click("add_person"));
     QVERIFY(shell.bannerSays("Tom Trainee was added: Trainee"));
+    QVERIFY(shell.click("add_person"));  // the second click of a double click
+    QVERIFY(!shell.find<QLabel>("add_message")->isVisible());
     QCOMPARE(rolesOf("tom"), 1);
     shell.shot("61_person_added");
 }
@@ -131,7 +133,16 @@ void ShellFormsTest::enterAddsAPerson() {
     enter("new_name");
     QVERIFY(shell.text("add_message").contains("Log-in name"));
     QVERIFY(shell.focusIsIn("new_login"));
+    // The name of somebody else, and one that nobody can type again: said at the field.
+    QVERIFY(fill("Pia Person", "TOM"));
+    enter("new_password");
+    QVERIFY(shell.text("add_message").contains("tom is taken: Tom Trainee has it"));
+    QVERIFY(shell.focusIsIn("new_login"));
+    QVERIFY(fill("Pia Person", "pia person"));
+    enter("new_password");
+    QVERIFY(shell.text("add_message").contains("no spaces"));
     QVERIFY(fill("Pia Person", "pia"));
+    QVERIFY(!shell.find<QLabel>("add_message")->isVisible());
     enter("new_password");
     QCOMPARE(rolesOf("pia"), 1);
     QVERIFY(!shell.find<QLabel>("add_message")->isVisible());
@@ -140,8 +151,10 @@ void ShellFormsTest::enterAddsAPerson() {
 void ShellFormsTest::enterChangesThePassword() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.signIn("tom", "first password"));
-    shell.window().open({PageId::kAccount, 0, {}, {}});
+    // Whoever made the account knows this password: signing in begins with another one.
     QVERIFY(shell.arrives(PageId::kAccount));
+    QVERIFY(shell.find<QLabel>("given_password")->isVisible());
+    shell.shot("63_given_password");
     QVERIFY(shell.type("new_password", "second password"));
     enter("new_password");
     QVERIFY(shell.focusIsIn("old_password"));
@@ -150,7 +163,9 @@ void ShellFormsTest::enterChangesThePassword() {
     QVERIFY(shell.type("again_password", "second password"));
     enter("again_password");
     QVERIFY(shell.bannerSays("password was changed"));
+    QVERIFY(!shell.find<QLabel>("given_password")->isVisible());
     QVERIFY(shell.signIn("tom", "second password"));
+    QVERIFY(shell.arrives(PageId::kToday));
 }
 
 void ShellFormsTest::enterMakesAnAccountByInvitation() {

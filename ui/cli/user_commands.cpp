@@ -42,6 +42,7 @@ int add(const Context& context, const AddOptions& options) {
     user.display_name = options.name.empty() ? options.login : options.name;
     user.roles = roles_of(options.roles);
     user.password = read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
+    user.password_given = session.user().has_value();  // alone at the machine it is one's own
     const int64_t id = session.store().accounts().create(user);
     print(context, to_json(*session.store().accounts().find(id)),
           "created user " + std::to_string(id) + " \"" + user.login + "\" (" +
@@ -82,7 +83,8 @@ int password(const Context& context, const std::string& login) {
     const bool own = session.user() && session.user()->id == user.id;
     if (!own) session.need(Action::kManageUsers, Scope::kOther);
     session.store().accounts().set_password(
-        user.id, read_password("PLACODE_NEW_PASSWORD", "New password of " + user.login, true));
+        user.id, read_password("PLACODE_NEW_PASSWORD", "New password of " + user.login, true),
+        !own);
     print(context, {{"id", user.id}, {"login", user.login}},
           "the password of \"" + user.login + "\" is changed");
     return 0;

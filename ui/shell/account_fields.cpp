@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 #include <QHBoxLayout>
+#include <algorithm>
 
 #include "db/password.h"
 #include "ui/shell/parts.h"
@@ -27,6 +28,17 @@ QString password_problem(const QString& password) {
     return Account::tr("The password is too short: %1 of at least %2 characters.")
         .arg(length)
         .arg(db::kLeastPasswordLength);
+}
+
+FormProblem login_problem(QLineEdit* login) {
+    const QString typed = login->text().trimmed();
+    const bool spaces = std::any_of(typed.begin(), typed.end(), [](QChar c) {
+        return c.isSpace() || c.category() == QChar::Other_Control;
+    });
+    if (spaces)
+        return {Account::tr("A log-in name has no spaces: write it in one, as in anna.nowak."),
+                login};
+    return {};
 }
 
 void AccountFields::addTo(QVBoxLayout* layout, const QVariantMap& state,
@@ -57,6 +69,7 @@ FormProblem AccountFields::problem() const {
     for (QLineEdit* field : {name, login})
         if (field->text().trimmed().isEmpty())
             return {Account::tr("Give your name and a log-in name."), field};
+    if (const FormProblem spaces = login_problem(login)) return spaces;
     if (const QString short_one = password_problem(password->text()); !short_one.isEmpty())
         return {short_one, password};
     if (password->text() != again->text())

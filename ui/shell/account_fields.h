@@ -17,6 +17,9 @@ namespace placode::ui {
 /// Why a new password will not do, in the reader's language; empty when it may.
 [[nodiscard]] QString password_problem(const QString& password);
 
+/// What is wrong with a new log-in name: spaces, which nobody sees at the end of it.
+[[nodiscard]] FormProblem login_problem(QLineEdit* login);
+
 struct AccountFields {
     QLineEdit *name = nullptr, *login = nullptr, *password = nullptr, *again = nullptr;
 

@@ -49,6 +49,12 @@ class AccountPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         layout->addWidget(make_label(tr("New password"), "heading"));
+        given_ = make_label(tr("Somebody else set your password and knows it. Choose one that only "
+                               "you know; until then every sign-in begins here."),
+                            "warn");
+        given_->setObjectName("given_password");
+        given_->setVisible(context_.user().password_given);
+        layout->addWidget(given_);
         const std::tuple<QLineEdit**, QString, const char*> fields[] = {
             {&old_, tr("Present password"), "old_password"},
             {&new_, tr("New password"), "new_password"},
@@ -91,6 +97,8 @@ class AccountPage : public Page {
             context_.store().accounts().set_password(context_.user().id,
                                                      new_->text().toStdString());
             for (QLineEdit* field : {old_, new_, again_}) field->clear();
+            context_.ownPasswordSet();
+            given_->hide();
             Q_EMIT notice(tr("The password was changed."));
         });
     }
@@ -235,7 +243,7 @@ class AccountPage : public Page {
     }
 
     QLineEdit *old_ = nullptr, *new_ = nullptr, *again_ = nullptr;
-    QLabel *message_ = nullptr, *erasure_ = nullptr;
+    QLabel *message_ = nullptr, *erasure_ = nullptr, *given_ = nullptr;
     QLineEdit *pin_ = nullptr, *reason_ = nullptr;
     QPushButton* remove_pin_ = nullptr;
     QCheckBox* recordings_ = nullptr;

@@ -79,6 +79,7 @@ class AppContext : public QObject {
     [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
     void signIn(const db::UserRecord& user);
     void signOut();
+    void ownPasswordSet() { user_->password_given = false; }  ///< @pre signedIn()
     static constexpr int kPinHours = 12;
     /// The password was given here: for kPinHours the PIN is enough, until Placode is closed.
     void notePassword(int64_t user_id);

@@ -164,6 +164,8 @@ void MainWindow::lock() {
 Place MainWindow::home() const {
     using db::Action;
     if (!context_.signedIn()) return {PageId::kLogin, 0, {}, {}};
+    // Who knows a password can sign in as its owner.
+    if (context_.user().password_given) return {PageId::kAccount, 0, {}, {}};
     PageId page = PageId::kAccount;
     if (context_.may(Action::kManageUsers, db::Scope::kOther)) page = PageId::kPeople;
     if (context_.may(Action::kRunQuestionnaire)) page = PageId::kStudies;

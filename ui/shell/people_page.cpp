@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // People: an administrator creates accounts, closes and opens them, and gives a new password.
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QElapsedTimer>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLineEdit>
@@ -113,6 +115,7 @@ class PeoplePage : public Page {
         add->setObjectName("add_person");
         connect(add, &QPushButton::clicked, this, [this] { this->add(); });
         enter_submits({name_, login_, password_}, this, [this] { this->add(); });
+        hide_when_edited(message_, {name_, login_, password_});
         layout->addWidget(add);
         for (const auto& [box, role] : roles_)
             connect(box, &QCheckBox::toggled, this, [this] { showRoles(); });
@@ -231,8 +234,18 @@ class PeoplePage : public Page {
     }
 
     void add() {
+        // The second click of two that were meant as one.
+        const bool empty = name_->text().isEmpty() && login_->text().isEmpty();
+        if (empty && added_.isValid() && added_.elapsed() < QApplication::doubleClickInterval())
+            return;
         message_->hide();
         FormProblem problem = first_missing({name_, login_});
+        if (!problem) problem = login_problem(login_);
+        for (const db::UserRecord& other : people_)
+            if (!problem && same_login(other, login_->text()))
+                problem = {tr("The log-in name %1 is taken: %2 has it. Choose another one.")
+                               .arg(qstr(other.login), qstr(other.display_name)),
+                           login_};
         if (const QString rule = password_problem(password_->text()); !problem && !rule.isEmpty())
             problem = {rule, password_};
         db::NewUser user;
@@ -240,6 +253,7 @@ class PeoplePage : public Page {
         user.login = login_->text().trimmed().toStdString();
         user.password = password_->text().toStdString();
         user.roles = chosenRoles();
+        user.password_given = true;
         if (!problem && user.roles == 0)
             problem = {tr("A person needs at least one role."), nullptr};
         if (problem) {
@@ -253,6 +267,7 @@ class PeoplePage : public Page {
             resetRoles();
             name_->setFocus();
             fill();
+            added_.start();
             Q_EMIT notice(
                 tr("%1 was added: %2.").arg(qstr(user.display_name), role_names(user.roles)));
         });
@@ -265,7 +280,7 @@ class PeoplePage : public Page {
             if (const QString problem = password_problem(new_password_->text()); !problem.isEmpty())
                 throw Refusal(problem);
             context_.store().accounts().set_password(person->id,
-                                                     new_password_->text().toStdString());
+                                                     new_password_->text().toStdString(), true);
             new_password_->clear();
             Q_EMIT notice(tr("%1 has a new password.").arg(qstr(person->display_name)));
         });
@@ -285,7 +300,12 @@ class PeoplePage : public Page {
         });
     }
 
+    [[nodiscard]] static bool same_login(const db::UserRecord& person, const QString& typed) {
+        return qstr(person.login).compare(typed.trimmed(), Qt::CaseInsensitive) == 0;
+    }
+
     std::vector<db::UserRecord> people_;
+    QElapsedTimer added_;  ///< Since somebody was added.
     std::vector<std::pair<QCheckBox*, db::Role>> roles_;
     QBoxLayout *row_ = nullptr, *fields_ = nullptr, *role_boxes_ = nullptr;
     QFrame* new_card_ = nullptr;

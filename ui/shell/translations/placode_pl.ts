@@ -4,6 +4,10 @@
 <context>
     <name>AccountFields</name>
     <message>
+        <source>A log-in name has no spaces: write it in one, as in anna.nowak.</source>
+        <translation>Nazwa logowania nie ma spacji: napisz ją razem, na przykład anna.nowak.</translation>
+    </message>
+    <message>
         <source>at least %1 characters</source>
         <translation>co najmniej %1 znaków</translation>
     </message>
@@ -54,6 +58,10 @@
 </context>
 <context>
     <name>AccountPage</name>
+    <message>
+        <source>Somebody else set your password and knows it. Choose one that only you know; until then every sign-in begins here.</source>
+        <translation>Ktoś inny ustawił Twoje hasło i je zna. Wybierz takie, które znasz tylko Ty; do tego czasu każde logowanie zaczyna się tutaj.</translation>
+    </message>
     <message>
         <source>My account</source>
         <translation>Moje konto</translation>
@@ -3074,6 +3082,10 @@
 <context>
     <name>PeoplePage</name>
     <message>
+        <source>The log-in name %1 is taken: %2 has it. Choose another one.</source>
+        <translation>Nazwa logowania %1 jest zajęta: ma ją %2. Wybierz inną.</translation>
+    </message>
+    <message>
         <source>People</source>
         <translation>Osoby</translation>
     </message>
@@ -3653,6 +3665,10 @@
 <context>
     <name>ResultPage</name>
     <message>
+        <source>Close other programs, make the window of the simulation smaller, or use another computer.</source>
+        <translation>Zamknij inne programy, zmniejsz okno symulacji albo użyj innego komputera.</translation>
+    </message>
+    <message>
         <source>Result</source>
         <translation>Wynik</translation>
     </message>
@@ -4011,6 +4027,10 @@
 </context>
 <context>
     <name>RunningPage</name>
+    <message>
+        <source>It takes longer than usual: %1 so far.</source>
+        <translation>Trwa to dłużej niż zwykle: dotąd %1.</translation>
+    </message>
     <message>
         <source>End the attempt?</source>
         <translation>Zakończyć próbę?</translation>
@@ -4536,6 +4556,10 @@
 <context>
     <name>StudyRunPage</name>
     <message>
+        <source>One moment: the procedure begins when what is being saved is saved.</source>
+        <translation>Chwileczkę: zabieg zacznie się, gdy zapis się zakończy.</translation>
+    </message>
+    <message>
         <source>Participant %1 · step %2 of %3</source>
         <translation>Uczestnik %1 · krok %2 z %3</translation>
     </message>
@@ -4682,6 +4706,10 @@
 </context>
 <context>
     <name>TaskPage</name>
+    <message>
+        <source>Placode is still working. The attempt begins when that is done, so that the computer is free for it.</source>
+        <translation>Placode jeszcze pracuje. Próba zacznie się, gdy skończy, żeby komputer był dla niej wolny.</translation>
+    </message>
     <message>
         <source>Task</source>
         <translation>Zadanie</translation>
@@ -9325,6 +9353,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 </context>
 <context>
     <name>placode::ui::Notices</name>
+    <message>
+        <source>%1, longer than usual</source>
+        <translation>%1, dłużej niż zwykle</translation>
+    </message>
     <message>
         <source>Work in progress</source>
         <translation>Praca w toku</translation>
