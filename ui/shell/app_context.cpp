@@ -22,6 +22,7 @@ namespace {
 constexpr const char* kLastFolder = "last_folder";
 
 constexpr double kWorthAnEstimateS = 2;  ///< Shorter work is over before anybody reads it.
+constexpr double kOverdue = 1.5;         ///< Times the estimate; then it is worth nothing.
 constexpr double kLateShare = 0.9;       ///< From here on the estimate was too short.
 constexpr double kTeachingS = 5;         ///< Of a recording: a shorter one tells of the start-up.
 
@@ -249,6 +250,21 @@ void AppContext::background(QObject* receiver, const QString& doing,
     });
 }
 
+void AppContext::whenIdle(QObject* receiver, std::function<void()> act) {
+    if (!busy()) return act();
+    // Queued: whoever began the work hears first that it is done.
+    auto* once = new QObject(receiver);
+    connect(
+        this, &AppContext::busyChanged, once,
+        [this, once, act = std::move(act)](const QString& what) {
+            if (!what.isEmpty() || busy()) return;
+            once->deleteLater();
+            once->disconnect();
+            act();
+        },
+        Qt::QueuedConnection);
+}
+
 std::optional<WorkPace> AppContext::busyPace() const {
     if (busy_ != 1 || work_size_.kind.isEmpty() || work_size_.recorded_s <= 0) return std::nullopt;
     const double per_s = settings_->value("pace/" + work_size_.kind).toDouble();
@@ -260,7 +276,7 @@ std::optional<WorkPace> AppContext::busyPace() const {
     const double share = passed < kLateShare * whole
                              ? passed / whole
                              : 1 - (1 - kLateShare) * kLateShare * whole / passed;
-    return WorkPace{share, passed / share - passed};
+    return WorkPace{share, passed / share - passed, passed > kOverdue * whole};
 }
 
 }  // namespace placode::ui

@@ -51,8 +51,9 @@ struct WorkSize {
     double recorded_s = 0;  ///< Length of the recording [s].
 };
 struct WorkPace {
-    double share = 0;   ///< 0..1, and 1 never before the end.
-    double left_s = 0;  ///< An estimate.
+    double share = 0;      ///< 0..1, and 1 never before the end.
+    double left_s = 0;     ///< An estimate.
+    bool overdue = false;  ///< It takes so much longer than before that nobody can say.
 };
 
 class AppContext : public QObject {
@@ -68,18 +69,18 @@ class AppContext : public QObject {
     [[nodiscard]] db::Store& store();
     [[nodiscard]] const std::string& storeUrl() const { return store_url_; }
     [[nodiscard]] QString recordingsFolder() const { return recordings_folder(store_url_); }
-
     /// Recordings that nobody writes to, and that this program is not saving just now.
     [[nodiscard]] std::vector<Leftover> leftovers(Depth depth) const {
         return find_leftovers(recordingsFolder(), depth, saving_);
     }
     void savingBegins(const QString& recording_file) { saving_.insert(recording_file); }
     void savingEnds(const QString& recording_file) { saving_.erase(recording_file); }
+
     [[nodiscard]] bool signedIn() const { return user_.has_value(); }
     [[nodiscard]] const db::UserRecord& user() const { return *user_; }  ///< @pre signedIn()
     void signIn(const db::UserRecord& user);
-    void signOut();
     void ownPasswordSet() { user_->password_given = false; }  ///< @pre signedIn()
+    void signOut();
     static constexpr int kPinHours = 12;
     /// The password was given here: for kPinHours the PIN is enough, until Placode is closed.
     void notePassword(int64_t user_id);
@@ -129,6 +130,9 @@ class AppContext : public QObject {
     /// How far the work in progress is, by what work of its kind took on this computer before;
     /// nullopt when there is none, several at once, or nothing known of it.
     [[nodiscard]] std::optional<WorkPace> busyPace() const;
+    [[nodiscard]] bool busy() const { return busy_ > 0; }
+    /// Does it now, or when the work in the background is done; not when `receiver` has gone.
+    void whenIdle(QObject* receiver, std::function<void()> act);
     void report(const Problem& problem) { Q_EMIT problemReported(problem); }
 
  Q_SIGNALS:
@@ -149,12 +153,12 @@ class AppContext : public QObject {
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
     std::optional<db::UserRecord> user_;
+    std::set<QString> saving_;  ///< Recordings on their way into the store.
     int lock_after_s_ = 600;
     std::map<int64_t, QDateTime> password_given_;  ///< By user.
     ThemeKind theme_ = ThemeKind::kLight;
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;
-    std::set<QString> saving_;  ///< Recordings on their way into the store.
     std::unique_ptr<AttemptLauncher> launcher_;
     int busy_ = 0;
     WorkSize work_size_;  ///< Of the last work that began.

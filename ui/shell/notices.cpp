@@ -114,8 +114,9 @@ void Notices::showPace() {
     busy_bar_->setRange(0, pace ? 100 : 0);
     if (pace) busy_bar_->setValue(static_cast<int>(100 * pace->share));
     const QString text =
-        pace ? tr("%1, about %2 left").arg(doing_, format_duration(std::max(1.0, pace->left_s)))
-             : doing_;
+        pace && pace->overdue ? tr("%1, longer than usual").arg(doing_)
+        : pace ? tr("%1, about %2 left").arg(doing_, format_duration(std::max(1.0, pace->left_s)))
+               : doing_;
     if (text != busy_text_->text()) busy_text_->setText(text);
     // The page and its bar may have been built, or built anew, meanwhile.
     if (!busy_->isHidden()) arrange();

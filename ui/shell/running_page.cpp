@@ -160,7 +160,9 @@ class RunningPage : public Page {
             scoring_bar_->setValue(static_cast<int>(100 * pace->share));
             scoring_words_->setText(
                 said + " " +
-                tr("About %1 left.").arg(format_duration(std::max(1.0, pace->left_s))));
+                (pace->overdue
+                     ? tr("It takes longer than usual: %1 so far.").arg(format_duration(seconds))
+                     : tr("About %1 left.").arg(format_duration(std::max(1.0, pace->left_s)))));
             return;
         }
         scoring_words_->setText(

@@ -210,7 +210,7 @@ QStringList store_sentences() { return QStringList(std::begin(kSentences), std::
 QString store_sentence(const QString& said) {
     // "operation place: sentence"; the place is a store's address, a file, or a person or thing.
     static const QRegularExpression kPlace(
-        "^(?:[a-zA-Z ]+ "
+        "^(?:.+? "
         "(?:sqlite:|postgresql://).*?|(?:consent|answers|exam|certificate|participant "
         "key|read recording|recover recording)\\b.*?): ");
     QString rest = said.section('\n', 0, 0);

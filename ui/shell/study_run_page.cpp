@@ -7,6 +7,7 @@
 #include <QDateTime>
 #include <QHBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
@@ -284,7 +285,16 @@ class StudyRunPage : public Page {
         shown->setObjectName("run_device");
         layout->addWidget(shown);
         addButton(layout, tr("Start"), "start_attempt", [this, device, step] {
-            start(step, device);
+            if (std::exchange(waits_, true)) return;  // the second click of two
+            // As on the page of a task: what is still worked on must not spoil the procedure.
+            if (context_.busy())
+                Q_EMIT notice(
+                    tr("One moment: the procedure begins when what is being saved is "
+                       "saved."));
+            context_.whenIdle(this, [this, step, device] {
+                waits_ = false;
+                start(step, device);
+            });
         })->setEnabled(!device.isEmpty());
         if (step.kind != StepKind::kFamiliarisation) return;
         QPushButton* skip = make_button(context_, tr("Not needed, go on"), "quiet");
@@ -351,6 +361,7 @@ class StudyRunPage : public Page {
     std::string study_;
     curriculum::StudyProtocol protocol_;
     db::Progress progress_;
+    bool waits_ = false;  ///< A start that waits for what is being saved.
 };
 
 }  // namespace

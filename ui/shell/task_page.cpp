@@ -310,7 +310,7 @@ class TaskPage : public Page {
         layout->addWidget(
             make_label(tr("A window with the fetoscope's view opens.") + " " + limit, "small"));
         connect(devices_, &QComboBox::currentIndexChanged, this, [this] { showDevice(); });
-        connect(start_, &QPushButton::clicked, this, [this] { start(); });
+        connect(start_, &QPushButton::clicked, this, [this] { startWhenFree(); });
         QFrame* card = make_card(layout);
         card->setProperty("tone", "accent");
         return card;
@@ -371,6 +371,20 @@ class TaskPage : public Page {
                (exam_ ? tr("Escape in the window pauses.")
                       : tr("F1 in the window shows them again, Escape pauses.")) +
                "</p>";
+    }
+
+    /// A report or a score that is being made would take the computer from the attempt, which then
+    /// would not count.
+    void startWhenFree() {
+        if (context_.busy())
+            Q_EMIT notice(
+                tr("Placode is still working. The attempt begins when that is done, so "
+                   "that the computer is free for it."));
+        start_->setEnabled(false);
+        context_.whenIdle(this, [this] {
+            start_->setEnabled(true);
+            start();
+        });
     }
 
     void start() {
