@@ -52,8 +52,9 @@ std::optional<sim::Event> MachineSpeed::frame(Clock::time_point now, double simu
 double MachineSpeed::real_time() const noexcept { return wall_s_ > 0 ? simulated_s_ / wall_s_ : 1; }
 
 double MachineSpeed::pictures_hz() const noexcept {
-    // The slowest tenth of the seconds may be worse.
-    uint32_t left = seconds_ / 10;
+    // The slowest tenth of the seconds may be worse, and a start or a hiccup in any attempt; but
+    // not more than half of a short one.
+    uint32_t left = std::min(std::max(seconds_ / 10, kHiccupSeconds), seconds_ / 2);
     for (size_t rate = 0; rate < kRates; ++rate) {
         if (seconds_at_[rate] > left) return static_cast<double>(rate);
         left -= seconds_at_[rate];

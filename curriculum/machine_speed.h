@@ -37,13 +37,15 @@ class MachineSpeed {
     [[nodiscard]] double pictures_now_hz() const noexcept { return now_hz_; }   ///< Last second.
     /// What was measured so far would make the attempt count for nothing.
     [[nodiscard]] bool counts_for_nothing() const noexcept;
-    [[nodiscard]] double real_time() const noexcept;    ///< Share of the whole attempt.
-    [[nodiscard]] double pictures_hz() const noexcept;  ///< Reached in nine of ten seconds.
+    [[nodiscard]] double real_time() const noexcept;  ///< Share of the whole attempt.
+    [[nodiscard]] double pictures_hz()
+        const noexcept;  ///< Reached in nine of ten seconds, see the code.
 
  private:
     void close_second(double wall_s, uint64_t pictures) noexcept;
 
     static constexpr int kSpellSeconds = 3;
+    static constexpr uint32_t kHiccupSeconds = 5;
     static constexpr size_t kRates = 128;  // pictures a second, the last for all above
 
     Clock::time_point second_{};

@@ -15,6 +15,7 @@ class Quality final : public PictureQuality {
  public:
     explicit Quality(bool software) : software_(software) {}
     bool simplify() override { return steps > 0 && steps-- > 0; }
+    bool enrich() override { return steps < 3 && ++steps > 0; }
     [[nodiscard]] bool software() const override { return software_; }
     int steps = 3;
 
@@ -99,6 +100,50 @@ TEST(PicturePace, PicturesThatAreTooDearAreMadeSimplerBeforeTheAttemptBegins) {
     EXPECT_THAT(pace.take_note(), HasSubstr("made simpler"));
     pictures(100, milliseconds(30));
     EXPECT_EQ(quality.steps, 2);
+}
+
+TEST(PicturePace, ASlowStartDoesNotMakeTheWholeAttemptPlain) {
+    Quality quality(true);
+    PicturePace pace(quality);
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    const auto seconds = [&](int count, milliseconds cost) {
+        for (const auto end = now + std::chrono::seconds(count); now < end;) {
+            pace.drawn(now, now + cost);
+            while (!pace.due(now)) now += milliseconds(1);
+            pace.watch(status(1, 30), now);
+        }
+    };
+    seconds(3, milliseconds(60));
+    EXPECT_EQ(quality.steps, 0);
+    seconds(3, milliseconds(10));
+    EXPECT_EQ(quality.steps, 0) << "not at the first quiet moment";
+    seconds(20, milliseconds(10));
+    EXPECT_EQ(quality.steps, 3) << "one step after the other, to where it began";
+    // What costs half of what is affordable stays: the next step may cost twice as much.
+    seconds(2, milliseconds(60));
+    const int left = quality.steps;
+    seconds(20, milliseconds(20));
+    EXPECT_EQ(quality.steps, left);
+}
+
+TEST(PicturePace, WhatWasGivenBackInVainIsNotGivenBackAgain) {
+    Quality quality(true);
+    quality.steps = 1;
+    PicturePace pace(quality);
+    PicturePace::Clock::time_point now{};
+    now += std::chrono::hours(1);
+    int changes = 0;
+    for (int i = 0, before = 1; i < 3000; ++i) {  // at two steps a picture is too dear
+        const milliseconds cost(quality.steps < 2 ? 12 : 40);
+        pace.drawn(now, now + cost);
+        while (!pace.due(now)) now += milliseconds(1);
+        pace.watch(status(1, 30), now);
+        changes += quality.steps != before ? 1 : 0;
+        before = quality.steps;
+    }
+    EXPECT_EQ(changes, 2) << "one step up, and back for good";
+    EXPECT_EQ(quality.steps, 1);
 }
 
 TEST(PicturePace, WhereTheProcessorDrawsThePhysicsGetsMoreOfItWhileItIsLate) {

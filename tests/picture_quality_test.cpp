@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace placode::sim {
+namespace placode::view {
 namespace {
 
 // Pixels that are computed, relative: what the picture costs, roughly.
@@ -43,5 +43,16 @@ TEST(PictureQuality, ASoftwareRendererStartsLowButNeverAboveWhatIsWanted) {
     EXPECT_EQ(software_quality({1, 4, false}, 700).samples, 0);
 }
 
+TEST(PictureQuality, NoMoreIsGivenBackThanItBeganWith) {
+    const Quality first{0.8, 0, false};
+    Quality q{0.3, 0, true};
+    int steps = 0;
+    for (Quality next = q; make_richer(next) && no_richer_than(next, first); q = next, ++steps)
+        ASSERT_LT(steps, 20);
+    EXPECT_EQ(q.render_scale, 0.8);
+    EXPECT_FALSE(q.plain);
+    EXPECT_EQ(q.samples, 0);
+}
+
 }  // namespace
-}  // namespace placode::sim
+}  // namespace placode::view

@@ -21,6 +21,10 @@ constexpr auto kLookEvery = milliseconds(500);
 constexpr double kRest = 0.4, kLateRest = 1.0;
 // Gives the least pictures a second, with a tenth to spare.
 constexpr double kAffordableMs = 1000 / (1.1 * (1 + kRest) * curriculum::kLeastPicturesHz);
+// Where a picture takes no more than this share of that, and has for a while, one step of what was
+// taken is given back: a slow start must not make the whole attempt plain. Once.
+constexpr double kCheap = 0.5;
+constexpr auto kSteady = std::chrono::seconds(4), kTrial = std::chrono::seconds(10);
 constexpr int kSettlingPictures = 4;  // the first compile shaders and fill caches
 constexpr double kRoom = 1.02;  // of real time: below it the physics needs more of the processor
 
@@ -45,24 +49,41 @@ void PicturePace::watch(const curriculum::AttemptStatus& status, Clock::time_poi
     looked_ = now;
     const bool dear = quality_.software() && cost_.count() > kAffordableMs;
     if (status.waiting || status.time_s <= 0) {
-        if (dear) simplify();
+        if (dear) simplify(now);
         return;
     }
     late_ = status.physics_hz > 0 && status.real_time_now < 1 / kRoom;
     const bool few =
         status.pictures_now_hz > 0 && status.pictures_now_hz < 1.1 * curriculum::kLeastPicturesHz;
-    if ((late_ && quality_.software()) || few || dear) simplify();
+    if ((late_ && quality_.software()) || few || dear) simplify(now);
+    const bool cheap = quality_.software() && !late_ && !few && cost_.count() > 0 &&
+                       cost_.count() < kCheap * kAffordableMs;
+    if (!cheap) cheap_since_ = now;
+    if (!settled_ && now - cheap_since_ >= kSteady) enrich(now);
     if (status.slow && status.counts_not && !std::exchange(told_slow_, true))
-        note_ = "This computer is too slow: the attempt will not count. Close other programs";
+        note_ =
+            "This computer is too slow: the attempt will not count. Close other programs, or make "
+            "the "
+            "window smaller";
     if (!status.slow) told_slow_ = false;
 }
 
-void PicturePace::simplify() {
+void PicturePace::simplify(Clock::time_point now) {
+    if (now - enriched_at_ < kTrial) settled_ = true;
     pictures_ = 0;
     cost_ = {};
     simplest_ = !quality_.simplify();
     if (!simplest_ && !std::exchange(told_simple_, true))
         note_ = "This computer is slow: the picture was made simpler";
+}
+
+void PicturePace::enrich(Clock::time_point now) {
+    cheap_since_ = now;
+    if (!quality_.enrich()) return;
+    enriched_at_ = now;
+    simplest_ = false;
+    pictures_ = 0;
+    cost_ = {};
 }
 
 std::string PicturePace::take_note() { return std::exchange(note_, {}); }

@@ -17,6 +17,8 @@ class PictureQuality {
     virtual ~PictureQuality() = default;
     /// One step simpler; false when it is as simple as it gets.
     virtual bool simplify() = 0;
+    /// One step back towards what it began with; false when it is there.
+    virtual bool enrich() = 0;
     [[nodiscard]] virtual bool software() const = 0;  ///< The processor draws.
 };
 
@@ -39,10 +41,13 @@ class PicturePace {
     [[nodiscard]] std::string take_note();
 
  private:
-    void simplify();
+    void simplify(Clock::time_point now);
+    void enrich(Clock::time_point now);
 
     PictureQuality& quality_;
     Clock::time_point next_{}, looked_{};
+    Clock::time_point cheap_since_{}, enriched_at_{};
+    bool settled_ = false;  ///< What was given back was too much: it stays as it is.
     std::chrono::duration<double, std::milli> cost_{};  ///< Of a picture, running mean.
     int pictures_ = 0;                                  ///< In that mean.
     bool late_ = false, simplest_ = false, told_slow_ = false, told_simple_ = false;

@@ -51,6 +51,7 @@ class ViewQuality final : public PictureQuality {
  public:
     explicit ViewQuality(view::FetoscopeView& view) : view_(view) {}
     bool simplify() override { return view_.simplify(); }
+    bool enrich() override { return view_.enrich(); }
     [[nodiscard]] bool software() const override { return view_.software(); }
 
  private:

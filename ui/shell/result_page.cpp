@@ -134,6 +134,14 @@ class ResultPage : public Page {
             if (db::machine_at_fault(record))
                 said << (own ? tr("This was not your fault.")
                              : tr("The machine was the cause, not the person."));
+            const auto reasons = db::void_reasons(record.void_reason);
+            if (std::any_of(reasons.begin(), reasons.end(), [](const db::VoidReason& reason) {
+                    return reason.cause == db::VoidCause::kFewPictures ||
+                           reason.cause == db::VoidCause::kNotRealTime;
+                }))
+                said << tr(
+                    "Close other programs, make the window of the simulation smaller, or "
+                    "use another computer.");
         }
         if (exam)
             said << (record.void_reason.empty()

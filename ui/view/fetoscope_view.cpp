@@ -129,7 +129,7 @@ struct FetoscopeView::Impl {
     Lens lens;
     GlTarget picture, output;
     Camera camera;
-    Quality quality;
+    Quality quality, first_quality;
     FrameTimes times;
     std::vector<double> frame_ms;
     int slow = 0, fast = 0;
@@ -191,6 +191,7 @@ void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
     program.set("time_s", static_cast<float>(snapshot.time_s));
     std::vector<ShadowCapsule> capsules;
     for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
+    first_quality = quality;
         for (const ShadowCapsule& c : shadow_capsules(tools[i], snapshot.tools[i].pose))
             capsules.push_back(c);
     }
@@ -405,7 +406,7 @@ void FetoscopeView::observe(const Snapshot& snapshot) { impl_->observe(snapshot)
 void FetoscopeView::wipe_lens() { impl_->lens.wipe(); }
 const Lens& FetoscopeView::lens() const { return impl_->lens; }
 bool FetoscopeView::simplify() {
-    // Whatever else the processor does is short of time: no way back in this attempt.
+    // Whatever else the processor does is short of time: the caller says when it has some again.
     impl_->stays_simple = true;
     return make_simpler(impl_->quality);
 }
@@ -434,6 +435,12 @@ int FetoscopeView::height() const { return impl_->context->height(); }
 unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
 
 std::vector<uint8_t> FetoscopeView::pixels() {
+bool FetoscopeView::enrich() {
+    Quality next = impl_->quality;
+    if (!make_richer(next) || !no_richer_than(next, impl_->first_quality)) return false;
+    impl_->quality = next;
+    return true;
+}
     const int w = width(), h = height();
     const size_t row = static_cast<size_t>(w) * 3;
     std::vector<uint8_t> bottom_up(row * static_cast<size_t>(h)), top_down(bottom_up.size());

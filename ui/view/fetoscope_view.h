@@ -44,10 +44,12 @@ class FetoscopeView {
     [[nodiscard]] const Lens& lens() const;
     /// True when the processor draws: leave some of it to the physics.
     [[nodiscard]] bool software() const;
-    /// One step simpler (ui/view/picture_quality.h), and it stays so. False when it is as simple
-    /// as it gets.
+    /// One step simpler (ui/view/picture_quality.h), and it stays so until enrich(). False when it
+    /// is as simple as it gets.
     bool simplify();
     /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
+    /// One step back towards what it began with. False when it is there.
+    bool enrich();
     void poll(sim::WindowInput& input);
     [[nodiscard]] bool close_requested() const;
     /// What happened at the window since the last call, in order; it then stays open when somebody

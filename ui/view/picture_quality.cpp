@@ -47,6 +47,11 @@ bool make_richer(Quality& quality) {
     return true;
 }
 
+bool no_richer_than(const Quality& quality, const Quality& most) {
+    return quality.render_scale <= most.render_scale + 1e-6 && quality.samples <= most.samples &&
+           (quality.plain || !most.plain);
+}
+
 Quality software_quality(Quality wanted, int height_px) {
     constexpr int kLargePx = 800;  // of a window, from which on fewer pixels are computed
     wanted.samples = 0;

@@ -16,6 +16,8 @@ struct Quality {
 [[nodiscard]] bool make_simpler(Quality& quality);
 /// One step richer. False when it is as rich as it gets.
 [[nodiscard]] bool make_richer(Quality& quality);
+/// Whether `quality` asks for nothing that `most` does not.
+[[nodiscard]] bool no_richer_than(const Quality& quality, const Quality& most);
 /// Where the processor draws, to start with: it never stutters through its first second.
 [[nodiscard]] Quality software_quality(Quality wanted, int height_px);
 

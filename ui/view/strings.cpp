@@ -74,8 +74,10 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
      "Opuszczona próba zostaje zapisana jako przerwana i nie liczy się."},
     {"No tuning in a study", "W badaniu nie ma strojenia"},
     {"No help in an exam", "Podczas egzaminu nie ma pomocy"},
-    {"This computer is too slow: the attempt will not count. Close other programs",
-     "Ten komputer jest za wolny: próba nie będzie się liczyć. Zamknij inne programy"},
+    {"This computer is too slow: the attempt will not count. Close other programs, or make the "
+     "window smaller",
+     "Ten komputer jest za wolny: próba nie będzie się liczyć. Zamknij inne programy lub zmniejsz "
+     "okno"},
     {"This computer is slow: the picture was made simpler",
      "Ten komputer jest wolny: uproszczono obraz"},
     {"Screenshot saved", "Zapisano zrzut ekranu"},
