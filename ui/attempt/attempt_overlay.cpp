@@ -24,8 +24,8 @@ Help controls(const Arguments& arguments) {
                 {"middle button", "Move the scope"},
                 {"Shift + mouse", "Turn about the shaft"},
                 {"Ctrl", "Precise"},
-                {"Space", "Freeze the hand"},
-                {"Tab", "Other hand"}};
+                {"Space", "The instrument stays (clutch)"},
+                {"Tab", "Next instrument"}};
     } else if (device == "keyboard") {
         help = {{"W A S D", "Move the instrument"},
                 {"R  F", "Shallower, deeper"},
@@ -34,8 +34,8 @@ Help controls(const Arguments& arguments) {
                 {"C", "Coagulate (blue pedal)"},
                 {"arrows", "Move the scope"},
                 {"Ctrl", "Precise"},
-                {"Space", "Freeze the hand"},
-                {"Tab", "Other hand"}};
+                {"Space", "The instrument stays (clutch)"},
+                {"Tab", "Next instrument"}};
     } else if (device == "gamepad") {
         help = {{"left stick", "Move the instrument"},   {"triggers", "Deeper, shallower"},
                 {"right stick", "Turn about the shaft"}, {"A", "Cut (yellow pedal)"},
@@ -62,7 +62,7 @@ Help controls(const Arguments& arguments) {
     add(arguments.aids.planned_line, "F5", "Planned line on, off");
     add(conduct.performance, "F3", "Performance");
     add(conduct.screenshots, "F12", "Screenshot");
-    add(true, "Esc", "Pause and menu");
+    add(true, "Esc", "Pause and menu; lets the pointer out");
     add(true, "hold Enter", conduct.own_score ? "Finish and be scored" : "Finish");
     add(conduct.help, "F1", "Help; the clock stands still");
     return help;
@@ -120,6 +120,7 @@ view::ViewSettings view_settings(const Arguments& arguments, const std::string& 
     settings.fullscreen = arguments.fullscreen;
     settings.place = arguments.place;
     settings.title = "Placode: " + title;
+    settings.greeting = view::translated("The field is being prepared ...", arguments.language);
     if (arguments.headless) settings.quality.samples = 4;  // pictures may take their time
     return settings;
 }

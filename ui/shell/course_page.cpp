@@ -233,16 +233,26 @@ class CoursePage : public Page {
         }
     }
 
-    /// "Title (Benchmark 70 points, once)".
-    [[nodiscard]] QString whatMasters(const std::string& task_id) const {
-        const QString title = training_.taskTitle(context_, task_id);
-        for (const TrainingStage& each : training_.stages)
-            if (each.task_id == task_id && each.progress.status != StageStatus::kMastered) {
-                curriculum::CourseStage rule = each.rule;
-                rule.max_attempts = rule.remind_after_days = 0;  // what opens it, no more
-                return title + " (" + stage_rule_words(rule) + ")";
-            }
-        return title;
+    /// "2. Title (Benchmark 70 points, once)": stages of one task differ by their number.
+    [[nodiscard]] QString whatMasters(size_t index) const {
+        curriculum::CourseStage rule = training_.stages[index].rule;
+        rule.max_attempts = rule.remind_after_days = 0;  // what opens it, no more
+        return QString("%1. %2 (%3)")
+            .arg(index + 1)
+            .arg(training_.taskTitle(context_, rule.task_id), stage_rule_words(rule));
+    }
+
+    /// Stages that still lock this one.
+    [[nodiscard]] std::vector<size_t> missingFor(const TrainingStage& stage) const {
+        const auto& ids = stage.rule.requires_stages;
+        std::vector<size_t> out;
+        for (size_t i = 0; i < training_.stages.size(); ++i) {
+            const TrainingStage& each = training_.stages[i];
+            if (each.progress.status != StageStatus::kMastered &&
+                std::find(ids.begin(), ids.end(), each.rule.id) != ids.end())
+                out.push_back(i);
+        }
+        return out;
     }
 
     /// A stage above this one is closed, so that an open one below it looks like a mistake.
@@ -270,7 +280,7 @@ class CoursePage : public Page {
     [[nodiscard]] QString standing(const TrainingStage& stage) const {
         if (stage.progress.status == StageStatus::kLocked) {
             QStringList missing;
-            for (const std::string& id : stage.progress.missing) missing << whatMasters(id);
+            for (const size_t index : missingFor(stage)) missing << whatMasters(index);
             return tr("Locked. Opens when mastered: %1").arg(missing.join("; "));
         }
         QString rule = stage_rule_words(stage.rule);

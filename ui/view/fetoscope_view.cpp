@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/view/overlay_colours.h"
 #include "ui/view/png.h"
 #include "ui/view/smoke.h"
 #include "ui/view/tissue_maps.h"
@@ -140,10 +141,34 @@ struct FetoscopeView::Impl {
     bool software = false, has_floor = false, stays_simple = false;
 };
 
+namespace {
+
+/// Maps and shaders take seconds where the processor draws: nobody shall look at a black window.
+void greet(GlContext& context, const std::string& words) {
+    glViewport(0, 0, context.width(), context.height());
+    glClearColor(0, 0, 0, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    TextPainter painter;
+    painter.begin(context.width(), context.height(), std::max(14.0, context.height() / 46.0));
+    painter.text(0.5 * context.width(), 0.5 * context.height(), words, TextSize::kNormal, kText,
+                 Align::kCentre);
+    painter.draw();
+    glFinish();
+    context.swap();
+}
+
+std::unique_ptr<GlContext> opened(const ViewSettings& s) {
+    if (s.offscreen) return open_offscreen({s.width, s.height, false, s.title, {}});
+    auto window = open_window({s.width, s.height, s.fullscreen, s.title, s.place});
+    if (!s.greeting.empty()) greet(*window, s.greeting);
+    return window;
+}
+
+}  // namespace
+
 FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
     : settings(s),
-      context(s.offscreen ? open_offscreen({s.width, s.height, false, s.title, {}})
-                          : open_window({s.width, s.height, s.fullscreen, s.title, s.place})),
+      context(opened(s)),
       tools(field.tools),
       mesh(field),
       maps(bake_maps(field)),
@@ -166,6 +191,7 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
     software = times.renderer.find("llvmpipe") != std::string::npos ||
                times.renderer.find("softpipe") != std::string::npos;
     if (settings.adaptive && software) quality = software_quality(quality, s.height);
+    first_quality = quality;
 }
 
 void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
@@ -191,7 +217,6 @@ void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
     program.set("time_s", static_cast<float>(snapshot.time_s));
     std::vector<ShadowCapsule> capsules;
     for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
-    first_quality = quality;
         for (const ShadowCapsule& c : shadow_capsules(tools[i], snapshot.tools[i].pose))
             capsules.push_back(c);
     }
@@ -410,6 +435,12 @@ bool FetoscopeView::simplify() {
     impl_->stays_simple = true;
     return make_simpler(impl_->quality);
 }
+bool FetoscopeView::enrich() {
+    Quality next = impl_->quality;
+    if (!make_richer(next) || !no_richer_than(next, impl_->first_quality)) return false;
+    impl_->quality = next;
+    return true;
+}
 bool FetoscopeView::software() const { return impl_->software; }
 void FetoscopeView::poll(WindowInput& input) { impl_->context->poll(input); }
 bool FetoscopeView::close_requested() const { return impl_->context->close_requested(); }
@@ -435,12 +466,6 @@ int FetoscopeView::height() const { return impl_->context->height(); }
 unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
 
 std::vector<uint8_t> FetoscopeView::pixels() {
-bool FetoscopeView::enrich() {
-    Quality next = impl_->quality;
-    if (!make_richer(next) || !no_richer_than(next, impl_->first_quality)) return false;
-    impl_->quality = next;
-    return true;
-}
     const int w = width(), h = height();
     const size_t row = static_cast<size_t>(w) * 3;
     std::vector<uint8_t> bottom_up(row * static_cast<size_t>(h)), top_down(bottom_up.size());

@@ -25,6 +25,7 @@ struct ViewSettings {
     bool adaptive = true;  ///< Follow the frame time; off for reproducible pictures.
     Quality quality;       ///< To start with.
     std::string title = "Placode";
+    std::string greeting;  ///< Stands in the window until the first picture; "" = nothing.
     std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
 };
 
@@ -47,9 +48,9 @@ class FetoscopeView {
     /// One step simpler (ui/view/picture_quality.h), and it stays so until enrich(). False when it
     /// is as simple as it gets.
     bool simplify();
-    /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     /// One step back towards what it began with. False when it is there.
     bool enrich();
+    /// Window, mouse, keyboard, gamepad. Off-screen: nothing happens.
     void poll(sim::WindowInput& input);
     [[nodiscard]] bool close_requested() const;
     /// What happened at the window since the last call, in order; it then stays open when somebody

@@ -77,6 +77,10 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
     painter.begin(width, height, unit_);
     menu_shown_ = state.menu.shown;
     labels_.clear();
+    // The hint is drawn last, over everything: what has to be read beside it keeps clear of where
+    // it was in the picture before.
+    if (hint_box_.w > 0) labels_.push_back(hint_box_);
+    hint_box_ = {};
     bars_top_ = height - margin_;
     if (!state.exam) {
         energy();

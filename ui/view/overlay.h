@@ -173,6 +173,7 @@ class Overlay {
     double text_foot_ = 0;          // of what is written at the left, from the top
     double bars_top_ = 0;           // of the bars of force, from the bottom
     std::vector<LabelBox> labels_;  // labels, rings and gauges so far: no two lie over each other
+    LabelBox hint_box_;             // of the last picture; empty without a hint
     double menu_x_ = 0, menu_y_ = 0, menu_width_ = 0, menu_row_ = 0;
     bool menu_shown_ = false;
     int menu_count_ = 0;

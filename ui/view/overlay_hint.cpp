@@ -248,8 +248,10 @@ void Overlay::hint() {
     const double w = wide ? room + 0.4 * unit_ : row + 1.2 * unit_;
     const double h = 5.4 * u + (lines.empty() ? 0 : 0.6 * unit_) +
                      line * static_cast<double>(lines.size()) + 0.6 * unit_;
-    const double x = wide ? width_ - margin_ - w : 0.5 * (width_ - w);
+    // In a narrow window in the corner, where least of the picture is.
+    const double x = width_ - margin_ - w;
     const double y = wide ? 0.5 * (height_ - h) : foot_top_ - h - 0.4 * unit_;
+    hint_box_ = {x, y, w, h};
     paint_->box(x, y, w, h, kRaised);
     paint_->box(x, y, w, 0.2 * unit_, kAccent);
     painter.draw_row(symbols, Vec2(x + 0.5 * (w - row), y + 2.9 * u),
