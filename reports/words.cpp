@@ -66,8 +66,8 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
         case EventKind::kBuried:
             return "Tip below the surface";
         case EventKind::kTorn:
-            if (entry.region == assessment::Region::kZone) return "Tissue torn";
-            return placode ? "Placode torn" : "Skin torn";
+            // Of the skin or below it: an entry gathers what tore together.
+            return placode ? "Placode torn" : "Tissue torn";
         case EventKind::kVaporised:
             return placode ? "Placode cut by heat" : "Cut into healthy skin";
         case EventKind::kSnipped:

@@ -285,7 +285,6 @@ namespace {
     QT_TRANSLATE_NOOP("Ledger", "Crushed between the jaws"),
     QT_TRANSLATE_NOOP("Ledger", "Slid out of the jaws"),
     QT_TRANSLATE_NOOP("Ledger", "Placode torn"),
-    QT_TRANSLATE_NOOP("Ledger", "Skin torn"),
     QT_TRANSLATE_NOOP("Ledger", "Tip below the surface"),
     QT_TRANSLATE_NOOP("Ledger", "Tissue torn"),
     QT_TRANSLATE_NOOP("Ledger", "Placode cut by heat"),

@@ -1786,10 +1786,6 @@
         <translation>Rozdarcie płytki</translation>
     </message>
     <message>
-        <source>Skin torn</source>
-        <translation>Rozdarcie skóry</translation>
-    </message>
-    <message>
         <source>Placode cut by heat</source>
         <translation>Nacięcie płytki ciepłem</translation>
     </message>
