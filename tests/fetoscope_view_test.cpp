@@ -445,6 +445,23 @@ TEST_F(FetoscopeViewTest, WhoIsStuckIsShownTheVeryKey) {
     EXPECT_LT(lit(after(111.7)), still - 100) << "gone with the first progress";
 }
 
+TEST_F(FetoscopeViewTest, AnExamShowsWhatIsToBeTouchedAndNoMore) {
+    Field f = field();
+    f.snapshot.tools[0].engaged = 1;
+    for (const PracticeKind step : {PracticeKind::kTouch, PracticeKind::kGrasp}) {
+        OverlayState exam = practising(step, placode::haptics::HintDevice::kMouse);
+        exam.exam = true;
+        const Picture without = draw(f.snapshot, exam);
+        exam.practice.goal.targets = 1;
+        const Picture with = draw(f.snapshot, exam);
+        exam.exam = false;
+        const Picture practice = draw(f.snapshot, exam);
+        EXPECT_GT(difference(without, with), 0.01) << "the place itself is no aid";
+        EXPECT_GT(difference(with, practice), difference(without, with))
+            << "distance and words are";
+    }
+}
+
 TEST_F(FetoscopeViewTest, EveryKindOfStepHasAGoalInThePicture) {
     Field f = field();
     for (int kind = 0; kind < kPracticeKinds; ++kind) {

@@ -87,6 +87,8 @@ void Overlay::draw(TextPainter& painter, const Snapshot& snapshot, const Overlay
         force();
         ring();
         goals();
+    } else {
+        exam_targets();
     }
     if (!state.menu.shown) depth();
     foot_top_ = height_;
@@ -118,7 +120,10 @@ void Overlay::read_outs() {
     }
     // The goal needs a wide window: it must not run into the picture.
     const double room = 0.5 * width_ - circle_.radius - 2 * margin_;
-    if (!state_->exam) y = task_words(y, room);
+    if (!state_->exam)
+        y = task_words(y, room);
+    else if (practising())
+        y = exam_steps(y, room);
     // Whether the attempt counts, and what the computer says, is no aid.
     text_foot_ = banner(y, room);
     notice(room);

@@ -48,10 +48,17 @@ bool Overlay::wrong_hand() const {
     return wanted >= 0 && wanted != practice.in_hand;
 }
 
+/// In an exam the steps are said, without hints: they are what is asked for.
+double Overlay::exam_steps(double y, double room) {
+    if (room > 9 * unit_) return practice_steps(y + 1.9 * unit_, room);
+    practice_line();
+    return y;
+}
+
 std::string Overlay::hint_text() const {
     const PracticeOverlay& practice = state_->practice;
     const auto now = static_cast<size_t>(practice.goal.index);
-    if (now >= practice.steps.size()) return {};
+    if (now >= practice.steps.size() || state_->exam) return {};
     const PracticeOverlay::Step& step = practice.steps[now];
     // A step for the other hand says it itself.
     if (!wrong_hand() || step.changes_hand) return step.hint;

@@ -15,6 +15,14 @@ using namespace sim;
 
 using namespace style;
 
+/// What is to be touched or grasped is the task itself and no aid: an exam shows where, and not how
+/// far away it is or whether the tip is above it.
+void Overlay::exam_targets() {
+    if (!practising()) return;
+    const PracticeGoal& goal = state_->practice.goal;
+    if (goal.index < goal.count && targets_of(goal.step.kind) > 0) targets();
+}
+
 void Overlay::targets() {
     const PracticeGoal& goal = state_->practice.goal;
     const bool both = goal.step.kind == PracticeKind::kTraction;
@@ -26,7 +34,8 @@ void Overlay::targets() {
         const Vec3 away =
             tool < 0 ? Vec3(Vec3::Zero())
                      : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
-        const bool above = tool >= 0 && away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
+        const bool above =
+            !state_->exam && tool >= 0 && away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
         double radius = 0.7 * unit_;
         if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
             radius = std::max(radius, (side - px).norm());
@@ -38,7 +47,7 @@ void Overlay::targets() {
             paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
                          kAccent.faded(0.5F));
         labels_.push_back({px.x() - radius, px.y() - radius, 2 * radius, 2 * radius});
-        if (tool >= 0) target_text(tool, px, radius, away, above);
+        if (tool >= 0 && !state_->exam) target_text(tool, px, radius, away, above);
     }
 }
 

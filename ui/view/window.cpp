@@ -75,6 +75,19 @@ void fit_to_screen(int& width, int& height) {
     height = static_cast<int>(height * share);
 }
 
+/// In the middle: some desktops put a large window where a part of it hangs over the edge.
+void put_on_screen(GLFWwindow* window, int width, int height) {
+    GLFWmonitor* screen = glfwGetPrimaryMonitor();
+    if (screen == nullptr) return;
+    int x = 0, y = 0, widest = 0, highest = 0;
+    glfwGetMonitorWorkarea(screen, &x, &y, &widest, &highest);
+    if (widest < width || highest < height) return;
+    int left = 0, top = 0, right = 0, bottom = 0;
+    glfwGetWindowFrameSize(window, &left, &top, &right, &bottom);
+    glfwSetWindowPos(window, x + std::max(left, (widest - width) / 2),
+                     y + std::max(top, (highest - height) / 2));
+}
+
 class GlfwWindow final : public GlContext {
  public:
     explicit GlfwWindow(const ContextSettings& settings) {
@@ -106,6 +119,8 @@ class GlfwWindow final : public GlContext {
         // A desktop that places windows by itself (Wayland) refuses; nothing is lost then.
         if (settings.place && monitor == nullptr)
             glfwSetWindowPos(window_, settings.place->first, settings.place->second);
+        else if (monitor == nullptr)
+            put_on_screen(window_, width, height);
         glfwMakeContextCurrent(window_);
         glfwSwapInterval(1);
         glfwSetWindowUserPointer(window_, this);
@@ -126,6 +141,11 @@ class GlfwWindow final : public GlContext {
             window_, [](GLFWwindow* w) { self(w).happened({.kind = WindowEvent::Kind::kClose}); });
         glfwSetCursorPosCallback(
             window_, [](GLFWwindow* w, double x, double y) { self(w).on_motion(x, y); });
+        // A window that is moved or sized moves under the pointer: no motion of a hand.
+        glfwSetWindowPosCallback(window_,
+                                 [](GLFWwindow* w, int, int) { self(w).has_last_ = false; });
+        glfwSetWindowSizeCallback(window_,
+                                  [](GLFWwindow* w, int, int) { self(w).has_last_ = false; });
         glfwSetWindowFocusCallback(
             window_, [](GLFWwindow* w, int focused) { self(w).on_focus(focused == GLFW_TRUE); });
     }
