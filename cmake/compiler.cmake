@@ -119,8 +119,21 @@ function(placode_program name)
   endif()
 endfunction()
 
+# version_text() of the programs, with the commit that they were built from.
+function(placode_version)
+  set(source ${CMAKE_BINARY_DIR}/version.cpp)
+  set(write ${CMAKE_COMMAND} -DVERSION=${PROJECT_VERSION} -DSOURCE=${PROJECT_SOURCE_DIR} -DOUT=${source}
+    -P ${PROJECT_SOURCE_DIR}/cmake/version.cmake)
+  execute_process(COMMAND ${write})
+  add_custom_target(version BYPRODUCTS ${source} COMMAND ${write} VERBATIM)
+  add_library(placode_version STATIC ${source})
+  add_dependencies(placode_version version)
+  target_include_directories(placode_version PUBLIC ${PROJECT_SOURCE_DIR})
+endfunction()
+
 # The three programs. ui/shell is a library as well, so that tests can drive the real windows.
 function(placode_ui_programs)
+  placode_version()
   file(GLOB shell_sources CONFIGURE_DEPENDS ui/shell/*.cpp ui/shell/*.h)
   list(FILTER shell_sources EXCLUDE REGEX "ui/shell/main\\.cpp$")
   add_library(placode_shell STATIC ${shell_sources})
@@ -145,15 +158,15 @@ function(placode_ui_programs)
   add_custom_command(OUTPUT ${english} COMMAND Qt6::lrelease -silent ${english_ts} -qm ${english}
     DEPENDS ${english_ts} VERBATIM)
   qt_add_resources(placode_shell placode_english PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR} FILES ${english})
-  placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell)
+  placode_program(placode SOURCES ui/shell/main.cpp LINK placode_shell placode_version)
   # All but main stands in a library, so that tests can link it.
   file(GLOB attempt_sources CONFIGURE_DEPENDS ui/attempt/*.cpp ui/attempt/*.h)
   list(FILTER attempt_sources EXCLUDE REGEX "ui/attempt/main\\.cpp$")
   add_library(placode_attempt STATIC ${attempt_sources})
-  target_link_libraries(placode_attempt PUBLIC placode_view placode_db CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
+  target_link_libraries(placode_attempt PUBLIC placode_view placode_db placode_version CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
   placode_precompile(placode_attempt <CLI/CLI.hpp> <nlohmann/json.hpp> <Eigen/Dense>)
-  placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt)
-  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_bench CLI11::CLI11)
+  placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
+  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_bench placode_version CLI11::CLI11)
   # It parses and prints: half of the time to compile it went into optimising that.
   target_compile_options(placodectl PRIVATE $<$<CONFIG:Release>:-O1>)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)

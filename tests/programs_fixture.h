@@ -40,10 +40,15 @@ class Programs : public testing::Test {
     /// Runs a program as the shell would. `environment` is like "A=b C=d". No terminal.
     [[nodiscard]] Outcome run(const std::string& program, const std::string& arguments,
                               const std::string& environment = "") const {
-        const std::string command =
-            "cd '" + folder + "' && env HOME='" + folder + "' XDG_DATA_HOME='" + folder +
-            "/data' " + environment + " timeout 120 '" PLACODE_BIN_DIR "/" + program + "' " +
-            arguments + " < /dev/null > '" + file("out") + "' 2> '" + file("err") + "'";
+        return shell("'" PLACODE_BIN_DIR "/" + program + "' " + arguments, environment);
+    }
+    /// Runs one command of the shell, in the folder and with its home there.
+    [[nodiscard]] Outcome shell(const std::string& line,
+                                const std::string& environment = "") const {
+        const std::string command = "cd '" + folder + "' && env HOME='" + folder +
+                                    "' XDG_DATA_HOME='" + folder + "/data' " + environment +
+                                    " timeout 120 " + line + " < /dev/null > '" + file("out") +
+                                    "' 2> '" + file("err") + "'";
         const int status = std::system(command.c_str());
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(file("out")),
                 read_text(file("err"))};

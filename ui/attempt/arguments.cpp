@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/usage_message.h"
+#include "ui/version.h"
 
 namespace placode::ui {
 namespace {
@@ -117,6 +118,8 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     std::optional<std::string> aids;
     exit_now = false;
     CLI::App app("placode-sim: one attempt at a task, through the fetoscope", "placode-sim");
+    app.set_version_flag("--version", std::string("placode-sim ") + version_text(),
+                         "Version and commit");
     app.add_option("--task", arguments.task, "Id of a task, or its JSON file")
         ->type_name("ID|FILE.json");
     app.add_option(
@@ -189,8 +192,8 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
                  "Print this computer's device settings as a file to begin from");
     try {
         app.parse(argc, argv);
-    } catch (const CLI::CallForHelp&) {
-        std::cout << app.help();
+    } catch (const CLI::Success& asked) {  // --help, --version
+        (void)app.exit(asked);
         exit_now = true;
         return arguments;
     } catch (const CLI::ParseError& error) {

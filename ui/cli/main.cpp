@@ -11,6 +11,7 @@
 #include "ui/cli/cli.h"
 #include "ui/cli/solver_commands.h"
 #include "ui/usage_message.h"
+#include "ui/version.h"
 
 namespace {
 
@@ -65,6 +66,8 @@ int main(int argc, char** argv) {
     CLI::App app(
         "Placode on the command line: accounts, scores, exports, reports, backup, benchmarks",
         "placodectl");
+    app.set_version_flag("--version", std::string("placodectl ") + ui::version_text(),
+                         "Version and commit");
     app.require_subcommand(1);
     app.fallthrough();
     app.add_option("--store", context.store_url,

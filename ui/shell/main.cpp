@@ -14,6 +14,7 @@
 #include "sim/core/near_word.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/page_tour.h"
+#include "ui/version.h"
 
 namespace placode::ui {
 namespace {
@@ -68,8 +69,8 @@ int complain(const QCommandLineParser& parser) {
     if (!parser.unknownOptionNames().isEmpty()) {
         const std::string word = "--" + parser.unknownOptionNames().front().toStdString();
         said = "unknown option \"" + word + "\"";
-        meant = placode::sim::did_you_mean(
-            word, {"--store", "--data", "--language", "--theme", "--time-pages", "--help"});
+        meant = placode::sim::did_you_mean(word, {"--store", "--data", "--language", "--theme",
+                                                  "--time-pages", "--help", "--version"});
     } else if (!parser.positionalArguments().isEmpty()) {
         said = "\"" + parser.positionalArguments().front().toStdString() +
                "\" is one argument too many; a store is given with --store";
@@ -96,10 +97,12 @@ int main(int argc, char** argv) {
     QApplication application(argc, argv);
     QApplication::setApplicationName("placode");
     QApplication::setApplicationDisplayName("Placode");
-    QApplication::setDesktopFileName("placode");
+    QApplication::setDesktopFileName("org.placode.Placode");
+    QApplication::setApplicationVersion(placode::ui::version_text());
     QCommandLineParser parser;
     parser.setApplicationDescription("Training and assessment for fetoscopic spina bifida repair.");
     parser.addHelpOption();
+    parser.addVersionOption();
     parser.addOptions({{"store", "Store to open (sqlite:PATH, postgresql://...).", "URL"},
                        {"data", "Folder with tasks, scenes, courses and questionnaires.", "FOLDER"},
                        {"language", "Language of the shell: en or pl.", "LANGUAGE"},
@@ -111,6 +114,7 @@ int main(int argc, char** argv) {
     // Our own words for what is wrong, and status 2 as with the other programs.
     const bool understood = parser.parse(QApplication::arguments());
     if (parser.isSet("help")) parser.showHelp(0);
+    if (parser.isSet("version")) parser.showVersion();
     if (!understood || !parser.positionalArguments().isEmpty()) return complain(parser);
     const auto one_of = [&](const char* name, const QStringList& known) {
         if (!parser.isSet(name) || known.contains(parser.value(name))) return true;

@@ -1,0 +1,54 @@
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# cmake --install, and packages: `cpack -G DEB` (Debian 12) and `cpack -G TZST` (runs from any folder on such a system).
+include(GNUInstallDirs)
+
+install(TARGETS placode placode-sim placodectl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
+install(FILES packaging/org.placode.Placode.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES packaging/org.placode.Placode.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES ui/shell/icons/placode.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES packaging/completion.bash RENAME placodectl
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(PROGRAMS packaging/scheduled-backup DESTINATION lib/placode)
+install(FILES packaging/placode-backup.service packaging/placode-backup.timer DESTINATION lib/systemd/user)
+install(FILES README.md CHANGELOG.md packaging/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode)
+# Where they work: only a package for the whole system has them.
+install(FILES packaging/70-placode.rules DESTINATION lib/udev/rules.d)
+
+# Written by the programs themselves, so that they are never behind.
+set(pages ${CMAKE_BINARY_DIR}/pages)
+add_custom_command(OUTPUT ${pages}/made
+  COMMAND ${CMAKE_COMMAND} -E env BIN=${CMAKE_BINARY_DIR}/bin ${PROJECT_SOURCE_DIR}/packaging/make-pages ${pages}
+  DEPENDS placode placode-sim placodectl packaging/make-pages VERBATIM)
+add_custom_target(pages DEPENDS ${pages}/made)
+install(DIRECTORY ${pages}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} OPTIONAL)
+install(FILES ${pages}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode OPTIONAL)
+install(FILES ${pages}/placode.conf DESTINATION ${CMAKE_INSTALL_DATADIR}/placode/limits.d OPTIONAL)
+
+set(CPACK_GENERATOR DEB TZST)
+set(CPACK_PACKAGE_NAME placode)
+set(CPACK_PACKAGE_VENDOR "The Placode authors")
+set(CPACK_PACKAGE_CONTACT "The Placode authors <placode@placode.org>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "trainer for fetoscopic spina bifida repair")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+"Placode lets surgeons practise fetoscopic spina bifida repair on simulated
+tissue that is grasped, cut and burned in real time, with the mouse or with
+two force-feedback arms. It manages accounts, courses, exams and studies,
+records every attempt so that it can be replayed exactly, and scores it with
+a reason for every point that was lost.")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION education)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What no library names: SQLite and PostgreSQL drivers, OpenGL and its software renderer, plug-ins, fonts.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "libqt6sql6-sqlite, libqt6svg6, qt6-qpa-plugins, libgl1-mesa-dri, libxcb-cursor0, qt6-translations-l10n, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libqt6sql6-psql, fonts-noto-core, spacenavd")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/packaging/postinst)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_ARCHIVE_FILE_NAME placode-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR})
+include(CPack)

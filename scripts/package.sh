@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Builds the packages in build/packages: a .deb for Debian 12, and a .tar.zst that runs from any folder on such a
+# system. Installs what is missing for that, as run.sh does.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. scripts/prepare.sh
+placode_prepare release placode placode-sim placodectl
+missing=()
+for tool in help2man lintian dpkg-dev file; do
+  dpkg-query -W -f='${db:Status-Status}' "$tool" 2>/dev/null | grep -qx installed || missing+=("$tool")
+done
+if [ ${#missing[@]} -gt 0 ]; then
+  sudo=()
+  [ "$(id -u)" -eq 0 ] || sudo=(sudo)
+  "${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/tmp/placode-apt.log 2>&1 ||
+    placode_fail "apt could not install ${missing[*]} (log: /tmp/placode-apt.log)"
+fi
+ninja -C build/release pages >build/release/pages.log 2>&1 || { tail -n 5 build/release/pages.log; exit 1; }
+out=$PWD/build/packages
+rm -rf "$out"
+mkdir -p "$out"
+(cd build/release && cpack -B "$out" >cpack.log 2>&1) || { tail -n 10 build/release/cpack.log; exit 1; }
+rm -rf "$out/_CPack_Packages"
+lintian --fail-on error,warning --tag-display-limit 0 "$out"/*.deb
+ls -l "$out"
