@@ -10,6 +10,7 @@
 #include <QJsonObject>
 #include <QScreen>
 #include <cstdio>
+#include <string_view>
 
 #include "sim/core/near_word.h"
 #include "ui/shell/main_window.h"
@@ -94,6 +95,10 @@ void show_on_screen(QWidget& window) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    // What is only asked about itself needs no display.
+    for (int i = 1; i < argc; ++i)
+        for (const std::string_view asked : {"--help", "-h", "--version", "-v"})
+            if (asked == argv[i]) qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
     QApplication::setApplicationName("placode");
     QApplication::setApplicationDisplayName("Placode");
