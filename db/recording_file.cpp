@@ -36,16 +36,11 @@ class FileReader {
     RecordingSummary summary() {
         RecordingSummary result;
         result.header = read_header();
-        if (const auto end = meta("end")) {
-            result.end = end_from_json(*end);
-        } else {
-            result.end.reason = sim::EndReason::kInterrupted;
-            RawStatement frames(database_.get(),
-                                "SELECT COALESCE(MAX(first + count), 0) FROM chunks WHERE kind = "
-                                "'inputs'");
-            if (frames.prepared() == SQLITE_OK && frames.step() == SQLITE_ROW)
-                result.end.duration_s =
-                    static_cast<double>(frames.integer(0)) * result.header.frame_s;
+        try {
+            result.end = brief_end(result.header);
+        } catch (const StoreError&) {
+            // Damaged just there: only the whole file says how long it was.
+            result.end = read().recording.end;
         }
         return result;
     }
@@ -66,6 +61,20 @@ class FileReader {
  private:
     [[noreturn]] void fail(Kind kind, const std::string& problem) const {
         throw StoreError(kind, kRead + " " + path_ + ": " + problem);
+    }
+
+    /// The end, or after a crash the time that was committed, without reading a chunk.
+    sim::RecordingEnd brief_end(const sim::RecordingHeader& header) {
+        if (const auto end = meta("end")) return end_from_json(*end);
+        RawStatement frames(
+            database_.get(),
+            "SELECT COALESCE(MAX(first + count), 0) FROM chunks WHERE kind = 'inputs'");
+        const int code = frames.prepared() == SQLITE_OK ? frames.step() : frames.prepared();
+        if (code != SQLITE_ROW) fail_sqlite(code, kRead, path_, "the file may be damaged");
+        sim::RecordingEnd end;
+        end.reason = sim::EndReason::kInterrupted;
+        end.duration_s = static_cast<double>(frames.integer(0)) * header.frame_s;
+        return end;
     }
 
     sim::RecordingHeader read_header() {

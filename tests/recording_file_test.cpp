@@ -269,6 +269,13 @@ TEST(RecordingFile, TheSummarySaysWhatTheWholeFileSays) {
         EXPECT_EQ(brief.end.final_hash, whole.end.final_hash);
         EXPECT_NEAR(brief.end.duration_s, whole.end.duration_s, 1e-9);
     }
+    // Whoever damages the end of an exam's recording does not make it as if it had not been.
+    const std::string damaged = folder.file("whole.placode");
+    execute(damaged, "UPDATE meta SET value = '{}' WHERE key = 'end'");
+    const auto recovered = db::recover_recording_file(damaged);
+    EXPECT_GT(recovered.recording.end.duration_s, 2);
+    EXPECT_EQ(db::recording_summary(damaged).end.duration_s, recovered.recording.end.duration_s);
+    EXPECT_EQ(db::recording_summary(damaged).end.reason, recovered.recording.end.reason);
     write_text(folder.file("no.placode"), "nothing");
     EXPECT_THROW((void)db::recording_summary(folder.file("no.placode")), db::StoreError);
 }
