@@ -256,10 +256,11 @@ void AppContext::whenIdle(QObject* receiver, std::function<void()> act) {
     auto* once = new QObject(receiver);
     connect(
         this, &AppContext::busyChanged, once,
-        [this, once, act = std::move(act)](const QString& what) {
-            if (!what.isEmpty() || busy()) return;
+        [this, once, act = std::move(act), done = false](const QString& what) mutable {
+            // Two ends may have been queued before the first was heard.
+            if (done || !what.isEmpty() || busy()) return;
+            done = true;
             once->deleteLater();
-            once->disconnect();
             act();
         },
         Qt::QueuedConnection);

@@ -241,11 +241,10 @@ class PeoplePage : public Page {
         message_->hide();
         FormProblem problem = first_missing({name_, login_});
         if (!problem) problem = login_problem(login_);
-        for (const db::UserRecord& other : people_)
-            if (!problem && same_login(other, login_->text()))
-                problem = {tr("The log-in name %1 is taken: %2 has it. Choose another one.")
-                               .arg(qstr(other.login), qstr(other.display_name)),
-                           login_};
+        if (const auto other = !problem ? whoHas(login_->text()) : std::nullopt)
+            problem = {tr("The log-in name %1 is taken: %2 has it. Choose another one.")
+                           .arg(qstr(other->login), qstr(other->display_name)),
+                       login_};
         if (const QString rule = password_problem(password_->text()); !problem && !rule.isEmpty())
             problem = {rule, password_};
         db::NewUser user;
@@ -300,8 +299,12 @@ class PeoplePage : public Page {
         });
     }
 
-    [[nodiscard]] static bool same_login(const db::UserRecord& person, const QString& typed) {
-        return qstr(person.login).compare(typed.trimmed(), Qt::CaseInsensitive) == 0;
+    /// Whose log-in name it is; a store that does not answer says so when the person is added.
+    [[nodiscard]] std::optional<db::UserRecord> whoHas(const QString& login) {
+        std::optional<db::UserRecord> found;
+        (void)context_.problemOf(
+            [&] { found = context_.store().accounts().find_login(login.trimmed().toStdString()); });
+        return found;
     }
 
     std::vector<db::UserRecord> people_;
