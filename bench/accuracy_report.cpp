@@ -3,8 +3,6 @@
 #include "bench/accuracy_report.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 
 #include "sim/core/number_text.h"
 
@@ -25,17 +23,15 @@ constexpr const char* kWhyMissed =
 /// CPU seconds of one core for a simulated second that two cores have: 1.9 times as fast as one.
 constexpr double kAffordable = 1.9;
 
-/// Four significant digits.
-std::string digits(double value) {
-    std::array<char, 40> text{};
-    const auto [end, error] =
-        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-    return error == std::errc{} ? std::string(text.data(), end) : "-";
+std::string digits(double value) { return sim::rounded_text(value, 4); }
+
+/// Milliseconds to five places, without zeros at the end.
+std::string step_ms(const AccuracyRow& row) {
+    return sim::shortest_text(std::stod(sim::fixed_text(row.h_s * 1e3, 5)));
 }
 
 std::string row_text(const AccuracyRow& row) {
-    return "| " + row.setting + " | " + row.method + " | " +
-           (row.h_s > 0 ? sim::shortest_text(std::stod(sim::fixed_text(row.h_s * 1e3, 5))) : "-") +
+    return "| " + row.setting + " | " + row.method + " | " + (row.h_s > 0 ? step_ms(row) : "-") +
            " | " + (row.courant > 0 ? sim::fixed_text(row.courant, 2) : "-") + " | " +
            row.quantity + " | " + digits(row.value) + " | " + digits(row.expected) + ' ' +
            row.unit + " | " +
@@ -168,13 +164,10 @@ std::string accuracy_report(const std::vector<AccuracyRow>& rows,
     for (const AccuracyRow& row : rows) {
         if (accuracy_verdict(row) != "MISSED") continue;
         ++missed;
-        list +=
-            "- " + row.study + ", " + row.setting + ", " + row.method +
-            (row.h_s > 0
-                 ? " at " + sim::shortest_text(std::stod(sim::fixed_text(row.h_s * 1e3, 5))) + " ms"
-                 : "") +
-            ": " + row.quantity + ": " + accuracy_percent(row.error) + " % (target " +
-            accuracy_percent(row.target) + " %)\n";
+        list += "- " + row.study + ", " + row.setting + ", " + row.method +
+                (row.h_s > 0 ? " at " + step_ms(row) + " ms" : "") + ": " + row.quantity + ": " +
+                accuracy_percent(row.error) + " % (target " + accuracy_percent(row.target) +
+                " %)\n";
     }
     text += "\nTargets missed: " + std::to_string(missed) + "\n" + list;
     if (missed > 0) text += kWhyMissed;

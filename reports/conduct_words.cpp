@@ -118,9 +118,7 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
 }
 
 QString not_done_words(const std::string& text) {
-    const auto say = [](const char* english) {
-        return QCoreApplication::translate("Deviation", english);
-    };
+    const Speaker say(Language::kProgram);
     const db::NotDone why = db::not_done(text);
     QStringList said;
     if (why.interrupted) said << say("broken off");

@@ -8,16 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/prepare.sh
 placode_prepare release placode placode-sim placodectl
-missing=()
-for tool in help2man lintian dpkg-dev file; do
-  dpkg-query -W -f='${db:Status-Status}' "$tool" 2>/dev/null | grep -qx installed || missing+=("$tool")
-done
-if [ ${#missing[@]} -gt 0 ]; then
-  sudo=()
-  [ "$(id -u)" -eq 0 ] || sudo=(sudo)
-  "${sudo[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >/tmp/placode-apt.log 2>&1 ||
-    placode_fail "apt could not install ${missing[*]} (log: /tmp/placode-apt.log)"
-fi
+placode_install help2man lintian dpkg-dev file
 ninja -C build/release pages >build/release/pages.log 2>&1 || { tail -n 5 build/release/pages.log; exit 1; }
 out=$PWD/build/packages
 rm -rf "$out"

@@ -8,10 +8,10 @@
 
 placode_fail() { printf 'placode: %s\n' "$*" >&2; exit 1; }
 
+# placode_install PACKAGES...: those that are missing
 placode_install() {
   command -v dpkg-query >/dev/null || placode_fail "this is not a Debian system: install the packages named in packages.txt, then build with cmake --preset release"
-  local wanted missing=()
-  mapfile -t wanted < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)
+  local wanted=("$@") missing=()
   local have
   have=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null | awk '$2=="installed"{print $1}' || true)
   local package
@@ -19,7 +19,7 @@ placode_install() {
     grep -qxF "$package" <<<"$have" || missing+=("$package")
   done
   [ ${#missing[@]} -gt 0 ] || return 0
-  echo "placode: ${#missing[@]} packages are missing (compiler, Qt 6, libraries); installing them with apt:"
+  echo "placode: ${#missing[@]} packages are missing; installing them with apt:"
   printf '  %s\n' "${missing[*]}" | fold -s -w 100
   local sudo=()
   if [ "$(id -u)" -ne 0 ]; then
@@ -35,7 +35,9 @@ placode_install() {
 placode_prepare() {
   local preset=$1; shift
   cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
-  placode_install
+  local wanted
+  mapfile -t wanted < <(sed -e 's/#.*//' -e '/^[[:space:]]*$/d' packages.txt)
+  placode_install "${wanted[@]}"
   local build=build/$preset
   if [ ! -f "$build/build.ninja" ]; then
     echo "placode: configuring"

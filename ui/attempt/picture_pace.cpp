@@ -62,9 +62,8 @@ void PicturePace::watch(const curriculum::AttemptStatus& status, Clock::time_poi
     if (!settled_ && now - cheap_since_ >= kSteady) enrich(now);
     if (status.slow && status.counts_not && !std::exchange(told_slow_, true))
         note_ =
-            "This computer is too slow: the attempt will not count. Close other programs, or make "
-            "the "
-            "window smaller";
+            "This computer is too slow: the attempt will not count. "
+            "Close other programs, or make the window smaller";
     if (!status.slow) told_slow_ = false;
 }
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -13,6 +12,7 @@
 #include "bench/accuracy_report.h"
 #include "sim/verify/accuracy.h"
 #include "ui/cli/solver_commands.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -33,13 +33,6 @@ Json to_json(const AccuracyRow& row) {
             {"courant", row.courant},   {"value", row.value},
             {"expected", row.expected}, {"error", row.error},
             {"target", row.target},     {"cpu_s_per_simulated_s", row.cost}};
-}
-
-void write_text(const fs::path& path, const std::string& text) {
-    std::ofstream out(path, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw InputError(path.string() + ": cannot be written; choose another place");
 }
 
 int accuracy(const Context& context, const Options& options) {
@@ -85,9 +78,9 @@ int accuracy(const Context& context, const Options& options) {
     if (!options.out.empty()) {
         const fs::path out = options.out;
         figures = bench::write_accuracy_figures(rows, out);
-        write_text(out / "bench_accuracy.csv", bench::accuracy_csv(rows));
-        write_text(out / "bench_accuracy.json", json.dump(2) + "\n");
-        write_text(out / "REPORT.md", bench::accuracy_report(rows, figures, measured_on, ""));
+        write_file(out / "bench_accuracy.csv", bench::accuracy_csv(rows));
+        write_file(out / "bench_accuracy.json", json.dump(2) + "\n");
+        write_file(out / "REPORT.md", bench::accuracy_report(rows, figures, measured_on, ""));
     }
     if (!options.report.empty()) {
         // Figures stand in figures/ beside the report.
@@ -95,7 +88,7 @@ int accuracy(const Context& context, const Options& options) {
         std::error_code error;
         fs::create_directories(folder, error);
         figures = bench::write_accuracy_figures(rows, folder);
-        write_text(options.report, bench::accuracy_report(rows, figures, measured_on, "figures/"));
+        write_file(options.report, bench::accuracy_report(rows, figures, measured_on, "figures/"));
     }
     print(context, json, table(cells));
     return 0;

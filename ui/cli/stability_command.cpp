@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include "bench/stability_report.h"
 #include "sim/verify/stability_cases.h"
-#include "ui/cli/cli.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -43,13 +42,6 @@ std::string length_text(const Options& options) {
     if (options.pokes() >= kFullPokes && options.rest() >= kFullRest) return text + ": full length";
     return text + ": shortened; --full runs " + std::to_string(kFullPokes) + " frames and " +
            shortest(kFullRest) + " s";
-}
-
-void write_text(const std::string& option, const std::string& file, const std::string& text) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    out.flush();
-    if (!out) throw InputError(option + ' ' + file + ": cannot be written; choose another place");
 }
 
 /// Every case that was asked for, with every method. @throws InputError for an unknown one.
@@ -110,11 +102,11 @@ int run(const Context& context, const Options& options) {
     if (!options.out.empty()) {
         std::error_code error;
         std::filesystem::create_directories(options.out, error);
-        write_text("--out", options.out + "/bench_stability.csv", bench::stability_csv(results));
-        write_text("--out", options.out + "/bench_stability.json", json.dump(2) + "\n");
+        write_file(options.out + "/bench_stability.csv", bench::stability_csv(results));
+        write_file(options.out + "/bench_stability.json", json.dump(2) + "\n");
     }
     if (!options.report.empty())
-        write_text("--report", options.report, bench::stability_report(results, measured));
+        write_file(options.report, bench::stability_report(results, measured));
     print(context, json,
           table(cells) + std::to_string(measured.failed) + " failed (" + measured.length + ")\n");
     return measured.failed == 0 ? 0 : 1;
