@@ -7,19 +7,18 @@
 #include <cmath>
 #include <thread>
 
-#include "curriculum/attempt_sample.h"
-#include "curriculum/preset.h"
 #include "haptics/real_time.h"
-#include "sim/cutting/attempt_progress.h"
-#include "sim/ledger/damage.h"
 
 namespace placode::curriculum {
 
 namespace {
 
-using sim::EventKind;
+/// The state that the attempt begins with.
+sim::State& settled(const sim::Scene& scene, sim::State& state, double seconds) noexcept {
+    sim::settle(scene, state, seconds);
+    return state;
+}
 
-constexpr double kCutFraction = 0.995, kLiftedM = 0.001, kLiftedS = 1.0;
 constexpr int64_t kPublishFrames = 16;  // when running faster than real time
 // Later than this the schedule starts afresh: simulated time then runs slower than the clock.
 constexpr auto kLatest = std::chrono::milliseconds(5);
@@ -35,21 +34,15 @@ AttemptLoop::AttemptLoop(const Task& task, const AttemptOptions& options,
       tunable_(std::move(scene)),
       servo_(std::move(servo)),
       recorder_(recorder),
-      time_limit_s_(limit_of(task, options.duration_s)),
       frame_s_(task.scene.solver.frame_s),
-      finish_when_cut_(task.finish_when_cut),
       fast_(options.fast),
       lock_step_(servo_->devices().lock_step()),
-      preset_(!preset_of(task).empty()),
-      frames_per_sample_(std::max<int64_t>(1, std::llround(0.01 / frame_s_))),
       frames_per_look_(std::max<int64_t>(1, std::llround(0.016 / frame_s_))),
       state_(*scene_, std::max(1, options.threads)),
       sight_(*scene_),
-      warnings_(*scene_),
-      used_substeps_(state_.substeps) {
-    sim::settle(*scene_, state_, task.settle_s);
+      frames_(task, options.steps, *scene_, settled(*scene_, state_, task.settle_s),
+              limit_of(task, options.duration_s)) {
     waiting_ = options.wait_for_motion && !fast_ && !lock_step_;
-    practice_ = PracticeGuide(options.steps, *scene_, state_);
     // All three slots get their memory here, not in the loop; the first picture is the settled one.
     for (int i = 0; i < 3; ++i) {
         sim::fill_snapshot(*scene_, state_, snapshots_.back());
@@ -84,6 +77,10 @@ void AttemptLoop::record(const T& value) noexcept {
 
 template void AttemptLoop::record<sim::Event>(const sim::Event&) noexcept;  // attempt_rest.cpp
 
+void AttemptLoop::write(const sim::Input& input) noexcept { record(input); }
+void AttemptLoop::write(const sim::Sample& sample) noexcept { record(sample); }
+void AttemptLoop::write(const sim::Event& event) noexcept { record(event); }
+
 /// Tissue that sleeps is simulated in no time: a fast run, too, keeps all but its last half second.
 void AttemptLoop::wait_for_recorder() noexcept {
     while (fast_ && state_.frame - recorder_.kept() > kFramesAhead) {
@@ -91,22 +88,13 @@ void AttemptLoop::wait_for_recorder() noexcept {
     }
 }
 
-void AttemptLoop::record_event(EventKind kind, float value, uint64_t hash) noexcept {
-    sim::Event event;
-    event.time_s = state_.time_s;
-    event.kind = kind;
-    event.value = value;
-    event.hash = hash;
-    record(event);
-}
-
 /// Shown as often as the screen is refreshed.
 void AttemptLoop::perceive() noexcept {
     if (state_.frame % frames_per_look_ == 0) sight_.look(state_);
     haptics::Perception seen = sight_.seen(state_);
     seen.tools = {feedback_.data(), scene_->tools.size()};
-    seen.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
-    seen.practice = practice_.goal();
+    seen.cut_fraction = static_cast<float>(frames_.cut_fraction());
+    seen.practice = frames_.goal();
     servo_->devices().perceive(seen);
 }
 
@@ -141,66 +129,20 @@ void AttemptLoop::one_frame() noexcept {
     const size_t tools = scene_->tools.size();
     take_tunings();
     gather_inputs();
-    sim::Input input;
-    input.frame = state_.frame;
-    input.substeps = used_substeps_ = state_.substeps;
-    input.tool_count = static_cast<int32_t>(tools);
-    for (size_t i = 0; i < tools; ++i) input.tools[i] = inputs_[i];
-    record(input);
+    const std::span<const sim::ToolInput> inputs{inputs_.data(), tools};
     wait_for_recorder();
     const sim::StepReport report =
-        sim::step(*scene_, state_, {inputs_.data(), tools}, {feedback_.data(), tools});
+        frames_.simulate(state_, inputs, {feedback_.data(), tools}, *this);
     if (!lock_step_) servo_->exchange().feedback.publish(feedback_);
-    hand_out(report);
-}
-
-void AttemptLoop::hand_out(const sim::StepReport& report) noexcept {
-    sample_flags_ |= report.flags;
-    for (int i = 0; i < state_.event_count; ++i) record(state_.events[static_cast<size_t>(i)]);
-    numbers_now_.cut_fraction = sim::ring_share(state_);
-    const bool sampled = state_.frame % frames_per_sample_ == 0;
-    warnings_.look(state_, {inputs_.data(), scene_->tools.size()}, sampled);
-    for (const sim::Event& event : warnings_.events()) record(event);
-    if (sampled) take_sample();
+    frames_.look(state_, report, inputs, *this);
     watch_end();
 }
 
-void AttemptLoop::take_sample() noexcept {
-    sim::Sample sample = sample_of(*scene_, state_, {inputs_.data(), scene_->tools.size()});
-    sample.cut_fraction = static_cast<float>(numbers_now_.cut_fraction);
-    sample.step_flags = sample_flags_;
-    sample_flags_ = 0;
-    record(sample);
-    practise(sample);
-}
-
-/// What was done of a practice task is written into the ledger.
-void AttemptLoop::practise(const sim::Sample& sample) noexcept {
-    for (const sim::Event& event :
-         practice_.see(state_, {inputs_.data(), scene_->tools.size()}, sample)) {
-        record(event);
-        if (event.kind == sim::EventKind::kTargetMissed)
-            warnings_.say("Beside the mark", state_.time_s);
-    }
-}
-
 void AttemptLoop::watch_end() noexcept {
-    bool lifted = true;
-    for (size_t i = 0; i < scene_->tools.size(); ++i) {
-        if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
-        lifted = lifted && inputs_[i].pedals == 0 && state_.tools[i].tip_gap_m > kLiftedM;
-    }
-    const bool cut = finish_when_cut_ && numbers_now_.cut_fraction >= kCutFraction;
-    lifted_s_ = cut && lifted ? lifted_s_ + frame_s_ : 0;
-    // A moment to see the last step ticked off.
-    practised_s_ = practice_.done() ? practised_s_ + frame_s_ : 0;
+    const sim::EndReason own =
+        frames_.ended(state_, {inputs_.data(), scene_->tools.size()}, servo_->finish_requested());
     const auto requested = static_cast<sim::EndReason>(requested_.load(std::memory_order_relaxed));
-    if (requested != sim::EndReason::kRunning)
-        reason_ = requested;
-    else if (servo_->finish_requested() || lifted_s_ >= kLiftedS || practised_s_ >= kLiftedS)
-        reason_ = sim::EndReason::kFinished;
-    else if (state_.time_s >= time_limit_s_ - frame_s_ / 2)
-        reason_ = sim::EndReason::kTimeLimit;
+    reason_ = requested != sim::EndReason::kRunning ? requested : own;
 }
 
 void AttemptLoop::publish() noexcept {
@@ -209,6 +151,7 @@ void AttemptLoop::publish() noexcept {
     numbers_now_.physics_hz = costs_.frames_per_s();
     numbers_now_.frame_p99_ms = costs_.p99_ms();
     numbers_now_.substeps = state_.substeps;
+    numbers_now_.cut_fraction = frames_.cut_fraction();
     numbers_now_.dropped = dropped_;
     numbers_now_.waiting = waiting_;
     numbers_now_.real_time = speed_.real_time();
@@ -225,11 +168,12 @@ void AttemptLoop::publish() noexcept {
     out.substeps = state_.substeps;
     out.finished = reason_ != sim::EndReason::kRunning ? 1 : 0;
     out.paused = paused_.load(std::memory_order_relaxed) ? 1 : 0;
-    out.message = warnings_.phrase();
-    out.message_age_s = static_cast<float>(std::min(1e9, state_.time_s - warnings_.said_s()));
+    out.message = frames_.warnings().phrase();
+    out.message_age_s =
+        static_cast<float>(std::min(1e9, state_.time_s - frames_.warnings().said_s()));
     if (waiting_ && has_first_) show_hands(out);
     snapshots_.publish();
-    practice_out_.publish(practice_.goal());
+    practice_out_.publish(frames_.goal());
 }
 
 void AttemptLoop::keep_pace() noexcept {
@@ -264,12 +208,7 @@ void AttemptLoop::run() noexcept {
                  haptics::make_thread_real_time(haptics::kPhysicsPriority);
     next_ = published_ = Clock::now();
     costs_.start(next_);
-    if (preset_) {
-        sim::Event event;
-        event.kind = sim::EventKind::kTuned;
-        event.element = static_cast<int32_t>(sim::TuneParameter::kPreset);
-        record(event);
-    }
+    frames_.begin(*this);
     speed_.start(next_, pictures_.load(std::memory_order_relaxed));
     while (reason_ == sim::EndReason::kRunning) {
         if (rest()) continue;
@@ -296,24 +235,11 @@ void AttemptLoop::run() noexcept {
 
 /// The last events, and what the recording ends with.
 void AttemptLoop::close() noexcept {
-    for (const sim::Event& event : practice_.end(state_.time_s)) record(event);
-    for (const sim::Event& event : warnings_.end(state_.time_s)) record(event);
-    try {
-        for (const sim::Event& event : sim::reached_events(*scene_, state_)) record(event);
-        for (const sim::Event& event : sim::closing_events(*scene_, state_)) record(event);
-    } catch (const std::exception&) {
-        // Without memory for it gaps or thermal spread are not known; the attempt is.
-    }
+    frames_.close(state_, *this);
     watch_pause(false);
     if (const auto speed = speed_.closing(state_.time_s)) record(*speed);
-    if (reason_ == sim::EndReason::kFinished) record_event(EventKind::kFinished, 0, 0);
-    // `adapt` may have chosen substeps for a frame that never came; the hash covers their number.
-    state_.substeps = used_substeps_;
-    end_.final_hash = sim::state_hash(state_);
-    end_.reason = reason_;
-    end_.duration_s = state_.time_s;
+    end_ = frames_.seal(state_, reason_, *this);
     end_.dropped = dropped_;
-    record_event(EventKind::kStateHash, 0, end_.final_hash);
     publish();
     finished_.store(true, std::memory_order_release);
 }

@@ -8,13 +8,12 @@
 #include <chrono>
 #include <memory>
 
+#include "curriculum/attempt_frames.h"
 #include "curriculum/attempt_recorder.h"
 #include "curriculum/attempt_runner.h"
 #include "curriculum/frame_costs.h"
-#include "curriculum/live_warnings.h"
 #include "curriculum/machine_speed.h"
 #include "curriculum/operator_sight.h"
-#include "curriculum/practice_guide.h"
 #include "sim/step/live_tuning.h"
 
 namespace placode::curriculum {
@@ -35,7 +34,7 @@ struct LoopNumbers {
     bool counts_not = false;                        ///< As it is now, too slow to count.
 };
 
-class AttemptLoop {
+class AttemptLoop final : private AttemptBook {
  public:
     AttemptLoop(const Task& task, const AttemptOptions& options, std::shared_ptr<sim::Scene> scene,
                 std::unique_ptr<haptics::Servo> servo, AttemptRecorder& recorder);
@@ -71,9 +70,6 @@ class AttemptLoop {
     void gather_inputs() noexcept;
     void perceive() noexcept;
     void one_frame() noexcept;
-    void hand_out(const sim::StepReport& report) noexcept;
-    void take_sample() noexcept;
-    void practise(const sim::Sample& sample) noexcept;
     void watch_end() noexcept;
     void close() noexcept;
     void take_tunings() noexcept;
@@ -81,18 +77,20 @@ class AttemptLoop {
     void keep_pace() noexcept;
     template <class T>
     void record(const T& value) noexcept;
+    void write(const sim::Input& input) noexcept override;
+    void write(const sim::Sample& sample) noexcept override;
+    void write(const sim::Event& event) noexcept override;
     void wait_for_recorder() noexcept;
     void leave_room() noexcept;
-    void record_event(sim::EventKind kind, float value, uint64_t hash) noexcept;
 
     // constant
     std::shared_ptr<const sim::Scene> scene_;
     std::shared_ptr<sim::Scene> tunable_;  // the same, for the clinician's panel alone
     std::unique_ptr<haptics::Servo> servo_;
     AttemptRecorder& recorder_;
-    double time_limit_s_, frame_s_;
-    bool finish_when_cut_, fast_, lock_step_, preset_;
-    int64_t frames_per_sample_, frames_per_look_;
+    double frame_s_;
+    bool fast_, lock_step_;
+    int64_t frames_per_look_;
     // crosses threads
     std::atomic<uint8_t> requested_{0};
     std::atomic<bool> paused_{false}, finished_{false};
@@ -109,18 +107,14 @@ class AttemptLoop {
     std::array<sim::ToolInput, sim::kMaxTools> inputs_{};
     std::array<sim::ToolFeedback, sim::kMaxTools> feedback_{};
     OperatorSight sight_;
-    LiveWarnings warnings_;
-    PracticeGuide practice_;
+    AttemptFrames frames_;
     FrameCosts costs_;
     MachineSpeed speed_;
     bool waiting_ = false, has_first_ = false, resting_ = false;
     std::array<sim::ToolInput, sim::kMaxTools> first_inputs_{};
     Clock::time_point rest_since_{};
     sim::PauseCause rest_cause_ = sim::PauseCause::kMenu;
-    uint32_t sample_flags_ = 0;
-    int used_substeps_ = 0;  // of the last frame
     int64_t dropped_ = 0;
-    double lifted_s_ = 0, practised_s_ = 0;
     sim::EndReason reason_ = sim::EndReason::kRunning;
     sim::RecordingEnd end_;
     Clock::time_point next_{}, published_{};

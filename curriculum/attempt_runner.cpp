@@ -12,10 +12,8 @@
 
 namespace placode::curriculum {
 
-namespace {
-
-sim::RecordingHeader make_header(const Task& task, uint64_t seed, const AttemptOptions& options,
-                                 const sim::Scene& scene) {
+sim::RecordingHeader recording_header(const Task& task, uint64_t seed,
+                                      const AttemptOptions& options, const sim::Scene& scene) {
     sim::RecordingHeader header;
     header.task_id = task.id;
     header.task_version = task.version;
@@ -32,6 +30,8 @@ sim::RecordingHeader make_header(const Task& task, uint64_t seed, const AttemptO
     header.geometry = scene.geometry;
     return header;
 }
+
+namespace {
 
 std::unique_ptr<haptics::Servo> open_servo(const Task& task, uint64_t seed,
                                            const AttemptOptions& options) {
@@ -78,7 +78,7 @@ AttemptRunner::AttemptRunner(Task task, uint64_t seed, AttemptOptions options,
     impl_->shown = sim::build_operative_field(task.scene);
     impl_->scene = std::const_pointer_cast<sim::Scene>(impl_->shown);
     impl_->recorder = std::make_unique<AttemptRecorder>(
-        std::move(sink), make_header(task, seed, options, *impl_->scene));
+        std::move(sink), recording_header(task, seed, options, *impl_->scene));
     impl_->loop = std::make_unique<AttemptLoop>(task, options, impl_->scene, std::move(servo),
                                                 *impl_->recorder);
     impl_->task = std::move(task);

@@ -42,7 +42,7 @@ const char* phrase_of(EventKind kind) {
 
 }  // namespace
 
-LiveWarnings::LiveWarnings(const sim::Scene& scene) : scene_(scene) {
+LiveWarnings::LiveWarnings(const sim::Scene& scene) : scene_(&scene) {
     if (scene.geometry.placode_edge.size() >= 3) placode_.emplace(scene.geometry.placode_edge);
 }
 
@@ -57,19 +57,19 @@ void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::
     const sim::ToolState& tool = state.tools[i];
     if (tool.air_s > kAirS) say("Energy in air", state.time_s);
     if (tool.dwell_s > kDwellS) say("Too long on one spot", state.time_s);
-    if (!sampled || !sim::conducts(scene_.tools[i].kind) || inputs[i].pedals == 0) return;
+    if (!sampled || !sim::conducts(scene_->tools[i].kind) || inputs[i].pedals == 0) return;
     const sim::Vec2 tip = tool.proxy.p.head<2>();
     if (placode_ && tool.in_contact != 0 && placode_->nearest(tip).offset < kNearPlacodeM)
         say("Too close to the placode", state.time_s);
-    if (!tip_in_view(scene_, state, i)) say("Energy out of view", state.time_s);
+    if (!tip_in_view(*scene_, state, i)) say("Energy out of view", state.time_s);
 }
 
 void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput> inputs,
                         bool sampled) noexcept {
     // The worst last, so that it wins.
-    for (size_t i = 0; i < scene_.tools.size(); ++i) {
+    for (size_t i = 0; i < scene_->tools.size(); ++i) {
         const sim::ToolState& tool = state.tools[i];
-        if (scene_.tools[i].kind == sim::ToolKind::kScope) continue;
+        if (scene_->tools[i].kind == sim::ToolKind::kScope) continue;
         look_at_energy(state, inputs, i, sampled);
         if (tool.in_contact != 0 && tool.touched == sim::Tissue::kPlacode && tool.contact_s > 0)
             say("Placode touched", state.time_s);
@@ -78,8 +78,8 @@ void LiveWarnings::look(const sim::State& state, std::span<const sim::ToolInput>
         const char* phrase = phrase_of(state.events[static_cast<size_t>(i)].kind);
         if (phrase != nullptr) say(phrase, state.time_s);
     }
-    events_ = sampled ? buried_.look(scene_, state) : std::span<const sim::Event>{};
-    if (sampled && buried_.warns(state.time_s)) say("Below the surface: draw back", state.time_s);
+    events_ = sampled ? buried_.look(*scene_, state) : std::span<const sim::Event>{};
+    if (sampled && buried_.warns(state.time_s)) say("Stuck in tissue: draw back", state.time_s);
 }
 
 }  // namespace placode::curriculum

@@ -37,7 +37,7 @@ class LiveWarnings {
     void look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs, size_t i,
                         bool sampled) noexcept;
 
-    const sim::Scene& scene_;
+    const sim::Scene* scene_;
     std::optional<assessment::ClosedContour> placode_;
     std::array<char, 64> phrase_{};
     double said_s_ = -1e9;

@@ -39,6 +39,9 @@ struct SpreadRay {
 [[nodiscard]] double continued_damage(const Scene& scene, double arrhenius,
                                       double cem43_min) noexcept;
 
+/// kThermalSpread as of now: nothing without heat or without a planned contour. Allocates.
+[[nodiscard]] std::vector<Event> spread_events(const Scene& scene, const State& state);
+
 /// What remains to be told after the last frame: open sums of over-stretch, thermal spread.
 [[nodiscard]] std::vector<Event> closing_events(const Scene& scene, State& state);
 

@@ -28,11 +28,8 @@ void ledger_stretch(const Scene& scene, State& state) noexcept {
     }
 }
 
-std::vector<Event> closing_events(const Scene& scene, State& state) {
-    state.event_count = 0;
-    ledger_stretch(scene, state);
-    std::vector<Event> events(state.events.begin(), state.events.begin() + state.event_count);
-    state.event_count = 0;
+std::vector<Event> spread_events(const Scene& scene, const State& state) {
+    std::vector<Event> events;
     if (state.heat.empty() || scene.geometry.planned_contour.empty()) return events;
     const std::vector<SpreadRay> rays = thermal_spread(scene, state);
     Event e;
@@ -48,6 +45,16 @@ std::vector<Event> closing_events(const Scene& scene, State& state) {
             e.rest_position_m[static_cast<size_t>(k)] = static_cast<float>(ray.edge_m[k]);
         events.push_back(e);
     }
+    return events;
+}
+
+std::vector<Event> closing_events(const Scene& scene, State& state) {
+    state.event_count = 0;
+    ledger_stretch(scene, state);
+    std::vector<Event> events(state.events.begin(), state.events.begin() + state.event_count);
+    state.event_count = 0;
+    const std::vector<Event> spread = spread_events(scene, state);
+    events.insert(events.end(), spread.begin(), spread.end());
     return events;
 }
 
