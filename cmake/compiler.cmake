@@ -109,6 +109,15 @@ std::string_view shader_text(std::string_view name) {
   target_sources(${target} PRIVATE ${out})
 endfunction()
 
+# placode_for_shared_library(TARGET...): static libraries that libplacode.so is made of as well. Their functions are
+# bound as in a program, so that the code stays as fast.
+function(placode_for_shared_library)
+  foreach(target IN LISTS ARGN)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+  endforeach()
+endfunction()
+
 function(placode_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${arg_SOURCES})

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curriculum/definitions.h"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <system_error>
@@ -20,13 +22,33 @@ DefinitionError::DefinitionError(const std::string& file, const std::string& poi
       file_(file),
       pointer_(pointer) {}
 
+namespace {
+
+/// share/placode of the prefix in which `file` lies, so many folders above it.
+fs::path installed(fs::path file, int up) {
+    for (int i = 0; i < up; ++i) file = file.parent_path();
+    return file / "share" / "placode";
+}
+
+bool has_schemas(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder / "schemas", error);
+}
+
+}  // namespace
+
 fs::path data_folder() {
     if (const char* set = std::getenv("PLACODE_DATA"); set != nullptr && *set != '\0') return set;
     std::error_code error;
     const fs::path program = fs::read_symlink("/proc/self/exe", error);
-    if (!error) {
-        const fs::path installed = program.parent_path().parent_path() / "share" / "placode";
-        if (fs::is_directory(installed / "schemas", error)) return installed;
+    if (!error && has_schemas(installed(program, 2))) return installed(program, 2);
+    // In libplacode.so the program is somebody else's: bin/python3, say. A library lies in lib/ or
+    // in lib/MACHINE/.
+    Dl_info here{};
+    if (::dladdr(reinterpret_cast<const void*>(&data_folder), &here) != 0 && here.dli_fname) {
+        const fs::path library = fs::canonical(here.dli_fname, error);
+        for (int up = 2; !error && up <= 3; ++up)
+            if (has_schemas(installed(library, up))) return installed(library, up);
     }
     return fs::path(PLACODE_SOURCE_DIR) / "data";
 }

@@ -59,6 +59,29 @@ TEST_F(Install, ProgramsFindTheirDataWhereTheyWereInstalled) {
     EXPECT_THAT(without.err, HasSubstr("touch_targets"));
 }
 
+TEST_F(Install, AProgramInCIsBuiltAndRunsWithWhatWasInstalled) {
+    write_text(
+        file("main.c"),
+        "#include <placode.h>\n#include <stdio.h>\n"
+        "int main(void) {\n"
+        "    placode_fields* fields = placode_fields_new(1);\n"
+        "    placode_environment* e = placode_environment_new(fields, \"touch_targets\", 0);\n"
+        "    printf(\"%s, %d tools\\n\", e ? placode_task_id(e) : placode_fields_error(fields),\n"
+        "           (int)placode_tool_count(e));\n"
+        "    placode_environment_free(e);\n    placode_fields_free(fields);\n    return 0;\n}\n");
+    write_text(file("build.sh"), "export PKG_CONFIG_PATH=$(dirname $(find '" + there("") +
+                                     "' -name placode.pc))\n"
+                                     "cc -o main main.c $(pkg-config --cflags --libs placode) "
+                                     "-Wl,-rpath,$(pkg-config --variable=libdir placode)\n");
+    const Outcome built = shell("sh build.sh");
+    ASSERT_EQ(built.status, 0) << built.err;
+    // Its tasks lie beside the library, not beside this program.
+    const Outcome ran = shell("'" + file("main") + "'");
+    EXPECT_EQ(ran.out, "touch_targets, 2 tools\n") << ran.err;
+    fs::remove(there("share/placode/tasks/touch_targets.json"));
+    EXPECT_THAT(shell("'" + file("main") + "'").out, HasSubstr("trace_contour"));
+}
+
 TEST_F(Install, TheDesktopFindsItsFiles) {
     const std::string entry = read_text(there("share/applications/org.placode.Placode.desktop"));
     EXPECT_THAT(entry, HasSubstr("\nExec=placode\n"));

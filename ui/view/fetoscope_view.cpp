@@ -159,7 +159,7 @@ void greet(GlContext& context, const std::string& words) {
 
 std::unique_ptr<GlContext> opened(const ViewSettings& s) {
     if (s.offscreen) return open_offscreen({s.width, s.height, false, s.title, {}});
-    auto window = open_window({s.width, s.height, s.fullscreen, s.title, s.place});
+    auto window = open_window({s.width, s.height, s.fullscreen, s.title, s.place, s.floating});
     if (!s.greeting.empty()) greet(*window, s.greeting);
     return window;
 }
@@ -375,12 +375,22 @@ void FetoscopeView::Impl::adapt(double ms) {
 
 FetoscopeView::FetoscopeView(const ViewField& field, const ViewSettings& settings)
     : impl_(std::make_unique<Impl>(field, settings)) {}
-FetoscopeView::~FetoscopeView() = default;
+FetoscopeView::~FetoscopeView() {
+    try {
+        impl_->context->make_current();
+    } catch (const ViewError&) {
+        // What is drawn with by another thread cannot be taken apart on this one.
+        static_cast<void>(impl_.release());
+    }
+}
+
+void FetoscopeView::let_go() noexcept { impl_->context->let_go(); }
 
 void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) {
     Impl& s = *impl_;
     const int width = s.context->width(), height = s.context->height();
     if (width < 16 || height < 16 || snapshot.x.empty()) return;  // minimised, or nothing yet
+    s.context->make_current();
     const auto start = Clock::now();
     s.camera = camera_of(snapshot, s.tools);
     s.observe(snapshot);
@@ -467,6 +477,7 @@ unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
 
 std::vector<uint8_t> FetoscopeView::pixels() {
     const int w = width(), h = height();
+    impl_->context->make_current();
     const size_t row = static_cast<size_t>(w) * 3;
     std::vector<uint8_t> bottom_up(row * static_cast<size_t>(h)), top_down(bottom_up.size());
     impl_->output.allocate(w, h, GL_RGBA8, false);

@@ -27,6 +27,7 @@ struct ViewSettings {
     std::string title = "Placode";
     std::string greeting;  ///< Stands in the window until the first picture; "" = nothing.
     std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
+    bool floating = false;                     ///< Above other windows, also those in use.
 };
 
 class FetoscopeView {
@@ -64,6 +65,8 @@ class FetoscopeView {
     /// Menu item under the pointer, -1 = none.
     [[nodiscard]] int menu_item_under_pointer() const;
 
+    /// Off-screen: the next picture may be drawn by another thread.
+    void let_go() noexcept;
     /// The last picture, rows from the top (height x width x 3).
     [[nodiscard]] std::vector<uint8_t> pixels();
     /// Writes the last picture as PNG. Throws ViewError when the file cannot be written.

@@ -16,6 +16,7 @@ struct ContextSettings {
     bool fullscreen = false;
     std::string title = "Placode";
     std::optional<std::pair<int, int>> place;  ///< Upper left corner on the desktop [px].
+    bool floating = false;                     ///< Above other windows.
 };
 
 class GlContext {
@@ -23,6 +24,11 @@ class GlContext {
     virtual ~GlContext() = default;
     [[nodiscard]] virtual int width() const = 0;   ///< Of the framebuffer [px].
     [[nodiscard]] virtual int height() const = 0;  ///< Of the framebuffer [px].
+    /// Several pictures off-screen: what is drawn next, on this thread, goes into this one. Throws
+    /// ViewError, e.g. while another thread holds it.
+    virtual void make_current() {}
+    /// Another thread may take it.
+    virtual void let_go() noexcept {}
     virtual void swap() {}
     /// Handles events and brings `input` up to date; its totals only grow.
     virtual void poll(sim::WindowInput&) {}

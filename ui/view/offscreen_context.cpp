@@ -51,13 +51,22 @@ class OffscreenContext final : public GlContext {
     ~OffscreenContext() override { release(); }
     [[nodiscard]] int width() const override { return width_; }
     [[nodiscard]] int height() const override { return height_; }
+    void make_current() override {
+        // Which kind of OpenGL is meant is a matter of each thread.
+        if (eglBindAPI(EGL_OPENGL_API) == EGL_FALSE ||
+            eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
+            throw ViewError("the picture cannot be drawn on this thread: another one holds it");
+    }
+    void let_go() noexcept override {
+        eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    }
 
  private:
     void release() {
         if (display_ == EGL_NO_DISPLAY) return;
         eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
         if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-        eglTerminate(display_);
+        // The display stays: a process has one, and other pictures may be drawn with it.
         display_ = EGL_NO_DISPLAY;
     }
     [[noreturn]] void fail(const std::string& what) {

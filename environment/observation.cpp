@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "environment/observation.h"
+
+#include <algorithm>
+#include <cassert>
+#include <string_view>
+
+#include "curriculum/attempt_sample.h"
+#include "sim/cutting/attempt_progress.h"
+
+namespace placode::environment {
+
+namespace {
+
+using sim::Vec3;
+
+constexpr double kMm = 1000;
+
+double to_line_m(std::span<const Vec3> line, const Vec3& from) {
+    double nearest = 1;
+    for (const Vec3& point : line) nearest = std::min(nearest, (point - from).norm());
+    return nearest;
+}
+
+const Vec3& tip_of(const Sight& s, size_t i) { return s.poses[i].p; }
+
+/// Of the attempt. A name stands beside what it means.
+struct Number {
+    std::string_view name;
+    double (*value)(const Sight&);
+};
+constexpr Number kProgress[] = {
+    {"time_s", [](const Sight& s) { return s.state.time_s; }},
+    {"time_left_s", [](const Sight& s) { return std::max(0.0, s.time_limit_s - s.state.time_s); }},
+    {"phase", [](const Sight& s) { return static_cast<double>(s.state.phase); }},
+    {"points", [](const Sight& s) { return s.points; }},
+    {"steps_done", [](const Sight& s) { return static_cast<double>(s.seen.practice.index); }},
+    {"steps", [](const Sight& s) { return static_cast<double>(s.seen.practice.count); }},
+    {"step_progress", [](const Sight& s) { return s.seen.practice.progress; }},
+    {"ring_cut", [](const Sight& s) { return sim::ring_share(s.state); }},
+    {"released", [](const Sight& s) { return static_cast<double>(s.seen.released); }},
+    {"marked_gone",
+     [](const Sight& s) { return std::max(0.0, sim::gone_share(s.scene, s.state)); }},
+    {"marked_taken_out",
+     [](const Sight& s) { return std::max(0.0, sim::taken_out_share(s.scene, s.state)); }},
+    {"pieces_out", [](const Sight& s) { return static_cast<double>(s.seen.pieces_out); }},
+    {"placode_peak_c", [](const Sight& s) { return static_cast<double>(s.state.placode_peak_c); }},
+    {"placode_now_c", [](const Sight& s) { return static_cast<double>(s.state.placode_now_c); }},
+    {"placode_peak_cem43_min",
+     [](const Sight& s) { return static_cast<double>(s.state.placode_peak_cem43_min); }},
+    {"placode_burned_mm3",
+     [](const Sight& s) { return 1e9 * static_cast<double>(s.state.placode_burned_m3); }},
+    {"removed_mm3", [](const Sight& s) { return 1e9 * static_cast<double>(s.state.removed_m3); }},
+};
+
+/// Of a tool: first what has three axes.
+struct ToolVector {
+    std::string_view name, unit;
+    Vec3 (*value)(const Sight&, size_t);
+};
+constexpr ToolVector kToolVectors[] = {
+    {"tip", "_mm", [](const Sight& s, size_t i) -> Vec3 { return kMm * tip_of(s, i); }},
+    {"shaft", "", [](const Sight& s, size_t i) -> Vec3 { return s.poses[i].q * Vec3::UnitZ(); }},
+    {"force", "_n", [](const Sight& s, size_t i) -> Vec3 { return s.state.tools[i].force_n; }},
+    {"to_goal", "_mm",
+     [](const Sight& s, size_t i) -> Vec3 {
+         const auto& goal = s.goals.place_m[i];
+         return goal ? Vec3(kMm * (*goal - tip_of(s, i))) : Vec3(Vec3::Zero());
+     }},
+};
+
+struct ToolNumber {
+    std::string_view name;
+    double (*value)(const Sight&, size_t);
+};
+constexpr ToolNumber kToolNumbers[] = {
+    {"has_goal", [](const Sight& s, size_t i) { return s.goals.place_m[i] ? 1.0 : 0; }},
+    {"roll_rad", [](const Sight& s, size_t i) { return s.hands.roll_rad(i); }},
+    {"jaw_rad",
+     [](const Sight& s, size_t i) { return static_cast<double>(s.state.tools[i].jaw_rad); }},
+    {"engaged", [](const Sight& s, size_t i) { return s.hands.engaged(i) ? 1.0 : 0; }},
+    {"in_view", [](const Sight& s,
+                   size_t i) { return curriculum::tip_in_view(s.scene, s.state, i) ? 1.0 : 0; }},
+    {"contact", [](const Sight& s, size_t i) { return s.state.tools[i].in_contact ? 1.0 : 0; }},
+    {"tip_gap_mm", [](const Sight& s, size_t i) { return kMm * s.state.tools[i].tip_gap_m; }},
+    {"power_w", [](const Sight& s, size_t i) { return s.state.tools[i].power_in_tissue_w; }},
+    {"holds", [](const Sight& s, size_t i) { return s.seen.holds[i] ? 1.0 : 0; }},
+    {"pull_n", [](const Sight& s, size_t i) { return s.seen.pull_n[i]; }},
+    {"to_placode_mm", [](const Sight& s, size_t i) { return kMm * s.seen.placode_gap_m[i]; }},
+    {"to_plan_mm",
+     [](const Sight& s, size_t i) { return kMm * to_line_m(s.seen.contour, tip_of(s, i)); }},
+};
+
+}  // namespace
+
+std::vector<std::string> observation_names(size_t tools) {
+    std::vector<std::string> names;
+    for (const Number& number : kProgress) names.emplace_back(number.name);
+    for (const HarmKind& harm : kHarms) names.push_back("harm." + std::string(harm.name));
+    for (size_t i = 0; i < tools; ++i) {
+        const std::string tool = "tool" + std::to_string(i) + ".";
+        for (const ToolVector& vector : kToolVectors)
+            for (const char* axis : {"_x", "_y", "_z"})
+                names.push_back(tool + std::string(vector.name) + axis + std::string(vector.unit));
+        for (const ToolNumber& number : kToolNumbers)
+            names.push_back(tool + std::string(number.name));
+    }
+    return names;
+}
+
+void observe(const Sight& sight, std::span<double> out) {
+    size_t at = 0;
+    for (const Number& number : kProgress) out[at++] = number.value(sight);
+    for (const double harm : sight.book.harms()) out[at++] = harm;
+    for (size_t i = 0; i < sight.scene.tools.size(); ++i) {
+        for (const ToolVector& vector : kToolVectors) {
+            const Vec3 value = vector.value(sight, i);
+            for (int k = 0; k < 3; ++k) out[at++] = value[k];
+        }
+        for (const ToolNumber& number : kToolNumbers) out[at++] = number.value(sight, i);
+    }
+    assert(at == out.size());
+}
+
+}  // namespace placode::environment
