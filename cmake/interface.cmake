@@ -32,3 +32,33 @@ Libs: -L\${libdir} -lplacode
 Cflags: -I\${includedir}/placode
 ")
 install(FILES ${CMAKE_BINARY_DIR}/placode.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+
+# --- python: the package placode, where Python, numpy and pybind11 are installed ---------------------
+# Debian's Python, to which its numpy and pybind11 belong, and not one that happens to come first in the path.
+if(NOT DEFINED Python3_EXECUTABLE AND EXISTS /usr/bin/python3)
+  set(Python3_EXECUTABLE /usr/bin/python3)
+endif()
+find_package(Python3 3.9 QUIET COMPONENTS Interpreter Development.Module NumPy)
+find_path(PYBIND11_INCLUDE_DIR pybind11/pybind11.h)
+if(Python3_Development.Module_FOUND AND Python3_NumPy_FOUND AND PYBIND11_INCLUDE_DIR)
+  set(python_build ${CMAKE_BINARY_DIR}/python)
+  Python3_add_library(placode_python MODULE WITH_SOABI python/placode_module.cpp)
+  target_include_directories(placode_python PRIVATE ${PROJECT_SOURCE_DIR})
+  target_include_directories(placode_python SYSTEM PRIVATE ${PYBIND11_INCLUDE_DIR})
+  target_link_libraries(placode_python PRIVATE placode_interface)
+  # From prefix/lib/python3/dist-packages/placode to the library.
+  set_target_properties(placode_python PROPERTIES OUTPUT_NAME _placode CXX_VISIBILITY_PRESET hidden
+    LIBRARY_OUTPUT_DIRECTORY ${python_build}/placode INSTALL_RPATH "$ORIGIN/../../../../${CMAKE_INSTALL_LIBDIR}")
+  # The rest of the package lies beside it as links, so that an edited file needs no build.
+  file(GLOB python_files CONFIGURE_DEPENDS python/placode/*.py python/placode/*.pyi python/placode/py.typed)
+  foreach(file IN LISTS python_files)
+    get_filename_component(name ${file} NAME)
+    file(MAKE_DIRECTORY ${python_build}/placode)
+    file(CREATE_LINK ${file} ${python_build}/placode/${name} SYMBOLIC)
+  endforeach()
+  set(python_packages lib/python3/dist-packages)
+  install(TARGETS placode_python LIBRARY DESTINATION ${python_packages}/placode)
+  install(FILES ${python_files} DESTINATION ${python_packages}/placode)
+else()
+  message(STATUS "No Python package: install python3-dev, python3-numpy and pybind11-dev for it")
+endif()

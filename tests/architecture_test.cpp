@@ -20,8 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kOrder{"sim", "haptics", "assessment", "curriculum", "environment",
-                                      "db",  "reports", "bench",      "ui",         "interface"};
+const std::vector<std::string> kOrder{"sim",         "haptics",   "assessment", "curriculum",
+                                      "environment", "db",        "reports",    "bench",
+                                      "ui",          "interface", "python"};
 
 struct Include {
     std::string file, folder, target;
@@ -120,6 +121,7 @@ TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
         {"stb/", {"ui/view/"}},
         {"boost/", {"assessment/"}},
         {"nlohmann/", {"curriculum/", "ui/", "interface/"}},
+        {"pybind11/", {"python/"}},
         {"valijson/", {"curriculum/"}},
         {"sodium", {"db/"}},
         {"zstd", {"db/"}},
@@ -163,6 +165,18 @@ TEST(Architecture, WhatThePartsOfTheStoreShareIsSeenByTheirSourcesOnly) {
         EXPECT_TRUE(include.target != "db/sql_connection.h" && include.target[0] != 'Q')
             << include.file << " includes " << include.target;
     }
+}
+
+TEST(Architecture, PythonKnowsNothingButTheInterface) {
+    int checked = 0;
+    for (const Include& include : includes()) {
+        if (include.folder != "python" ||
+            rank_of(include.target.substr(0, include.target.find('/'))) < 0)
+            continue;
+        ++checked;
+        EXPECT_EQ(include.target, "interface/placode.h") << include.file;
+    }
+    EXPECT_GT(checked, 0);
 }
 
 TEST(Architecture, QtEntersOnlyFromDbOn) {

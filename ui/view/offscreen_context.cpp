@@ -17,6 +17,9 @@ class OffscreenContext final : public GlContext {
     explicit OffscreenContext(const ContextSettings& settings)
         : width_(settings.width), height_(settings.height) {
         if (!epoxy_has_egl()) fail("libEGL is not installed");
+        // Asked for before it is called: epoxy ends the program for a function that is not there.
+        if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base"))
+            fail("EGL finds no driver");
         display_ =
             eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
         if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) {

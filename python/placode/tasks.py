@@ -1,0 +1,23 @@
+# SPDX-FileCopyrightText: 2026 The Placode authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tasks that come as environments."""
+
+# Environment id of Gymnasium: task of Placode. "-v0": observation, action or reward change with it.
+TASKS = {
+    "Placode/Reach-v0": "touch_targets",
+    "Placode/Trace-v0": "trace_contour",
+    "Placode/GraspLift-v0": "grasp_and_lift",
+    "Placode/Traction-v0": "two_handed_traction",
+    "Placode/Ring-v0": "diathermy_ring_small",
+    "Placode/Resection-v0": "scissors_resection",
+    "Placode/Dissection-v0": "sb_dissection",
+}
+
+# A field of about 6,000 tetrahedra with two substeps: some ten times as fast, and still tissue.
+COARSE = {"edge_ring_m": 0.0010, "edge_placode_m": 0.0014, "edge_outer_m": 0.003,
+          "solver": {"substeps": 2}}
+
+
+def task_of(name):
+    """Task id of an environment id; any other name stays: a task id or the path of a JSON file."""
+    return TASKS.get(name, name)
