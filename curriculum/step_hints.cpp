@@ -22,8 +22,8 @@ using ByDevice = std::array<Words, 5>;
 // In the order of PracticeKind.
 constexpr std::array<ByDevice, sim::kPracticeKinds> kHints{{
     // kMove
-    {{{"Move the mouse. Ctrl makes it precise, Space freezes the hand.",
-       "Ruszaj myszą. Ctrl: precyzyjnie, Spacja: zatrzymuje rękę."},
+    {{{"Move the mouse. Ctrl makes it precise, Space holds the instrument still.",
+       "Ruszaj myszą. Ctrl: precyzyjnie, Spacja: instrument stoi."},
       {"W A S D. Ctrl makes it precise.", "W A S D. Ctrl: precyzyjnie."},
       {"Left stick. The left bumper makes it precise.",
        "Lewa gałka. Lewy przycisk górny: precyzyjnie."},

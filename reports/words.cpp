@@ -56,7 +56,7 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
         case EventKind::kPlacodeCut:
             return "Placode cut by scissors";
         case EventKind::kOverForce:
-            return "Too much force";
+            return "Force above the scene's limit";
         case EventKind::kOverTraction:
             return "Pulled too hard";
         case EventKind::kCrushed:
@@ -64,7 +64,7 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
         case EventKind::kSlipped:
             return "Slid out of the jaws";
         case EventKind::kBuried:
-            return "Tip below the surface";
+            return "Tip stuck in tissue";
         case EventKind::kTorn:
             // Of the skin or below it: an entry gathers what tore together.
             return placode ? "Placode torn" : "Tissue torn";

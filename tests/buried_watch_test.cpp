@@ -96,7 +96,7 @@ class Bench {
         for (const sim::Event& e : warnings_.events()) note(e);
         if (below_s < 0 && burial().depth_m > 0) below_s = state_.time_s;
         const std::string_view said(warnings_.phrase().data());
-        if (warned_s < 0 && said == "Below the surface: draw back") warned_s = state_.time_s;
+        if (warned_s < 0 && said == "Stuck in tissue: draw back") warned_s = state_.time_s;
     }
 
     Task task_;

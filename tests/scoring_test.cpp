@@ -149,7 +149,7 @@ TEST(Scoring, WhatWasNotRecordedIsSaidAndIsNoPass) {
     EXPECT_DOUBLE_EQ(score.points, 100);
     EXPECT_EQ(score.verdict, Verdict::kNotYet);
     ASSERT_EQ(score.reasons.size(), 1u);
-    EXPECT_EQ(score.reasons[0].text, "Not recorded, so this is no pass: Tip below the surface.");
+    EXPECT_EQ(score.reasons[0].text, "Not recorded, so this is no pass: Tip stuck in tissue.");
 }
 
 TEST(Scoring, PointsAreEarnedByTheShareThatWasDone) {

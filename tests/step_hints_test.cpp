@@ -52,6 +52,16 @@ TEST(StepHints, EveryKindOfStepHasThemWhateverTasksThereWillBe) {
     }
 }
 
+TEST(StepHints, SpeakOfTheInstrumentAndNotOfAFrozenHand) {
+    TaskStep step;
+    step.goal.kind = sim::PracticeKind::kMove;
+    const LocalText hint = step_hint(step, "mouse", false);
+    EXPECT_NE(hint.en.find("Space holds the instrument still"), std::string::npos) << hint.en;
+    EXPECT_EQ(hint.en.find("freez"), std::string::npos);
+    for (const std::string& id : list_definitions("tasks"))
+        EXPECT_EQ(load_task(id).json.find("freez"), std::string::npos) << id;
+}
+
 TEST(StepHints, AStepForTheOtherHandBeginsWithChangingHands) {
     TaskStep step;
     step.goal.kind = sim::PracticeKind::kTurn;

@@ -83,7 +83,7 @@ TEST_F(WordsTest, NumbersBeyondAMillionAndNamesOfMetricsAreKept) {
               QString("PL The placode was pressed with 1e+300 mN."));
     EXPECT_EQ(
         reason_words(reason_of("Not recorded, so this is no pass: {metric}.", 0, 0, 0, "buried_s")),
-        QString("PL Not recorded, so this is no pass: Tip below the surface."));
+        QString("PL Not recorded, so this is no pass: Tip stuck in tissue."));
 }
 
 TEST(Words, AnEducatorsOwnWordingIsSaidInItsOwnLanguage) {

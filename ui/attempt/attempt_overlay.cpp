@@ -24,7 +24,7 @@ Help controls(const Arguments& arguments) {
                 {"middle button", "Move the scope"},
                 {"Shift + mouse", "Turn about the shaft"},
                 {"Ctrl", "Precise"},
-                {"Space", "The instrument stays (clutch)"},
+                {"Space", "Hold the instrument still"},
                 {"Tab", "Next instrument"}};
     } else if (device == "keyboard") {
         help = {{"W A S D", "Move the instrument"},
@@ -34,7 +34,7 @@ Help controls(const Arguments& arguments) {
                 {"C", "Coagulate (blue pedal)"},
                 {"arrows", "Move the scope"},
                 {"Ctrl", "Precise"},
-                {"Space", "The instrument stays (clutch)"},
+                {"Space", "Hold the instrument still"},
                 {"Tab", "Next instrument"}};
     } else if (device == "gamepad") {
         help = {{"left stick", "Move the instrument"},   {"triggers", "Deeper, shallower"},

@@ -13,10 +13,13 @@ namespace {
                       "as the picture shows it."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the marked volume that burned, tore or was washed away as crumbs."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Time with the tip of an instrument inside tissue that it was pushed through, "
+        "spells over 0.3 s; a tip in a hole that was cut or torn is not stuck."),
     QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Time with the tip of an instrument below the surface, spells over 0.3 s."),
-    QT_TRANSLATE_NOOP("MetricDefinition",
-                      "Times that the tip of an instrument was below the surface for over 0.3 s."),
+                      "Times that the tip of an instrument was inside tissue that it was pushed "
+                      "through for over 0.3 s."),
     QT_TRANSLATE_NOOP("MetricDefinition", "From the first instrument in view to the end."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Share of the planned contour's points that are cut through to the target "

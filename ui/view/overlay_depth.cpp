@@ -153,7 +153,7 @@ void Overlay::buried(int tool) {
     shapes::arrow(*paint_, tip + aside, tip + aside + 4.0 * unit_ * out, 0.8 * unit_, 0.28 * unit_,
                   kWarn);
     label(tip + Vec2(0, 2.6 * unit_),
-          phrase("%1 mm below the surface", number(1000 * static_cast<double>(seen.buried_m), 1)),
+          phrase("%1 mm inside tissue", number(1000 * static_cast<double>(seen.buried_m), 1)),
           kWarn);
 }
 

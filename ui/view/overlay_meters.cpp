@@ -115,7 +115,7 @@ void Overlay::force_bar(int which, double y, bool named) {
     const std::string name =
         say("force") + (named ? ", " + say(tool_word(tool.kind)) : std::string());
     paint_->text(margin_, y - 0.5 * unit_,
-                 name + "  " + (below ? say("buried") : number(1000 * f, 0) + " mN"),
+                 name + "  " + (below ? say("stuck") : number(1000 * f, 0) + " mN"),
                  TextSize::kSmall, below ? kWarn : kMuted);
 }
 

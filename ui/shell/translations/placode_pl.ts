@@ -1766,8 +1766,8 @@
         <translation>Nacięcie płytki nożyczkami</translation>
     </message>
     <message>
-        <source>Too much force</source>
-        <translation>Zbyt duża siła</translation>
+        <source>Force above the scene's limit</source>
+        <translation>Siła powyżej granicy sceny</translation>
     </message>
     <message>
         <source>Pulled too hard</source>
@@ -1806,8 +1806,8 @@
         <translation>Postój w miejscu z włączoną energią</translation>
     </message>
     <message>
-        <source>Tip below the surface</source>
-        <translation>Końcówka pod powierzchnią</translation>
+        <source>Tip stuck in tissue</source>
+        <translation>Końcówka utkwiła w tkance</translation>
     </message>
     <message>
         <source>Tissue torn</source>
@@ -2039,12 +2039,12 @@
         <translation>Największa siła</translation>
     </message>
     <message>
-        <source>Too much force</source>
-        <translation>Zbyt duża siła</translation>
+        <source>Force above the scene's limit</source>
+        <translation>Siła powyżej granicy sceny</translation>
     </message>
     <message>
-        <source>Time with too much force</source>
-        <translation>Czas ze zbyt dużą siłą</translation>
+        <source>Time above the scene's force limit</source>
+        <translation>Czas z siłą powyżej granicy sceny</translation>
     </message>
     <message>
         <source>Torn tissue</source>
@@ -2315,8 +2315,8 @@
         <translation>Drżenie, przyspieszenie</translation>
     </message>
     <message>
-        <source>Impulse of too much force</source>
-        <translation>Impuls nadmiernej siły</translation>
+        <source>Impulse above the scene's force limit</source>
+        <translation>Impuls siły ponad granicę sceny</translation>
     </message>
     <message>
         <source>Marked tissue destroyed</source>
@@ -2327,12 +2327,12 @@
         <translation>Usunięta zaznaczona tkanka</translation>
     </message>
     <message>
-        <source>Tip below the surface</source>
-        <translation>Końcówka pod powierzchnią</translation>
+        <source>Tip stuck in tissue</source>
+        <translation>Końcówka tkwiąca w tkance</translation>
     </message>
     <message>
-        <source>Times below the surface</source>
-        <translation>Ile razy pod powierzchnią</translation>
+        <source>Times stuck in tissue</source>
+        <translation>Ile razy końcówka utkwiła w tkance</translation>
     </message>
     <message>
         <source>Placode removed or torn</source>
@@ -2769,12 +2769,12 @@
         <translation>Część zaznaczonej objętości, której już nie ma: wyciągnięta lub zniszczona, tak jak pokazuje obraz.</translation>
     </message>
     <message>
-        <source>Time with the tip of an instrument below the surface, spells over 0.3 s.</source>
-        <translation>Czas z końcówką narzędzia pod powierzchnią, okresy ponad 0,3 s.</translation>
+        <source>Time with the tip of an instrument inside tissue that it was pushed through, spells over 0.3 s; a tip in a hole that was cut or torn is not stuck.</source>
+        <translation>Czas, przez który końcówka tkwiła w tkance, przez którą ją przepchnięto, epizody ponad 0,3 s; końcówka w otworze naciętym lub rozerwanym nie tkwi.</translation>
     </message>
     <message>
-        <source>Times that the tip of an instrument was below the surface for over 0.3 s.</source>
-        <translation>Ile razy końcówka narzędzia była pod powierzchnią dłużej niż 0,3 s.</translation>
+        <source>Times that the tip of an instrument was inside tissue that it was pushed through for over 0.3 s.</source>
+        <translation>Ile razy końcówka tkwiła ponad 0,3 s w tkance, przez którą ją przepchnięto.</translation>
     </message>
     <message>
         <source>Share of the planned contour's points that are cut through to the target depth within 1 mm, as the picture shows it.</source>
