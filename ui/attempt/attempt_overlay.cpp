@@ -41,10 +41,10 @@ Help controls(const Arguments& arguments) {
                 {"right stick", "Turn about the shaft"}, {"A", "Cut (yellow pedal)"},
                 {"B", "Coagulate (blue pedal)"},         {"left bumper", "Precise"}};
     } else if (device.rfind("play:", 0) == 0) {
-        return {{"Space", "Pause, go on"},      {"← →", "5 s back, 5 s on"},
+        return {{"Space, Esc", "Pause, go on"}, {"← →", "5 s back, 5 s on"},
                 {"↑ ↓", "Faster, slower"},      {"V", "Next camera"},
                 {"F5", "Planned line on, off"}, {"F3", "Performance"},
-                {"F1", "Help on, off"},         {"Esc", "Close"}};
+                {"F1", "Help on, off"},         {"Q", "Close"}};
     } else if (device.rfind("script:", 0) == 0) {
         help = {{"", "The simulated operator works by itself; watch."}};
     } else {
@@ -107,7 +107,18 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
     overlay.warnings = arguments.aids.warnings;
     if (!curriculum::preset_of(task).empty()) overlay.banner = "TUNED, not scored";
     if (arguments.demonstration) overlay.banner = "DEMONSTRATION";
-    if (!arguments.play.empty()) overlay.banner = "REPLAY";
+    return overlay;
+}
+
+view::OverlayState replay_overlay(const curriculum::Task& task, const sim::Recording& recording,
+                                  const Arguments& arguments) {
+    view::OverlayState overlay = attempt_overlay(task, arguments);
+    overlay.time_limit_s = recording.end.duration_s;
+    overlay.keys = "F1 keys   Space pause   ← → 5 s   ↑ ↓ speed   V camera   Q close";
+    overlay.heading = recording.header.mode == "exam"    ? "Replay: exam"
+                      : recording.header.mode == "study" ? "Replay: study"
+                                                         : "Replay: practice";
+    if (recording.header.demonstration) overlay.banner = "DEMONSTRATION";
     return overlay;
 }
 
@@ -119,6 +130,9 @@ view::ViewSettings view_settings(const Arguments& arguments, const std::string& 
     settings.adaptive = !arguments.headless;
     settings.fullscreen = arguments.fullscreen;
     settings.place = arguments.place;
+    // Steered from another window, it must not vanish behind that one with the first click there.
+    // Without a place of its own it would cover what it is steered by.
+    settings.floating = arguments.control && arguments.place.has_value();
     settings.title = "Placode: " + title;
     settings.greeting = view::translated("The field is being prepared ...", arguments.language);
     if (arguments.headless) settings.quality.samples = 4;  // pictures may take their time

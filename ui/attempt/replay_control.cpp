@@ -120,7 +120,9 @@ int ReplayKeys::presses_of(const sim::WindowInput& input, sim::Key key) {
 
 void ReplayKeys::apply(const sim::WindowInput& input, double now_s, ReplayWish& wish) {
     using sim::Key;
-    if (presses_of(input, Key::kSpace) % 2 != 0) wish.paused = !wish.paused;
+    // Esc pauses an attempt; in a replay it must not do more.
+    const int pauses = presses_of(input, Key::kSpace) + presses_of(input, Key::kEscape);
+    if (pauses % 2 != 0) wish.paused = !wish.paused;
     const int way = presses_of(input, Key::kRight) - presses_of(input, Key::kLeft);
     if (way != 0) wish.seek_s = std::max(0.0, now_s + 5.0 * way);
     const int faster = presses_of(input, Key::kUp) - presses_of(input, Key::kDown);
@@ -128,7 +130,7 @@ void ReplayKeys::apply(const sim::WindowInput& input, double now_s, ReplayWish& 
     const int cameras = presses_of(input, Key::kV);
     wish.camera =
         static_cast<ReplayCamera>((static_cast<int>(wish.camera) + cameras) % kReplayCameras);
-    if (presses_of(input, Key::kEscape) > 0) wish.quit = true;
+    if (presses_of(input, Key::kQ) > 0) wish.quit = true;
     last_ = input;
 }
 

@@ -58,7 +58,7 @@ class ControlInput {
     LineInput input_;
 };
 
-/// Keys of the window: Space, arrows, V.
+/// Keys of the window: Space and Esc pause, arrows, V, Q closes.
 class ReplayKeys {
  public:
     void apply(const sim::WindowInput& input, double now_s, ReplayWish& wish);

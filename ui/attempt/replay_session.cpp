@@ -63,10 +63,9 @@ class Watcher {
           shots_(arguments),
           wish_(arguments.wish),
           paced_((!arguments.headless || arguments.control) && !arguments.fast) {
-        const curriculum::Task task =
-            curriculum::load_task_text(recording.header.task_json, arguments.play);
-        overlay_ = attempt_overlay(task, arguments);
-        overlay_.time_limit_s = recording.end.duration_s;
+        overlay_ =
+            replay_overlay(curriculum::load_task_text(recording.header.task_json, arguments.play),
+                           recording, arguments);
     }
 
     void begin(double time_s = 0) {

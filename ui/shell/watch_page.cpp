@@ -98,6 +98,12 @@ class WatchPage : public Page {
         foot->addWidget(said_, 1);
         foot->addWidget(closeButton());
         layout->addLayout(foot);
+        QLabel* keys = make_label(
+            tr("Keys in its window: Space or Esc pauses and goes on, ← and → jump 5 s, ↑ and ↓ "
+               "change the speed, V the camera, Q closes it."),
+            "small");
+        keys->setObjectName("replay_keys");
+        layout->addWidget(keys);
         bar_ = new QProgressBar;
         bar_->setTextVisible(false);
         bar_->setAccessibleName(tr("Simulating to the moment"));
@@ -298,8 +304,7 @@ class WatchPage : public Page {
         if (ledger_) ledger_->setCursor_s(running ? now.time_s : -1);
         if (!running) {
             said_->setText(
-                tr("The attempt is simulated again exactly, in a window beside this one. Its keys: "
-                   "Space pauses, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera."));
+                tr("The attempt is simulated again exactly, in a window beside this one."));
             return;
         }
         camera_->setCurrentIndex(std::max(0, camera_->findData(now.camera)));

@@ -134,7 +134,12 @@ double Overlay::task_words(double y, double room) {
     // The phases are those of the operation; exercises have steps.
     const bool operates = energised_tools() || snapshot_->resected_fraction >= 0;
     const char* phase = practising() || !operates ? "Practice" : phase_text(snapshot_->phase);
-    paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
+    if (!state_->heading.empty()) {
+        paint_->text(margin_, y, say(state_->heading), TextSize::kNormal, kAccent);
+        if (operates && !practising()) y += paint_->line_height(TextSize::kNormal);
+    }
+    if (state_->heading.empty() || (operates && !practising()))
+        paint_->text(margin_, y, say(phase), TextSize::kNormal, kAccent);
     if (room > 9 * unit_) {
         y += 2.4 * unit_;
         for (const std::string& line : paint_->wrapped(state_->title, TextSize::kNormal, room)) {
@@ -150,12 +155,22 @@ double Overlay::task_words(double y, double room) {
                 y += paint_->line_height(TextSize::kSmall);
             }
         }
-        paint_->text(width_ - margin_, height_ - margin_,
-                     say("F1 help   Esc pause   hold Enter: finish"), TextSize::kSmall,
-                     kMuted.faded(0.7F), Align::kRight);
+        keys();
     }
     if (practising() && room <= 9 * unit_) practice_line();
     return y;
+}
+
+/// In the corner below the circle, clear of the note in the middle: one line where there is room.
+void Overlay::keys() {
+    const std::vector<std::string> lines =
+        paint_->wrapped(say(state_->keys), TextSize::kSmall, 0.5 * width_ - 9 * unit_);
+    double y = height_ - margin_;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+        paint_->text(width_ - margin_, y, *line, TextSize::kSmall, kMuted.faded(0.7F),
+                     Align::kRight);
+        y -= paint_->line_height(TextSize::kSmall);
+    }
 }
 
 double Overlay::banner(double y, double room) {

@@ -52,8 +52,11 @@ struct OverlayState {
     std::string language = "en";
     std::string title, goal;
     std::vector<std::pair<std::string, std::string>>
-        help;                 ///< Control, what it does (English keys).
-    std::string banner;       ///< "DEMONSTRATION", "REPLAY" (English).
+        help;             ///< Control, what it does (English keys).
+    std::string heading;  ///< Above the title: "Replay: exam" (English); empty = the phase.
+    /// At the foot: the keys that matter now (English).
+    std::string keys = "F1 help   Esc pause   hold Enter: finish";
+    std::string banner;       ///< "DEMONSTRATION", "TUNED, not scored" (English).
     std::string notice;       ///< Short-lived note (English).
     bool help_waits = false;  ///< The help stands until somebody presses something.
     double time_limit_s = 0;  ///< 0 = none.
@@ -103,6 +106,7 @@ class Overlay {
     void read_outs();
     /// Each writes from `y` on, beside the circle where there is `room` [px]; returns its foot.
     double task_words(double y, double room);
+    void keys();
     double banner(double y, double room);
     void notice(double room);
     void energy();

@@ -5135,9 +5135,13 @@
         <source>This attempt was kept without a recording, so it cannot be watched. Its result is complete.</source>
         <translation>Ta próba została zapisana bez nagrania, więc nie można jej obejrzeć. Jej wynik jest kompletny.</translation>
     </message>
-<message>
-        <source>The attempt is simulated again exactly, in a window beside this one. Its keys: Space pauses, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera.</source>
-        <translation>Próba jest symulowana jeszcze raz, dokładnie tak samo, w oknie obok. Jego klawisze: spacja zatrzymuje, ← i → przeskakują o 5 s, ↑ i ↓ zmieniają prędkość, V kamerę.</translation>
+    <message>
+        <source>The attempt is simulated again exactly, in a window beside this one.</source>
+        <translation>Próba jest symulowana jeszcze raz, dokładnie tak samo, w oknie obok.</translation>
+    </message>
+    <message>
+        <source>Keys in its window: Space or Esc pauses and goes on, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera, Q closes it.</source>
+        <translation>Klawisze w tamtym oknie: spacja lub Esc zatrzymuje i wznawia, ← i → przeskakują o 5 s, ↑ i ↓ zmieniają prędkość, V kamerę, Q zamyka okno.</translation>
     </message>
 </context>
 <context>
