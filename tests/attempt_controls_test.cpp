@@ -195,6 +195,33 @@ TEST(AttemptControls, WhoLeavesAnExamIsToldThatItUsesUpTheAttempt) {
     }
 }
 
+TEST(AttemptControls, TheMenuSaysWhatLeavingCosts) {
+    const auto leave = [](AttemptMode mode, double attempt_s) {
+        ControlsSetup setup;
+        setup.mode = mode;
+        Bench bench(setup);
+        bench.attempt_s = attempt_s;
+        bench.tap(Key::kEscape);
+        return bench.controls.menu().items.at(2);
+    };
+    EXPECT_EQ(leave(AttemptMode::kExam, 40), "Leave: uses up an attempt");
+    EXPECT_EQ(leave(AttemptMode::kExam, 0), "Leave without finishing") << "nothing has begun";
+    EXPECT_EQ(leave(AttemptMode::kStudy, 40), "Leave: has to be done again");
+    EXPECT_EQ(leave(AttemptMode::kPractice, 40), "Leave without finishing");
+}
+
+TEST(AttemptControls, WhatAnExamDoesNotHaveIsRefusedInTheMenuToo) {
+    ControlsSetup setup;
+    setup.mode = AttemptMode::kExam;
+    Bench exam(setup), practice;
+    for (Bench* bench : {&exam, &practice})
+        for (const Key key : {Key::kEscape, Key::kF2, Key::kF2, Key::kF1}) bench->tap(key);
+    EXPECT_EQ(exam.controls.screen(), Screen::kMenu);
+    EXPECT_THAT(exam.controls.menu().lines,
+                testing::ElementsAre("No tuning in an exam", "No help in an exam"));
+    EXPECT_THAT(practice.controls.menu().lines, testing::IsEmpty());
+}
+
 TEST(AttemptControls, ClosingTheWindowPausesAndAsks) {
     Bench bench;
     for (int i = 0; i < 3; ++i) bench.step({{.kind = Kind::kClose}});

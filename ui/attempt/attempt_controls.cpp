@@ -111,9 +111,8 @@ void AttemptControls::take(const WindowEvent& event) {
 bool AttemptControls::panel_takes(const WindowEvent& event) {
     const bool press = event.down && (event.kind == Kind::kKey || event.kind == Kind::kButton);
     if (press && event.kind == Kind::kKey && event.key == Key::kF2) {
-        if (!conduct_.tuning) {
-            note_ =
-                setup_.mode == AttemptMode::kExam ? "No tuning in an exam" : "No tuning in a study";
+        if (const char* why = no_tuning()) {
+            note_ = why;
             return true;
         }
         panel_.toggle();
@@ -182,10 +181,10 @@ void AttemptControls::operate_key(const WindowEvent& event) {
             open_menu("Paused", PauseCause::kMenu);
             break;
         case Key::kF1:
-            if (conduct_.help)
-                show(Screen::kHelp, PauseCause::kHelp);
+            if (const char* why = no_help())
+                note_ = why;
             else
-                note_ = "No help in an exam";
+                show(Screen::kHelp, PauseCause::kHelp);
             break;
         case Key::kF3:
             if (conduct_.performance) commands_.push_back(Command::kPerformance);

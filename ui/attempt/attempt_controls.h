@@ -86,6 +86,10 @@ class AttemptControls {
     void letter(char32_t code);
     [[nodiscard]] bool panel_takes(const view::WindowEvent& event);
     void menu_key(const view::WindowEvent& event);
+    void refuse(sim::Key key);
+    /// Why not, as a note (English); nullptr where it may be had.
+    [[nodiscard]] const char* no_tuning() const;
+    [[nodiscard]] const char* no_help() const;
     void choose();
     void show(Screen screen, sim::PauseCause cause);
     void open_menu(const char* title, sim::PauseCause cause);

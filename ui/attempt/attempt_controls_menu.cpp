@@ -53,10 +53,29 @@ void AttemptControls::menu_key(const WindowEvent& event) {
         return;
     }
     if (event.kind != Kind::kKey || !event.down) return;
+    if (event.key == Key::kF1 || event.key == Key::kF2) return refuse(event.key);
     if (event.key == Key::kUp) menu_.selected = (menu_.selected + items - 1) % items;
     if (event.key == Key::kDown) menu_.selected = (menu_.selected + 1) % items;
     if (event.key == Key::kEscape) return show(Screen::kOperate, cause_);
     if (event.key == Key::kEnter) choose();
+}
+
+/// What this mode does not have is refused in the menu with the words of the attempt, once.
+void AttemptControls::refuse(Key key) {
+    const char* why = key == Key::kF2 ? no_tuning() : no_help();
+    if (why == nullptr) return;
+    const std::string line = say(why);
+    if (std::find(menu_.lines.begin(), menu_.lines.end(), line) == menu_.lines.end())
+        menu_.lines.push_back(line);
+}
+
+const char* AttemptControls::no_tuning() const {
+    if (conduct_.tuning) return nullptr;
+    return setup_.mode == AttemptMode::kExam ? "No tuning in an exam" : "No tuning in a study";
+}
+
+const char* AttemptControls::no_help() const {
+    return conduct_.help ? nullptr : "No help in an exam";
 }
 
 void AttemptControls::choose() {
@@ -94,6 +113,11 @@ void AttemptControls::open_menu(const char* title, PauseCause cause) {
     menu_.lines.clear();
     menu_.items = {say("Continue"), say("Finish and score"), say("Leave without finishing")};
     if (!conduct_.own_score) menu_.items[1] = say("Finish");
+    // What leaving costs is said where it is chosen, not only in the question after it.
+    if (attempt_s_ > 0 && setup_.mode == AttemptMode::kExam)
+        menu_.items[2] = say("Leave: uses up an attempt");
+    if (attempt_s_ > 0 && setup_.mode == AttemptMode::kStudy)
+        menu_.items[2] = say("Leave: has to be done again");
     menu_.selected = 0;
 }
 

@@ -71,6 +71,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"This is an exam: leaving uses up this attempt.", "To jest egzamin: wyjście zużywa tę próbę."},
     {"The exam has not begun yet: leaving uses up nothing.",
      "Egzamin jeszcze się nie zaczął: wyjście niczego nie zużywa."},
+    {"Leave: uses up an attempt", "Wyjdź: zużywa próbę"},
+    {"Leave: has to be done again", "Wyjdź: trzeba powtórzyć od początku"},
     {"A procedure that is broken off has to be done again from the start.",
      "Przerwany zabieg trzeba powtórzyć od początku."},
     {"This procedure then is over for good.", "Ten zabieg zakończy się wtedy na dobre."},
