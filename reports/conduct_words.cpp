@@ -90,10 +90,18 @@ QString void_reason_words(const db::VoidReason& reason) {
 }
 
 }  // namespace
+/// As a part of a sentence that has begun already. The text of a device begins with its name.
+QString void_reason_within(const db::VoidReason& reason) {
+    QString words = void_reason_words(reason);
+    if (reason.cause != db::VoidCause::kDevice && !words.isEmpty()) words[0] = words[0].toLower();
+    return words;
+}
+
 
 QString void_words(const std::string& text) {
     QStringList parts;
-    for (const db::VoidReason& reason : db::void_reasons(text)) parts << void_reason_words(reason);
+    for (const db::VoidReason& reason : db::void_reasons(text))
+        parts << (parts.isEmpty() ? void_reason_words(reason) : void_reason_within(reason));
     return parts.join(QStringLiteral("; "));
 }
 
@@ -125,7 +133,7 @@ QString not_done_words(const std::string& text) {
     if (why.least_s > 0)
         said << say("it ended after %1 s, before %2 s were over").arg(why.ended_s).arg(why.least_s);
     if (!why.note.empty()) said << QString::fromStdString(why.note);
-    for (const db::VoidReason& reason : why.voids) said << void_reason_words(reason);
+    for (const db::VoidReason& reason : why.voids) said << void_reason_within(reason);
     return said.join(QStringLiteral("; "));
 }
 

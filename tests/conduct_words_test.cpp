@@ -82,6 +82,17 @@ TEST_F(ConductWords, WhyAnAttemptDoesNotCountSaysWhatThePersonDidFirst) {
     EXPECT_EQ(void_words("Tissue or generator was tuned"), "~Tissue or generator was tuned");
 }
 
+TEST(ConductWordsInEnglish, APartOfASentenceHasNoCapital) {
+    EXPECT_EQ(not_done_words("ended after 2 s, before the least duration of 60 s; void: The "
+                             "computer was too slow: 3 pictures a second, 20 are needed"),
+              "it ended after 2 s, before 60 s were over; the computer was too slow: 3 pictures a "
+              "second, 20 are needed");
+    EXPECT_EQ(void_words("Tissue or generator was tuned; The computer was too slow: 3 pictures a "
+                         "second, 20 are needed"),
+              "Tissue or generator was tuned; the computer was too slow: 3 pictures a second, 20 "
+              "are needed");
+}
+
 TEST_F(ConductWords, WhyAStepIsStillToBeDone) {
     EXPECT_EQ(not_done_words("interrupted"), "~broken off");
     EXPECT_EQ(not_done_words("ended after 12 s, before the least duration of 60 s"),
