@@ -71,7 +71,8 @@ void draw_history(QPainter& painter, const QRectF& where,
     style_axis(plot.yAxis, figure_word("score [points of 100]"), style);
     const double last = std::max<double>(1, static_cast<double>(attempts.size()));
     plot.xAxis->setRange(0.5, last + 0.5);
-    plot.yAxis->setRange(0, 104);
+    // Room below 0 for the sign of an attempt with 0 points, as above 100.
+    plot.yAxis->setRange(-4, 104);
     QSharedPointer<QCPAxisTickerFixed> ticker(new QCPAxisTickerFixed);
     ticker->setTickStep(1);
     ticker->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);

@@ -331,6 +331,32 @@ TEST(Report, TheIncisionPictureShowsWhatWasCut) {
     EXPECT_LT(right, left / 10);
 }
 
+TEST(Report, APointAtZeroIsAsLargeInTheHistoryAsAnyOther) {
+    application();
+    const reports::ChartStyle style;
+    const auto ink = [&](double points) {
+        db::AttemptRecord record = attempt().record;
+        record.verdict = assessment::Verdict::kFailed;
+        record.points = points;
+        QImage image(500, 240, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        // Far below the line of a pass, whose ink is another one.
+        reports::draw_history(painter, QRectF(0, 0, 500, 240), {record}, 70, style);
+        painter.end();
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor pixel = image.pixelColor(x, y);
+                count += pixel.red() > pixel.green() + 60 && pixel.red() > pixel.blue() + 60;
+            }
+        return count;
+    };
+    const int whole = ink(50);
+    ASSERT_GT(whole, 20);
+    EXPECT_NEAR(ink(0), whole, 0.1 * whole);
+}
+
 TEST(Report, HistoryIsDrawnForOneAndForManyAttempts) {
     application();
     const reports::ChartStyle style;
