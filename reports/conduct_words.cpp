@@ -89,7 +89,6 @@ QString void_reason_words(const db::VoidReason& reason) {
     return {};
 }
 
-}  // namespace
 /// As a part of a sentence that has begun already. The text of a device begins with its name.
 QString void_reason_within(const db::VoidReason& reason) {
     QString words = void_reason_words(reason);
@@ -97,6 +96,7 @@ QString void_reason_within(const db::VoidReason& reason) {
     return words;
 }
 
+}  // namespace
 
 QString void_words(const std::string& text) {
     QStringList parts;
