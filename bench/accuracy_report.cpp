@@ -115,6 +115,66 @@ std::string conclusions(const std::vector<AccuracyRow>& rows) {
     return text;
 }
 
+/// Both errors of one run: of where its vertices are, and of the force that holds it.
+struct Pair {
+    const AccuracyRow* place = nullptr;
+    const AccuracyRow* force = nullptr;
+};
+
+std::vector<Pair> pairs_of(const std::vector<AccuracyRow>& rows) {
+    std::vector<Pair> out;
+    for (const AccuracyRow& force : rows) {
+        if (force.quantity.rfind("reaction", 0) != 0) continue;
+        for (const AccuracyRow& place : rows) {
+            if (place.quantity.rfind("displacement", 0) == 0 && place.study == force.study &&
+                place.setting == force.setting && place.method == force.method &&
+                place.h_s == force.h_s)
+                out.push_back({&place, &force});
+        }
+    }
+    return out;
+}
+
+/// What both errors may differ by, and below what an error of forces is no matter.
+constexpr double kMuchLess = 3, kSmallForceError = 5e-3;
+
+/// The headline's sentence on reactions, and a warning where they are worse than places.
+std::string reactions(const std::vector<AccuracyRow>& rows) {
+    std::string all, worse;
+    std::vector<std::string> methods;
+    const std::vector<Pair> pairs = pairs_of(rows);
+    for (const Pair& p : pairs) {
+        const AccuracyRow& r = *p.place;
+        if (std::find(methods.begin(), methods.end(), r.method) == methods.end())
+            methods.push_back(r.method);
+        if (p.force->error > kMuchLess * r.error && p.force->error > kSmallForceError)
+            worse += std::string(worse.empty() ? "" : "; ") + r.study + ", `" + r.method + "` at " +
+                     step_ms(r) + " ms: " + accuracy_percent(r.error) + " % of displacement, " +
+                     accuracy_percent(p.force->error) + " % of reaction";
+    }
+    for (const std::string& method : methods) {
+        double place = 0, force = 0;
+        for (const Pair& p : pairs) {
+            if (p.place->method != method) continue;
+            place = std::max(place, p.place->error);
+            force = std::max(force, p.force->error);
+        }
+        all += std::string(all.empty() ? "" : ", ") + "`" + method + "` " +
+               accuracy_percent(place) + " and " + accuracy_percent(force) + " %";
+    }
+    if (all.empty()) return "";
+    return "- Displacement and reaction of the same runs, at most (twisted bar, operative "
+           "field): " +
+           all + ".\n" +
+           (worse.empty()
+                ? ""
+                : "- **Warning: these reactions are more than " + sim::rounded_text(kMuchLess, 2) +
+                      " times as far off as the displacements** (a force is made of "
+                      "strains, and a method with compliant constraints reaches them "
+                      "last): " +
+                      worse + ". Take forces from `vbd` or from shorter steps.\n");
+}
+
 }  // namespace
 
 std::string accuracy_percent(double error) { return digits(100 * error); }
@@ -158,7 +218,7 @@ std::string accuracy_report(const std::vector<AccuracyRow>& rows,
         "simulator, except where the method is called 48-bit: there, as in `placodectl solve`, "
         "they carry what rounding takes off, the rigid modes of what nothing holds are solved, and "
         "what is left is the method's own error.\n\n";
-    text += "## What is accurate, and what is not\n\n" + conclusions(rows);
+    text += "## What is accurate, and what is not\n\n" + conclusions(rows) + reactions(rows);
     int missed = 0;
     std::string list;
     for (const AccuracyRow& row : rows) {

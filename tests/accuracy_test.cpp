@@ -89,6 +89,31 @@ TEST(Accuracy, ABeamSwingsWithThePeriodOfTheReferenceAndDecaysByItsDamping) {
     EXPECT_EQ(decays, 5);
 }
 
+TEST(Accuracy, TheTableShowsThatReactionsOfXpbdAreWorseThanItsPlaces) {
+    double place = 0, force = 0, vbd = 0;
+    for (const AccuracyRow& row : quick_rows("twist")) {
+        const bool reaction = row.quantity.rfind("reaction", 0) == 0;
+        if (row.method == "vbd" && reaction) vbd = std::max(vbd, row.error);
+        if (row.method != "xpbd" || row.h_s > 2.6e-4) continue;
+        (reaction ? force : place) = std::max(reaction ? force : place, row.error);
+    }
+    EXPECT_GT(force, 3 * place);
+    EXPECT_LT(place, 0.02);
+    EXPECT_GT(force, 0.0);
+    // Its fixed point is the equilibrium itself.
+    EXPECT_LT(vbd, 0.005);
+}
+
+TEST(Accuracy, ContactAsItIsFeltMeetsHertzAndCoulomb) {
+    int met = 0;
+    for (const AccuracyRow& row : quick_rows("felt")) {
+        if (row.target <= 0) continue;
+        EXPECT_LT(row.error, row.target) << row.setting << ", " << row.quantity << ", " << row.h_s;
+        ++met;
+    }
+    EXPECT_EQ(met, 8) << "Hertz at three steps, three frictions, a needle at two";
+}
+
 TEST(Accuracy, FreeBodiesKeepMomentumAndAngularMomentum) {
     int kept = 0;
     for (const AccuracyRow& row : quick_rows("motion")) {

@@ -41,3 +41,18 @@ TEST(TangentSolver, FactorsSayWhenTheTangentIsNotPositiveDefinite) {
     EXPECT_FALSE(solver.solve(chain(-1), Coordinates::Ones(kSize), u));
     EXPECT_TRUE(solver.solve(chain(1), Coordinates::Ones(kSize), u));
 }
+
+TEST(TangentSolver, ATangentThatHasChangedLittleIsSolvedWithTheOldFactors) {
+    TangentSolver solver({1e9, 1e-12, 1000});
+    Coordinates u, v;
+    const Coordinates right = Coordinates::LinSpaced(kSize, -1, 2);
+    ASSERT_TRUE(solver.solve(chain(1), right, u));
+    EXPECT_EQ(solver.factorisations(), 1);
+    // One spring has changed: two iterations.
+    ASSERT_TRUE(solver.solve(chain(1.5), right, u));
+    EXPECT_EQ(solver.factorisations(), 1);
+    ASSERT_TRUE(TangentSolver({1e9, 1e-12, 1000}).solve(chain(1.5), right, v));
+    EXPECT_LT((u - v).norm(), 1e-10 * v.norm());
+    // What is no longer positive definite is found out with old factors as well.
+    EXPECT_FALSE(solver.solve(chain(-1), right, u));
+}

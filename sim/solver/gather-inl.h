@@ -72,7 +72,8 @@ HWY_INLINE M FiniteLanes(V a) {
 }
 
 #if HWY_TARGET == HWY_SCALAR
-HWY_INLINE V4 Gather(const char* base, const uint16_t* index) {
+template <class Index>
+HWY_INLINE V4 Gather(const char* base, const Index* index) {
     const D d;
     const float* p = reinterpret_cast<const float*>(base + size_t{*index} * 8);
     return {hn::Set(d, p[0]), hn::Set(d, p[1]), hn::Set(d, p[2]), hn::Set(d, p[3])};
@@ -86,14 +87,15 @@ HWY_INLINE void Scatter(const V4& p, char* base, const uint16_t* index, int) {
     out[3] = hn::GetLane(p.w);
 }
 #else
-HWY_INLINE hn::Vec<hn::FixedTag<float, 4> > LoadPoint(const char* base, const uint16_t* index) {
+template <class Index>
+HWY_INLINE hn::Vec<hn::FixedTag<float, 4> > LoadPoint(const char* base, const Index* index) {
     const hn::FixedTag<float, 4> d4;
     return hn::Load(d4, reinterpret_cast<const float*>(base + size_t{*index} * 8));
 }
 
 /// Points of lanes k, k + 4, k + 8, ... in consecutive 128-bit blocks.
-template <class Tag>
-HWY_INLINE hn::Vec<Tag> LoadRow(Tag, const char* base, const uint16_t* index) {
+template <class Tag, class Index>
+HWY_INLINE hn::Vec<Tag> LoadRow(Tag, const char* base, const Index* index) {
 #if HWY_MAX_BYTES >= 32
     constexpr size_t kN = hn::MaxLanes(Tag());
     if constexpr (kN == 16) {
@@ -112,7 +114,8 @@ HWY_INLINE hn::Vec<Tag> LoadRow(Tag, const char* base, const uint16_t* index) {
 }
 
 /// x, y, z, w of one point per lane. index[lane] = byte offset / 8 from base.
-HWY_INLINE V4 Gather(const char* base, const uint16_t* index) {
+template <class Index>
+HWY_INLINE V4 Gather(const char* base, const Index* index) {
     const D d;
     const hn::Repartition<double, D> dd;
     const V r0 = LoadRow(d, base, index), r1 = LoadRow(d, base, index + 1);
@@ -181,7 +184,8 @@ HWY_INLINE void Scatter(const V4& p, char* base, const uint16_t* index, int coun
 
 #endif  // HWY_SCALAR
 
-HWY_INLINE V3 Gather3(const char* base, const uint16_t* index) {
+template <class Index>
+HWY_INLINE V3 Gather3(const char* base, const Index* index) {
     const V4 p = Gather(base, index);
     return {p.x, p.y, p.z};
 }

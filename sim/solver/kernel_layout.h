@@ -22,6 +22,7 @@
 #include "sim/core/aligned_vector.h"
 #include "sim/core/fields.h"
 #include "sim/solver/sheet.h"
+#include "sim/solver/sheet_strips.h"
 #include "sim/solver/soft_body.h"
 
 namespace placode::sim {
@@ -91,7 +92,10 @@ struct KernelLayout {
     // Tethers of vertex v: tether_of[tether_start[v] .. tether_start[v + 1]).
     std::vector<int32_t> tether_start, tether_of;
     SheetElements sheet;  ///< Empty in a body without triangles.
-    /// Vertices that the sweep leaves out and that are solved one by one: tethered or in a sheet.
+    /// Vertices of the sheet that move, solved colour by colour behind the jobs; their batches
+    /// follow the last job.
+    SheetStrips sheet_strips;
+    /// Vertices that the sweep leaves out and that are solved one by one: tethered.
     std::vector<int32_t> single_vertices;
 
     int64_t lane_count = 0;  ///< Length of SoftBodyState::lanes, see initial_lanes().
@@ -101,12 +105,14 @@ void fields(Of<KernelLayout> auto& s, Visit&& visit) {
     auto& [batches, job_start, phase_start, job, colour, strip, keep, springs, slot, corner_lane,
            corner_sign, edge_weight_n_m, spring_vertices, damping_per_s, tet_batches, tet_job_start,
            tet_phase_start, tet_index, tet_rows, tet_slot, tet_lane_start, tet_lambda_start,
-           spring_sum_start, tether_start, tether_of, sheet, single_vertices, lane_count] = s;
+           spring_sum_start, tether_start, tether_of, sheet, sheet_strips, single_vertices,
+           lane_count] = s;
     visit.kept(batches, strip, keep, slot, corner_lane, corner_sign, damping_per_s, tet_index,
                edge_weight_n_m, tet_rows);
     visit.constant(job_start, phase_start, job, colour, springs, spring_vertices, tet_batches,
                    tet_job_start, tet_phase_start, tet_slot, tet_lane_start, tet_lambda_start,
-                   spring_sum_start, tether_start, tether_of, sheet, single_vertices, lane_count);
+                   spring_sum_start, tether_start, tether_of, sheet, sheet_strips, single_vertices,
+                   lane_count);
 }
 
 /// Constants of one tet at its (scaled) rest shape.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <optional>
 
 #include "sim/core/as_index.h"
 #include "sim/mesh/space_order.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int32_t kFarthest = 16384;    // numbers of the vertices of a batch: offsets have 16 bits
 constexpr size_t kClass = 32;           // vertices of a colour, see add_colour
 constexpr int32_t kStepsOfAVertex = 4;  // what a vertex costs beside the steps of its strip
+constexpr int32_t kStepsOfATriangle = 8;  // what a step round a vertex of a sheet costs
 
 /// Builds the VBD part.
 class VertexPacker {
@@ -38,6 +40,7 @@ class VertexPacker {
             out_.corner_sign.assign(as_index(body_.tet_count()), 0);
         }
         const int jobs = out_.phase_start.back();
+        colour_sheet();
         const auto groups = by_job_and_colour();
         for (int j = 0; j < jobs; ++j) {
             out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
@@ -45,6 +48,7 @@ class VertexPacker {
             add_rest();
         }
         out_.job_start.push_back(static_cast<int32_t>(out_.batches.size()));
+        if (fans_) add_sheet_batches();
         for (const auto& members : groups[as_index(jobs)]) add_colour(members);
         add_rest();
     }
@@ -117,11 +121,53 @@ class VertexPacker {
     void make_sheet() {
         if (body_.spec().sheet.empty()) return;
         out_.sheet = sheet_elements(body_.spec());
-        auto& single = out_.single_vertices;
-        for (const SheetTriangle& t : body_.spec().sheet)
-            single.insert(single.end(), t.vertex.begin(), t.vertex.end());
-        std::sort(single.begin(), single.end());
-        single.erase(std::unique(single.begin(), single.end()), single.end());
+        fans_.emplace(body_);
+        in_sheet_ = sheet_vertices(body_.spec());
+    }
+
+    /// Greedy in index order: vertices of one colour are in no energy together, neither of a
+    /// triangle with its neighbours nor of a tet. Fixed and tethered ones have no colour.
+    void colour_sheet() {
+        sheet_colour_.assign(as_index(body_.vertex_count()), -1);
+        if (!fans_) return;
+        std::vector<uint8_t> other(in_sheet_.size(), 0);
+        for (const int32_t v : body_.spec().fixed) other[as_index(v)] = 1;
+        for (const int32_t v : out_.single_vertices) other[as_index(v)] = 1;
+        for (int32_t v = 0; v < body_.vertex_count(); ++v) {
+            if (in_sheet_[as_index(v)] == 0 || other[as_index(v)] != 0) continue;
+            std::vector<int32_t> near = fans_->around(v);
+            for (const StripStep& s : strips_[as_index(v)]) near.push_back(s.vertex);
+            std::vector<uint8_t> taken(near.size() + 1, 0);
+            for (const int32_t u : near) {
+                const int32_t c = sheet_colour_[as_index(u)];
+                if (c >= 0 && as_index(c) < taken.size()) taken[as_index(c)] = 1;
+            }
+            sheet_colour_[as_index(v)] =
+                static_cast<int32_t>(std::find(taken.begin(), taken.end(), 0) - taken.begin());
+        }
+    }
+
+    void add_sheet_batches() {
+        SheetStrips& strips = out_.sheet_strips;
+        strips.per_length = fans_->per_length();
+        strips.bends = fans_->bends();
+        const int32_t colours = 1 + *std::max_element(sheet_colour_.begin(), sheet_colour_.end());
+        strips.colour_start.push_back(0);
+        for (int32_t c = 0; c < colours; ++c) {
+            const size_t first = out_.batches.size();
+            std::vector<int32_t> members;
+            for (int32_t v = 0; v < body_.vertex_count(); ++v) {
+                if (sheet_colour_[as_index(v)] == c) members.push_back(v);
+            }
+            add_colour(members);
+            add_rest();
+            for (size_t b = first; b < out_.batches.size(); ++b) {
+                const VertexBatch& batch = out_.batches[b];
+                fans_->add({batch.vertex.begin(), batch.vertex.begin() + batch.count},
+                           static_cast<int32_t>(b), strips);
+            }
+            strips.colour_start.push_back(static_cast<int32_t>(strips.batches.size()));
+        }
     }
 
     /// Sums the springs of each vertex: force = -(K (x - rest) + f0), f0 in double.
@@ -165,11 +211,12 @@ class VertexPacker {
         }
     }
 
-    /// Fixed vertices do not move; tethered ones and those of sheets are solved one by one.
+    /// Fixed vertices do not move; tethered ones are solved one by one, sheets behind the jobs.
     [[nodiscard]] std::vector<uint8_t> left_out() const {
         std::vector<uint8_t> skip(as_index(body_.vertex_count()), 0);
         for (const int32_t v : body_.spec().fixed) skip[as_index(v)] = 1;
         for (const int32_t v : out_.single_vertices) skip[as_index(v)] = 1;
+        for (size_t v = 0; v < in_sheet_.size(); ++v) skip[v] |= in_sheet_[v];
         return skip;
     }
 
@@ -197,6 +244,7 @@ class VertexPacker {
         const int32_t jobs = out_.phase_start.back();
         std::vector<std::vector<std::vector<int32_t>>> out(as_index(jobs + 1));
         for (int32_t v = 0; v < body_.vertex_count(); ++v) {
+            if (sheet_colour_[as_index(v)] >= 0) continue;
             const bool swept = out_.job[as_index(v)] >= 0;
             auto& colours = out[as_index(swept ? out_.job[as_index(v)] : jobs)];
             const size_t colour = swept ? as_index(out_.colour[as_index(v)]) : 0;
@@ -211,9 +259,14 @@ class VertexPacker {
     /// fewer steps on lanes that are done (classes of 32 take 6 % more steps on the default field
     /// than sorting by length alone, classes of 64 take 11 %).
     void add_colour(std::vector<int32_t> members) {
+        const auto work = [this](int32_t v) {
+            return steps(v) + (in_sheet_.empty() || in_sheet_[as_index(v)] == 0
+                                   ? 0
+                                   : kStepsOfATriangle * fans_->steps(v));
+        };
         std::stable_sort(members.begin(), members.end(), [&](int32_t a, int32_t b) {
             const bool sa = spring_of_[as_index(a)] >= 0, sb = spring_of_[as_index(b)] >= 0;
-            return sa != sb ? sa : steps(a) > steps(b);
+            return sa != sb ? sa : work(a) > work(b);
         });
         for (size_t i = 0; i < members.size(); i += kClass) {
             const size_t n = std::min(kClass, members.size() - i);
@@ -357,7 +410,10 @@ class VertexPacker {
     std::vector<uint32_t> place_;  // (V) along a curve through space
     std::vector<std::vector<StripStep>> strips_;
     std::vector<int32_t> spring_of_;
-    std::vector<int32_t> rest_;  // of the job at work: not enough of one colour for a batch
+    std::optional<SheetFans> fans_;
+    std::vector<uint8_t> in_sheet_;      // (V), empty without a sheet
+    std::vector<int32_t> sheet_colour_;  // (V) -1 = not solved as part of a sheet
+    std::vector<int32_t> rest_;          // of the job at work: not enough of one colour for a batch
     std::vector<Mat3> spring_k_;
     std::vector<Vec3> spring_f_;
 };

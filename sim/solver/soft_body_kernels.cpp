@@ -27,8 +27,18 @@ namespace HWY_NAMESPACE {
 uint32_t VertexBatches(const KernelArguments& arguments, int first, int last) {
     uint32_t flags = 0;
     for (int b = first; b < last; ++b) {
-        flags |= arguments.x_low != nullptr ? SolveVertexBatch<true>(arguments, b)
-                                            : SolveVertexBatch<false>(arguments, b);
+        flags |= arguments.x_low != nullptr ? SolveVertexBatch<true, false>(arguments, b)
+                                            : SolveVertexBatch<false, false>(arguments, b);
+    }
+    return flags;
+}
+
+uint32_t SheetBatches(const KernelArguments& arguments, int first, int last) {
+    uint32_t flags = 0;
+    for (int i = first; i < last; ++i) {
+        const SheetBatch& b = arguments.packed->sheet_strips.batches[static_cast<size_t>(i)];
+        flags |= arguments.x_low != nullptr ? SolveVertexBatch<true, true>(arguments, b.batch, &b)
+                                            : SolveVertexBatch<false, true>(arguments, b.batch, &b);
     }
     return flags;
 }
@@ -59,6 +69,7 @@ HWY_AFTER_NAMESPACE();
 namespace placode::sim {
 
 HWY_EXPORT(VertexBatches);
+HWY_EXPORT(SheetBatches);
 HWY_EXPORT(SpringBatches);
 HWY_EXPORT(TetBatches);
 HWY_EXPORT(BeginVertices);
@@ -67,6 +78,10 @@ HWY_EXPORT(Name);
 
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept {
     return HWY_DYNAMIC_DISPATCH(VertexBatches)(arguments, first, last);
+}
+
+uint32_t solve_sheet_batches(const KernelArguments& arguments, int first, int last) noexcept {
+    return HWY_DYNAMIC_DISPATCH(SheetBatches)(arguments, first, last);
 }
 
 void solve_spring_batches(const KernelArguments& arguments, int first, int last) noexcept {

@@ -46,6 +46,9 @@ size_t end_motion(const MotionArguments& arguments, size_t first, size_t last) n
 /// Vertex block descent over batches [first, last) of one colour. Returns StepFlag bits.
 uint32_t solve_vertex_batches(const KernelArguments& arguments, int first, int last) noexcept;
 
+/// The same over sheet batches [first, last) of one colour (sheet_strips.h).
+uint32_t solve_sheet_batches(const KernelArguments& arguments, int first, int last) noexcept;
+
 /// XPBD's anchor springs at vertex batches [first, last), which may be of any colour: a spring
 /// moves its own vertex only.
 void solve_spring_batches(const KernelArguments& arguments, int first, int last) noexcept;

@@ -10,18 +10,11 @@
 #define PLACODE_SIM_VERTEX_KERNEL_INL
 #endif
 
-#include "sim/solver/gather-inl.h"
+#include "sim/solver/sheet_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace placode::sim {
 namespace HWY_NAMESPACE {
-
-/// Symmetric 3x3 systems.
-struct Systems {
-    V3 gradient;
-    V xx, xy, xz, yy, yz, zz;
-    V floor;  ///< Lower bound of every pivot.
-};
 
 /// So many floats ahead the rows are asked for: 24 steps, since the processor by itself stops at
 /// the end of a page. Slab of 642,000 tets 1.1 to 1.4 times as fast, no difference at 43,200.
@@ -109,8 +102,10 @@ HWY_INLINE V3 Descend(const Systems& s) {
     return {x, y, z};
 }
 
-template <bool kLow>
-HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
+/// @param sheet nullptr, or (kSheet) what goes round the vertices of the batch.
+template <bool kLow, bool kSheet>
+HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number,
+                                     [[maybe_unused]] const SheetBatch* sheet = nullptr) {
     const D d;
     const VertexBatch& b = a.packed->batches[static_cast<size_t>(number)];
     const V inverse_h2 = hn::Set(d, 1.0F / (a.h * a.h));
@@ -139,6 +134,7 @@ HWY_INLINE uint32_t SolveVertexBatch(const KernelArguments& a, int number) {
         Systems s = {Scale(inertia, off), diagonal, zero, zero, diagonal, zero, diagonal, diagonal};
         AddElastic<kLow>(a, b, lane, x, low, s);
         AddSprings(a, b, lane, x, s);
+        if constexpr (kSheet) AddSheet<kLow>(a, *sheet, lane, x, low, s);
         V3 step = Scale(hn::Set(d, a.over_relaxation), Descend(s));
 
         const V length2 = Dot(step, step);

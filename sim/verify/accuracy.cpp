@@ -93,8 +93,10 @@ struct Group {
 };
 constexpr Group kGroups[] = {{"homogeneous", measure_homogeneous, false},
                              {"beams", measure_beams, false},
+                             {"twist", measure_twist, false},
                              {"motion", measure_motion, false},
                              {"indentation", measure_indentation, false},
+                             {"felt", measure_felt, false},
                              {"field", measure_field, true},
                              {"drives", measure_drives, true}};
 

@@ -35,7 +35,7 @@ struct AccuracyOptions {
     std::function<void(const AccuracyRow&)> progress;
 };
 
-/// homogeneous, beams, motion, indentation, field, drives.
+/// homogeneous, beams, twist, motion, indentation, felt, field, drives.
 [[nodiscard]] const std::vector<std::string>& accuracy_groups();
 
 /// All cases. Runs for minutes; one thread.
@@ -48,8 +48,10 @@ struct AccuracyOptions {
 class AccuracyTable;
 void measure_homogeneous(AccuracyTable& table);
 void measure_beams(AccuracyTable& table);
+void measure_twist(AccuracyTable& table);
 void measure_motion(AccuracyTable& table);
 void measure_indentation(AccuracyTable& table);
+void measure_felt(AccuracyTable& table);
 void measure_field(AccuracyTable& table);
 void measure_drives(AccuracyTable& table);
 

@@ -11,6 +11,9 @@ namespace {
 // Above this many unknowns factors grow past the memory of a small machine.
 constexpr Eigen::Index kMostDirect = 150000;
 
+// Conjugate gradients that need more have the wrong factors.
+constexpr double kMostWithOldFactors = 60;
+
 /// Sum of the squares of the rows' lengths from their first entry to the diagonal.
 double envelope(const SparseMatrix& lower) {
     std::vector<Eigen::Index> first(static_cast<size_t>(lower.rows()));
@@ -31,6 +34,49 @@ double envelope(const SparseMatrix& lower) {
 
 }  // namespace
 
+bool TangentSolver::factor(const SparseMatrix& lower) {
+    direct_.factorize(lower);
+    ++factorisations_;
+    has_factors_ = direct_.info() == Eigen::Success;
+    if (!has_factors_) return false;
+    const auto& factors = direct_.matrixL().nestedExpression();
+    double work = 0, entries = 0;
+    for (Eigen::Index column = 0; column < factors.outerSize(); ++column) {
+        const auto length = static_cast<double>(factors.outerIndexPtr()[column + 1] -
+                                                factors.outerIndexPtr()[column]);
+        work += length * length;
+        entries += length;
+    }
+    // Two triangles, a multiplication for each entry; memory makes each some four times as dear.
+    most_with_old_factors_ =
+        static_cast<int>(std::clamp(0.5 * work / (8 * entries), 4.0, kMostWithOldFactors));
+    return true;
+}
+
+/// Conjugate gradients preconditioned with the factors at hand. false = they have not converged in
+/// the time of a factorisation, or have met a direction in which the tangent is not positive.
+bool TangentSolver::solve_with_old_factors(const SparseMatrix& lower, const Coordinates& right,
+                                           Coordinates& out) {
+    const double enough = effort_.tolerance * right.norm();
+    Coordinates residual = right, z = direct_.solve(right), direction = z;
+    out = Coordinates::Zero(right.size());
+    double along = residual.dot(z);
+    for (int i = 0; i < most_with_old_factors_; ++i) {
+        if (residual.norm() <= enough) return true;
+        const Coordinates pushed = lower.selfadjointView<Eigen::Lower>() * direction;
+        const double curvature = direction.dot(pushed);
+        if (!(curvature > 0)) return false;
+        const double step = along / curvature;
+        out += step * direction;
+        residual -= step * pushed;
+        z = direct_.solve(residual);
+        const double next = residual.dot(z);
+        direction = z + next / along * direction;
+        along = next;
+    }
+    return residual.norm() <= enough;
+}
+
 bool TangentSolver::solve(const SparseMatrix& lower, const Coordinates& right, Coordinates& out) {
     if (lower.rows() == 0) {
         out.resize(0);
@@ -42,8 +88,8 @@ bool TangentSolver::solve(const SparseMatrix& lower, const Coordinates& right, C
         if (is_direct_) direct_.analyzePattern(lower);
     }
     if (is_direct_) {
-        direct_.factorize(lower);
-        if (direct_.info() != Eigen::Success) return false;
+        if (has_factors_ && solve_with_old_factors(lower, right, out)) return true;
+        if (!factor(lower)) return false;
         out = direct_.solve(right);
         return true;
     }

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Linear systems of the tangent stiffness in double precision: factors where they are cheap,
-// conjugate gradients where the body is too thick for them. Private to sim/verify.
+// conjugate gradients where the body is too thick for them. From one Newton step to the next the
+// tangent changes little, or in a few touched vertices: conjugate gradients with the factors of an
+// earlier tangent then need some ten iterations, where factors anew cost a hundred times one.
+// Private to sim/verify.
 
 #include <Eigen/SparseCholesky>
 
@@ -27,9 +30,18 @@ class TangentSolver {
     /// end: a step that falls short).
     [[nodiscard]] bool solve(const SparseMatrix& lower, const Coordinates& right, Coordinates& out);
 
+    /// How many times a tangent was factored so far.
+    [[nodiscard]] int factorisations() const { return factorisations_; }
+
  private:
+    [[nodiscard]] bool factor(const SparseMatrix& lower);
+    [[nodiscard]] bool solve_with_old_factors(const SparseMatrix& lower, const Coordinates& right,
+                                              Coordinates& out);
+
     TangentEffort effort_;
-    bool analysed_ = false, is_direct_ = false;
+    bool analysed_ = false, is_direct_ = false, has_factors_ = false;
+    int factorisations_ = 0;
+    int most_with_old_factors_ = 0;  // iterations that cost half of a factorisation
     Eigen::SimplicialLLT<SparseMatrix, Eigen::Lower> direct_;
 };
 
