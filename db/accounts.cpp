@@ -8,6 +8,7 @@
 
 #include "db/audit.h"
 #include "db/password.h"
+#include "db/sqlite_file.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -24,6 +25,10 @@ int wait_s(int64_t failures) {
     if (failures < kFreeTries) return 0;
     const auto doublings = std::min<int64_t>(failures - kFreeTries, 10);
     return std::min(kLongestWaitS, kFirstWaitS << doublings);
+}
+
+void mark_store_of(const Connection& connection) {
+    if (connection.is_sqlite()) mark_store(connection.url().path);
 }
 
 }  // namespace
@@ -45,6 +50,7 @@ int64_t Accounts::create(const NewUser& user) {
     UnitOfWork work(connection_);
     const int64_t id = insert_user(user, hash);
     work.commit();
+    if (!user.demonstration) mark_store_of(connection_);
     return id;
 }
 
@@ -71,13 +77,17 @@ int Accounts::wait_before_sign_in(const std::string& key) {
     Statement query(connection_,
                     "SELECT failures, last_ms FROM sign_in_failures WHERE login_key = ?");
     query.run(key);
-    if (query.next()) {
-        // A clock that was set back must not lock anybody out for longer than one wait.
-        const int64_t since = std::max<int64_t>(0, now - query.integer("last_ms"));
-        const int64_t left = int64_t{1000} * wait_s(query.integer("failures")) - since;
-        if (left > 0) return static_cast<int>((left + 999) / 1000);
+    if (!query.next()) return 0;
+    const int64_t wait_ms = int64_t{1000} * wait_s(query.integer("failures"));
+    const int64_t since = now - query.integer("last_ms");
+    if (since < 0 && wait_ms > 0) {
+        // A try in the future: the clock was set back. The wait begins now, or it would last until
+        // the clock is there again, which may be years.
+        Statement(connection_, "UPDATE sign_in_failures SET last_ms = ? WHERE login_key = ?")
+            .run(now, key);
+        return static_cast<int>(wait_ms / 1000);
     }
-    return 0;
+    return since < wait_ms ? static_cast<int>((wait_ms - since + 999) / 1000) : 0;
 }
 
 SignIn Accounts::sign_in(const std::string& login, const std::string& password) {
@@ -88,8 +98,10 @@ SignIn Accounts::sign_in(const std::string& login, const std::string& password) 
     {
         // The try is counted before the password is looked at, so that tries in parallel count too.
         UnitOfWork work(connection_);
-        if (const int wait = wait_before_sign_in(key); wait > 0)
+        if (const int wait = wait_before_sign_in(key); wait > 0) {
+            work.commit();
             return {SignInOutcome::kThrottled, std::nullopt, wait};
+        }
         const int64_t now = context_.now_ms();
         Statement(connection_, "DELETE FROM sign_in_failures WHERE last_ms < ?")
             .run(now - kForgetMs);
@@ -127,6 +139,7 @@ SignIn Accounts::sign_in(const std::string& login, const std::string& password) 
                              user_object(id), "");
     work.commit();
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
+    if (!user.demonstration) mark_store_of(connection_);
     context_.actor.name = user.login;
     return {SignInOutcome::kOk, user, 0};
 }
@@ -169,6 +182,20 @@ void Accounts::set_active(int64_t user_id, bool active) {
     if (!active) need_another_administrator(user);
     Statement(connection_, "UPDATE accounts SET active = ? WHERE id = ?").run(active, user_id);
     context_.append_audit(active ? "user.activate" : "user.deactivate", user_object(user_id), "");
+    work.commit();
+}
+
+void Accounts::set_roles(int64_t user_id, Roles roles) {
+    connection_.begin_operation("change the roles of a user in");
+    if (roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
+    UnitOfWork work(connection_);
+    connection_.lock_table("accounts");
+    const UserRecord user = context_.need_user(user_id);
+    if (user.roles == roles) return;
+    if (user.active && !has_role(roles, Role::kAdministrator)) need_another_administrator(user);
+    Statement(connection_, "UPDATE accounts SET roles = ? WHERE id = ?").run(int{roles}, user_id);
+    context_.append_audit("user.roles", user_object(user_id),
+                          "roles " + std::to_string(user.roles) + " -> " + std::to_string(roles));
     work.commit();
 }
 

@@ -42,6 +42,8 @@ class Accounts {
     void set_password(int64_t user_id, const std::string& password, bool given = false);
     /// Throws kRefused when it would leave no active administrator.
     void set_active(int64_t user_id, bool active);
+    /// Throws kRefused for no role at all, and as set_active().
+    void set_roles(int64_t user_id, Roles roles);
     [[nodiscard]] std::vector<UserRecord> list();  ///< By login.
     [[nodiscard]] std::optional<UserRecord> find(int64_t id);
     [[nodiscard]] std::optional<UserRecord> find_login(const std::string& login);

@@ -9,6 +9,7 @@
 #include "curriculum/course.h"
 #include "curriculum/standard.h"
 #include "curriculum/study.h"
+#include "curriculum/task.h"
 #include "db/consent_seal.h"
 #include "db/packing.h"
 #include "db/store_context.h"
@@ -18,8 +19,8 @@ namespace {
 
 using Kind = StoreError::Kind;
 
-constexpr std::array<std::string_view, 6> kKinds{"questionnaire", "study",    "course",
-                                                 "rubric",        "standard", "consent_seal"};
+constexpr std::array<std::string_view, 7> kKinds{
+    "questionnaire", "study", "course", "rubric", "standard", "consent_seal", "task"};
 
 /// Throws DefinitionError: only what can be read again is published.
 void check_content(const DefinitionRecord& definition) {
@@ -38,6 +39,9 @@ void check_content(const DefinitionRecord& definition) {
     } else if (definition.kind == "standard") {
         const auto read = curriculum::load_standard_text(definition.json, origin);
         id = read.task_id, version = read.version;
+    } else if (definition.kind == "task") {
+        const auto read = curriculum::load_task_text(definition.json, origin);
+        id = read.id, version = read.version;
     } else if (definition.kind == "consent_seal") {
         const auto read = seal_of(definition.json);
         id = read.study_id, version = read.version;
@@ -78,8 +82,8 @@ void Definitions::publish(const DefinitionRecord& definition) {
     connection_.begin_operation("publish " + name + " in");
     if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
         connection_.fail(Kind::kRefused,
-                         "only questionnaires, studies, courses, rubrics, standards and seals "
-                         "of consents are published");
+                         "only questionnaires, studies, courses, tasks, rubrics, standards and "
+                         "seals of consents are published");
     check_content(definition);
     UnitOfWork work(connection_);
     connection_.lock_table("definitions");

@@ -6,6 +6,7 @@
 
 #include <sqlite3.h>
 
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -23,6 +24,24 @@ using SqlitePointer = std::unique_ptr<sqlite3, CloseSqlite>;
 /// Throws StoreError with the kind that fits SQLite's code: `OPERATION PATH: what SQLite said`.
 [[noreturn]] void fail_sqlite(int code, const std::string& operation, const std::string& path,
                               const std::string& advice);
+
+/// A file that anybody may have made, opened to be read: no views, no triggers, no functions of its
+/// own, and an end to every question. It is written to only where a killed writer's journal lies
+/// beside it, which is rolled back first.
+class ForeignDatabase {
+ public:
+    explicit ForeignDatabase(const std::string& path);
+    [[nodiscard]] int code() const { return code_; }  ///< SQLITE_OK, or why it cannot be opened.
+    [[nodiscard]] sqlite3* get() const { return database_.get(); }
+    /// Empty when its schema is exactly these statements, else what it holds beside them. A schema
+    /// that cannot be read is empty, too: whatever is asked next fails with the reason.
+    [[nodiscard]] std::string other_schema(std::initializer_list<const char*> statements) const;
+
+ private:
+    std::unique_ptr<int64_t> steps_left_;  ///< Before the database, whose handler counts them.
+    SqlitePointer database_;
+    int code_ = SQLITE_OK;
+};
 
 class RawStatement {
  public:

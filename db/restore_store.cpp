@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 
+#include "db/durable_file.h"
 #include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
 #include "db/store.h"
@@ -21,18 +22,29 @@ using Kind = StoreError::Kind;
 
 constexpr std::array<const char*, 3> kSuffixes{"", "-wal", "-shm"};
 
-// Leaving the write-ahead log is allowed only to the one program that has the file open.
-bool nobody_else_uses(const std::string& path, int timeout_ms) {
-    sqlite3* database = nullptr;
-    int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
-    if (code == SQLITE_OK) {
-        sqlite3_busy_timeout(database, timeout_ms);
-        code = sqlite3_exec(database, "PRAGMA journal_mode = DELETE", nullptr, nullptr, nullptr);
+/// Keeps every other program out of the store while its file is exchanged, and folds its log into
+/// it. A damaged file cannot be held: it may be put aside all the same.
+class OldStore {
+ public:
+    OldStore(const StoreUrl& url, const std::string& operation) {
+        sqlite3* database = nullptr;
+        int code = sqlite3_open_v2(url.path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
+        database_.reset(database);
+        sqlite3_busy_timeout(database, url.timeout_ms);
+        // From the first access on and until it is closed. Leaving the write-ahead log is allowed
+        // only to the one program that has the file open.
+        for (const char* sql :
+             {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA journal_mode = DELETE", "BEGIN EXCLUSIVE"})
+            if (code == SQLITE_OK) code = sqlite3_exec(database, sql, nullptr, nullptr, nullptr);
+        if ((code & 0xff) == SQLITE_BUSY || (code & 0xff) == SQLITE_LOCKED)
+            throw StoreError(
+                Kind::kLocked,
+                operation + ": another program uses the store; close it and try again");
     }
-    sqlite3_close(database);
-    // A damaged file answers with other codes: it may be put aside.
-    return (code & 0xff) != SQLITE_BUSY && (code & 0xff) != SQLITE_LOCKED;
-}
+
+ private:
+    SqlitePointer database_;
+};
 
 // An empty file would open as a new store: a backup is told by its mark before it is opened as one.
 bool is_marked_as_store(const std::string& path) {
@@ -43,6 +55,19 @@ bool is_marked_as_store(const std::string& path) {
     RawStatement query(database, "PRAGMA application_id");
     return query.prepared() == SQLITE_OK && query.step() == SQLITE_ROW &&
            query.integer(0) == kStoreApplicationId;
+}
+
+// The log of a damaged store, which nobody could fold into it: beside the new file it would be
+// taken for its own. Its copy is whole before it goes.
+void put_log_aside(const std::string& path, const std::string& aside) {
+    if (fs::exists(path + "-wal")) {
+        fs::copy_file(path + "-wal", aside + "-wal");
+        sync_file(aside + "-wal");
+        sync_folder_of(aside);
+        fs::remove(path + "-wal");
+    }
+    fs::remove(path + "-shm");
+    sync_folder_of(path);
 }
 
 void prove(const std::string& copy, const std::string& backup_path, const std::string& operation,
@@ -82,22 +107,21 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
         prove(fresh, backup_path, operation, actor);
-        // 2. The old store steps aside, whole, with its log if it has one.
+        // 2. It takes the place of the old store, which is kept. prove() has closed it: it is one
+        // file.
         if (fs::exists(target.path)) {
-            if (!nobody_else_uses(target.path, target.timeout_ms))
-                throw StoreError(Kind::kLocked,
-                                 operation +
-                                     ": another program uses the store; close it and try "
-                                     "again");
+            const OldStore held(target, operation);
             aside =
                 target.path + ".replaced-" +
                 QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString();
-            for (const char* suffix : kSuffixes)
-                if (fs::exists(target.path + suffix))
-                    fs::rename(target.path + suffix, aside + suffix);
+            put_log_aside(target.path, aside);
+            replace_file(fresh, target.path, aside);
+        } else {
+            sync_file(fresh);
+            fs::rename(fresh, target.path);
+            sync_folder_of(target.path);
         }
-        // 3. The new one takes its place. prove() has closed it: it is one file.
-        fs::rename(fresh, target.path);
+        mark_store(target.path);
     } catch (const fs::filesystem_error& error) {
         forget();
         throw StoreError(Kind::kUnavailable, operation + ": " + error.what());

@@ -62,10 +62,16 @@ Diagnosis diagnose_postgresql(const std::string& state, QSqlError::ErrorType typ
         return {Kind::kLocked, "another program holds the data; wait and try again"};
     if (family == "08" || family == "57" || family == "28" || family == "53" || state.empty() ||
         type == QSqlError::ConnectionError)
-        return {
-            Kind::kUnavailable,
-            "check that the server runs and that host, port, name, user and password are right"};
+        return {Kind::kUnavailable,
+                "check that the server runs and that host, port, name, user and password are "
+                "right; a server elsewhere has to prove who it is (?sslrootcert=FILE or "
+                "~/.postgresql/root.crt), unless the address says another ?sslmode"};
     return {Kind::kOther, "nothing was changed"};
+}
+
+// As libpq reads the values of its connection text. Qt makes ';' into a blank.
+QString quoted(const std::string& value) {
+    return QString::fromStdString(value).replace('\\', "\\\\").replace('\'', "\\'");
 }
 
 std::string first_line(const QString& text) {
@@ -112,7 +118,11 @@ void Connection::open() {
         database_.setUserName(QString::fromStdString(url_.user));
         database_.setPassword(QString::fromStdString(url_.password));
         database_.setDatabaseName(QString::fromStdString(url_.name));
-        database_.setConnectOptions(QStringLiteral("connect_timeout=5"));
+        QString options = QStringLiteral("connect_timeout=5;sslmode=%1")
+                              .arg(QString::fromStdString(url_.sslmode));
+        if (!url_.sslrootcert.empty())
+            options += QStringLiteral(";sslrootcert='%1'").arg(quoted(url_.sslrootcert));
+        database_.setConnectOptions(options);
     }
     if (!database_.open()) fail(database_.lastError());
     if (is_sqlite()) {

@@ -14,6 +14,9 @@
 #include <filesystem>
 #include <thread>
 
+#include "db/durable_file.h"
+#include "db/raw_sqlite.h"
+
 namespace placode::db {
 namespace {
 
@@ -88,6 +91,28 @@ void check_header(const std::string& path, const std::string& operation) {
                  std::to_string(page * pages) + " bytes" + kRestore);
 }
 
+constexpr const char* kMarkText =
+    "Beside this file lies a store of Placode. If the store is missing, Placode says so instead "
+    "of\n"
+    "beginning anew, when whoever comes first would become administrator.\n";
+
+// A program that waited while a backup was put in place holds the old file: under another name, and
+// its log would be taken for the new file's.
+bool has_moved(Connection& connection) {
+    int moved = 0;
+    sqlite3_file_control(connection.sqlite_handle(), "main", SQLITE_FCNTL_HAS_MOVED, &moved);
+    return moved != 0;
+}
+
+/// First column of the first row, or what SQLite said.
+std::string answer_of(sqlite3* database, const char* sql) {
+    RawStatement query(database, sql);
+    if (query.prepared() != SQLITE_OK) return sqlite3_errmsg(database);
+    const int code = query.step();
+    if (code == SQLITE_ROW) return query.text(0);
+    return code == SQLITE_DONE ? "" : sqlite3_errmsg(database);
+}
+
 int64_t pragma(Connection& connection, const std::string& name) {
     Statement query(connection, "PRAGMA " + name);
     query.run();
@@ -112,9 +137,34 @@ void prepare_sqlite_file(const std::string& path, const std::string& operation) 
     check_header(path, operation);
 }
 
+std::string mark_of_store(const std::string& path) { return path + ".known"; }
+
+void mark_store(const std::string& path) noexcept {
+    if (path == ":memory:") return;
+    const int file =
+        ::open((path + ".known").c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+    if (file < 0) return;  // It is there, or nobody may write here.
+    // The name counts; the text is for people.
+    [[maybe_unused]] const ssize_t written = ::write(file, kMarkText, std::strlen(kMarkText));
+    ::close(file);
+}
+
+void need_known_store(const std::string& path, bool known, const std::string& operation) {
+    if (path == ":memory:") return;
+    struct stat status {};
+    if (::stat(path.c_str(), &status) == 0 && status.st_size > 0) return;
+    if (known || ::access(mark_of_store(path).c_str(), F_OK) == 0)
+        fail(Kind::kMissing, operation, path,
+             "the store that was here is gone; restore a backup with `placodectl restore FILE`, "
+             "give its new place with --store, or begin anew with `placodectl user add LOGIN "
+             "--begin-anew`");
+}
+
 void claim_sqlite_file(Connection& connection) {
     // The schema first: a program that fills the file at this moment has written its id before.
     const bool filled = pragma(connection, "schema_version") != 0;
+    if (has_moved(connection))
+        connection.fail(Kind::kLocked, "another program has just replaced the store; try again");
     const int64_t id = pragma(connection, "application_id");
     if (id != kStoreApplicationId) {
         if (id != 0 || filled)
@@ -171,6 +221,18 @@ void copy_sqlite_store(Connection& connection, const std::string& path) {
         connection.fail(Kind::kUnavailable, "cannot write " + path + " (" + problem +
                                                 "); the store is unchanged, give another place");
     }
+    sync_file(path);
+}
+
+std::string copy_problem(const std::string& path) {
+    sqlite3* database = nullptr;
+    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+    const SqlitePointer owner(database);
+    if (code != SQLITE_OK) return sqlite3_errstr(code);
+    if (answer_of(database, "PRAGMA application_id") != std::to_string(kStoreApplicationId))
+        return "it does not bear the mark of a store";
+    const std::string said = answer_of(database, "PRAGMA integrity_check(1)");
+    return said == "ok" ? "" : said;
 }
 
 }  // namespace placode::db

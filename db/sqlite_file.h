@@ -16,13 +16,26 @@ inline constexpr int kStoreApplicationId = 0x504c4344;
 /// without touching a file that is no SQLite database or is shorter than it says.
 void prepare_sqlite_file(const std::string& path, const std::string& operation);
 
+/// The mark beside a store that has accounts: without it a file that is gone would be a first
+/// start, and whoever comes first would become administrator.
+[[nodiscard]] std::string mark_of_store(const std::string& path);
+/// Writes the mark if it is not there. A folder that cannot be written has no mark.
+void mark_store(const std::string& path) noexcept;
+/// Throws StoreError(kMissing) when `known` or the mark says that there was a store and the file is
+/// gone or empty.
+void need_known_store(const std::string& path, bool known, const std::string& operation);
+
 /// After opening: refuses another program's database; sets application id and write-ahead log.
 void claim_sqlite_file(Connection& connection);
 
 /// First problem that SQLite's integrity check finds, or "".
 [[nodiscard]] std::string sqlite_integrity_problem(Connection& connection);
 
-/// A consistent copy (0600), while others may read and write. Throws StoreError when `path` exists.
+/// A consistent copy (0600), while others may read and write, on the disk when it returns. Throws
+/// StoreError when `path` exists.
 void copy_sqlite_store(Connection& connection, const std::string& path);
+
+/// What is wrong with a copy, opened and read from beginning to end; "" = nothing.
+[[nodiscard]] std::string copy_problem(const std::string& path);
 
 }  // namespace placode::db

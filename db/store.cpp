@@ -11,6 +11,7 @@
 #include <cassert>
 #include <filesystem>
 
+#include "db/durable_file.h"
 #include "db/schema.h"
 #include "db/sqlite_file.h"
 #include "db/store_context.h"
@@ -22,6 +23,47 @@ namespace {
 std::string file_stamp() {
     return QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString() + "-" +
            QUuid::createUuid().toString(QUuid::WithoutBraces).left(8).toStdString();
+}
+
+/// A copy counts once it was opened and read; one that does not pass stays as PATH.failed.
+/// @param deeper what else may be wrong with it; "" = nothing.
+void keep_checked_copy(Connection& connection, const std::string& path,
+                       const std::function<std::string(const std::string&)>& deeper = {}) {
+    const std::string part = path + ".part";
+    std::filesystem::remove(part);
+    copy_sqlite_store(connection, part);
+    std::string problem = copy_problem(part);
+    if (problem.empty() && deeper) problem = deeper(part);
+    if (!problem.empty()) {
+        std::filesystem::rename(part, path + ".failed");
+        connection.fail(StoreError::Kind::kDamaged,
+                        "the copy does not pass its check (" + problem + ") and is kept as " +
+                            path + ".failed; check the store with `placodectl check`");
+    }
+    std::filesystem::rename(part, path);
+    sync_folder_of(path);
+}
+
+/// What the whole check says about a copy.
+std::string first_problem(const std::string& path, const StoreOptions& options) {
+    StoreUrl url;
+    url.path = path;
+    url.shown = "sqlite:" + path;
+    const auto problems = Store(std::make_unique<StoreContext>(url, options)).check();
+    return problems.empty() ? "" : problems.front();
+}
+
+/// Whoever comes first to a store without accounts becomes administrator: not where there were
+/// some.
+void need_accounts(StoreContext& context) {
+    const StoreUrl& url = context.connection.url();
+    if (!context.connection.is_sqlite() || url.path == ":memory:") return;
+    if (!context.options.known && !std::filesystem::exists(mark_of_store(url.path))) return;
+    if (!Statement(context.connection, "SELECT id FROM accounts LIMIT 1").run().next())
+        context.connection.fail(StoreError::Kind::kMissing,
+                                "the store that was here had accounts, and this one has none; "
+                                "restore a backup with `placodectl restore FILE`, or begin anew "
+                                "with `placodectl user add LOGIN --begin-anew`");
 }
 
 /// The tables of this program, in a store that may be new or older.
@@ -37,7 +79,7 @@ void bring_up_to_date(StoreContext& context) {
             connection.fail(StoreError::Kind::kDamaged,
                             "not migrated, because it is damaged (" + problem +
                                 "); restore a backup with `placodectl restore FILE`");
-        copy_sqlite_store(connection, connection.url().path + ".before-update-" + file_stamp());
+        keep_checked_copy(connection, connection.url().path + ".before-update-" + file_stamp());
     });
 }
 
@@ -90,13 +132,12 @@ void Store::backup(const std::string& path) {
     if (!connection.is_sqlite())
         connection.fail(StoreError::Kind::kRefused,
                         "a PostgreSQL store is backed up on its server, with pg_dump");
-    const std::string part = path + ".part";
     if (std::filesystem::exists(path))
         connection.fail(StoreError::Kind::kConflict,
                         path + " exists and is not overwritten; give another name");
-    std::filesystem::remove(part);
-    copy_sqlite_store(connection, part);
-    std::filesystem::rename(part, path);
+    keep_checked_copy(connection, path, [this](const std::string& copy) {
+        return first_problem(copy, context_->options);
+    });
     UnitOfWork work(connection);
     context_->append_audit("store.backup", path, "");
     work.commit();
@@ -105,10 +146,22 @@ void Store::backup(const std::string& path) {
 std::unique_ptr<Store> open_store(const std::string& url, const StoreOptions& options) {
     assert(QCoreApplication::instance() != nullptr);
     const StoreUrl parsed = parse_store_url(url);
-    if (parsed.engine == Engine::kSqlite) prepare_sqlite_file(parsed.path, "open");
+    if (parsed.engine == Engine::kSqlite) {
+        if (options.begin_anew)
+            std::filesystem::remove(mark_of_store(parsed.path));
+        else
+            need_known_store(parsed.path, options.known, "open");
+        prepare_sqlite_file(parsed.path, "open");
+    }
     auto context = std::make_unique<StoreContext>(parsed, options);
     bring_up_to_date(*context);
+    if (!options.begin_anew) need_accounts(*context);
     return std::make_unique<Store>(std::move(context));
+}
+
+bool store_was_here(const std::string& url) {
+    const StoreUrl parsed = parse_store_url(url);
+    return parsed.engine == Engine::kSqlite && std::filesystem::exists(mark_of_store(parsed.path));
 }
 
 std::string default_store_url() {

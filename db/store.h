@@ -50,8 +50,10 @@ class Store final {
     [[nodiscard]] StudyRecords& records() noexcept { return records_; }
     [[nodiscard]] Audit& audit() noexcept { return audit_; }
 
-    std::vector<std::string> check();       ///< Problems found; empty = sound.
-    void backup(const std::string& path);   ///< SQLite: a consistent copy.
+    std::vector<std::string> check();  ///< Problems found; empty = sound.
+    /// SQLite: a consistent copy, which counts when check() finds nothing in it; else it stays as
+    /// PATH.failed and kDamaged is thrown.
+    void backup(const std::string& path);
     [[nodiscard]] std::string url() const;  ///< For people: without the password.
 
  private:
@@ -68,19 +70,24 @@ class Store final {
     Audit audit_;
 };
 
-/// "sqlite:PATH", "sqlite::memory:" or "postgresql://user:password@host:port/name", each with
-/// "?timeout_ms=5000" behind it if wanted: how long to wait for a lock. Creates (folder 0700, file
-/// 0600) and migrates; an existing SQLite file is checked and copied before it is migrated. A file
-/// that is not a Placode store, or is damaged, is not touched. Throws StoreError.
+/// "sqlite:PATH", "sqlite::memory:" or "postgresql://user@host:port/name", with the options of
+/// db/store_url.h behind it. Creates (folder 0700, file 0600) and migrates; an existing SQLite file
+/// is checked and copied, and the copy checked, before it is migrated. A file that is not a Placode
+/// store, or is damaged, is not touched; one that was here and is gone is not made anew (kMissing).
+/// Throws StoreError.
 /// @pre A QCoreApplication exists: Qt finds its database drivers through it.
 [[nodiscard]] std::unique_ptr<Store> open_store(const std::string& url,
                                                 const StoreOptions& options = {});
 
-/// Puts a backup in the place of an embedded store; the old file is kept beside it. Returns where
-/// ("" when there was none). Throws kLocked when a program uses the store, kDamaged or kTooNew for
-/// the backup; the store is then as it was.
+/// Puts a backup in the place of an embedded store in one step: whenever it is killed, there is the
+/// old store or the new one. The old file is kept beside it. Returns where ("" when there was
+/// none). Throws kLocked when a program uses the store, kDamaged or kTooNew for the backup; the
+/// store is then as it was.
 std::string restore_store(const std::string& url, const std::string& backup_path,
                           const std::string& actor = "restore");
+
+/// Whether an embedded store with accounts has been at this address, by the mark beside its file.
+[[nodiscard]] bool store_was_here(const std::string& url);
 
 /// "sqlite:" + the user's data folder + "/placode.db" (the folder is created by open_store).
 [[nodiscard]] std::string default_store_url();

@@ -21,6 +21,7 @@ class StoreError : public std::runtime_error {
         kConflict,
         kRefused,
         kNotFound,
+        kMissing,  ///< A store that was here before is not here now.
         kOther
     };
     StoreError(Kind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}

@@ -15,6 +15,10 @@ struct StoreOptions {
     bool cheap_passwords = false;     ///< Tests: weakest Argon2id, because hashing takes 50 ms.
     std::function<int64_t()> now_ms;  ///< Clock of the sign-in waits [ms]; empty = the system's.
     std::vector<EmbeddedSql> migrations;  ///< Empty = embedded_migrations().
+    /// It was there before, by what the caller remembers: a missing file is kMissing. A store that
+    /// has had accounts also says so itself, by the mark beside its file.
+    bool known = false;
+    bool begin_anew = false;  ///< On purpose: make a new store where a known one is missing.
 };
 
 }  // namespace placode::db

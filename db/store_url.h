@@ -12,14 +12,27 @@ enum class Engine : uint8_t { kSqlite, kPostgresql };
 
 struct StoreUrl {
     Engine engine = Engine::kSqlite;
-    std::string path;  ///< SQLite; ":memory:" for none.
-    std::string host, user, password, name;
+    std::string path;                        ///< SQLite; ":memory:" for none.
+    std::string host, user, password, name;  ///< A host with '/' is the folder of a Unix socket.
     int port = 5432;
-    int timeout_ms = 5000;  ///< How long to wait for a lock.
-    std::string shown;      ///< For messages: without password and options.
+    /// libpq's: verify-full, verify-ca, require, prefer or disable. Unless the address says it,
+    /// verify-full, and prefer for a server on this computer.
+    std::string sslmode;
+    std::string sslrootcert;  ///< File with who may vouch for the server; empty = libpq's own.
+    int timeout_ms = 5000;    ///< How long to wait for a lock.
+    std::string shown;        ///< For messages: without password and options.
 };
 
+/// "sqlite:PATH" or "postgresql://USER@HOST:PORT/NAME", with options behind '?', joined by '&':
+/// timeout_ms (5000), and of a server sslmode, sslrootcert and host (folder of a Unix socket).
 /// Throws StoreError(kOther) saying what was found and what is expected.
 [[nodiscard]] StoreUrl parse_store_url(const std::string& url);
+
+/// True where whoever opens this has to be asked for a password first: a server, and neither the
+/// address nor $PGPASSWORD nor a password file ($PGPASSFILE, ~/.pgpass) has one.
+[[nodiscard]] bool needs_password(const StoreUrl& url);
+
+/// The same address with a password in it, for this process only.
+[[nodiscard]] std::string with_password(const std::string& url, const std::string& password);
 
 }  // namespace placode::db

@@ -195,6 +195,61 @@ TEST_F(SqliteFile, RestoringBringsBackTheBackupAndKeepsTheOldStoreAside) {
     EXPECT_EQ(mode_of(path), 0600u);
 }
 
+TEST_F(SqliteFile, AKnownStoreThatIsGoneIsNoFirstStart) {
+    fill(1);
+    const auto refused = [&](const db::StoreOptions& with, const std::string& because) {
+        const auto error = failure_of([&] { (void)db::open_store(url, with); });
+        EXPECT_EQ(error.kind(), StoreError::Kind::kMissing) << error.what();
+        EXPECT_THAT(error.what(), HasSubstr(because));
+        EXPECT_THAT(error.what(), HasSubstr("restore a backup"));
+        EXPECT_THAT(error.what(), HasSubstr("begin anew"));
+    };
+    const std::string copy = folder.file("copy.db");
+    open()->backup(copy);
+    fs::remove(path);
+    refused(options, "is gone");
+    EXPECT_FALSE(fs::exists(path)) << "nothing was made";
+    write_text(path, "");
+    refused(options, "is gone");
+    // Another, empty store in its place.
+    fs::remove(path);
+    (void)db::open_store("sqlite:" + folder.file("other.db"), options);
+    fs::rename(folder.file("other.db"), path);
+    refused(options, "has none");
+    db::restore_store(url, copy);
+    EXPECT_EQ(open()->accounts().list().size(), 1u);
+}
+
+TEST_F(SqliteFile, WhatTheCallerRemembersCountsWithoutTheMark) {
+    fill(1);
+    fs::remove(path);
+    fs::remove(db::mark_of_store(path));
+    db::StoreOptions remembers = options;
+    remembers.known = true;
+    const auto error = failure_of([&] { (void)db::open_store(url, remembers); });
+    EXPECT_EQ(error.kind(), StoreError::Kind::kMissing) << error.what();
+    EXPECT_FALSE(fs::exists(path));
+}
+
+TEST_F(SqliteFile, ANewStoreInTheOldPlaceIsMadeOnlyOnPurpose) {
+    fill(1);
+    fs::remove(path);
+    db::StoreOptions anew = options;
+    anew.begin_anew = true;
+    EXPECT_THAT(db::open_store(url, anew)->accounts().list(), IsEmpty());
+    // A program that opens it before the first account is there does not stop the beginning.
+    EXPECT_THAT(open()->accounts().list(), IsEmpty());
+    fill(1);
+    fs::remove(path);
+    EXPECT_EQ(failure_of([&] { (void)open(); }).kind(), StoreError::Kind::kMissing);
+}
+
+TEST_F(SqliteFile, ADemonstrationMayGoWithoutAWord) {
+    open()->accounts().create({"demo", "Demo", "correct horse battery", 1, true});
+    fs::remove(path);
+    EXPECT_THAT(open()->accounts().list(), IsEmpty());
+}
+
 TEST_F(SqliteFile, ADamagedStoreIsReplacedByItsBackup) {
     fill(5);
     const std::string copy = folder.file("copy.db");

@@ -140,6 +140,30 @@ TEST(PostgresqlStore, AWrongPasswordIsNotRepeatedInTheMessage) {
     EXPECT_THAT(error.what(), HasSubstr("user and password are right"));
 }
 
+TEST(PostgresqlStore, AServerThatCannotProveWhoItIsGetsNoPassword) {
+    if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+    // This server has no certificate: what an impostor would have.
+    const std::string url = world->server().url(world->server().new_database());
+    const auto error = failure_of([&] { (void)db::open_store(url + "?sslmode=verify-full"); });
+    EXPECT_EQ(error.kind(), StoreError::Kind::kUnavailable);
+    EXPECT_THAT(error.what(), HasSubstr("has to prove who it is"));
+    EXPECT_THAT(error.what(), Not(HasSubstr(world->server().password())));
+    EXPECT_THAT(db::open_store(url + "?sslmode=disable&timeout_ms=900")->accounts().list(),
+                IsEmpty());
+}
+
+TEST(PostgresqlStore, APasswordFileIsEnough) {
+    if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+    std::string url = world->server().url(world->server().new_database());
+    const TemporaryFolder folder;
+    std::ofstream(folder.file("pgpass")) << "*:*:*:placode:" << world->server().password() << "\n";
+    fs::permissions(folder.file("pgpass"), fs::perms::owner_read | fs::perms::owner_write);
+    url.erase(url.find(":" + world->server().password()), world->server().password().size() + 1);
+    ::setenv("PGPASSFILE", folder.file("pgpass").c_str(), 1);
+    EXPECT_THAT(db::open_store(url)->accounts().list(), IsEmpty());
+    ::unsetenv("PGPASSFILE");
+}
+
 TEST(PostgresqlStore, AServerThatIsNotThereIsSaidSo) {
     const auto error =
         failure_of([] { (void)db::open_store("postgresql://a:b@127.0.0.1:1/placode"); });

@@ -32,10 +32,42 @@ TEST(StoreUrl, AServerIsTakenApartAndItsPasswordIsNotShown) {
     EXPECT_EQ(parse_store_url("postgresql://a:b@h/n").port, 5432);
 }
 
+TEST(StoreUrl, AServerElsewhereProvesWhoItIs) {
+    const auto mode = [](const std::string& url) { return parse_store_url(url).sslmode; };
+    EXPECT_EQ(mode("postgresql://a@db.example/n"), "verify-full");
+    EXPECT_EQ(mode("postgresql://a@192.168.1.7/n?timeout_ms=9"), "verify-full");
+    for (const char* here : {"localhost", "127.0.0.1", "[::1]"})
+        EXPECT_EQ(mode(std::string("postgresql://a@") + here + "/n"), "prefer") << here;
+    EXPECT_EQ(mode("postgresql://a@localhost.example.org/n"), "verify-full");
+    EXPECT_EQ(mode("postgresql:///n?host=/run/postgresql"), "prefer");
+    EXPECT_EQ(mode("postgresql://a@db.example/n?sslmode=disable"), "disable") << "said on purpose";
+    const StoreUrl url = parse_store_url(
+        "postgresql://a@127.0.0.1/n?sslmode=verify-ca&sslrootcert=/etc/our%20ca.pem&timeout_ms=7");
+    EXPECT_EQ(url.sslmode, "verify-ca");
+    EXPECT_EQ(url.sslrootcert, "/etc/our ca.pem");
+    EXPECT_EQ(url.timeout_ms, 7);
+    EXPECT_EQ(url.shown, "postgresql://a@127.0.0.1/n");
+    EXPECT_EQ(parse_store_url("postgresql:///n?host=/run/postgresql").host, "/run/postgresql");
+}
+
+TEST(StoreUrl, APasswordGivenLaterIsTheOneOfTheAddress) {
+    const std::string url = with_password("postgresql://ann@h:1/n?timeout_ms=9", "p:w/@1?&");
+    const StoreUrl parsed = parse_store_url(url);
+    EXPECT_EQ(parsed.password, "p:w/@1?&");
+    EXPECT_EQ(parsed.user, "ann");
+    EXPECT_EQ(parsed.timeout_ms, 9);
+    EXPECT_FALSE(needs_password(parsed));
+    EXPECT_FALSE(needs_password(parse_store_url("sqlite:x")));
+    EXPECT_FALSE(needs_password(parse_store_url("postgresql:///n?host=/run/postgresql")));
+}
+
 TEST(StoreUrl, WhatCannotBeReadSaysWhatIsExpected) {
     for (const char* wrong :
          {"", "placode.db", "mysql://h/n", "sqlite:", "postgresql://a:b@h", "postgresql:///n",
-          "sqlite:x?timeout_ms=soon", "sqlite:x?timeout_ms=-1", "sqlite:x?colour=red"}) {
+          "sqlite:x?timeout_ms=soon", "sqlite:x?timeout_ms=-1", "sqlite:x?colour=red",
+          "sqlite:x?sslmode=disable", "postgresql://h/n?sslmode=maybe",
+          "postgresql://h/n?host=other",
+          "postgresql://h/n?sslrootcert=", "postgresql://h/n?host=/run"}) {
         try {
             (void)parse_store_url(wrong);
             ADD_FAILURE() << wrong;

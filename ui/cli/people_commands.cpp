@@ -124,7 +124,7 @@ int invitations(const Context& context) {
 
 /// Needs no account: the code is the right to make one.
 int accept(const Context& context, const Options& options) {
-    const std::string url = store_url_of(context);
+    const std::string url = url_to_open(context);
     const std::string password =
         read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
     const auto store = db::open_store(url);

@@ -39,6 +39,29 @@ std::string store_url_of(const Context& context) {
     return context.store_url.empty() ? db::default_store_url() : context.store_url;
 }
 
+std::string url_to_open(const Context& context) {
+    const std::string url = store_url_of(context);
+    const db::StoreUrl parsed = parse_url(url);
+    if (!db::needs_password(parsed) || ::isatty(STDIN_FILENO) == 0) return url;
+    return db::with_password(url,
+                             read_password("PGPASSWORD", "Password for " + parsed.shown, false));
+}
+
+void refuse_open_password(const Context& context) {
+    if (context.store_url.find(":") == std::string::npos) return;
+    std::string password;
+    try {
+        password = db::parse_store_url(context.store_url).password;
+    } catch (const db::StoreError&) {
+        return;  // The command says what is wrong with the address.
+    }
+    if (!password.empty())
+        throw InputError(
+            "--store: the address holds a password, and everybody on this computer can read it "
+            "there (ps); leave it out, and put it in ~/.pgpass (mode 600) or $PGPASSWORD, or type "
+            "it when asked");
+}
+
 std::string need_local_administrator(const std::string& url) {
     const db::StoreUrl parsed = parse_url(url);
     const std::string way_out = "; give --as USER with the role for it";
@@ -57,7 +80,7 @@ Session::Session(const Context& context, Missing missing) {
     const db::StoreUrl parsed = parse_url(url);
     if (context.as_user.empty()) actor_ = need_local_administrator(url);
     if (missing == Missing::kRefuse && parsed.engine == db::Engine::kSqlite &&
-        !file_is_there(parsed))
+        !file_is_there(parsed) && !db::store_was_here(url))
         throw InputError("open " + parsed.shown +
                          ": there is no such store; give the right one with --store, or create it "
                          "with `placodectl user add`");
@@ -65,7 +88,9 @@ Session::Session(const Context& context, Missing missing) {
         context.as_user.empty()
             ? std::string()
             : read_password("PLACODE_PASSWORD", "Password of " + context.as_user, false);
-    store_ = db::open_store(url);
+    db::StoreOptions options;
+    options.begin_anew = missing == Missing::kBeginAnew;
+    store_ = db::open_store(url_to_open(context), options);
     if (context.as_user.empty()) {
         store_->act_as(actor_);
         return;

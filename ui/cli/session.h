@@ -14,7 +14,11 @@
 namespace placode::cli {
 
 /// What to do when an embedded store is not there.
-enum class Missing : uint8_t { kRefuse, kCreate };
+enum class Missing : uint8_t {
+    kRefuse,
+    kCreate,     ///< Not where one was before.
+    kBeginAnew,  ///< Also there: somebody has said so.
+};
 
 class Session {
  public:
@@ -55,6 +59,13 @@ auto as_input(Work&& work, db::StoreError::Kind also = db::StoreError::Kind::kCo
 }
 
 [[nodiscard]] std::string store_url_of(const Context& context);
+
+/// The address to open, with the password of a server typed in where nothing else has it.
+[[nodiscard]] std::string url_to_open(const Context& context);
+
+/// Throws InputError when the address on the command line holds a password: `ps` shows it to
+/// everybody on the computer.
+void refuse_open_password(const Context& context);
 
 /// Throws AccessError unless the store is embedded and its file, if it is there, belongs to whoever
 /// runs the program. Returns the name for the audit trail.

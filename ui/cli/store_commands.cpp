@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 
+#include "db/store_url.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -49,7 +50,7 @@ int restore(const Context& context, const std::string& path) {
         Session(context, Missing::kRefuse).need(Action::kBackup, Scope::kOther);
     }
     const std::string aside = db::restore_store(url, path, actor);
-    Json json{{"store", url}, {"restored_from", path}};
+    Json json{{"store", db::parse_store_url(url).shown}, {"restored_from", path}};
     if (!aside.empty()) json["old_store"] = aside;
     print(context, json,
           "restored " + path + (aside.empty() ? "" : "; the old store is kept as " + aside));

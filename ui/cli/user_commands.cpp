@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl user add|list|deactivate|activate|password
+// placodectl user add|list|roles|deactivate|activate|password
 
 #include <memory>
 
@@ -32,10 +32,11 @@ std::string joined(const std::vector<std::string>& words) {
 struct AddOptions {
     std::string login, name;
     std::vector<std::string> roles{"trainee"};
+    bool begin_anew = false;
 };
 
 int add(const Context& context, const AddOptions& options) {
-    Session session(context, Missing::kCreate);
+    Session session(context, options.begin_anew ? Missing::kBeginAnew : Missing::kCreate);
     session.need(Action::kManageUsers, Scope::kOther);
     db::NewUser user;
     user.login = options.login;
@@ -76,6 +77,18 @@ int set_active(const Context& context, const std::string& login, bool active) {
     return 0;
 }
 
+int set_roles(const Context& context, const AddOptions& options) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kManageUsers, Scope::kOther);
+    const db::UserRecord user = session.find_user(options.login);
+    session.store().accounts().set_roles(user.id, roles_of(options.roles));
+    const db::UserRecord now = *session.store().accounts().find(user.id);
+    print(context, to_json(now),
+          "\"" + now.login + "\" is now " + joined(role_names(now.roles)) +
+              (now.roles == user.roles ? ", as before" : ""));
+    return 0;
+}
+
 int password(const Context& context, const std::string& login) {
     Session session(context, Missing::kRefuse);
     const db::UserRecord user = session.find_user(login);
@@ -103,12 +116,26 @@ void add_user_commands(CLI::App& app, Context& context) {
     add_command->add_option("--name", options->name, "Name as shown (default: the login)");
     add_command->add_option("--role", options->roles,
                             "trainee, educator, coordinator, administrator; may be given again");
+    add_command->add_flag("--begin-anew", options->begin_anew,
+                          "Make a new store where one was before and is gone");
     add_command->callback([&context, options] {
         context.run = [&context, options] { return add(context, *options); };
     });
 
     user->add_subcommand("list", "Lists all accounts")->callback([&context] {
         context.run = [&context] { return list(context); };
+    });
+
+    auto changed = std::make_shared<AddOptions>();
+    CLI::App* roles_command = user->add_subcommand(
+        "roles", "Sets the roles of an account; who is signed in has to sign in again");
+    roles_command->add_option("login", changed->login, "Login or number")->required();
+    roles_command
+        ->add_option("--role", changed->roles,
+                     "trainee, educator, coordinator, administrator; all that it is to have")
+        ->required();
+    roles_command->callback([&context, changed] {
+        context.run = [&context, changed] { return set_roles(context, *changed); };
     });
 
     for (const bool active : {false, true}) {

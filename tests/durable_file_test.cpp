@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Restore, update and backup are killed at every step that changes a file: there is always a whole
+// store, the old or the new one. What a copy is worth is seen before it counts.
+
+#include "db/durable_file.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include "tests/store_fixture.h"
+#include "tests/traced_child.h"
+
+using namespace placode;
+using namespace placode::test;
+using db::StoreError;
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+World* const world = World::install();
+
+constexpr int kOld = 6, kNew = 5;  // accounts
+constexpr int kExitOffset = 10;    // a StoreError's kind as exit status
+
+class DurableFile : public testing::Test {
+ protected:
+    void SetUp() override {
+        ASSERT_NE(world, nullptr);
+        options.cheap_passwords = true;
+        const std::string url = "sqlite:" + original("placode.db");
+        const auto add = [&](db::Store& store, int i) {
+            store.accounts().create(
+                {"user" + std::to_string(i), "User", "correct horse battery", 8, false});
+        };
+        for (int i = 0; i < kNew; ++i) add(*db::open_store(url, options), i);
+        db::open_store(url, options)->backup(original("copy.db"));
+        add(*db::open_store(url, options), kNew);
+    }
+
+    /// Store and backup as they were, in a folder of their own.
+    void begin_again() {
+        folder = std::make_unique<TemporaryFolder>();
+        for (const char* name : {"placode.db", "copy.db", "placode.db.known"})
+            if (fs::exists(original(name))) fs::copy_file(original(name), folder->file(name));
+        path = folder->file("placode.db");
+    }
+    [[nodiscard]] std::string original(const std::string& name) const {
+        return originals.file(name);
+    }
+    [[nodiscard]] std::string url() const { return "sqlite:" + path; }
+
+    /// Exit status 0, or the kind of the error.
+    static int outcome(const std::function<void()>& work) {
+        try {
+            work();
+            return 0;
+        } catch (const StoreError& error) {
+            return kExitOffset + static_cast<int>(error.kind());
+        } catch (...) {
+            return 1;
+        }
+    }
+    [[nodiscard]] TracedRun run(const TracedOptions& traced, const std::function<void()>& work) {
+        begin_again();
+        return TracedChild(traced).run([&] { return outcome(work); });
+    }
+    /// Kills `work` before each of its steps in turn; `look` judges what is left.
+    void kill_everywhere(const std::function<void()>& work,
+                         const std::function<void(bool killed)>& look, TracedOptions traced = {}) {
+        const TracedRun whole = run(traced, work);
+        ASSERT_EQ(whole.exit_status, 0);
+        look(false);
+        ASSERT_GT(whole.steps, 10);
+        for (int step = 0; step < whole.steps; ++step) {
+            traced.kill_at = step;
+            const TracedRun cut = run(traced, work);
+            ASSERT_TRUE(cut.killed) << step;
+            SCOPED_TRACE("killed before: " + cut.log.back());
+            look(true);
+            if (HasFailure()) return;
+        }
+        RecordProperty("steps", whole.steps);
+    }
+    /// The number of accounts of a store that is whole.
+    [[nodiscard]] int accounts_of(const std::string& file) const {
+        const auto store = db::open_store("sqlite:" + file, options);
+        EXPECT_THAT(store->check(), IsEmpty());
+        return static_cast<int>(store->accounts().list().size());
+    }
+    [[nodiscard]] std::vector<std::string> names_with(const std::string& part) const {
+        std::vector<std::string> found;
+        for (const auto& entry : fs::directory_iterator(folder->path()))
+            if (entry.path().filename().string().find(part) != std::string::npos)
+                found.push_back(entry.path().string());
+        return found;
+    }
+    static void scramble(const std::string& file) {
+        std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+        bytes.seekp(8192);
+        bytes << std::string(40000, 'x');
+    }
+
+    TemporaryFolder originals;
+    std::unique_ptr<TemporaryFolder> folder;
+    std::string path;
+    db::StoreOptions options;
+};
+
+size_t place_of(const std::vector<std::string>& log, const std::string& words) {
+    for (size_t i = 0; i < log.size(); ++i)
+        if (log[i].find(words) != std::string::npos) return i;
+    return log.size();
+}
+
+}  // namespace
+
+TEST_F(DurableFile, ARestoreKilledAnywhereLeavesTheOldOrTheNewStore) {
+    for (const bool without_exchange : {false, true}) {
+        TracedOptions traced;
+        traced.without_exchange = without_exchange;
+        kill_everywhere([&] { db::restore_store(url(), folder->file("copy.db")); },
+                        [&](bool killed) {
+                            ASSERT_TRUE(fs::exists(path));
+                            const int found = accounts_of(path);
+                            EXPECT_THAT(found, AnyOf(kOld, kNew));
+                            if (!killed) {
+                                EXPECT_EQ(found, kNew);
+                                const auto aside = names_with(".replaced-");
+                                ASSERT_EQ(aside.size(), 1u);
+                                EXPECT_EQ(accounts_of(aside[0]), kOld);
+                            } else if (found == kNew) {
+                                EXPECT_FALSE(names_with(".replaced-").empty())
+                                    << "the old one is there under its other name";
+                            }
+                        },
+                        traced);
+    }
+}
+
+TEST_F(DurableFile, ARestoreIsOnTheDiskBeforeItCounts) {
+    const TracedRun whole = run({}, [&] { db::restore_store(url(), folder->file("copy.db")); });
+    ASSERT_EQ(whole.exit_status, 0);
+    const size_t exchanged = place_of(whole.log, "exchange ");
+    const size_t named = place_of(whole.log, "rename " + path + ".restoring ");
+    ASSERT_LT(exchanged, whole.log.size()) << testing::PrintToString(whole.log);
+    ASSERT_LT(named, exchanged);
+    EXPECT_EQ(whole.log[named - 1], "fsync " + path + ".restoring");
+    EXPECT_EQ(whole.log[exchanged + 1], "fsync " + folder->path().string());
+}
+
+TEST_F(DurableFile, ARestoreWhereNoStoreIsKilledAnywhereIsNoFirstStart) {
+    kill_everywhere(
+        [&] {
+            fs::remove(path);
+            db::restore_store(url(), folder->file("copy.db"));
+        },
+        [&](bool killed) {
+            try {
+                EXPECT_THAT(accounts_of(path), AnyOf(kOld, kNew));
+            } catch (const StoreError& error) {
+                EXPECT_TRUE(killed);
+                EXPECT_EQ(error.kind(), StoreError::Kind::kMissing) << error.what();
+            }
+        });
+}
+
+TEST_F(DurableFile, AnUpdateKilledAnywhereLeavesAStoreThatOpens) {
+    auto newer = options;
+    newer.migrations = db::embedded_migrations();
+    newer.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
+    kill_everywhere([&] { (void)db::open_store(url(), newer); },
+                    [&](bool) {
+                        {
+                            const auto store = db::open_store(url(), newer);
+                            EXPECT_EQ(store->accounts().list().size(), size_t{kOld});
+                            EXPECT_THAT(store->check(), IsEmpty());
+                        }
+                        // Whatever is called a copy is a whole one; a part and its journal are not.
+                        for (const std::string& copy : names_with(".before-update-")) {
+                            if (copy.find(".part") != std::string::npos) continue;
+                            EXPECT_EQ(accounts_of(copy), kOld);
+                        }
+                    });
+}
+
+TEST_F(DurableFile, ABackupKilledAnywhereIsWholeOrNotThere) {
+    TracedOptions traced;
+    traced.every_nth_write = 40;
+    kill_everywhere([&] { db::open_store(url(), options)->backup(folder->file("new.db")); },
+                    [&](bool killed) {
+                        EXPECT_EQ(accounts_of(path), kOld);
+                        if (fs::exists(folder->file("new.db")) || !killed) {
+                            EXPECT_EQ(accounts_of(folder->file("new.db")), kOld);
+                        }
+                    },
+                    traced);
+}
+
+TEST_F(DurableFile, ABackupThatCannotBeReadAgainDoesNotCount) {
+    TracedOptions traced;
+    traced.before = [&](const std::string& step) {
+        // The disk keeps something else than what was written.
+        if (step == "fsync " + folder->file("new.db.part")) scramble(folder->file("new.db.part"));
+    };
+    const TracedRun ended =
+        run(traced, [&] { db::open_store(url(), options)->backup(folder->file("new.db")); });
+    EXPECT_EQ(ended.exit_status, kExitOffset + static_cast<int>(StoreError::Kind::kDamaged));
+    EXPECT_FALSE(fs::exists(folder->file("new.db")));
+    EXPECT_TRUE(fs::exists(folder->file("new.db.failed")));
+}
+
+TEST_F(DurableFile, AStoreWhoseCopyCannotBeReadAgainIsNotUpdated) {
+    auto newer = options;
+    newer.migrations = db::embedded_migrations();
+    newer.migrations.push_back({"9001_test.sql", "CREATE TABLE later (id {ID}) {STRICT};\n"});
+    TracedOptions traced;
+    traced.before = [&](const std::string& step) {
+        if (step.rfind("fsync ", 0) == 0 && step.ends_with(".part")) scramble(step.substr(6));
+    };
+    const TracedRun ended = run(traced, [&] { (void)db::open_store(url(), newer); });
+    EXPECT_EQ(ended.exit_status, kExitOffset + static_cast<int>(StoreError::Kind::kDamaged));
+    EXPECT_EQ(accounts_of(path), kOld) << "the program of before still opens it";
+}
+
+TEST_F(DurableFile, ABackupOfATamperedStoreSaysSo) {
+    begin_again();
+    {
+        RawConnection raw("QSQLITE", path);
+        ASSERT_TRUE(raw.run("DROP TRIGGER audit_is_never_changed"));
+        ASSERT_TRUE(raw.run("UPDATE audit SET actor = 'nobody' WHERE id = 1")) << raw.problem();
+    }
+    const auto error =
+        failure_of([&] { db::open_store(url(), options)->backup(folder->file("new.db")); });
+    EXPECT_EQ(error.kind(), StoreError::Kind::kDamaged) << error.what();
+    EXPECT_THAT(error.what(), HasSubstr("new.db.failed"));
+    EXPECT_FALSE(fs::exists(folder->file("new.db")));
+}
+
+TEST_F(DurableFile, ABackupOnAFullDiskLeavesNothingAndSaysSo) {
+    const TracedRun ended = run({}, [&] {
+        const auto store = db::open_store(url(), options);
+        const rlimit small{65536, 65536};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+        ::signal(SIGXFSZ, SIG_IGN);
+        store->backup(folder->file("new.db"));
+    });
+    EXPECT_EQ(ended.exit_status, kExitOffset + static_cast<int>(StoreError::Kind::kUnavailable));
+    EXPECT_FALSE(fs::exists(folder->file("new.db")));
+    EXPECT_EQ(accounts_of(path), kOld);
+}
