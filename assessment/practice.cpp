@@ -290,8 +290,7 @@ void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& 
             traces = true;
             offsets.push_back(e.value2);
             const auto bin = static_cast<size_t>(std::max(0.0F, e.value));
-            // What counts is a pass within a millimetre, whatever the task allows.
-            if (bin < traced.size() && e.value2 <= 0.001F) traced[bin] = true;
+            if (bin < traced.size() && e.value2 <= kTracedWithinM) traced[bin] = true;
         }
     }
     if (steps == 0) return;

@@ -27,6 +27,9 @@ struct PracticeSight {
 [[nodiscard]] sim::Vec2 practice_target(const sim::PracticeStep& step,
                                         const sim::FieldGeometry& geometry, bool second);
 
+/// A pass this near the line has followed it, whatever the task allows [m].
+inline constexpr float kTracedWithinM = 0.001F;
+
 /// One attempt's steps, in order. `see` neither allocates nor throws (physics thread).
 class PracticeTracker {
  public:

@@ -12,6 +12,10 @@
 
 namespace placode::curriculum {
 
+std::string this_build() {
+    return std::string("placode ") + PLACODE_VERSION + " " + sim::kernel_target();
+}
+
 sim::RecordingHeader recording_header(const Task& task, uint64_t seed,
                                       const AttemptOptions& options, const sim::Scene& scene) {
     sim::RecordingHeader header;
@@ -19,7 +23,7 @@ sim::RecordingHeader recording_header(const Task& task, uint64_t seed,
     header.task_version = task.version;
     header.task_json = task.json;
     header.seed = seed;
-    header.build = std::string("placode ") + PLACODE_VERSION + " " + sim::kernel_target();
+    header.build = this_build();
     header.device = options.device;
     header.started_utc = options.started_utc;
     // A scripted operator is never taken for a person, whoever started it.

@@ -50,6 +50,10 @@ struct AttemptStatus {
     std::string warning;                            ///< e.g. why the recording stopped.
 };
 
+/// Version and instruction set: what this program writes into RecordingHeader::build. Bits are
+/// promised for the same only.
+[[nodiscard]] std::string this_build();
+
 /// Runs one attempt on its own physics and recorder threads (or on the caller's in `run_fast`).
 class AttemptRunner {
  public:

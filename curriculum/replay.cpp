@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "sim/anatomy/operative_field.h"
+#include "sim/core/number_text.h"
 #include "sim/step/live_tuning.h"
 #include "sim/world/saved_state.h"
 
@@ -17,11 +18,7 @@ namespace placode::curriculum {
 
 namespace {
 
-std::string seconds(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, 3);
-    return {text, end.ptr};
-}
+std::string seconds(double value) { return sim::fixed_text(value, 3); }
 
 std::string hex(uint64_t value) {
     char text[17];

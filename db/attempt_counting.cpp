@@ -34,14 +34,22 @@ std::vector<VoidReason> void_reasons(const std::vector<sim::Event>& events) {
 }
 
 bool counts(const AttemptRecord& attempt) noexcept {
-    return was_tried(attempt) && attempt.void_reason.empty();
+    return was_tried(attempt) && attempt.void_reason.empty() &&
+           attempt.replay != ReplayState::kWaiting && attempt.replay != ReplayState::kDiffers;
+}
+
+bool not_verified(const AttemptRecord& attempt) noexcept {
+    const auto reasons = void_reasons(attempt.void_reason);
+    return std::any_of(reasons.begin(), reasons.end(),
+                       [](const VoidReason& reason) { return is_doubt(reason.cause); });
 }
 
 bool machine_at_fault(const AttemptRecord& attempt) noexcept {
     const auto reasons = void_reasons(attempt.void_reason);
     return was_tried(attempt) && !reasons.empty() &&
-           std::none_of(reasons.begin(), reasons.end(),
-                        [](const VoidReason& reason) { return reason.cause == VoidCause::kTuned; });
+           std::none_of(reasons.begin(), reasons.end(), [](const VoidReason& reason) {
+               return reason.cause == VoidCause::kTuned || is_doubt(reason.cause);
+           });
 }
 
 std::vector<AttemptRecord> attempts_beside(Store& store, const AttemptRecord& attempt) {

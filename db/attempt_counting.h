@@ -23,6 +23,9 @@ namespace placode::db {
 /// idle, nor tuned.
 [[nodiscard]] bool machine_at_fault(const AttemptRecord& attempt) noexcept;
 
+/// What was recorded proves nothing: neither an exam nor of a study any more, but practice.
+[[nodiscard]] bool not_verified(const AttemptRecord& attempt) noexcept;
+
 /// Attempts at the same task of whose it is, oldest first: of the person, or of the participant
 /// within the study.
 [[nodiscard]] std::vector<AttemptRecord> attempts_beside(Store& store,

@@ -25,8 +25,8 @@ const std::string& attempt_columns() {
         "t.end_reason, t.demonstration, t.points, t.verdict, t.rubric_id, t.rubric_version, "
         "t.metric_set_version, t.preprocessing_version, t.generated_from, t.exam_course, "
         "t.exam_course_version, t.exam_stage, t.proctor, t.device_certificate, t.haptic_grade, "
-        "t.void_reason, t.study, t.participant FROM attempts t LEFT JOIN persons p ON p.account_id "
-        "= t.account_id ";
+        "t.void_reason, t.replay, t.study, t.participant FROM attempts t LEFT JOIN persons p ON "
+        "p.account_id = t.account_id ";
     return columns;
 }
 
@@ -55,6 +55,7 @@ AttemptRecord read_attempt(const Statement& row) {
                    row.text("exam_stage"), row.text("proctor"), row.text("device_certificate")};
     record.haptic_grade = row.text("haptic_grade");
     record.void_reason = row.text("void_reason");
+    record.replay = static_cast<ReplayState>(row.integer("replay"));
     record.study = {row.text("study"), row.text("participant")};
     return record;
 }
@@ -95,10 +96,10 @@ AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::st
 }
 
 std::string is_finished(const std::string& table) {
-    return table + ".void_reason = '' AND " + table + ".study = '' AND " + table +
-           ".end_reason <> " + std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) +
-           " AND " + table + ".verdict <> " +
-           std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
+    return table + ".void_reason = '' AND " + table + ".replay NOT IN (1, 3) AND " + table +
+           ".study = '' AND " + table + ".end_reason <> " +
+           std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) + " AND " + table +
+           ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));
 }
 
 void insert_score(Connection& connection, const std::string& table, const std::string& owner,

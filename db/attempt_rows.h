@@ -48,7 +48,8 @@ enum class OfStudies : uint8_t { kLeftOut, kTakenIn };
 [[nodiscard]] AttemptConditions conditions_of(int64_t user_id, int64_t group_id,
                                               const std::string& task_id,
                                               OfStudies studies = OfStudies::kLeftOut);
-/// Interrupted attempts count nowhere, nor do those that are void for cause or of a study.
+/// Interrupted attempts count nowhere, nor do those that are void for cause, of a study, or exams
+/// that were not simulated again yet.
 [[nodiscard]] std::string is_finished(const std::string& table);
 
 }  // namespace placode::db

@@ -21,6 +21,34 @@ namespace {
 
 using Kind = StoreError::Kind;
 
+/// Exams and attempts of studies count only when they were simulated again. What does not count
+/// anyway need not be.
+ReplayState replay_asked(const AttemptResult& result, const std::string& void_reason) {
+    const bool matters = !result.exam.course_id.empty() || !result.study.study.empty();
+    return matters && void_reason.empty() && !result.recording_file.empty() &&
+                   result.end.reason != sim::EndReason::kInterrupted
+               ? ReplayState::kWaiting
+               : ReplayState::kNotReplayed;
+}
+
+/// Another attempt with the same bytes, or with the same end of the same case: no two people move
+/// alike to the last bit. Scripts do, and say that they are scripts.
+std::optional<int64_t> same_recording(Connection& connection, const AttemptResult& result,
+                                      const std::string& checksum) {
+    Statement bytes(connection,
+                    "SELECT attempt_id FROM recordings WHERE checksum = ? ORDER BY attempt_id");
+    bytes.run(checksum);
+    if (bytes.next()) return bytes.integer(0);
+    if (result.header.demonstration || result.end.final_hash == 0) return std::nullopt;
+    Statement end(connection,
+                  "SELECT id FROM attempts WHERE final_hash = ? AND task_id = ? AND seed = ? "
+                  "AND demonstration = 0 ORDER BY id");
+    end.run(std::to_string(result.end.final_hash), result.header.task_id,
+            std::to_string(result.header.seed));
+    if (end.next()) return end.integer(0);
+    return std::nullopt;
+}
+
 int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics, const std::string& void_reason) {
     Statement insert(
@@ -29,10 +57,10 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
         "saved_utc, duration_s, device, seed, build, end_reason, final_hash, dropped, "
         "demonstration, points, verdict, rubric_id, rubric_version, "
         "metric_set_version, preprocessing_version, exam_course, exam_course_version, exam_stage, "
-        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, study, "
-        "participant) "
+        "proctor, device_certificate, haptic_certificate, haptic_grade, void_reason, replay, "
+        "study, participant) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-        "?, ?) RETURNING id");
+        "?, ?, ?) RETURNING id");
     insert.run(
         user_id, result.header.task_id, result.header.task_version,
         result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
@@ -43,7 +71,8 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
         result.score.rubric_version, result.metrics.version, assessment::kPreprocessingVersion,
         result.exam.course_id, result.exam.course_version, result.exam.stage_id,
         result.exam.proctor, result.exam.device_certificate, haptics.certificate, haptics.grade,
-        void_reason, result.study.study, result.study.participant);
+        void_reason, static_cast<int>(replay_asked(result, void_reason)), result.study.study,
+        result.study.participant);
     return insert.returned_id();
 }
 
@@ -87,6 +116,8 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     if (!result.recording_file.empty()) {
         settle_recording_file(result.recording_file);
         const Bytes file = read_bytes(connection_, result.recording_file);
+        if (file.size() > kMostRecordingBytes)
+            connection_.fail(Kind::kRefused, "the recording is larger than 1 GiB");
         size = file.size();
         checksum = checksum_hex(file);
         packed = compress(file);
@@ -94,9 +125,13 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     const HapticVerdict haptics = haptic_verdict(result);
     std::vector<VoidReason> voids = void_reasons(result.events);
     for (VoidReason& device : void_reasons(haptics.void_reason)) voids.push_back(std::move(device));
-    const std::string void_reason = void_text(voids);
+    for (VoidReason& doubt : void_reasons(result.not_verified)) voids.push_back(std::move(doubt));
     UnitOfWork work(connection_);
     (void)context_.need_user(user_id);
+    if (const auto same =
+            checksum.empty() ? std::nullopt : same_recording(connection_, result, checksum))
+        voids.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});
+    const std::string void_reason = void_text(voids);
     const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())

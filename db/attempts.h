@@ -32,6 +32,10 @@ class Attempts {
     /// The attempt that holds exactly this recording file, if any: a file left over from a crash
     /// between saving and removing is not saved twice.
     [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
+    /// Exams and attempts of studies that are still to be simulated again, oldest first.
+    [[nodiscard]] std::vector<int64_t> waiting_for_replay();
+    /// What simulating again gave. One that differs is void from then on; `note` says where.
+    void set_replay(int64_t attempt_id, ReplayState state, const std::string& note);
     /// Adds what is damaged to `problems`, for Store::check().
     void check_recordings(std::vector<std::string>& problems);
 

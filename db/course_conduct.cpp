@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "db/attempt_counting.h"
+
 namespace placode::db {
 
 using curriculum::Course;
@@ -97,7 +99,11 @@ std::vector<curriculum::AttemptOutcome> outcomes_of(const std::vector<AttemptRec
         outcome.exam_stage = attempt.exam.stage_id;
         outcome.proctor = attempt.exam.proctor;
         outcome.certified = !attempt.exam.device_certificate.empty();
-        outcome.voided = !attempt.void_reason.empty();
+        // What waits for its replay, or was found to prove nothing, is used up and not met: a case
+        // was seen, and nobody gets another one by spoiling a file.
+        const bool unproven = not_verified(attempt) || attempt.replay == ReplayState::kWaiting;
+        outcome.voided = !attempt.void_reason.empty() && !not_verified(attempt);
+        outcome.interrupted = outcome.interrupted || unproven;
         outcomes.push_back(std::move(outcome));
     }
     return outcomes;
@@ -132,6 +138,22 @@ std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
     return standings;
 }
 
+UserRecord find_proctor(Store& store, const std::string& name, int64_t examinee) {
+    const auto may = [](const UserRecord& user) {
+        return user.active && (has_role(user.roles, Role::kEducator) ||
+                               has_role(user.roles, Role::kAdministrator));
+    };
+    std::optional<UserRecord> found = store.accounts().find_login(name);
+    if (!found)
+        for (const UserRecord& user : store.accounts().list())
+            if (user.display_name == name && (!found || may(user))) found = user;
+    if (!found) refuse("the proctor \"" + name + "\" has no account here");
+    if (!may(*found))
+        refuse("\"" + name + "\" is no active educator or administrator and cannot be the proctor");
+    if (found->id == examinee) refuse("nobody can be their own proctor");
+    return *found;
+}
+
 ExamOrder prepare_exam(Store& store, int64_t user_id, const std::string& course_id,
                        const std::string& stage_id, const std::string& proctor,
                        const std::string& device_certificate, const std::string& now_utc) {
@@ -148,6 +170,7 @@ ExamOrder prepare_exam(Store& store, int64_t user_id, const std::string& course_
         refuse(what + "locked; to be mastered first: " + own.missing.front());
     if (own.attempts_left == 0) refuse(what + "all attempts are used");
     if (stage->exam.proctor && proctor.empty()) refuse(what + "the proctor's name is missing");
+    if (!proctor.empty()) (void)find_proctor(store, proctor, user_id);
     if (stage->exam.haptic_certificate && device_certificate.empty())
         refuse(what + "the device has no haptic certificate");
     return {{course_id, standing.course.version, stage_id, proctor, device_certificate},

@@ -52,6 +52,10 @@ struct CourseStanding {
 [[nodiscard]] std::vector<CourseStanding> course_standings(Store& store, int64_t user_id,
                                                            const std::string& now_utc);
 
+/// The active educator or administrator who is present at an exam, by login or by name. Throws
+/// kRefused for anybody else, and for the examinee.
+[[nodiscard]] UserRecord find_proctor(Store& store, const std::string& name, int64_t examinee);
+
 /// What an exam attempt needs, checked: stage open, proctor and certificate there. `seed` is the
 /// one to use. Throws kRefused saying what is missing.
 struct ExamOrder {

@@ -5,6 +5,7 @@
 
 #include "db/packing.h"
 #include "db/raw_sqlite.h"
+#include "db/recording_chunks.h"
 #include "db/recording_file.h"
 
 namespace placode::db {
@@ -14,11 +15,11 @@ constexpr const char* kKey = "haptics";
 const std::string kWrite = "write the haptic certificate of the recording";
 const std::string kRead = "read the haptic certificate of the recording";
 
-SqlitePointer open(const std::string& path, const std::string& operation) {
+SqlitePointer open_to_write(const std::string& path) {
     sqlite3* database = nullptr;
     const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
     SqlitePointer owner(database);
-    if (code != SQLITE_OK) fail_sqlite(code, operation, path, "check that it is there");
+    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, "check that it is there");
     sqlite3_busy_timeout(database, 5000);
     return owner;
 }
@@ -26,7 +27,7 @@ SqlitePointer open(const std::string& path, const std::string& operation) {
 }  // namespace
 
 void add_haptic_certificate(const std::string& path, const std::string& json) {
-    const SqlitePointer database = open(path, kWrite);
+    const SqlitePointer database = open_to_write(path);
     sqlite3_exec(database.get(), "PRAGMA synchronous = EXTRA", nullptr, nullptr, nullptr);
     RawStatement insert(database.get(), "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
     int code = insert.prepared();
@@ -37,7 +38,13 @@ void add_haptic_certificate(const std::string& path, const std::string& json) {
 }
 
 std::string haptic_certificate(const std::string& path) {
-    const SqlitePointer database = open(path, kRead);
+    const ForeignDatabase database(path);
+    if (database.code() != SQLITE_OK)
+        fail_sqlite(database.code(), kRead, path, "check that it is there");
+    sqlite3_busy_timeout(database.get(), 5000);
+    if (const std::string other = database.other_schema({kMetaTable, kChunksTable}); !other.empty())
+        throw StoreError(StoreError::Kind::kDamaged,
+                         kRead + " " + path + ": it is no recording, it holds " + other);
     RawStatement query(database.get(), "SELECT value, checksum FROM meta WHERE key = ?");
     int code = query.prepared();
     if (code == SQLITE_OK) code = query.bind(kKey).step();

@@ -138,6 +138,7 @@ template <class Record>
 void decode(std::span<const std::byte> packed, size_t count, std::vector<Record>& out) {
     const size_t stride =
         stated_size(packed) == old_size(Record{}) * count ? old_size(Record{}) : size_of<Record>();
+    if (count > kMostChunkBytes / stride) damaged("the chunk says that it is larger than 64 MiB");
     const Bytes columns = decompress(packed, stride * count);
     Bytes record(size_of<Record>());
     // Nothing is reserved: room for one chunk more at a time would copy all before it with each.

@@ -17,6 +17,17 @@ namespace placode::db {
 /// "PLRC" in the file's header says that it is a recording.
 inline constexpr int kRecordingApplicationId = 0x504c5243;
 
+/// The two tables, to the letter: a file with any other is no recording.
+inline constexpr const char* kMetaTable =
+    "CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) STRICT";
+inline constexpr const char* kChunksTable =
+    "CREATE TABLE chunks (id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER NOT NULL, "
+    "count INTEGER NOT NULL, checksum TEXT NOT NULL, content BLOB NOT NULL) STRICT";
+
+/// What a recording may take: an hour of attempt has about half of the second, its chunks a few MiB
+/// at most. A few kB of zstd can say that they are as many GB.
+inline constexpr size_t kMostChunkBytes = size_t{64} << 20, kMostRecordingBytes = size_t{1} << 30;
+
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Input> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Sample> records);
 [[nodiscard]] Bytes encode_chunk(std::span<const sim::Event> records);

@@ -48,6 +48,7 @@ class FileReader {
     RecoveredRecording read() {
         RecoveredRecording result;
         result.recording.header = read_header();
+        check_sizes();
         result.damage = read_chunks(result.recording);
         if (result.damage.empty()) result.damage = read_end(result.recording);
         finish(result.recording);
@@ -67,13 +68,15 @@ class FileReader {
     sim::RecordingEnd brief_end(const sim::RecordingHeader& header) {
         if (const auto end = meta("end")) return end_from_json(*end);
         RawStatement frames(
-            database_.get(),
+            database_->get(),
             "SELECT COALESCE(MAX(first + count), 0) FROM chunks WHERE kind = 'inputs'");
         const int code = frames.prepared() == SQLITE_OK ? frames.step() : frames.prepared();
         if (code != SQLITE_ROW) fail_sqlite(code, kRead, path_, "the file may be damaged");
         sim::RecordingEnd end;
         end.reason = sim::EndReason::kInterrupted;
         end.duration_s = static_cast<double>(frames.integer(0)) * header.frame_s;
+        if (!(end.duration_s >= 0 && end.duration_s < 86'400))
+            fail(Kind::kDamaged, "it says that it lasts longer than a day");
         return end;
     }
 
@@ -92,12 +95,12 @@ class FileReader {
         if (!fs::is_regular_file(path_)) fail(Kind::kNotFound, "there is no such file");
         if (fs::file_size(path_) == 0)
             fail(Kind::kDamaged, "the file is empty: the attempt never began; it can be removed");
-        sqlite3* database = nullptr;
-        // Read and write, because a killed writer's half transaction is rolled back first.
-        int code = sqlite3_open_v2(path_.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
-        database_.reset(database);
-        if (code != SQLITE_OK) fail_sqlite(code, kRead, path_, "check that it may be read by you");
-        sqlite3_busy_timeout(database, 5000);
+        if (fs::file_size(path_) > kMostRecordingBytes)
+            fail(Kind::kDamaged, "the file is larger than 1 GiB, no recording is");
+        database_.emplace(path_);
+        if (database_->code() != SQLITE_OK)
+            fail_sqlite(database_->code(), kRead, path_, "check that it may be read by you");
+        sqlite3_busy_timeout(database_->get(), 5000);
         if (pragma("application_id") != kRecordingApplicationId)
             fail(Kind::kDamaged, "it is the database of another program, not a recording");
         const int64_t format = pragma("user_version");
@@ -105,10 +108,14 @@ class FileReader {
             fail(Kind::kTooNew, "its format is " + std::to_string(format) +
                                     ", this program knows " +
                                     std::to_string(sim::kRecordingFormat) + "; update Placode");
+        if (const std::string other = database_->other_schema({kMetaTable, kChunksTable});
+            !other.empty())
+            fail(Kind::kDamaged, "it is no recording: it holds " + other +
+                                     ", and a recording holds two tables and nothing else");
     }
 
     int64_t pragma(const std::string& name) {
-        RawStatement query(database_.get(), ("PRAGMA " + name).c_str());
+        RawStatement query(database_->get(), ("PRAGMA " + name).c_str());
         const int code = query.prepared() == SQLITE_OK ? query.step() : query.prepared();
         if ((code & 0xff) == SQLITE_NOTADB) fail(Kind::kDamaged, "the file is not a recording");
         if (code != SQLITE_ROW) fail_sqlite(code, kRead, path_, "the file may be damaged");
@@ -117,7 +124,7 @@ class FileReader {
 
     // Throws when the page cannot be read; nullopt when there is no such row.
     std::optional<std::string> meta(const std::string& key) {
-        RawStatement query(database_.get(), "SELECT value, checksum FROM meta WHERE key = ?");
+        RawStatement query(database_->get(), "SELECT value, checksum FROM meta WHERE key = ?");
         int code = query.prepared();
         if (code == SQLITE_OK) code = query.bind(key).step();
         if (code == SQLITE_DONE) return std::nullopt;
@@ -129,9 +136,41 @@ class FileReader {
         return value;
     }
 
+    /// Before a byte is unpacked: a small file may say that it is a huge one.
+    void check_sizes() {
+        RawStatement query(database_->get(), "SELECT id, length(content) FROM chunks ORDER BY id");
+        if (query.prepared() != SQLITE_OK) return;  // read_chunks() says what is wrong.
+        size_t sum = 0;
+        while (query.step() == SQLITE_ROW) {
+            const size_t size = stated_size_of(query.integer(0), query.integer(1));
+            const std::string name = "chunk " + std::to_string(query.integer(0));
+            if (size > kMostChunkBytes || query.integer(1) > static_cast<int64_t>(kMostChunkBytes))
+                fail(Kind::kDamaged, name + ": is larger than 64 MiB, no chunk is");
+            sum += size;
+            if (sum > kMostRecordingBytes)
+                fail(Kind::kDamaged, name + ": with it the recording is larger than 1 GiB");
+        }
+    }
+
+    /// From the first bytes of a chunk, without reading the others.
+    [[nodiscard]] size_t stated_size_of(int64_t id, int64_t length) const {
+        std::array<std::byte, 18> head{};  // The longest header of a zstd frame.
+        sqlite3_blob* blob = nullptr;
+        if (sqlite3_blob_open(database_->get(), "main", "chunks", "content", id, 0, &blob) !=
+            SQLITE_OK) {
+            sqlite3_blob_close(blob);
+            return 0;
+        }
+        const auto size = std::min<int64_t>(length, static_cast<int64_t>(head.size()));
+        const bool read =
+            sqlite3_blob_read(blob, head.data(), static_cast<int>(size), 0) == SQLITE_OK;
+        sqlite3_blob_close(blob);
+        return read ? stated_size(std::span(head).first(static_cast<size_t>(size))) : 0;
+    }
+
     // Empty, or what is damaged.
     std::string read_chunks(sim::Recording& recording) {
-        RawStatement query(database_.get(),
+        RawStatement query(database_->get(),
                            "SELECT id, kind, first, count, checksum, content FROM chunks ORDER BY "
                            "id");
         if (query.prepared() != SQLITE_OK)
@@ -196,7 +235,7 @@ class FileReader {
     }
 
     std::string path_;
-    SqlitePointer database_;
+    std::optional<ForeignDatabase> database_;
 };
 
 }  // namespace

@@ -79,12 +79,8 @@ class FileSink final : public sim::RecordingSink {
         execute("PRAGMA application_id = " + std::to_string(kRecordingApplicationId));
         execute("PRAGMA user_version = " + std::to_string(sim::kRecordingFormat));
         execute("BEGIN IMMEDIATE");
-        execute(
-            "CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL, checksum TEXT NOT NULL) "
-            "STRICT");
-        execute(
-            "CREATE TABLE chunks (id INTEGER PRIMARY KEY, kind TEXT NOT NULL, first INTEGER NOT "
-            "NULL, count INTEGER NOT NULL, checksum TEXT NOT NULL, content BLOB NOT NULL) STRICT");
+        execute(kMetaTable);
+        execute(kChunksTable);
         put_meta("writer", writer_name(::getpid()));
         execute("COMMIT");
     }
@@ -172,13 +168,11 @@ class FileSink final : public sim::RecordingSink {
 };
 
 bool has_living_writer(const std::string& path) {
-    sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
-    const SqlitePointer owner(database);
-    if (code != SQLITE_OK) return false;
-    sqlite3_busy_timeout(database, 2000);
+    const ForeignDatabase database(path);
+    if (database.code() != SQLITE_OK) return false;
+    sqlite3_busy_timeout(database.get(), 2000);
     RawStatement query(
-        database,
+        database.get(),
         "SELECT value, EXISTS (SELECT 1 FROM meta WHERE key = 'end') FROM meta WHERE "
         "key = 'writer'");
     if (query.prepared() != SQLITE_OK)

@@ -65,6 +65,15 @@ struct StudyContext {
     friend bool operator==(const StudyContext&, const StudyContext&) = default;
 };
 
+/// Whether the inputs of an attempt, simulated again, gave the same states, samples and events.
+/// Stored as a number: append only.
+enum class ReplayState : uint8_t {
+    kNotReplayed,  ///< Nobody asked for it: practice, or made before this was asked.
+    kWaiting,      ///< An exam or of a study: counts once it is identical.
+    kIdentical,
+    kDiffers
+};
+
 /// One row of a history.
 struct AttemptRecord {
     int64_t id = 0;
@@ -93,6 +102,7 @@ struct AttemptRecord {
     /// failed, and the person did not; or tissue was tuned by hand. Empty: it is not. A void
     /// attempt is kept, counts for nothing and uses up no attempt.
     std::string void_reason;
+    ReplayState replay = ReplayState::kNotReplayed;
 };
 
 /// An attempt that says something about the person: it came to its end and something was done.
@@ -164,6 +174,9 @@ struct AttemptResult {
     ExamContext exam;
     StudyContext study;
     std::string haptic_certificate;  ///< JSON; empty: as the recording file has it.
+    /// Why it proves nothing, as void_text() of db/void_reason.h; empty = its task is the published
+    /// one and its recording is sound (db/evidence.h).
+    std::string not_verified;
 };
 
 /// A further score of an attempt; the first one is in its AttemptDetail.

@@ -5,9 +5,12 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <array>
+#include <set>
 
 #include "assessment/signal.h"
+#include "assessment/soundness.h"
 #include "assessment/tissue_metrics.h"
+#include "db/evidence.h"
 #include "db/recording_file.h"
 #include "db/standards.h"
 
@@ -53,25 +56,21 @@ void check_version(Store& store, const DefinitionRecord& wanted) {
     if (there && there->json != wanted.json) refuse_text(wanted);
 }
 
-/// An attempt that was scored under this version carries the rubric's text in its recording.
-void check_recorded(Store& store, const std::vector<AttemptRecord>& attempts,
-                    const assessment::Rubric& rubric, const DefinitionRecord& wanted) {
-    for (const AttemptRecord& attempt : attempts) {
-        if (attempt.rubric_id != rubric.id || attempt.rubric_version != rubric.version) continue;
-        try {
-            const sim::Recording recording = stored_recording(store, attempt.id);
-            const curriculum::Task task =
-                curriculum::load_task_text(recording.header.task_json, "recorded task");
-            if (curriculum::rubric_text(task) != wanted.json) refuse_text(wanted);
-            return;  // One is enough: all of this version were checked against it.
-        } catch (const curriculum::DefinitionError&) {
-            // Recorded by an older program: the next attempt may tell.
-        } catch (const StoreError& error) {
-            if (error.kind() != StoreError::Kind::kNotFound &&
-                error.kind() != StoreError::Kind::kDamaged)
-                throw;
-        }
-    }
+/// A version that a published task is judged by means that task's text. What recordings carry is
+/// not asked: one forged file would speak for all.
+void check_published(Store& store, const std::vector<AttemptRecord>& attempts,
+                     const curriculum::Task& task, const DefinitionRecord& wanted) {
+    std::set<int> versions;
+    for (const AttemptRecord& attempt : attempts) versions.insert(attempt.task_version);
+    versions.insert(0);  // The newest that the store keeps; the program's below.
+    const auto compare = [&](const std::optional<curriculum::Task>& published) {
+        if (published && published->rubric.id == task.rubric.id &&
+            published->rubric.version == task.rubric.version &&
+            curriculum::rubric_text(*published) != wanted.json)
+            refuse_text(wanted);
+    };
+    for (const int version : versions) compare(published_task(store, task.id, version));
+    compare(shipped_task(task.id));
 }
 
 RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const curriculum::Task& task,
@@ -87,6 +86,8 @@ RescoreOutcome rescore_one(Store& store, const AttemptRecord& attempt, const cur
     }
     try {
         const sim::Recording recording = stored_recording(store, attempt.id);
+        if (const std::string problem = assessment::unsound(recording); !problem.empty())
+            throw StoreError(StoreError::Kind::kDamaged, "it cannot be scored: " + problem);
         RescoreRecord record;
         record.attempt_id = attempt.id;
         record.metrics = assessment::compute_metrics(recording);
@@ -131,7 +132,7 @@ std::vector<RescoreOutcome> rescore(Store& store, const curriculum::Task& task,
     check_version(store, rubric);
     const auto attempts = store.attempts().list(options.user_id, task.id);
     if (!store.definitions().find("rubric", rubric.id, rubric.version))
-        check_recorded(store, attempts, task.rubric, rubric);
+        check_published(store, attempts, task, rubric);
     if (!options.dry_run && !attempts.empty() &&
         !store.definitions().find("rubric", rubric.id, rubric.version))
         store.definitions().publish(rubric);

@@ -20,6 +20,20 @@ constexpr Sentence kPictures{"The computer was too slow: ", " pictures a second,
 constexpr Sentence kOnePicture{kPictures[0], " picture a second, ", kPictures[2]};
 constexpr Sentence kRealTime{"The computer was too slow: the simulation ran at ",
                              " % of real time, ", " % are needed"};
+/// A sentence about a doubt: before and behind what is named.
+struct Doubt {
+    VoidCause cause;
+    std::string_view before, behind;
+};
+constexpr std::array kDoubts{
+    Doubt{VoidCause::kTaskUnknown, "Practice, not verified: no task ", " is published here"},
+    Doubt{VoidCause::kTaskDiffers, "Practice, not verified: its task is not the published ", ""},
+    Doubt{VoidCause::kUnsound, "Practice, not verified: it cannot be scored, ", ""},
+    Doubt{VoidCause::kSameRecording, "Practice, not verified: the recording is that of attempt ",
+          ""},
+    Doubt{VoidCause::kReplayDiffers, "Practice, not verified: simulated again it differs, ", ""},
+    Doubt{VoidCause::kSignature, "Practice, not verified: the signature is in doubt, ", ""},
+};
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
 std::string said(const Sentence& sentence, int first, int second) {
@@ -60,7 +74,26 @@ VoidReason void_reason(std::string_view text) {
             return {VoidCause::kFewPictures, n->first, n->second, {}};
     if (const auto n = numbers_of(text, kRealTime))
         return {VoidCause::kNotRealTime, n->first, n->second, {}};
+    for (const Doubt& doubt : kDoubts) {
+        if (!text.starts_with(doubt.before) || !text.ends_with(doubt.behind) ||
+            text.size() < doubt.before.size() + doubt.behind.size())
+            continue;
+        text.remove_prefix(doubt.before.size());
+        text.remove_suffix(doubt.behind.size());
+        return {doubt.cause, 0, 0, std::string(text)};
+    }
     return {VoidCause::kDevice, 0, 0, std::string(text)};
+}
+
+/// What is named comes from a file: it must not look like the next reason.
+std::string doubt_text(const VoidReason& reason) {
+    std::string named = reason.text;
+    for (size_t at = named.find(kBetween); at != std::string::npos; at = named.find(kBetween))
+        named.replace(at, kBetween.size(), ", ");
+    for (const Doubt& doubt : kDoubts)
+        if (doubt.cause == reason.cause)
+            return std::string(doubt.before) + named + std::string(doubt.behind);
+    return named;
 }
 
 std::string text_of(const VoidReason& reason) {
@@ -73,6 +106,13 @@ std::string text_of(const VoidReason& reason) {
             return std::string(kTuned);
         case VoidCause::kDevice:
             return reason.text;
+        case VoidCause::kTaskUnknown:
+        case VoidCause::kTaskDiffers:
+        case VoidCause::kUnsound:
+        case VoidCause::kSameRecording:
+        case VoidCause::kReplayDiffers:
+        case VoidCause::kSignature:
+            return doubt_text(reason);
     }
     return {};
 }

@@ -16,13 +16,26 @@ enum class VoidCause : uint8_t {
     kFewPictures,  ///< Fewer pictures a second than are needed.
     kNotRealTime,  ///< The simulation ran behind the clock.
     kTuned,        ///< Tissue or generator were tuned: it is not the task any more.
-    kDevice        ///< The force device; `text` has the figures for technicians.
+    kDevice,       ///< The force device; `text` has the figures for technicians.
+    // What was recorded proves nothing: practice, not verified.
+    kTaskUnknown,    ///< No task of that id and version was published; `text` names it.
+    kTaskDiffers,    ///< The recording carries another text than the published one.
+    kUnsound,        ///< What scoring needs is missing or out of range; `text` says what.
+    kSameRecording,  ///< Another attempt holds this recording; `text` has its number.
+    kReplayDiffers,  ///< Simulated again it gave something else; `text` says where.
+    kSignature       ///< Not signed by a known station, or changed after; `text` says which.
 };
+
+/// True for what makes an attempt "practice, not verified": neither the machine nor the person's
+/// skill is the reason, what was recorded is.
+[[nodiscard]] constexpr bool is_doubt(VoidCause cause) noexcept {
+    return cause >= VoidCause::kTaskUnknown;
+}
 
 struct VoidReason {
     VoidCause cause = VoidCause::kDevice;
     int found = 0, needed = 0;  ///< Pictures a second, or percent of real time.
-    std::string text;           ///< kDevice only.
+    std::string text;           ///< Of kDevice and of doubts; without "; ".
 
     [[nodiscard]] bool operator==(const VoidReason&) const = default;
 };

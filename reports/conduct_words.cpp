@@ -66,6 +66,28 @@ QString slow_words(const Speaker& say, Language language, const db::Deviation& d
     return parts.join(' ');
 }
 
+/// What is wrong is named as the program found it, in English, as for a technician.
+QString doubt_words(const db::VoidReason& reason) {
+    const auto say = [&](const char* english) {
+        return QCoreApplication::translate("Deviation", english)
+            .arg(QString::fromStdString(reason.text));
+    };
+    switch (reason.cause) {
+        case db::VoidCause::kTaskUnknown:
+            return say("Practice, not verified: no task %1 is published here");
+        case db::VoidCause::kTaskDiffers:
+            return say("Practice, not verified: its task is not the published %1");
+        case db::VoidCause::kUnsound:
+            return say("Practice, not verified: it cannot be scored (%1)");
+        case db::VoidCause::kSameRecording:
+            return say("Practice, not verified: attempt %1 is the same recording");
+        case db::VoidCause::kReplayDiffers:
+            return say("Practice, not verified: simulated again it differs (%1)");
+        default:
+            return say("Practice, not verified: the signature is in doubt (%1)");
+    }
+}
+
 QString void_reason_words(const db::VoidReason& reason) {
     const auto say = [](const char* english, int n = -1) {
         return QCoreApplication::translate("Deviation", english, nullptr, n);
@@ -85,6 +107,13 @@ QString void_reason_words(const db::VoidReason& reason) {
             return say("Tissue or generator was tuned");
         case db::VoidCause::kDevice:
             return QString::fromStdString(reason.text);  // figures for technicians
+        case db::VoidCause::kTaskUnknown:
+        case db::VoidCause::kTaskDiffers:
+        case db::VoidCause::kUnsound:
+        case db::VoidCause::kSameRecording:
+        case db::VoidCause::kReplayDiffers:
+        case db::VoidCause::kSignature:
+            return doubt_words(reason);
     }
     return {};
 }
@@ -112,16 +141,20 @@ QString not_counted_words(const db::AttemptRecord& attempt, Language language) {
         said << say("left after %1").arg(duration_words(attempt.duration_s));
     if (attempt.verdict == assessment::Verdict::kNotAttempted) said << say("nothing was done");
     // The figures of a machine stand where there is room for them.
-    bool tuned = false, device = false, slow = false;
+    bool tuned = false, device = false, slow = false, doubt = false;
     for (const db::VoidReason& reason : db::void_reasons(attempt.void_reason)) {
         tuned |= reason.cause == db::VoidCause::kTuned;
         device |= reason.cause == db::VoidCause::kDevice;
         slow |= reason.cause == db::VoidCause::kFewPictures ||
                 reason.cause == db::VoidCause::kNotRealTime;
+        doubt |= db::is_doubt(reason.cause);
     }
     if (tuned) said << say("tissue or generator was tuned");
     if (device) said << say("the force device did not work as it must");
     if (slow) said << say("the computer was too slow");
+    if (doubt) said << say("practice, not verified");
+    if (said.isEmpty() && attempt.replay == db::ReplayState::kWaiting)
+        said << say("it is still to be simulated again");
     return said.join(QStringLiteral("; "));
 }
 

@@ -203,9 +203,12 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
     EXPECT_THAT(refused("P"), HasSubstr("locked"));
     attempt(anna, 80);
     EXPECT_THAT(refused(""), HasSubstr("proctor"));
+    EXPECT_THAT(refused("Dr N"), HasSubstr("\"Dr N\" has no account here"));
+    EXPECT_THAT(refused("jan"), HasSubstr("no active educator"));
+    EXPECT_THAT(refused("anna"), HasSubstr("no active educator"));
     EXPECT_THAT(failure_of([&] { db::issue_certificate(*store, anna, "short", kNow); }).what(),
                 HasSubstr("not mastered yet. Exam, attempt 1"));
-    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "Dr N", "", kNow);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
     EXPECT_EQ(order.seed, 7u);
     EXPECT_EQ(order.task_id, "diathermy_ring");
     attempt(anna, 90, order.context, 3);
@@ -226,7 +229,7 @@ TEST_P(CourseStore, AnExamIsPreparedOnlyWhenAllIsThereAndLeadsToACertificate) {
 TEST_P(CourseStore, AnExamOnAHapticLoopThatFailedIsVoidForCause) {
     assign(anna);
     attempt(anna, 80);
-    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "Dr N", "", kNow);
+    const db::ExamOrder order = db::prepare_exam(*store, anna, "short", "final", "ewa", "", kNow);
     haptics::HapticCertificate loop;
     loop.force = true;
     loop.ticks = 60'000;

@@ -140,11 +140,22 @@ TEST_F(TrainingPrograms, AnExamRecordingIsTakenOnlyWithItsSeed) {
     }
     const std::string exam = " --user anna --exam mine/final";
     EXPECT_THAT(as("anna", "import s5.placode" + exam).err, HasSubstr("proctor"));
-    EXPECT_THAT(as("anna", "import s4.placode --proctor Nowak" + exam).err,
+    EXPECT_THAT(as("anna", "import s5.placode --proctor Nowak" + exam).err,
+                HasSubstr("\"Nowak\" has no account"));
+    EXPECT_THAT(as("anna", "import s5.placode --proctor anna" + exam).err, HasSubstr("proctor"));
+    // Whoever takes the exam does not sign for the proctor.
+    EXPECT_THAT(as("anna", "import s5.placode --proctor ewa" + exam).err,
+                HasSubstr("PLACODE_PROCTOR_PASSWORD; it is missing"));
+    const auto proctored = [&](const std::string& arguments, const std::string& password) {
+        return ctl("--as anna " + arguments + " --proctor ewa" + exam,
+                   std::string(kRight) + " PLACODE_PROCTOR_PASSWORD='" + password + "'");
+    };
+    EXPECT_THAT(proctored("import s5.placode", "a guess 12").err, HasSubstr("it is wrong"));
+    EXPECT_THAT(proctored("import s4.placode", "long enough 1").err,
                 HasSubstr("expected task diathermy_ring_small, seed 5"));
     EXPECT_EQ(as("anna", "import s5.placode --user anna --exam mine").status, 2);
     EXPECT_THAT(as("anna", "attempts").out, HasSubstr("no attempts"));
-    const Outcome taken = as("anna", "import s5.placode --proctor Nowak" + exam);
+    const Outcome taken = proctored("import s5.placode", "long enough 1");
     EXPECT_EQ(taken.status, 0) << taken.err;
     EXPECT_THAT(as("anna", "--json course next").out,
                 AllOf(HasSubstr("\"attempts\": 1"), Not(HasSubstr("\"seed\": 5"))));

@@ -14,15 +14,16 @@ namespace placode::sim {
 [[nodiscard]] inline std::string shortest_text(double value) {
     if (value != value) return "nan";
     std::array<char, 40> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc{} ? std::string(text.data(), end) : "-";
 }
 
 /// `digits` significant digits, at most 20, without zeros at the end.
 [[nodiscard]] inline std::string rounded_text(double value, int digits) {
     std::array<char, 40> text{};
-    return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value,
-                                       std::chars_format::general, digits)
-                             .ptr};
+    const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value,
+                                            std::chars_format::general, digits);
+    return error == std::errc{} ? std::string(text.data(), end) : "-";
 }
 
 /// With `decimals` places; "-" for what is no finite number.

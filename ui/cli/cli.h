@@ -47,6 +47,7 @@ void add_course_commands(CLI::App& app, Context& context);
 void add_group_commands(CLI::App& app, Context& context);
 void add_standard_commands(CLI::App& app, Context& context);
 void add_rescore_commands(CLI::App& app, Context& context);
+void add_verify_command(CLI::App& app, Context& context);
 void add_norms_commands(CLI::App& app, Context& context);
 void add_people_commands(CLI::App& app, Context& context);
 void add_bench_commands(CLI::App& app, Context& context);

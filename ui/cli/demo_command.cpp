@@ -161,10 +161,10 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
                                 {"user", planned.login},
                                 {"device", planned.device},
                                 {"seed", planned.seed},
-                                {"points", saved.score.points},
+                                {"points", saved.attempt.score.points},
                                 {"simulated_s", saved.duration_s},
                                 {"wall_s", wall_s}});
-    std::cerr << what << ": " << fixed(saved.score.points, 1) << " points after "
+    std::cerr << what << ": " << fixed(saved.attempt.score.points, 1) << " points after "
               << fixed(saved.duration_s, 1) << " s simulated in " << fixed(wall_s, 1) << " s\n";
     return true;
 }

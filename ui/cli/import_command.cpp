@@ -2,34 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl import: a recording made elsewhere, or left over, becomes an attempt of a person.
 
+#include <cstdlib>
 #include <memory>
 
-#include "assessment/scoring.h"
-#include "curriculum/task.h"
+#include "assessment/soundness.h"
 #include "db/course_conduct.h"
+#include "db/evidence.h"
 #include "db/recording_file.h"
-#include "db/standards.h"
 #include "ui/cli/people.h"
 #include "ui/cli/save_recording.h"
+#include "ui/cli/verify.h"
 
 namespace placode::cli {
 
 SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file,
                             const db::ExamContext& exam) {
     const sim::Recording recording = db::read_recording_file(file);
-    const curriculum::Task task =
-        curriculum::load_task_text(recording.header.task_json, file + " (its task)");
-    db::AttemptResult result;
-    result.header = recording.header;
-    result.end = recording.end;
-    result.events = recording.events;
-    result.metrics = assessment::compute_metrics(recording);
-    result.score = assessment::score_attempt(
-        db::rubric_at(session.store(), task, recording.header.started_utc), result.metrics,
-        recording);
+    if (const std::string problem = assessment::unsound(recording); !problem.empty())
+        throw db::StoreError(db::StoreError::Kind::kDamaged,
+                             file + ": the recording cannot be scored: " + problem);
+    if (const auto known = session.store().attempts().find_recording(file))
+        throw db::StoreError(
+            db::StoreError::Kind::kConflict,
+            file + ": the store has this recording already, as attempt " + std::to_string(*known));
+    db::AttemptResult result = db::judged(session.store(), recording);
     result.recording_file = file;
     result.exam = exam;
-    return {session.store().attempts().save(user_id, result), result.score, result.end.duration_s};
+    db::publish_task_on_first_use(session.store(), recording.header.task_id,
+                                  recording.header.task_version);
+    const int64_t id = session.store().attempts().save(user_id, result);
+    return {id, session.store().attempts().detail(id), result.end.duration_s};
 }
 
 namespace {
@@ -37,6 +39,25 @@ namespace {
 struct Options {
     std::string file, user, exam, proctor, certificate;
 };
+
+/// Who takes an exam cannot name a proctor who knows nothing of it: that proctor's password is
+/// asked for, in PLACODE_PROCTOR_PASSWORD. Whoever else imports may be believed.
+std::string proctor_of(Session& session, int64_t user_id, const Options& options) {
+    if (options.proctor.empty()) return {};
+    const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
+    if (!session.user() || session.user()->id != user_id) return proctor.display_name;
+    const char* const password = std::getenv("PLACODE_PROCTOR_PASSWORD");
+    const std::string actor = session.actor();
+    const db::SignIn found = session.store().accounts().sign_in(
+        proctor.login, password == nullptr ? std::string() : std::string(password));
+    session.store().act_as(actor);
+    if (found.outcome != db::SignInOutcome::kOk)
+        throw InputError("--proctor " + options.proctor +
+                         ": the proctor confirms with the own password, in "
+                         "PLACODE_PROCTOR_PASSWORD; " +
+                         (password == nullptr ? "it is missing" : "it is wrong"));
+    return proctor.display_name;
+}
 
 /// The exam that this recording is, checked against its task and seed.
 db::ExamContext exam_of(Session& session, int64_t user_id, const Options& options) {
@@ -47,7 +68,7 @@ db::ExamContext exam_of(Session& session, int64_t user_id, const Options& option
         const sim::RecordingHeader header = db::read_recording_file(options.file).header;
         db::ExamOrder order = db::prepare_exam(
             session.store(), user_id, options.exam.substr(0, slash), options.exam.substr(slash + 1),
-            options.proctor, options.certificate, now_utc());
+            proctor_of(session, user_id, options), options.certificate, now_utc());
         if (header.task_id != order.task_id || header.seed != order.seed)
             throw InputError(options.file + ": found task " + header.task_id + ", seed " +
                              std::to_string(header.seed) + "; expected task " + order.task_id +
@@ -70,14 +91,30 @@ int import_recording(const Context& context, const Options& options) {
             options.exam.empty() ? db::ExamContext{} : exam_of(session, user.id, options);
         saved = save_recording(session, user.id, options.file, exam);
     } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kDamaged) throw InputError(error.what());
+        if (error.kind() == db::StoreError::Kind::kDamaged ||
+            error.kind() == db::StoreError::Kind::kConflict)
+            throw InputError(error.what());
         throw;
+    }
+    db::AttemptRecord record = saved.attempt.record;
+    if (record.replay == db::ReplayState::kWaiting) {
+        (void)verify(session, saved.id);
+        record = session.store().attempts().detail(saved.id).record;
     }
     session.store().audit().write(session.actor(), "attempt.import",
                                   "attempt " + std::to_string(saved.id), options.file);
-    print(context, {{"attempt", saved.id}, {"user", user.login}, {"points", saved.score.points}},
-          "saved as attempt " + std::to_string(saved.id) + " of " + user.login + ": " +
-              fixed(saved.score.points, 1) + " points\n");
+    std::string text = "saved as attempt " + std::to_string(saved.id) + " of " + user.login + ": " +
+                       fixed(record.points, 1) + " points\n";
+    if (!record.void_reason.empty()) text += "it counts for nothing. " + record.void_reason + "\n";
+    if (record.replay == db::ReplayState::kWaiting)
+        text += "it counts once it was simulated again here: placodectl verify\n";
+    print(context,
+          {{"attempt", saved.id},
+           {"user", user.login},
+           {"points", record.points},
+           {"void_reason", record.void_reason},
+           {"replay", db::replay_name(record.replay)}},
+          text);
     return 0;
 }
 
@@ -90,7 +127,7 @@ void add_import_command(CLI::App& app, Context& context) {
     command->add_option("FILE", options->file, "FILE.placode")->required();
     command->add_option("--user", options->user, "Login or number")->required();
     command->add_option("--exam", options->exam, "COURSE/STAGE: it is an exam of this course");
-    command->add_option("--proctor", options->proctor, "Name of who was present at the exam");
+    command->add_option("--proctor", options->proctor, "Login of who was present at the exam");
     command->add_option("--certificate", options->certificate, "Of the haptic device");
     command->callback([&context, options] {
         context.run = [&context, options] { return import_recording(context, *options); };

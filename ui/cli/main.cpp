@@ -8,7 +8,7 @@
 
 #include "curriculum/definitions.h"
 #include "db/store.h"
-#include "ui/cli/cli.h"
+#include "ui/cli/session.h"
 #include "ui/cli/solver_commands.h"
 #include "ui/usage_message.h"
 #include "ui/version.h"
@@ -36,6 +36,7 @@ void keep_quiet(QtMsgType type, const QMessageLogContext&, const QString& messag
 
 int run(const cli::Context& context) {
     try {
+        cli::refuse_open_password(context);
         return context.run();
     } catch (const cli::InputError& error) {
         return fail(context, 2, error.what());
@@ -71,8 +72,8 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     app.fallthrough();
     app.add_option("--store", context.store_url,
-                   "sqlite:PATH or postgresql://USER:PASSWORD@HOST:PORT/NAME (default: the user's "
-                   "data folder)");
+                   "sqlite:PATH or postgresql://USER@HOST:PORT/NAME, its password in ~/.pgpass, "
+                   "$PGPASSWORD or typed in (default: the user's data folder)");
     app.add_option("--as", context.as_user,
                    "Act as this user; the password comes from $PLACODE_PASSWORD or is asked for");
     app.add_flag("--json", context.json, "One JSON document instead of text");
@@ -90,6 +91,7 @@ int main(int argc, char** argv) {
     cli::add_group_commands(app, context);
     cli::add_standard_commands(app, context);
     cli::add_rescore_commands(app, context);
+    cli::add_verify_command(app, context);
     cli::add_norms_commands(app, context);
     cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);

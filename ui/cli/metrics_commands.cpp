@@ -10,8 +10,10 @@
 #include "assessment/scoring.h"
 #include "assessment/signal.h"
 #include "assessment/signal_metrics.h"
+#include "assessment/soundness.h"
 #include "assessment/tissue_metrics.h"
 #include "curriculum/task.h"
+#include "db/evidence.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/certificate.h"
@@ -190,13 +192,25 @@ int contour(const Context& context, const Options& options) {
     return 0;
 }
 
+/// The task that was asked for, else the program's own of the recording's id and version. Only
+/// where there is none, and the result says so, the one that the recording carries.
+curriculum::Task task_to_score_by(const sim::Recording& recording, const Options& options,
+                                  bool& published) {
+    if (!options.task.empty()) return curriculum::load_task(options.task);
+    const auto shipped = db::shipped_task(recording.header.task_id);
+    published = shipped && shipped->version == recording.header.task_version;
+    return published ? *shipped
+                     : curriculum::load_task_text(recording.header.task_json,
+                                                  options.file + " (its task)");
+}
+
 int score(const Context& context, const Options& options) {
     std::string damage;
     const sim::Recording recording = load_recording(options, damage);
-    const curriculum::Task task =
-        options.task.empty()
-            ? curriculum::load_task_text(recording.header.task_json, options.file + " (its task)")
-            : curriculum::load_task(options.task);
+    bool published = true;
+    const curriculum::Task task = task_to_score_by(recording, options, published);
+    if (const std::string problem = assessment::unsound(recording); !problem.empty())
+        throw InputError(options.file + ": the recording cannot be scored: " + problem);
     const auto metrics = assessment::compute_metrics(recording);
     const auto result = assessment::score_attempt(task.rubric, metrics, recording);
     const std::string verdict = assessment::verdict_name(result.verdict);
@@ -206,11 +220,14 @@ int score(const Context& context, const Options& options) {
     json["rubric"] = result.rubric_id;
     json["rubric_version"] = result.rubric_version;
     json["metric_set_version"] = result.metric_set_version;
+    json["published_task"] = published;
     json["reasons"] = Json::array();
     std::string text = "score " + fixed(result.points, 1) + " of 100: " + verdict + " (" + task.id +
                        " version " + std::to_string(task.version) + ", " + recording.header.device +
                        (recording.header.demonstration ? ", demonstration" : "") + ")\n";
     if (!damage.empty()) text += "damaged: " + damage + "\n";
+    if (!published)
+        text += "not verified: no such task is published here, the recording's own was used\n";
     std::vector<std::vector<std::string>> rows;
     for (const auto& reason : result.reasons) {
         json["reasons"].push_back({{"item", reason.item},

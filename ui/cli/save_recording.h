@@ -9,12 +9,13 @@ namespace placode::cli {
 
 struct SavedAttempt {
     int64_t id = 0;
-    assessment::Score score;
+    db::AttemptDetail attempt;  ///< As it was saved.
     double duration_s = 0;
 };
 
-/// Computes metrics and score by the task that the recording carries, and saves both with the
-/// recording in one transaction. Throws StoreError or DefinitionError; the file stays as it is.
+/// Computes metrics and score by the published task (db/evidence.h) and saves both with the
+/// recording in one transaction. Throws StoreError: kDamaged for what cannot be scored, kConflict
+/// for a recording that the store has already; the file stays as it is.
 /// @param exam under which exam it was made; default: practice.
 SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file,
                             const db::ExamContext& exam = {});

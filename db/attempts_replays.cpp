@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which attempts are still to be simulated again, and what that gave.
+
+#include "db/attempts.h"
+#include "db/store_context.h"
+#include "db/void_reason.h"
+
+namespace placode::db {
+
+std::vector<int64_t> Attempts::waiting_for_replay() {
+    connection_.begin_operation("list what is to be replayed in");
+    Statement query(connection_,
+                    "SELECT id FROM attempts WHERE replay = 1 ORDER BY started_utc, id");
+    query.run();
+    std::vector<int64_t> found;
+    while (query.next()) found.push_back(query.integer(0));
+    return found;
+}
+
+void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::string& note) {
+    connection_.begin_operation("keep the replay of attempt " + std::to_string(attempt_id) + " in");
+    UnitOfWork work(connection_);
+    Statement query(connection_, "SELECT void_reason FROM attempts WHERE id = ?");
+    query.run(attempt_id);
+    if (!query.next())
+        connection_.fail(StoreError::Kind::kNotFound,
+                         "there is no attempt " + std::to_string(attempt_id));
+    // One answer about the replay: that of the last.
+    std::vector<VoidReason> voids;
+    for (VoidReason& reason : void_reasons(query.text("void_reason")))
+        if (reason.cause != VoidCause::kReplayDiffers) voids.push_back(std::move(reason));
+    if (state == ReplayState::kDiffers) voids.push_back({VoidCause::kReplayDiffers, 0, 0, note});
+    Statement(connection_,
+              "UPDATE attempts SET replay = ?, replayed_utc = ?, void_reason = ? WHERE id = ?")
+        .run(static_cast<int>(state), utc_now(), void_text(voids), attempt_id);
+    const char* const what = state == ReplayState::kIdentical ? "attempt.replay"
+                             : state == ReplayState::kDiffers ? "attempt.replay_differs"
+                                                              : "attempt.replay_reset";
+    context_.append_audit(what, "attempt " + std::to_string(attempt_id), note);
+    work.commit();
+}
+
+}  // namespace placode::db

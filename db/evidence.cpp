@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/evidence.h"
+
+#include <algorithm>
+#include <array>
+
+#include "assessment/soundness.h"
+#include "curriculum/attempt_runner.h"
+#include "curriculum/preset.h"
+#include "db/rescore.h"
+#include "db/standards.h"
+
+namespace placode::db {
+namespace {
+
+using curriculum::Task;
+
+/// With every number spelled out as this program does it: an older one left out what it did not
+/// know. nullopt: it cannot be read.
+std::optional<Task> task_of_text(const std::string& json) {
+    try {
+        return curriculum::load_task_text(json, "recorded task");
+    } catch (const std::exception&) {
+        return std::nullopt;
+    }
+}
+
+/// A preset changes tissue on purpose and is said to be tuned already.
+bool is_told_as_tuned(const Task& recorded, const sim::Recording& recording) {
+    return !curriculum::preset_of(recorded).empty() &&
+           std::any_of(recording.events.begin(), recording.events.end(),
+                       [](const auto& event) { return event.kind == sim::EventKind::kTuned; });
+}
+
+std::string name_of(const std::string& id, int version) {
+    return id + " version " + std::to_string(version);
+}
+
+/// No points for what nobody can judge.
+assessment::Score no_score(const std::optional<Task>& task, const std::string& pattern) {
+    assessment::Score score;
+    if (task) {
+        score.rubric_id = task->rubric.id;
+        score.rubric_version = task->rubric.version;
+    }
+    assessment::Reason reason;
+    reason.item = "not_verified";
+    reason.meaning.pattern = pattern;
+    reason.text = pattern;
+    reason.time_s = -1;
+    score.reasons.push_back(std::move(reason));
+    return score;
+}
+
+}  // namespace
+
+const char* replay_name(ReplayState state) noexcept {
+    constexpr std::array<const char*, 4> kNames{"not replayed", "waiting", "identical", "differs"};
+    return kNames[static_cast<size_t>(state) % kNames.size()];
+}
+
+std::optional<Task> shipped_task(const std::string& id) {
+    const auto ids = curriculum::list_definitions("tasks");
+    if (std::find(ids.begin(), ids.end(), id) == ids.end()) return std::nullopt;
+    return curriculum::load_task(id);
+}
+
+std::optional<Task> published_task(Store& store, const std::string& id, int version) {
+    if (version < 0) return std::nullopt;
+    if (const auto kept = store.definitions().find("task", id, version))
+        return task_of_text(kept->json);
+    const auto shipped = shipped_task(id);
+    return shipped && shipped->version == version ? shipped : std::nullopt;
+}
+
+TaskEvidence task_evidence(Store& store, const sim::Recording& recording) {
+    const sim::RecordingHeader& head = recording.header;
+    TaskEvidence evidence{published_task(store, head.task_id, head.task_version), {}};
+    if (!evidence.task) {
+        evidence.doubts.push_back(
+            {VoidCause::kTaskUnknown, 0, 0, name_of(head.task_id, head.task_version)});
+        return evidence;
+    }
+    const auto recorded = task_of_text(head.task_json);
+    const auto published = task_of_text(evidence.task->json);
+    if (recorded && published && recorded->json == published->json) return evidence;
+    if (!recorded || !is_told_as_tuned(*recorded, recording))
+        evidence.doubts.push_back(
+            {VoidCause::kTaskDiffers, 0, 0, name_of(head.task_id, head.task_version)});
+    return evidence;
+}
+
+AttemptResult judged(Store& store, const sim::Recording& recording) {
+    AttemptResult result;
+    result.header = recording.header;
+    result.end = recording.end;
+    result.events = recording.events;
+    TaskEvidence evidence = task_evidence(store, recording);
+    if (const std::string problem = assessment::unsound(recording); !problem.empty()) {
+        evidence.doubts.push_back({VoidCause::kUnsound, 0, 0, problem});
+        result.score = no_score(evidence.task, "The recording cannot be scored.");
+        // Numbers that nobody measured do not reach lists and sums either.
+        result.events.clear();
+        result.end.duration_s = std::clamp(result.end.duration_s, 0.0, 7200.0);
+        if (!(recording.end.duration_s >= 0)) result.end.duration_s = 0;
+    } else {
+        result.metrics = assessment::compute_metrics(recording);
+        result.score = evidence.task
+                           ? assessment::score_attempt(
+                                 rubric_at(store, *evidence.task, recording.header.started_utc),
+                                 result.metrics, recording)
+                           : no_score(evidence.task, "No rubric of this task is published here.");
+    }
+    result.not_verified = void_text(evidence.doubts);
+    return result;
+}
+
+void publish_task_on_first_use(Store& store, const std::string& id, int version) {
+    if (store.definitions().find("task", id, version)) return;
+    const auto shipped = shipped_task(id);
+    if (!shipped || shipped->version != version) return;
+    DefinitionRecord definition;
+    definition.kind = "task";
+    definition.id = id;
+    definition.version = version;
+    definition.json = shipped->json;
+    definition.reason = "first use of this version";
+    try {
+        store.definitions().publish(definition);
+    } catch (const StoreError& error) {
+        // A newer version is there, or somebody else was first: theirs holds.
+        if (error.kind() != StoreError::Kind::kConflict) throw;
+    }
+}
+
+std::optional<curriculum::ReplayVerdict> verify_attempt(Store& store, int64_t attempt_id,
+                                                        const ReplayProgress& progress) {
+    const auto keep = [&](const curriculum::ReplayVerdict& verdict) {
+        store.attempts().set_replay(
+            attempt_id, verdict.identical ? ReplayState::kIdentical : ReplayState::kDiffers,
+            verdict.difference);
+        return verdict;
+    };
+    sim::Recording recording;
+    try {
+        recording = stored_recording(store, attempt_id);
+    } catch (const StoreError& error) {
+        if (error.kind() != StoreError::Kind::kDamaged) throw;
+        return keep({false, "the recording is damaged"});
+    }
+    const TaskEvidence evidence = task_evidence(store, recording);
+    if (!evidence.task || recording.header.build != curriculum::this_build()) return std::nullopt;
+    if (!evidence.doubts.empty()) return keep({false, "its task is not the published one"});
+    if (const std::string problem = assessment::unsound(recording); !problem.empty())
+        return keep({false, problem});
+    curriculum::ReplayCheck check(recording, *evidence.task, 1);
+    constexpr int kFramesBetween = 50;
+    for (int64_t frame = 0; check.step(); ++frame)
+        if (progress && frame % kFramesBetween == 0 && !progress(check.share()))
+            return std::nullopt;
+    return keep(check.verdict());
+}
+
+}  // namespace placode::db

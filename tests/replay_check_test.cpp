@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An honest attempt is found to be what it is, in every shipped task; a changed one is not.
+
+#include "curriculum/replay_check.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "tests/attempt_fixture.h"
+
+using namespace placode;
+using namespace placode::curriculum;
+using sim::EventKind;
+using sim::Recording;
+
+namespace {
+
+Recording attempt(const std::string& task, double seconds, const std::string& level = "expert") {
+    AttemptOptions options;
+    options.device = "script:" + level;
+    options.fast = true;
+    options.threads = 1;
+    options.duration_s = seconds;
+    const Task loaded = load_task(task);
+    options.steps = loaded.steps;
+    const auto recording = std::make_shared<Recording>();
+    AttemptRunner runner(loaded, 3, options, std::make_unique<test::MemorySink>(recording));
+    runner.start();
+    runner.wait();
+    return std::move(*recording);
+}
+
+}  // namespace
+
+TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
+    for (const std::string& id : list_definitions("tasks")) {
+        const Recording honest = attempt(id, 1.5, "novice");
+        ASSERT_GT(honest.samples.size(), 100U) << id;
+        const ReplayVerdict verdict = check_replay(honest, load_task(id), 2);
+        EXPECT_TRUE(verdict.identical) << id << ": " << verdict.difference;
+    }
+}
+
+TEST(ReplayCheck, AnAttemptThatCameToItsOwnEndIsIdentical) {
+    const Recording honest = attempt("touch_targets", 0);
+    ASSERT_EQ(honest.end.reason, sim::EndReason::kFinished);
+    const ReplayVerdict verdict = check_replay(honest, load_task("touch_targets"), 1);
+    EXPECT_TRUE(verdict.identical) << verdict.difference;
+}
+
+TEST(ReplayCheck, WhatWasChangedIsNamed) {
+    const Recording honest = attempt("diathermy_ring_small", 1.5);
+    const Task task = load_task("diathermy_ring_small");
+    const size_t middle = honest.samples.size() / 2;
+    struct Change {
+        const char* named;
+        std::function<void(Recording&)> make;
+    };
+    const Change changes[]{
+        {"a sample", [&](Recording& r) { r.samples[middle].cut_fraction = 1; }},
+        {"a sample", [&](Recording& r) { r.samples[middle].tools[0].tip_m[2] += 1e-4F; }},
+        {"a sample", [&](Recording& r) { r.samples[middle].tools[0].force_n[0] = 0.5F; }},
+        {"a sample", [&](Recording& r) { r.samples[middle].placode_burned_m3 += 1e-12F; }},
+        {"a sample", [&](Recording& r) { r.samples.erase(r.samples.begin() + 20); }},
+        {"number of samples", [&](Recording& r) { r.samples.push_back(r.samples.back()); }},
+        {"event", [&](Recording& r) { r.events.erase(r.events.begin()); }},
+        {"event",
+         [&](Recording& r) {
+             sim::Event more;
+             more.time_s = 0.5;
+             more.kind = EventKind::kPhase;
+             r.events.insert(r.events.begin(), more);
+         }},
+        {"state",
+         [&](Recording& r) {
+             r.inputs[500].tools[0].position_m[0] += 1e-3F;
+             for (size_t i = 500; i < 1100; ++i) r.inputs[i].tools[0].position_m[0] += 1e-3F;
+         }},
+        {"frame or sample time", [&](Recording& r) { r.header.sample_s = 0.02; }},
+        {"the field", [&](Recording& r) { r.header.geometry.placode_volume_m3 *= 10; }},
+        {"the field", [&](Recording& r) { r.header.geometry.planned_contour.clear(); }},
+        {"the instruments", [&](Recording& r) { r.header.tools[0].tip_radius_m *= 2; }},
+        {"duration", [&](Recording& r) { r.end.duration_s -= 0.2; }},
+        {"state", [&](Recording& r) { r.end.final_hash ^= 1; }},
+        {"", [&](Recording& r) { r.header.seed = 4; }},
+    };
+    int at = 0;
+    for (const Change& change : changes) {
+        Recording forged = honest;
+        change.make(forged);
+        const ReplayVerdict verdict = check_replay(forged, task, 1);
+        EXPECT_FALSE(verdict.identical) << "change " << at;
+        // A hand that is moved shows in the samples first.
+        if (std::string(change.named) != "state") {
+            EXPECT_THAT(verdict.difference, testing::HasSubstr(change.named)) << "change " << at;
+        }
+        ++at;
+    }
+}
+
+TEST(ReplayCheck, TheTaskThatTheFileCarriesIsNotUsed) {
+    const Recording honest = attempt("touch_targets", 0.5);
+    Recording forged = honest;
+    forged.header.task_json = load_task("diathermy_ring").json;
+    EXPECT_TRUE(check_replay(forged, load_task("touch_targets"), 1).identical);
+}

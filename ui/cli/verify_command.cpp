@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl verify: simulates exams and attempts of studies again; they count once the same came
+// out. The shell does it by itself; this is for what was imported, and for the night.
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <iostream>
+#include <memory>
+
+#include "sim/core/counted.h"
+#include "ui/cli/cli.h"
+#include "ui/cli/verify.h"
+
+namespace placode::cli {
+namespace {
+
+std::atomic<bool> stop{false};
+
+struct Options {
+    int64_t attempt = 0;  ///< 0 = all that wait.
+};
+
+int verify_command(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    std::vector<int64_t> ids{options.attempt};
+    if (options.attempt == 0) {
+        session.need(db::Action::kViewAttempts, db::Scope::kOther);
+        ids = session.store().attempts().waiting_for_replay();
+    } else {
+        session.need_for(db::Action::kViewAttempts,
+                         session.store().attempts().detail(options.attempt).record.user_id);
+    }
+    Json json{{"attempts", Json::array()}};
+    std::vector<std::vector<std::string>> rows{{"attempt", "simulated again", "difference"}};
+    int differ = 0, left = 0;
+    for (const int64_t id : ids) {
+        if (stop) break;
+        const auto verdict = verify(session, id);
+        const char* const state = !verdict             ? "waiting"
+                                  : verdict->identical ? "identical"
+                                                       : "differs";
+        const std::string difference =
+            verdict ? verdict->difference
+            : stop  ? "stopped"
+                    : "recorded by another build or processor, or of a task that is unknown here";
+        differ += verdict && !verdict->identical ? 1 : 0;
+        left += verdict ? 0 : 1;
+        json["attempts"].push_back(
+            {{"attempt", id}, {"replay", state}, {"difference", difference}});
+        rows.push_back({std::to_string(id), state, difference});
+    }
+    json["differ"] = differ;
+    json["waiting"] = left;
+    json["cancelled"] = stop.load();
+    print(context, json,
+          rows.size() == 1 ? std::string("no attempt waits for being simulated again")
+                           : table(rows) + sim::counted(differ, "attempt") + " differ, " +
+                                 std::to_string(left) + " still wait");
+    return stop ? 1 : 0;
+}
+
+}  // namespace
+
+std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id) {
+    const bool show = isatty(STDERR_FILENO) != 0;
+    auto* before = std::signal(SIGINT, [](int) { stop = true; });
+    const auto verdict = db::verify_attempt(session.store(), attempt_id, [&](double share) {
+        if (show)
+            std::cerr << "\rsimulating attempt " << attempt_id
+                      << " again: " << static_cast<int>(100 * share) << " %   " << std::flush;
+        return !stop.load();
+    });
+    std::signal(SIGINT, before);
+    if (show) std::cerr << '\r' << std::string(60, ' ') << '\r';
+    return verdict;
+}
+
+void add_verify_command(CLI::App& app, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "verify", "Simulates exams and attempts of studies again; they count once it is the same");
+    command->add_option("ATTEMPT", options->attempt, "Number (default: all that wait)");
+    command->callback([&context, options] {
+        context.run = [&context, options] { return verify_command(context, *options); };
+    });
+}
+
+}  // namespace placode::cli
