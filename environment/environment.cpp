@@ -17,7 +17,7 @@ using sim::EndReason;
 using sim::Vec3;
 
 constexpr int kMostFrames = 60'000;      // a minute in one call
-constexpr double kFarM = 0.05;           // farther than this a goal draws no more
+constexpr double kFarM = 0.2;            // farther than this a goal draws no more
 constexpr double kApproachUnitM = 0.02;  // so much of the way is worth 1, before the weight
 
 void check_options(const EnvironmentOptions& o) {

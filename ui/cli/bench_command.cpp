@@ -129,6 +129,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     add_stability_command(*bench, context);
     add_haptics_bench_command(*bench, context);
     add_store_bench_command(*bench, context);
+    add_environment_command(*bench, context);
 }
 
 }  // namespace placode::cli

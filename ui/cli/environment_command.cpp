@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl bench environment: what the environments of docs/environment.md cost.
+
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "bench/environment_speed.h"
+#include "ui/cli/solver_commands.h"
+
+namespace placode::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    bool quick = false, policies = false;
+    std::string out, python = "/usr/bin/python3", task;
+    int attempts = 3;
+};
+
+/// As placode.COARSE of the Python package.
+constexpr const char* kCoarse =
+    R"({"edge_ring_m":0.0010,"edge_placode_m":0.0014,"edge_outer_m":0.003,"solver":{"substeps":2}})";
+
+std::vector<bench::EnvironmentCase> cases(const Options& options) {
+    if (!options.task.empty()) return {{options.task, options.task, ""}};
+    std::vector<bench::EnvironmentCase> all{
+        {"coarse field", "touch_targets", kCoarse},
+        {"coarse field, ring", "diathermy_ring_small", kCoarse}};
+    for (const char* task :
+         {"touch_targets", "trace_contour", "grasp_and_lift", "two_handed_traction",
+          "diathermy_ring_small", "scissors_resection", "sb_dissection"})
+        all.push_back({"as published", task, ""});
+    if (options.quick) all.resize(2);
+    return all;
+}
+
+/// What the Python package measures of itself, as JSON; null where it cannot be run.
+Json python_figures(const Options& options, const bench::EnvironmentCase& what) {
+    const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
+    const std::string path =
+        (bin / "../python").string() + ":" + (bin / "../lib/python3/dist-packages").string();
+    const std::string command = "PYTHONPATH='" + path + "' '" + options.python +
+                                "' -m placode.bench " + what.task + " '" + what.scene_changes_json +
+                                "' " + (options.quick ? "3" : "9") + " 2>/dev/null";
+    const std::unique_ptr<FILE, int (*)(FILE*)> pipe(::popen(command.c_str(), "r"), ::pclose);
+    std::string text;
+    char part[4096];
+    while (pipe && std::fgets(part, sizeof part, pipe.get()) != nullptr) text += part;
+    return Json::parse(text, nullptr, false).is_object() ? Json::parse(text) : Json();
+}
+
+Json to_json(const bench::EnvironmentRow& row, const Json& python) {
+    return {{"case", row.what.name},
+            {"task", row.what.task},
+            {"tets", row.tets},
+            {"substeps", row.substeps},
+            {"physics_frames_per_s", row.physics_hz},
+            {"environment_frames_per_s", row.environment_hz},
+            {"python_frames_per_s", python.value("frames_per_s", 0.0)},
+            {"python_call_us", python.value("call_us", 0.0)},
+            {"reset_ms", row.reset_ms},
+            {"save_ms", row.save_ms},
+            {"field_mib", row.field_mib},
+            {"environment_mib", row.environment_mib},
+            {"moment_mib", row.moment_mib},
+            {"field_build_s", row.build_s}};
+}
+
+std::vector<std::string> cells_of(const Json& row) {
+    const auto number = [&](const char* key, int decimals) {
+        return fixed(row[key].get<double>(), decimals);
+    };
+    const bool python = row["python_frames_per_s"].get<double>() > 0;
+    return {row["task"],
+            row["case"],
+            std::to_string(row["tets"].get<int>()),
+            std::to_string(row["substeps"].get<int>()),
+            number("physics_frames_per_s", 0),
+            number("environment_frames_per_s", 0),
+            python ? number("python_frames_per_s", 0) : "-",
+            python ? number("python_call_us", 1) : "-",
+            fixed(row["environment_frames_per_s"].get<double>() / 1000, 1),
+            number("reset_ms", 2),
+            number("field_mib", 1),
+            number("environment_mib", 1),
+            number("field_build_s", 2)};
+}
+
+/// A table of Markdown from rows, the first of which is the head.
+std::string markdown(const std::vector<std::vector<std::string>>& rows) {
+    std::string text;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        for (const std::string& cell : rows[i]) text += "| " + cell + " ";
+        text += "|\n";
+        for (size_t k = 0; i == 0 && k < rows[0].size(); ++k) text += "|---";
+        if (i == 0) text += "|\n";
+    }
+    return text;
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm day{};
+    ::gmtime_r(&now, &day);
+    char text[16];
+    std::strftime(text, sizeof text, "%Y-%m-%d", &day);
+    return text;
+}
+
+std::string where(const Json& machine) {
+    return machine["processor"].get<std::string>() + ", " +
+           std::to_string(machine["logical_cores"].get<int>()) + " logical cores, kernels " +
+           machine["kernel_target"].get<std::string>() + ", " +
+           machine["compiler"].get<std::string>() + ", " + today() + ", load before " +
+           fixed(machine["load_average_1min_before"].get<double>(), 1);
+}
+
+using Rows = std::vector<std::vector<std::string>>;
+
+Rows speed(const Options& options, Json& json) {
+    Rows rows{{"task", "field", "tets", "substeps", "physics alone, frames/s",
+               "environment, frames/s", "from Python, frames/s", "Python call, us", "x real time",
+               "reset, ms", "field, MiB", "environment, MiB", "field built in, s"}};
+    for (const bench::EnvironmentCase& what : cases(options)) {
+        const Json row = to_json(bench::measure_environment(what, options.quick ? 3 : 9),
+                                 python_figures(options, what));
+        json["rows"].push_back(row);
+        rows.push_back(cells_of(row));
+        std::cerr << row["task"].get<std::string>() << ": "
+                  << fixed(row["environment_frames_per_s"].get<double>(), 0) << " frames/s\n";
+    }
+    return rows;
+}
+
+Rows policies(const Options& options, Json& json) {
+    Rows rows{{"task", "policy", "attempts", "passed", "points", "dense reward", "duration, s"}};
+    for (const char* task :
+         {"touch_targets", "trace_contour", "grasp_and_lift", "two_handed_traction",
+          "diathermy_ring_small", "scissors_resection", "sb_dissection"}) {
+        if (!options.task.empty() && options.task != task) continue;
+        const int attempts = std::string(task) == "sb_dissection" ? 1 : options.attempts;
+        (void)bench::measure_policies(
+            {"", task, ""}, attempts, options.quick ? 5 : 60, [&](const bench::PolicyRow& row) {
+                json["policies"].push_back({{"task", row.task},
+                                            {"policy", row.policy},
+                                            {"attempts", row.attempts},
+                                            {"passed", row.successes},
+                                            {"points", row.points},
+                                            {"dense_reward", row.reward},
+                                            {"duration_s", row.duration_s}});
+                rows.push_back({row.task, row.policy, std::to_string(row.attempts),
+                                std::to_string(row.successes), fixed(row.points, 1),
+                                fixed(row.reward, 3), fixed(row.duration_s, 0)});
+                std::cerr << row.task << ", " << row.policy << ": " << fixed(row.points, 1)
+                          << " points\n";
+            });
+    }
+    return rows;
+}
+
+void write_files(const std::string& folder, const std::string& name, const Json& json,
+                 const std::string& text) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    std::ofstream document(folder + "/" + name + ".json"), page(folder + "/" + name + ".md");
+    document << json.dump(2) << '\n';
+    page << text;
+    document.flush();
+    page.flush();
+    if (!document || !page)
+        throw InputError("--out " + folder + ": cannot be written; choose another place");
+}
+
+int run(const Context& context, const Options& options) {
+    Json json{{"benchmark", "environment"}, {"machine", machine()}};
+    std::string text;
+    if (options.policies) {
+        const Rows rows = policies(options, json);
+        text = options.out.empty() ? table(rows) : markdown(rows);
+        text += "\n" + where(json["machine"]) + "; steps of 20 frames, seeds from 1.\n";
+    } else {
+        const Rows rows = speed(options, json);
+        const bench::SharingRow sharing = bench::measure_sharing(cases(options).front());
+        json["sharing"] = {{"environments", sharing.environments},
+                           {"shared_mib", sharing.shared_mib},
+                           {"apart_mib", sharing.apart_mib}};
+        text = options.out.empty() ? table(rows) : markdown(rows);
+        text += "\n" + std::to_string(sharing.environments) + " environments of one field take " +
+                fixed(sharing.shared_mib, 0) + " MiB; with a field each " +
+                fixed(sharing.apart_mib, 0) + " MiB (" + cases(options).front().name + ").\n" +
+                where(json["machine"]) +
+                "; one thread, 2 s of the scripted expert at work in steps of 20 frames, physics "
+                "alone and environment in turns, medians.\n";
+    }
+    if (!options.out.empty())
+        write_files(options.out, options.policies ? "environment_policies" : "environment_speed",
+                    json, text);
+    warn_if_busy(json["machine"]);
+    print(context, json, text);
+    return 0;
+}
+
+}  // namespace
+
+void add_environment_command(CLI::App& bench, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command = bench.add_subcommand(
+        "environment", "Environments for programs: frames a second, reset, memory, policies");
+    command->add_flag("--quick", options->quick, "Fewer tasks and shorter runs");
+    command->add_flag("--policies", options->policies,
+                      "What nothing, chance and the scripted expert reach in every task");
+    command->add_option("--attempts", options->attempts, "Attempts of each policy")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->add_option("--task", options->task, "This task only");
+    command->add_option("--python", options->python, "Interpreter that has the package placode")
+        ->capture_default_str();
+    command->add_option("--out", options->out, "Folder for a table (Markdown) and JSON");
+    command->callback([&context, options] {
+        context.run = [&context, options] { return run(context, *options); };
+    });
+}
+
+}  // namespace placode::cli
