@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "db/attempt_counting.h"
+
 namespace placode::reports {
 
 AttemptCounts attempt_counts(const Dataset& data) {
@@ -21,10 +23,14 @@ AttemptCounts attempt_counts(const Dataset& data) {
             ++counts.repeated;
         else if (record.end == sim::EndReason::kInterrupted)
             ++counts.interrupted;
+        else if (db::not_verified(record))
+            ++counts.not_verified;
         else if (!record.void_reason.empty())
             ++counts.void_for_cause;
         else if (record.verdict == assessment::Verdict::kNotAttempted)
             ++counts.not_attempted;
+        else if (record.replay == db::ReplayState::kWaiting)
+            ++counts.waiting;
         else
             ++counts.not_done;
     }
@@ -41,6 +47,8 @@ QString uncounted_words(const AttemptCounts& counts) {
         if (number > 0) why << say(english).arg(number);
     };
     add(counts.void_for_cause, "void, the computer too slow or a device at fault: %1");
+    add(counts.not_verified, "practice, not verified: %1");
+    add(counts.waiting, "still to be simulated again: %1");
     add(counts.interrupted, "broken off: %1");
     add(counts.repeated, "done again: %1");
     add(counts.not_done, "shorter than the protocol asks: %1");

@@ -15,10 +15,13 @@ struct AttemptCounts {
     int repeated = 0;        ///< Done again for a reason; another attempt counts.
     int interrupted = 0;     ///< Broken off.
     int void_for_cause = 0;  ///< The computer was too slow, or a device failed.
+    int not_verified = 0;    ///< What was recorded proves nothing.
+    int waiting = 0;         ///< Still to be simulated again.
     int not_attempted = 0;   ///< Nothing was done.
     int not_done = 0;        ///< Shorter than the protocol asks, or its step is not done.
     [[nodiscard]] int uncounted() const {
-        return repeated + interrupted + void_for_cause + not_attempted + not_done;
+        return repeated + interrupted + void_for_cause + not_verified + waiting + not_attempted +
+               not_done;
     }
 };
 /// Of the rows of the form "attempts".

@@ -11,6 +11,7 @@
 #include "assessment/ledger.h"
 #include "assessment/standard_setting.h"
 #include "reports/report.h"
+#include "reports/task_scope.h"
 
 namespace placode::reports {
 
@@ -27,11 +28,12 @@ struct LedgerPicture {
     std::vector<assessment::LedgerEntry> entries;
     std::vector<std::pair<double, double>> energy;  ///< From, to [s].
     std::vector<TimeMark> marks;
-    int selected = -1;     ///< Entry with a frame round it.
-    double cursor_s = -1;  ///< Where a replay stands; -1 = no line.
+    int selected = -1;                   ///< Entry with a frame round it.
+    double cursor_s = -1;                ///< Where a replay stands; -1 = no line.
+    int lanes = assessment::kHarmLanes;  ///< The first ones; the last is energy.
 };
-[[nodiscard]] LedgerPicture ledger_picture(std::span<const sim::Event> events,
-                                           const sim::FieldGeometry& geometry, double duration_s);
+/// Phases and the lane of energy only where the task has them.
+[[nodiscard]] LedgerPicture ledger_picture(const sim::Recording& recording, const TaskScope& scope);
 
 /// Height that the time line wants at this font size [px].
 [[nodiscard]] double ledger_height(const ChartStyle& style);
@@ -57,6 +59,26 @@ void draw_field_map(QPainter& painter, const QRectF& where, const sim::Recording
 /// Entries of the ledger by clock hour (0 = 12 o'clock, 1 = 1 o'clock ..) and region.
 [[nodiscard]] std::array<std::array<int, assessment::kRegions>, 12> damage_by_sector(
     const std::vector<assessment::LedgerEntry>& entries);
+
+/// What the steps of an exercise asked for, and what came of it.
+struct AskedPlaces {
+    struct Place {
+        sim::Vec2 at_m = sim::Vec2::Zero();
+        int step = 0;  ///< From 0.
+        bool done = false;
+    };
+    std::vector<Place> places;      ///< To be touched, cut, grasped ..
+    std::vector<sim::Vec2> missed;  ///< Tissue was touched beside the place.
+    bool line = false;              ///< The planned line was to be followed ..
+    std::vector<uint8_t> followed;  ///< .. and was (1): kTraceBins stretches of it.
+    [[nodiscard]] bool any() const noexcept { return line || !places.empty(); }
+    [[nodiscard]] int done() const noexcept;
+};
+/// Nothing for a task without such steps, or one that this build cannot read any more.
+[[nodiscard]] AskedPlaces asked_places(const sim::Recording& recording);
+/// The field from above with these places (numbered; filled = done) and touches beside them.
+void draw_asked(QPainter& painter, const QRectF& where, const sim::FieldGeometry& geometry,
+                const AskedPlaces& asked, const ChartStyle& style);
 
 enum class Side : uint8_t {
     kAbove,     ///< x up, y to the left.

@@ -182,6 +182,7 @@ void draw_edges(QPainter& painter, const sim::FieldGeometry& geometry, const Map
     painter.drawPolyline(closed(geometry.skin_edge, map));
     painter.setPen(QPen(colour(style.critical), 1.4));
     painter.drawPolyline(closed(geometry.placode_edge, map));
+    if (!style.plan) return;
     painter.setPen(QPen(colour(style.text), 1.2, Qt::DashLine));
     painter.drawPolyline(closed(geometry.planned_contour, map));
 }

@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The field from above, as the scope sees it upright: cranial is up, the patient's left is left.
-// (x cranial -> up, y left -> left.)
+// With the incision, or with what an exercise asked for. (x cranial -> up, y left -> left.)
 
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "reports/report.h"
+#include "assessment/practice.h"
+#include "curriculum/task.h"
+#include "reports/attempt_figures.h"
 #include "reports/text.h"
 #include "reports/words.h"
 
@@ -57,6 +58,7 @@ void draw_anatomy(QPainter& painter, const sim::FieldGeometry& geometry, const M
     painter.setBrush(placode);
     painter.drawPolygon(polygon(geometry.placode_edge, map));
     painter.setBrush(Qt::NoBrush);
+    if (!style.plan) return;
     painter.setPen(QPen(colour(style.text), 1.2, Qt::DashLine));
     painter.drawPolyline(polygon(geometry.planned_contour, map));
 }
@@ -116,7 +118,14 @@ void draw_harm(QPainter& painter, const sim::Recording& recording, const Map& ma
     }
 }
 
-void draw_legend(QPainter& painter, const QRectF& where, const Map& map, const ChartStyle& style) {
+/// A sign with its word, in its colour.
+struct LegendRow {
+    QString word;
+    unsigned ink;
+};
+
+void draw_legend(QPainter& painter, const QRectF& where, const Map& map,
+                 const std::vector<LegendRow>& rows, const ChartStyle& style) {
     QFont font = painter.font();
     font.setPixelSize(static_cast<int>(style.font_px));
     painter.setFont(font);
@@ -128,17 +137,59 @@ void draw_legend(QPainter& painter, const QRectF& where, const Map& map, const C
     painter.setPen(QPen(colour(style.text), 1.5));
     painter.drawLine(left, left + QPointF(bar, 0));
     painter.drawText(QPointF(left.x(), left.y() - 4), QStringLiteral("5 mm"));
-    const std::array<std::pair<QString, unsigned>, 3> words{
-        {{QStringLiteral("- - ") + figure_word("planned"), style.text},
-         {QStringLiteral("\u25cf ") + figure_word("cut"), style.accent},
-         {QStringLiteral("\u2715 ") + figure_word("harm"), style.critical}}};
-    double y = where.bottom() - 6 - 2 * style.font_px * 1.3;
-    for (const auto& [word, ink] : words) {
-        painter.setPen(colour(ink));
+    double y = where.bottom() - 6 - (static_cast<double>(rows.size()) - 1) * style.font_px * 1.3;
+    for (const LegendRow& row : rows) {
+        painter.setPen(colour(row.ink));
         painter.drawText(
             QRectF(where.left(), y - style.font_px, where.width() - 6, style.font_px * 1.4),
-            Qt::AlignRight, word);
+            Qt::AlignRight, row.word);
         y += style.font_px * 1.3;
+    }
+}
+
+QString signed_word(QChar sign, const char* word) {
+    return QString(sign) + QLatin1Char(' ') + figure_word(word);
+}
+
+constexpr QChar kDisc(0x25cf), kRing(0x25cb), kCross(0x2715);
+
+void draw_followed(QPainter& painter, const sim::FieldGeometry& geometry, const AskedPlaces& asked,
+                   const Map& map, const ChartStyle& style) {
+    if (geometry.planned_contour.size() < 3) return;
+    const assessment::ClosedContour line(geometry.planned_contour);
+    painter.setPen(QPen(colour(style.good), 4, Qt::SolidLine, Qt::FlatCap));
+    for (size_t bin = 0; bin < asked.followed.size(); ++bin) {
+        if (asked.followed[bin] == 0) continue;
+        const auto at = [&](double share) {
+            const sim::Vec2 p = line.at(line.length() * share / sim::kTraceBins);
+            return map(p.x(), p.y());
+        };
+        painter.drawLine(at(static_cast<double>(bin)), at(static_cast<double>(bin) + 1));
+    }
+}
+
+/// A disc where it was done, an empty ring where not, the number of the step inside.
+void draw_places(QPainter& painter, const AskedPlaces& asked, const Map& map,
+                 const ChartStyle& style) {
+    const double half = 0.75 * style.font_px;
+    QFont font = painter.font();
+    font.setPixelSize(static_cast<int>(style.font_px));
+    font.setBold(true);
+    painter.setFont(font);
+    for (const AskedPlaces::Place& place : asked.places) {
+        const QPointF p = map(place.at_m.x(), place.at_m.y());
+        painter.setPen(QPen(colour(place.done ? style.good : style.text), 1.6));
+        painter.setBrush(colour(place.done ? style.good : style.surface));
+        painter.drawEllipse(p, half, half);
+        painter.setPen(colour(place.done ? style.surface : style.text));
+        painter.drawText(QRectF(p.x() - half, p.y() - half, 2 * half, 2 * half), Qt::AlignCenter,
+                         QString::number(place.step + 1));
+    }
+    painter.setPen(QPen(colour(style.warn), 1.8));
+    for (const sim::Vec2& at : asked.missed) {
+        const QPointF p = map(at.x(), at.y());
+        painter.drawLine(p + QPointF(-3, -3), p + QPointF(3, 3));
+        painter.drawLine(p + QPointF(-3, 3), p + QPointF(3, -3));
     }
 }
 
@@ -155,7 +206,72 @@ void draw_incision(QPainter& painter, const QRectF& where, const sim::Recording&
     draw_path(painter, recording, map, style);
     draw_cut(painter, recording, map, style);
     draw_harm(painter, recording, map, style);
-    draw_legend(painter, where, map, style);
+    draw_legend(painter, where, map,
+                {{QStringLiteral("- - ") + figure_word("planned"), style.text},
+                 {signed_word(kDisc, "cut"), style.accent},
+                 {signed_word(kCross, "harm"), style.critical}},
+                style);
+    painter.restore();
+}
+
+int AskedPlaces::done() const noexcept {
+    return static_cast<int>(
+        std::count_if(places.begin(), places.end(), [](const Place& each) { return each.done; }));
+}
+
+AskedPlaces asked_places(const sim::Recording& recording) {
+    AskedPlaces asked;
+    std::vector<curriculum::TaskStep> steps;
+    try {
+        steps = curriculum::steps_for(
+            curriculum::load_task_text(recording.header.task_json, recording.header.task_id),
+            recording.header.device);
+    } catch (const curriculum::DefinitionError&) {
+        return asked;
+    }
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const sim::PracticeStep& goal = steps[i].goal;
+        asked.line = asked.line || goal.kind == sim::PracticeKind::kTrace;
+        for (int k = 0; k < sim::targets_of(goal.kind); ++k)
+            asked.places.push_back(
+                {assessment::practice_target(goal, recording.header.geometry, k == 1),
+                 static_cast<int>(i), false});
+    }
+    asked.followed.assign(asked.line ? sim::kTraceBins : 0, 0);
+    for (const sim::Event& event : recording.events) {
+        const auto number = static_cast<int>(std::lround(std::max(0.0F, event.value)));
+        if (event.kind == sim::EventKind::kStepDone)
+            for (AskedPlaces::Place& place : asked.places)
+                place.done = place.done || place.step == number;
+        if (event.kind == sim::EventKind::kTargetMissed)
+            asked.missed.emplace_back(event.rest_position_m[0], event.rest_position_m[1]);
+        if (event.kind == sim::EventKind::kTraced &&
+            static_cast<size_t>(number) < asked.followed.size() &&
+            event.value2 <= assessment::kTracedWithinM)
+            asked.followed[static_cast<size_t>(number)] = 1;
+    }
+    return asked;
+}
+
+void draw_asked(QPainter& painter, const QRectF& where, const sim::FieldGeometry& geometry,
+                const AskedPlaces& asked, const ChartStyle& style) {
+    const Map map = fitted(geometry, where);
+    painter.save();
+    painter.setClipRect(where);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.fillRect(where, colour(style.surface));
+    draw_anatomy(painter, geometry, map, style);
+    draw_followed(painter, geometry, asked, map, style);
+    draw_places(painter, asked, map, style);
+    std::vector<LegendRow> rows;
+    if (asked.line)
+        rows.push_back({QStringLiteral("\u2501 ") + figure_word("followed"), style.good});
+    if (!asked.places.empty()) {
+        rows.push_back({signed_word(kDisc, "done"), style.good});
+        rows.push_back({signed_word(kRing, "not done"), style.text});
+        rows.push_back({signed_word(kCross, "beside it"), style.warn});
+    }
+    draw_legend(painter, where, map, rows, style);
     painter.restore();
 }
 

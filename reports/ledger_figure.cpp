@@ -30,7 +30,7 @@ Frame frame_of(const QRectF& where, const LedgerPicture& picture, const ChartSty
     const double flags = picture.marks.empty() ? 0 : 1.9 * style.font_px;
     frame.plot = where.adjusted(frame.label, frame.phase + flags, -1.5 * style.font_px,
                                 -2.1 * style.font_px);
-    frame.lane = frame.plot.height() / assessment::kHarmLanes;
+    frame.lane = frame.plot.height() / picture.lanes;
     frame.time = {0, std::max(1e-3, picture.duration_s), frame.plot.left(), frame.plot.right()};
     return frame;
 }
@@ -89,12 +89,12 @@ void draw_axis(QPainter& painter, const LedgerPicture& picture, const Frame& fra
 
 void draw_lanes(QPainter& painter, const LedgerPicture& picture, const Frame& frame,
                 const ChartStyle& style) {
-    for (int lane = 0; lane <= assessment::kHarmLanes; ++lane) {
+    for (int lane = 0; lane <= picture.lanes; ++lane) {
         const double y = frame.plot.top() + lane * frame.lane;
         painter.setPen(QPen(colour(style.line), 1));
         painter.drawLine(QPointF(frame.plot.left() - frame.label, y),
                          QPointF(frame.plot.right(), y));
-        if (lane == assessment::kHarmLanes) break;
+        if (lane == picture.lanes) break;
         draw_text(painter, QRectF(frame.plot.left() - frame.label, y, frame.label - 8, frame.lane),
                   Qt::AlignLeft | Qt::AlignVCenter,
                   lane_words(static_cast<assessment::HarmLane>(lane)), style.text, style.font_px);
@@ -158,13 +158,16 @@ void draw_marks(QPainter& painter, const QRectF& where, const LedgerPicture& pic
 
 }  // namespace
 
-LedgerPicture ledger_picture(std::span<const sim::Event> events, const sim::FieldGeometry& geometry,
-                             double duration_s) {
+LedgerPicture ledger_picture(const sim::Recording& recording, const TaskScope& scope) {
     LedgerPicture picture;
-    picture.duration_s = duration_s;
-    picture.entries = assessment::damage_ledger(events, geometry);
-    picture.phases = assessment::phase_starts(events);
-    for (const sim::Event& event : events)
+    picture.duration_s = recording.end.duration_s;
+    picture.entries = assessment::damage_ledger(recording.events, recording.header.geometry);
+    if (scope.phases()) picture.phases = assessment::phase_starts(recording.events);
+    if (!scope.energy) --picture.lanes;
+    // An entry is never hidden, whatever the task says.
+    for (const LedgerEntry& entry : picture.entries)
+        picture.lanes = std::max(picture.lanes, static_cast<int>(entry.lane) + 1);
+    for (const sim::Event& event : recording.events)
         if (event.kind == sim::EventKind::kEnergyOff)
             picture.energy.emplace_back(std::max(0.0, event.time_s - event.value), event.time_s);
     return picture;

@@ -72,34 +72,6 @@ constexpr Rule kRules[]{
     {"traction_held", MetricGroup::kPractice},
 };
 
-bool holds(const sim::RecordingHeader& header, std::initializer_list<sim::ToolKind> kinds) {
-    return std::any_of(header.tools.begin(), header.tools.end(), [&](const sim::ToolSpec& tool) {
-        return std::find(kinds.begin(), kinds.end(), tool.kind) != kinds.end();
-    });
-}
-
-bool task_has(MetricGroup group, const sim::RecordingHeader& header) {
-    using sim::ToolKind;
-    const bool needle = holds(header, {ToolKind::kNeedle, ToolKind::kHook});
-    switch (group) {
-        case MetricGroup::kIncision:
-            return !header.geometry.planned_contour.empty() &&
-                   (needle || holds(header, {ToolKind::kScissors}));
-        case MetricGroup::kPlacode:
-            return !header.geometry.placode_edge.empty();
-        case MetricGroup::kResection:
-            return holds(header, {ToolKind::kGrasper, ToolKind::kScissors});
-        case MetricGroup::kEnergy:
-            return needle;
-        case MetricGroup::kHands:
-            return std::count_if(header.tools.begin(), header.tools.end(), [](const auto& tool) {
-                       return tool.kind != ToolKind::kScope;
-                   }) > 1;
-        default:
-            return true;
-    }
-}
-
 bool contains(const std::vector<std::string>& list, std::string_view id) {
     return std::find(list.begin(), list.end(), id) != list.end();
 }
@@ -161,18 +133,16 @@ bool nothing_moved_fast(const assessment::MetricSet& metrics) {
 }
 
 std::vector<GroupedMetrics> grouped_metrics(const assessment::MetricSet& metrics,
-                                            const sim::RecordingHeader& header,
-                                            const std::vector<std::string>& scored) {
+                                            const TaskScope& scope) {
     std::vector<GroupedMetrics> groups;
     const auto definitions = assessment::metric_definitions();
     for (const MetricGroup group : kGroups) {
         GroupedMetrics shown{group, {}};
-        const bool ring = group != MetricGroup::kIncision || scored.empty();
-        const bool has = task_has(group, header) && (ring || looks_at_ring(scored));
         for (const assessment::MetricDefinition& each : definitions) {
             if (group_of_metric(each.id) != group || !metrics.find(each.id)) continue;
-            const bool counts = contains(scored, each.id);
-            if (counts || (has && !superfluous(each.id, metrics))) shown.metrics.push_back(each);
+            const bool counts = contains(scope.scored, each.id);
+            if (counts || (belongs(scope, each.id) && !superfluous(each.id, metrics)))
+                shown.metrics.push_back(each);
         }
         if (!shown.metrics.empty()) groups.push_back(std::move(shown));
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/metrics.h"
+#include "reports/task_scope.h"
 
 namespace placode::reports {
 
@@ -40,12 +41,10 @@ struct GroupedMetrics {
     std::vector<assessment::MetricDefinition> metrics;
 };
 
-/// Of the metrics that were measured those of groups that the task has: no energy where nothing
-/// can be switched on, no hands where only one instrument is held, no ring where the score does not
-/// look at one. Of two measures of the same (idle share, no hand moving) the first. In the order of
-/// MetricGroup; none is empty. What the score looks at always stands in it.
-[[nodiscard]] std::vector<GroupedMetrics> grouped_metrics(
-    const assessment::MetricSet& metrics, const sim::RecordingHeader& header,
-    const std::vector<std::string>& scored = {});
+/// Of the metrics that were measured those that belong to the task (task_scope.h). Of two measures
+/// of the same (idle share, no hand moving) the first. In the order of MetricGroup; none is empty.
+/// What the score looks at always stands in it.
+[[nodiscard]] std::vector<GroupedMetrics> grouped_metrics(const assessment::MetricSet& metrics,
+                                                          const TaskScope& scope);
 
 }  // namespace placode::reports

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report of one attempt on A4: what happened, why it scored so, and where it can be checked.
 
+#include <QDateTime>
 #include <QPageSize>
 #include <QPainter>
 #include <QPdfWriter>
@@ -10,6 +11,7 @@
 
 #include "curriculum/task.h"
 #include "db/attempt_counting.h"
+#include "db/course_conduct.h"
 #include "reports/attempt_figures.h"
 #include "reports/metric_groups.h"
 #include "reports/report.h"
@@ -20,6 +22,7 @@
 namespace placode::reports {
 namespace {
 
+constexpr double kFullScore = 100;  ///< Points.
 constexpr double kMargin = Sheets::kMargin, kInner = Sheets::kInner;
 
 QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
@@ -29,19 +32,19 @@ struct Subject {
     const db::AttemptDetail& attempt;
     const sim::Recording& recording;
     const std::vector<db::AttemptRecord>& history;
-    std::string centre, title;
-    std::vector<std::string> scored;  ///< Metrics that the rubric looks at.
+    const ReportHead& head;
+    std::string title;
+    TaskScope scope;  ///< What of it is shown.
 };
 
-/// Title of the task and what its rubric asks for, as the recording kept them; else the id.
+/// Title of the task and what belongs to it, as the recording kept them; else the id.
 void read_task(Subject& subject) {
     subject.title = subject.attempt.record.task_id;
+    subject.scope = scope_of(subject.recording.header);
     try {
         const curriculum::Task task = curriculum::load_task_text(subject.recording.header.task_json,
                                                                  subject.attempt.record.task_id);
         subject.title = task.title.in("en");
-        for (const assessment::RubricItem& item : task.rubric.items)
-            subject.scored.push_back(item.metric);
     } catch (const curriculum::DefinitionError&) {
         // An old recording whose task this build cannot read any more: the id says enough.
     }
@@ -62,12 +65,35 @@ QString facts_html(const std::vector<std::pair<QString, QString>>& facts) {
     return html + QStringLiteral("</table>");
 }
 
-QString mode_words(const db::AttemptRecord& record, const std::string& mode) {
-    if (record.exam.course_id.empty())
-        return mode == "study" ? QStringLiteral("study") : QStringLiteral("practice");
-    return QStringLiteral("exam of %1 (version %2), stage %3")
-        .arg(escaped(record.exam.course_id), QString::number(record.exam.course_version),
-             escaped(record.exam.stage_id));
+/// A title with what a store calls it, small, where that is another word.
+QString titled(const std::string& title, const QString& id) {
+    if (title.empty()) return id;
+    return QStringLiteral("%1 <span style='color:#5f666e;font-size:10px'>(%2)</span>")
+        .arg(escaped(title), id);
+}
+
+QString kind_words(const Subject& subject) {
+    const db::ExamContext& exam = subject.attempt.record.exam;
+    if (exam.course_id.empty())
+        return subject.recording.header.mode == "study" ? QStringLiteral("study")
+                                                        : QStringLiteral("practice");
+    const QString course = QStringLiteral("%1, version %2")
+                               .arg(escaped(exam.course_id), QString::number(exam.course_version));
+    return QStringLiteral("exam of %1, stage %2")
+        .arg(titled(subject.head.course_title, course),
+             titled(subject.title, escaped(exam.stage_id)));
+}
+
+/// In the zone of this computer, which the screen shows too, and says so: a paper travels.
+QString local_time(const std::string& utc) {
+    const QDateTime when =
+        QDateTime::fromString(QString::fromStdString(utc), Qt::ISODate).toLocalTime();
+    if (!when.isValid()) return escaped(utc);
+    const QString offset = when.toOffsetFromUtc(when.offsetFromUtc()).timeZoneAbbreviation();
+    const QString zone = when.timeZoneAbbreviation();
+    return when.toString(QStringLiteral("yyyy-MM-dd HH:mm:ss ")) +
+           (zone == offset || zone.isEmpty() ? offset : QStringLiteral("%1 (%2)").arg(zone, offset))
+               .toHtmlEscaped();
 }
 
 /// Instead of verdict and points, which such an attempt has none of.
@@ -88,7 +114,7 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
         QStringLiteral(
             "<table width='100%' cellspacing='0'><tr><td><b>%1</b></td><td align='right' "
             "style='color:#5f666e'>Placode &middot; report of attempt %2</td></tr></table>")
-            .arg(escaped(subject.centre), QString::number(record.id));
+            .arg(escaped(subject.head.centre), QString::number(record.id));
     if (record.demonstration)
         html += QStringLiteral(
             "<p style='background-color:#fff1d6'><b>&nbsp;DEMONSTRATION</b> - made by a script or "
@@ -104,11 +130,10 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
         {QStringLiteral("Person"), escaped(record.user_name)},
         {QStringLiteral("Task"),
          QStringLiteral("%1 (version %2)").arg(escaped(subject.title)).arg(record.task_version)},
-        {QStringLiteral("Date"),
-         escaped(record.started_utc).replace('T', ' ').remove('Z') + QStringLiteral(" UTC")},
+        {QStringLiteral("Date"), local_time(record.started_utc)},
         {QStringLiteral("Duration"),
          QStringLiteral("%1, %2").arg(duration_words(record.duration_s), end_word(record.end))},
-        {QStringLiteral("Kind"), mode_words(record, subject.recording.header.mode)},
+        {QStringLiteral("Kind"), kind_words(subject)},
         {QStringLiteral("Device"), escaped(record.device)}};
     if (!record.exam.proctor.empty())
         facts.emplace_back(QStringLiteral("Proctor"), escaped(record.exam.proctor));
@@ -120,11 +145,13 @@ QString head_html(const Subject& subject, const ChartStyle& style) {
 /// Of an attempt that does not count: what happened, and no points.
 std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
     std::vector<QString> rows;
+    double lost = 0;
     for (const assessment::Reason& reason : score.reasons) {
         if (reason.item == assessment::kNotAttemptedItem) continue;
         const QString when = reason.time_s < 0
                                  ? QString()
                                  : QStringLiteral("at %1").arg(duration_words(reason.time_s));
+        lost += reason.points;
         rows.push_back(QStringLiteral("<tr><td align='right' width='46'>%1</td><td>&nbsp;%2%3</td>"
                                       "<td align='right' width='90' style='color:#5f666e'>%4</td>"
                                       "</tr>")
@@ -132,6 +159,11 @@ std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
                                 reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
                                 reason_words(reason).toHtmlEscaped(), when));
     }
+    if (scored && lost > kFullScore)
+        rows.push_back(QStringLiteral("<tr><td></td><td style='color:#5f666e'>&nbsp;The losses add "
+                                      "up to %1 points; a score does not go below 0.</td><td></td>"
+                                      "</tr>")
+                           .arg(number(lost, 1)));
     return rows;
 }
 
@@ -147,8 +179,13 @@ QString better_word(assessment::Direction direction) {
     return QStringLiteral("for information");
 }
 
-QString metric_row(const assessment::MetricDefinition& definition, double value, bool counts) {
-    const QString name = escaped(std::string(definition.name));
+QString metric_row(const assessment::MetricDefinition& definition, double value,
+                   const TaskScope& scope) {
+    const bool counts =
+        std::find(scope.scored.begin(), scope.scored.end(), definition.id) != scope.scored.end();
+    QString name = escaped(std::string(definition.name));
+    if (about_force_limit(definition.id) && scope.force_limit_n > 0)
+        name += QStringLiteral(" (%1 mN)").arg(number(1000 * scope.force_limit_n, 0));
     return QStringLiteral(
                "<tr><td width='46%'>%1</td><td align='right' width='14%'>%2</td><td "
                "width='14%'>&nbsp;%3</td><td style='color:#5f666e'>%4</td></tr>")
@@ -165,13 +202,10 @@ void add_metrics(Sheets& sheets, const Subject& subject) {
     sheets.html(
         QStringLiteral("<h2>Metrics</h2><p style='color:#5f666e'>In bold: what the score looks at. "
                        "Left out: what this task does not have.</p>"));
-    for (const GroupedMetrics& group :
-         grouped_metrics(subject.attempt.metrics, subject.recording.header, subject.scored)) {
+    for (const GroupedMetrics& group : grouped_metrics(subject.attempt.metrics, subject.scope)) {
         std::vector<QString> rows;
         for (const assessment::MetricDefinition& each : group.metrics)
-            rows.push_back(metric_row(each, *subject.attempt.metrics.find(each.id),
-                                      std::find(subject.scored.begin(), subject.scored.end(),
-                                                each.id) != subject.scored.end()));
+            rows.push_back(metric_row(each, *subject.attempt.metrics.find(each.id), subject.scope));
         sheets.table(
             QString::fromLatin1(group_title(group.group)),
             QStringLiteral("<tr style='color:#5f666e'><td>measure</td><td align='right'>value</td>"
@@ -216,8 +250,7 @@ QString signature_html(const Subject& subject) {
 /// What was harmed when and where, and the ways of the instruments.
 void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& style) {
     const sim::Recording& recording = subject.recording;
-    const auto picture =
-        ledger_picture(recording.events, recording.header.geometry, recording.end.duration_s);
+    const auto picture = ledger_picture(recording, subject.scope);
     const auto heading = [&](const char* text, double height) {
         sheets.need(height + 30);
         sheets.html(QStringLiteral("<h3>%1</h3>").arg(figure_word(text)));
@@ -228,12 +261,14 @@ void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& styl
         draw_ledger(painter, QRectF(kMargin, y, kInner, ledger_height(style)), picture, style);
     });
     const double half = (kInner - 16) / 2, map = 330;
-    heading("Damage and energy on the anatomy", map);
+    const bool energy = subject.scope.energy;
+    heading(energy ? "Damage and energy on the anatomy" : "Damage on the anatomy", map);
     sheets.picture(map + 6, [&](QPainter& painter, double y) {
         draw_field_map(painter, QRectF(kMargin, y, half, map), recording, picture.entries,
                        FieldLayer::kDamage, style);
-        draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording,
-                       picture.entries, FieldLayer::kEnergy, style);
+        if (energy)
+            draw_field_map(painter, QRectF(kMargin + half + 16, y, half, map), recording,
+                           picture.entries, FieldLayer::kEnergy, style);
     });
     const double third = (kInner - 24) / 3;
     heading("Ways of the instruments", 250);
@@ -244,11 +279,23 @@ void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& styl
     });
 }
 
+/// The incision; of a task without one what was asked for; else the ways of the instruments.
+void draw_main_picture(QPainter& painter, const QRectF& where, const Subject& subject,
+                       const ChartStyle& style) {
+    const AskedPlaces asked = asked_places(subject.recording);
+    if (subject.scope.ring)
+        draw_incision(painter, where, subject.recording, style);
+    else if (asked.any())
+        draw_asked(painter, where, subject.recording.header.geometry, asked, style);
+    else
+        draw_trajectory(painter, where, subject.recording, Side::kAbove, style);
+}
+
 void add_first_page(Sheets& sheets, const Subject& subject, const ChartStyle& style) {
     sheets.html(head_html(subject, style));
     sheets.space(10);
     sheets.picture(340, [&](QPainter& painter, double y) {
-        draw_incision(painter, QRectF(kMargin, y, kInner * 0.52, 330), subject.recording, style);
+        draw_main_picture(painter, QRectF(kMargin, y, kInner * 0.52, 330), subject, style);
         sheets.draw(QStringLiteral("<b>Own history of this task</b>"), {kMargin + kInner * 0.56, y},
                     kInner * 0.44, true);
         std::vector<db::AttemptRecord> counted;
@@ -273,13 +320,14 @@ void add_first_page(Sheets& sheets, const Subject& subject, const ChartStyle& st
 
 /// Everything, on paper or only counted; how many pages it takes.
 int lay_out(QPdfWriter* writer, QPainter* painter, const Subject& subject, int pages) {
-    const ChartStyle style;
+    ChartStyle style;
+    style.plan = subject.scope.line;
     const db::AttemptRecord& record = subject.attempt.record;
     const QString mark = record.demonstration ? QStringLiteral(" - DEMONSTRATION") : QString();
     const QString head =
         QStringLiteral("<p style='color:#5f666e;font-size:10px'>%1 - %2 - %3%4</p>")
             .arg(escaped(record.user_name), escaped(subject.title),
-                 escaped(record.started_utc).left(10), mark);
+                 local_time(record.started_utc).left(10), mark);
     const QString foot =
         QStringLiteral(
             "<table width='100%' cellspacing='0' style='color:#5f666e;font-size:10px'>"
@@ -303,24 +351,34 @@ int lay_out(QPdfWriter* writer, QPainter* painter, const Subject& subject, int p
 
 }  // namespace
 
-std::string centre_name(db::Store& store) {
+ReportHead report_head(db::Store& store, const db::AttemptRecord& attempt) {
+    ReportHead head;
     try {
-        return store.norms().centre_key({}).centre;
+        head.centre = store.norms().centre_key({}).centre;
     } catch (const db::StoreError& error) {
-        if (error.kind() == db::StoreError::Kind::kRefused) return {};  // It has no name yet.
-        throw;
+        // It has no name yet.
+        if (error.kind() != db::StoreError::Kind::kRefused) throw;
     }
+    if (attempt.exam.course_id.empty()) return head;
+    try {
+        head.course_title =
+            db::find_course(store, attempt.exam.course_id, attempt.exam.course_version)
+                .title.in("en");
+    } catch (const curriculum::DefinitionError&) {
+        // Neither published nor shipped any more: its id is title enough.
+    }
+    return head;
 }
 
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
                        const std::vector<db::AttemptRecord>& history, const std::string& path,
-                       const std::string& centre) {
+                       const ReportHead& head) {
     QSaveFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::WriteOnly)) {
         throw ReportError("write report to " + path + ": " + file.errorString().toStdString() +
                           "; choose a folder that you may write to");
     }
-    Subject subject{attempt, recording, history, centre, {}, {}};
+    Subject subject{attempt, recording, history, head, {}, {}};
     read_task(subject);
     {
         QPdfWriter writer(&file);

@@ -22,15 +22,20 @@ class ReportError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// What stands at the head of a report beside the attempt itself. What is empty is not printed.
+struct ReportHead {
+    std::string centre;        ///< Under which the centre signs its norms.
+    std::string course_title;  ///< Of the course that the exam belongs to.
+};
+
 /// PDF of one attempt on A4: who, what and under which rules, verdict, reasons, pictures, metrics
 /// in groups, what it can be checked by, and a place to sign. Needs a QApplication: the charts are
 /// QCustomPlot.
-/// @param centre its name for the head; empty: none is printed.
+/// @param head what the store knows and the attempt does not.
 void write_attempt_pdf(const db::AttemptDetail& attempt, const sim::Recording& recording,
                        const std::vector<db::AttemptRecord>& history, const std::string& path,
-                       const std::string& centre = {});
-/// The name under which the centre signs its norms; empty while it has none.
-[[nodiscard]] std::string centre_name(db::Store& store);
+                       const ReportHead& head = {});
+[[nodiscard]] ReportHead report_head(db::Store& store, const db::AttemptRecord& attempt);
 
 /// Colours and sizes of a chart, so that window (both themes) and paper share the code.
 struct ChartStyle {
@@ -38,6 +43,7 @@ struct ChartStyle {
              surface = 0xffffffff, good = 0xff2f7d4f, warn = 0xffa86400,
              critical = 0xffb3261e;  ///< ARGB
     double font_px = 12;
+    bool plan = true;  ///< The planned line is part of the task (task_scope.h).
 };
 
 /// Score over attempts, oldest first, with the pass line.

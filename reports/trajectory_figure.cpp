@@ -94,7 +94,7 @@ void draw_lines(QPainter& painter, const sim::FieldGeometry& geometry, const Sig
     painter.setBrush(Qt::NoBrush);
     draw(geometry.skin_edge, style.muted, Qt::SolidLine);
     draw(geometry.placode_edge, style.critical, Qt::SolidLine);
-    draw(geometry.planned_contour, style.text, Qt::DashLine);
+    if (style.plan) draw(geometry.planned_contour, style.text, Qt::DashLine);
 }
 
 void draw_way(QPainter& painter, const sim::Recording& recording, size_t tool, const Sight& sight,

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <map>
 
+#include "reports/attempt_figures.h"
 #include "reports/metric_groups.h"
 
 using namespace placode;
@@ -137,6 +138,29 @@ TEST(Report, ThePdfHasNoPathThatEndsBeforeItBegins) {
     EXPECT_FALSE(complaints.contains("Syntax")) << complaints.toStdString();
 }
 
+TEST(Report, LossesOfMoreThanTheWholeScoreSayWhereItEnds) {
+    application();
+    const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
+    if (pdftotext.isEmpty()) GTEST_SKIP() << "pdftotext (package poppler-utils) is not installed";
+    QTemporaryDir folder;
+    const QString path = folder.filePath("attempt.pdf");
+    db::AttemptDetail low = attempt();
+    const auto text = [&] {
+        reports::write_attempt_pdf(low, recording(), {low.record}, path.toStdString());
+        QProcess process;
+        process.start(pdftotext, {"-layout", path, "-"});
+        return process.waitForFinished()
+                   ? QString::fromUtf8(process.readAllStandardOutput()).simplified()
+                   : QString();
+    };
+    EXPECT_FALSE(text().contains("add up")) << "38.5 points are lost";
+    low.score.reasons.front().points = 129.2;
+    low.score.points = low.record.points = 0;
+    const QString said = text();
+    EXPECT_TRUE(said.contains("The losses add up to 155.7 points; a score does not go below 0."))
+        << said.toStdString();
+}
+
 TEST(Report, AnAttemptThatDoesNotCountHasNoScoreOnPaper) {
     application();
     const QString pdftotext = QStandardPaths::findExecutable("pdftotext");
@@ -191,18 +215,27 @@ TEST(Report, ThePdfIsAPaperToFileAndSign) {
     QTemporaryDir folder;
     const QString path = folder.filePath("exam.pdf");
     db::AttemptDetail exam = attempt();
+    qputenv("TZ", "Europe/Warsaw");
+    exam.record.started_utc = "2026-03-01T10:30:00Z";
     exam.record.exam = {"resident", 3, "final", "Piotr Proctor", ""};
     exam.record.build = "placode 0.1 avx2";
     exam.record.rubric_id = "ring";
     exam.record.rubric_version = 4;
     exam.record.metric_set_version = 6;
-    reports::write_attempt_pdf(exam, recording(), {}, path.toStdString(), "Clinic of Testing");
+    reports::write_attempt_pdf(exam, recording(), {}, path.toStdString(),
+                               {"Clinic of Testing", "Residency"});
     const QStringList pages = pages_of(path);
     ASSERT_GE(pages.size(), 3);
     const QString all = pages.join("\n");
     EXPECT_TRUE(pages.front().contains("Clinic of Testing"));
     EXPECT_TRUE(pages.front().contains("Piotr Proctor"));
-    EXPECT_TRUE(pages.front().contains("exam of resident (version 3), stage final"));
+    // Titles, not what a file calls them; and the clock on the wall, with its zone.
+    const QString front = QString(pages.front()).simplified();
+    for (const char* part : {"exam of Residency (resident, version 3),",
+                             "stage diathermy_ring (final)"})  // The line is broken here.
+        EXPECT_TRUE(front.contains(part)) << front.toStdString();
+    EXPECT_TRUE(front.contains("2026-03-01 11:30:00 CET (UTC+01:00)")) << front.toStdString();
+    EXPECT_FALSE(front.contains("10:30"));
     for (qsizetype i = 0; i < pages.size(); ++i) {
         EXPECT_TRUE(pages[i].contains(QString("page %1 of %2").arg(i + 1).arg(pages.size())))
             << pages[i].toStdString();
@@ -267,7 +300,8 @@ TEST(MetricGroups, WhatTheScoreLooksAtIsNeverLeftOut) {
     header.tools[0].kind = sim::ToolKind::kGrasper;
     const assessment::MetricSet metrics = attempt().metrics;
     const auto has = [&](const std::vector<std::string>& scored, const char* id) {
-        for (const auto& group : reports::grouped_metrics(metrics, header, scored))
+        for (const auto& group :
+             reports::grouped_metrics(metrics, reports::scope_of(header.tools, scored)))
             for (const auto& each : group.metrics)
                 if (each.id == id) return true;
         return false;
@@ -282,7 +316,8 @@ TEST(MetricGroups, ATaskWithoutARingHasNoRingNumbers) {
     const assessment::MetricSet metrics = attempt().metrics;
     const auto has = [&](const std::vector<std::string>& scored, const assessment::MetricSet& of,
                          const char* id) {
-        for (const auto& group : reports::grouped_metrics(of, header, scored))
+        for (const auto& group :
+             reports::grouped_metrics(of, reports::scope_of(header.tools, scored)))
             for (const auto& each : group.metrics)
                 if (each.id == id) return true;
         return false;
@@ -302,6 +337,117 @@ TEST(MetricGroups, ATaskWithoutARingHasNoRingNumbers) {
     EXPECT_FALSE(has({}, calm, "speed_peaks_per_min"));
     EXPECT_TRUE(has({"movements"}, calm, "movements"));
     EXPECT_TRUE(reports::nothing_moved_fast(calm));
+}
+
+/// A recording of a shipped task; `first_done` of its steps were done.
+sim::Recording recording_of(const char* task_id, int first_done = 0) {
+    const curriculum::Task task = curriculum::load_task(task_id);
+    sim::Recording result = recording();
+    result.header.task_id = task_id;
+    result.header.task_json = task.json;
+    result.header.tools = task.scene.tools;
+    std::erase_if(result.events,
+                  [](const sim::Event& event) { return event.kind == sim::EventKind::kVaporised; });
+    const auto add = [&](sim::EventKind kind, double value, double time_s) {
+        sim::Event event;
+        event.kind = kind;
+        event.value = static_cast<float>(value);
+        event.time_s = time_s;
+        result.events.push_back(event);
+    };
+    add(sim::EventKind::kPhase, static_cast<double>(sim::Phase::kIncise), 0);
+    add(sim::EventKind::kPracticeSteps, static_cast<double>(task.steps.size()), 0);
+    for (int i = 0; i < first_done; ++i) add(sim::EventKind::kStepDone, i, i);
+    result.end.duration_s = 10;
+    return result;
+}
+
+TEST(TaskScope, EveryShippedTaskShowsWhatItIsAbout) {
+    struct Expected {
+        const char* task;
+        bool ring, line, energy, resection, jaws, scissors;
+    };
+    for (const Expected& each : {Expected{"diathermy_ring", true, true, true, false, false, false},
+                                 {"sb_dissection", true, true, true, true, true, true},
+                                 {"touch_targets", false, false, false, false, false, false},
+                                 {"trace_contour", false, true, false, false, false, false},
+                                 {"grasp_and_lift", false, false, false, false, true, false},
+                                 {"two_handed_traction", false, false, false, false, true, false},
+                                 {"scissors_resection", false, true, false, true, true, true},
+                                 {"familiarisation", false, false, true, false, true, false}}) {
+        const curriculum::Task task = curriculum::load_task(each.task);
+        const reports::TaskScope scope = reports::scope_of(task);
+        EXPECT_EQ(scope.ring, each.ring) << each.task;
+        EXPECT_EQ(scope.line, each.line) << each.task;
+        EXPECT_EQ(scope.energy, each.energy) << each.task;
+        EXPECT_EQ(scope.resection, each.resection) << each.task;
+        EXPECT_EQ(scope.jaws, each.jaws) << each.task;
+        EXPECT_EQ(scope.scissors, each.scissors) << each.task;
+        for (const assessment::RubricItem& item : task.rubric.items)
+            EXPECT_TRUE(reports::belongs(scope, item.metric)) << each.task << " " << item.metric;
+        // A recording of it says the same.
+        const reports::TaskScope kept = reports::scope_of(recording_of(each.task).header);
+        EXPECT_EQ(kept.ring, each.ring) << each.task;
+        EXPECT_EQ(kept.line, each.line) << each.task;
+    }
+    const reports::TaskScope touch = reports::scope_of(curriculum::load_task("touch_targets"));
+    for (const char* cutting : {"ring_completeness_percent", "largest_gap_mm", "off_line_mm",
+                                "energy_j", "placode_peak_c", "snips", "marked_gone_percent"})
+        EXPECT_FALSE(reports::belongs(touch, cutting)) << cutting;
+    for (const char* touching : {"target_error_mm", "path_length_mm", "placode_contacts"})
+        EXPECT_TRUE(reports::belongs(touch, touching)) << touching;
+}
+
+TEST(TaskScope, ATouchingTaskHasNeitherPhasesNorALaneOfEnergy) {
+    const auto picture = [](const char* task) {
+        const sim::Recording made = recording_of(task);
+        return reports::ledger_picture(made, reports::scope_of(made.header));
+    };
+    EXPECT_TRUE(picture("touch_targets").phases.empty());
+    EXPECT_EQ(picture("touch_targets").lanes, assessment::kHarmLanes - 1);
+    EXPECT_FALSE(picture("diathermy_ring").phases.empty());
+    EXPECT_EQ(picture("diathermy_ring").lanes, assessment::kHarmLanes);
+}
+
+TEST(TaskScope, ThePdfOfATouchingTaskDoesNotSpeakOfCutting) {
+    application();
+    const QTemporaryDir folder;
+    const auto text_of = [&](const char* task) {
+        db::AttemptDetail detail = attempt();
+        detail.record.task_id = task;
+        const std::string path = folder.filePath(QString(task) + ".pdf").toStdString();
+        reports::write_attempt_pdf(detail, recording_of(task, 7), {detail.record}, path);
+        return pages_of(QString::fromStdString(path)).join("");
+    };
+    const QString touch = text_of("touch_targets"), ring = text_of("diathermy_ring");
+    for (const char* cutting : {"Incise", "J/mm", "planned", "Ring completeness", "Largest gap",
+                                "Length off the planned line", "Energy"}) {
+        EXPECT_FALSE(touch.contains(cutting)) << cutting;
+        EXPECT_TRUE(ring.contains(cutting)) << cutting;
+    }
+    EXPECT_TRUE(touch.contains("not done")) << "places that were asked for";
+    EXPECT_FALSE(ring.contains("not done"));
+}
+
+TEST(Report, ThePlacesOfAnExerciseAreShownDoneOrNot) {
+    application();
+    const sim::Recording made = recording_of("touch_targets", 7);
+    const reports::AskedPlaces asked = reports::asked_places(made);
+    ASSERT_EQ(asked.places.size(), 8u);
+    EXPECT_EQ(asked.done(), 7);
+    EXPECT_FALSE(asked.places[7].done);
+    EXPECT_FALSE(asked.line);
+    EXPECT_FALSE(reports::asked_places(recording_of("diathermy_ring")).any());
+    EXPECT_TRUE(reports::asked_places(recording_of("trace_contour")).line);
+    const reports::ChartStyle style;
+    const auto drawn = [&](const reports::AskedPlaces& places) {
+        QImage image(400, 400, QImage::Format_RGB32);
+        QPainter painter(&image);
+        reports::draw_asked(painter, QRectF(0, 0, 400, 400), made.header.geometry, places, style);
+        painter.end();
+        return image;
+    };
+    EXPECT_NE(drawn(asked), drawn(reports::asked_places(recording_of("touch_targets", 8))));
 }
 
 TEST(Report, TheIncisionPictureShowsWhatWasCut) {

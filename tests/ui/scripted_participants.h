@@ -37,8 +37,8 @@ struct ScriptedParticipants {
     std::unique_ptr<ShellHarness> shell;
     Rows answers;             ///< One row a participant, of the shipped simulated answers.
     size_t count = 14;        ///< As in the paper.
-    double seconds = 4;       ///< Of a procedure [s]: something is done, or it would not count.
-    double real_seconds = 4;  ///< Of the last procedure of each level's first participant.
+    double seconds = 9;       ///< Of a procedure [s]: something is done, or it would not count.
+    double real_seconds = 9;  ///< Of the last procedure of each level's first participant.
     std::vector<std::string> codes;  ///< Of those who consented, in order.
 
     [[nodiscard]] db::Store& store() const { return shell->context().store(); }
@@ -147,6 +147,7 @@ inline void ScriptedParticipants::perform(double length_s) {
 
 inline void ScriptedParticipants::takePart(size_t row) {
     QVERIFY(shell->choose("study_device", device(row)));
+    shell->confirmNext();
     QVERIFY(press("enrol"));
     QVERIFY(shell->arrives(PageId::kStudyRun));
     const std::string code = store().studies().participants(kStudy).back().code;

@@ -114,6 +114,7 @@ void ShellConductTest::publish(int version, const QString& title, const QString&
 }
 
 std::string ShellConductTest::enrol() {
+    shell_->confirmNext();
     if (!press("enrol") || !shell_->arrives(PageId::kStudyRun)) return {};
     const std::string code = store().studies().participants(kStudy).back().code;
     for (const auto& statement : curriculum::load_study("face_content_validity").consent.statements)
@@ -208,7 +209,7 @@ void ShellConductTest::withdraw(int row, db::WithdrawalMode mode) {
         [&] {
             auto* now = shell_->find<QTableWidget>("progress_table");
             return now != nullptr && now->item(row, 4) != nullptr &&
-                   now->item(row, 4)->text().contains("withdrew");
+                   now->item(row, 4)->text().contains("Withdrew.");
         },
         10000));
 }
@@ -242,13 +243,13 @@ void ShellConductTest::onlyUsableDataLeave() {
     shell_->save_as = shell_->path("exported");
     QVERIFY(press("study_export"));
     QVERIFY(shell_->bannerSays("read back and compared", 60));
-    const Rows rows = table_of(shell_->save_as + "/" + kStudy + "_sus.csv");
+    const Rows rows = table_of(shell_->exported() + "/" + kStudy + "_sus.csv");
     std::multiset<std::string> who;
     for (size_t r = 1; r < rows.size(); ++r)
         who.insert(cell(rows, r, "participant") + " " + cell(rows, r, "visit"));
     QCOMPARE(who,
              (std::multiset<std::string>{codes_[0] + " 1", codes_[0] + " 2", codes_[1] + " 1"}));
-    const Rows people = table_of(shell_->save_as + "/" + kStudy + "_participants.csv");
+    const Rows people = table_of(shell_->exported() + "/" + kStudy + "_participants.csv");
     QCOMPARE(people.size(), size_t(5));
     QCOMPARE(cell(people, 4, "status"), std::string("3"));
 }
@@ -256,6 +257,7 @@ void ShellConductTest::onlyUsableDataLeave() {
 void ShellConductTest::aParticipantMayRefuseOrStop() {
     overview();
     const auto last = [this] { return store().studies().participants(kStudy).back(); };
+    shell_->confirmNext();
     QVERIFY(press("enrol"));
     QVERIFY(shell_->arrives(PageId::kStudyRun));
     QVERIFY2(shell_->find<QPushButton>("stop_taking_part") == nullptr, "the consent refuses");

@@ -185,7 +185,7 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     shell.save_as = shell.path("exported");
     QVERIFY(shell.click("export"));
     QVERIFY(shell.bannerSays("exported"));
-    QFile file(shell.save_as + "/face_validity_face_validity.csv");
+    QFile file(shell.exported() + "/face_validity_face_validity.csv");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
     QCOMPARE(lines.size(), 4);  // header and three participants
@@ -193,7 +193,7 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     auto* format = shell.find<QComboBox>("export_format");
     format->setCurrentIndex(format->findData("spss"));
     QVERIFY(shell.click("export"));
-    QVERIFY(QFile::exists(shell.save_as + "/face_validity_face_validity.sav"));
+    QVERIFY(QFile::exists(shell.exported() + "/face_validity_face_validity.sav"));
     // What was answered is kept with every change, and the questionnaire's text beside it.
     QVERIFY(!shell.context().store().studies().answers("face_validity").at(0).changes.empty());
     QVERIFY(

@@ -59,6 +59,7 @@ void ShellHandoverTest::initTestCase() {
 void ShellHandoverTest::run() {
     shell_->window().open({PageId::kStudies, 0, {}, {{"study", kStudy}}});
     QVERIFY(shell_->arrives(PageId::kStudies));
+    shell_->confirmNext();
     QVERIFY(shell_->click("enrol"));
     QVERIFY(shell_->arrives(PageId::kStudyRun));
 }

@@ -33,8 +33,7 @@ class ShellHarness {
     /// one of the folder.
     void start(const QString& file = {}) {
         if (!file.isEmpty()) file_ = file;
-        window_.reset();
-        context_.reset();
+        stop();
         ShellOptions options;
         // A lock is reported after 0.3 s instead of 5 s.
         options.store_url = "sqlite:" + path(file_).toStdString() + "?timeout_ms=300";
@@ -63,6 +62,12 @@ class ShellHarness {
         window_->resize(1366, 768);
         window_->show();
         window_->begin();
+    }
+
+    /// Nobody has the store open until start().
+    void stop() {
+        window_.reset();
+        context_.reset();
     }
 
     [[nodiscard]] AppContext& context() { return *context_; }
@@ -195,6 +200,24 @@ class ShellHarness {
             QWidget* inside = area != nullptr ? area->widget() : window_->page();
             inside->grab().save(shotFile(name + (theme == ThemeKind::kDark ? "_dark" : "_light")));
         }
+    }
+
+    /// The folder that the last export has made within save_as, or within another one.
+    [[nodiscard]] QString exported() const { return exportedIn(save_as); }
+    [[nodiscard]] static QString exportedIn(const QString& chosen) {
+        const QDir folder(chosen);
+        const QStringList made = folder.entryList({"placode_*"}, QDir::Dirs, QDir::Name);
+        return made.isEmpty() ? QString("no folder of its own") : folder.filePath(made.back());
+    }
+
+    /// Waits until every exam and every attempt of a study has been simulated again.
+    [[nodiscard]] bool replaysEnd(int seconds = 240) {
+        return QTest::qWaitFor(
+            [&] {
+                return !context_->replays().working() &&
+                       context_->store().attempts().waiting_for_replay().empty();
+            },
+            seconds * 1000);
     }
 
     [[nodiscard]] int64_t idOf(const std::string& login) const {

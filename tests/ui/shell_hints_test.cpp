@@ -8,6 +8,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/study.h"
 #include "db/demonstration.h"
+#include "db/void_reason.h"
 #include "shell_harness.h"
 #include "ui/shell/study_parts.h"
 
@@ -24,11 +25,13 @@ class ShellHintsTest : public QObject {
     void whyAnAttemptDoesNotCountIsTheSameEverywhere();
     void idleAttemptsLeaveASentenceInsteadOfAnEmptyChart();
     void anAttemptThatDoesNotCountHasNoScore();
+    void lossesOfMoreThanTheWholeScoreSayWhereItEnds();
     void todayNamesNewRemarksUntilTheyAreRead();
     void theHistoryOpensOnTheTaskBeforeTheEyes();
     void afterTheEndThePageSaysThatItScores();
     void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
     void aStudySaysTheLimitThatTheWindowShows();
+    void whatIsInDoubtIsNotCalledTuned();
     void aDemonstrationSaysWhoMaySignIn();
 
  private:
@@ -102,8 +105,8 @@ void ShellHintsTest::whyAnAttemptDoesNotCountIsTheSameEverywhere() {
     QVERIFY(shell_->arrives(PageId::kHistory));
     auto* table = shell_->find<QTableWidget>("history_table");
     QCOMPARE(table->item(0, table->columnCount() - 1)->text(), why);
-    QCOMPARE(table->item(0, 2)->text(), QString("Does not count"));
-    QCOMPARE(table->item(0, 2)->toolTip(), why);
+    QCOMPARE(table->item(0, 3)->text(), QString("Does not count"));
+    QCOMPARE(table->item(0, 3)->toolTip(), why);
     shell_->window().open({PageId::kCourse, 0, {}, {}});
     QVERIFY(shell_->arrives(PageId::kCourse));
     const QString standing = shell_->text("standing_familiarisation");
@@ -184,6 +187,27 @@ void ShellHintsTest::anAttemptThatDoesNotCountHasNoScore() {
     QVERIFY2(told.contains("The machine was the cause") && !told.contains("your"),
              qPrintable(told));
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
+}
+
+void ShellHintsTest::lossesOfMoreThanTheWholeScoreSayWhereItEnds() {
+    const auto sum_said = [this](double second) {
+        db::AttemptResult result;
+        result.header.task_id = "touch_targets";
+        result.header.device = "mouse";
+        result.header.started_utc = "2026-03-01T10:00:00Z";
+        result.end.duration_s = 20;
+        result.score.rubric_id = "touch_targets";
+        result.score.points = std::max(0.0, 10 - second);
+        result.score.reasons = {{"time", "Slower than the target time.", 90, -1, false},
+                                {"force", "Too much force.", second, -1, false}};
+        shell_->window().open(
+            {PageId::kResult, shell_->context().store().attempts().save(user_, result), {}, {}});
+        return shell_->arrives(PageId::kResult) ? shell_->text("reasons_sum") : QString("no page");
+    };
+    QCOMPARE(sum_said(9.5), QString());
+    QCOMPARE(sum_said(65.7),
+             QString("The losses add up to 155.7 points; a score does not go below 0."));
+    shell_->whole("36_result_below_zero");
 }
 
 void ShellHintsTest::todayNamesNewRemarksUntilTheyAreRead() {
@@ -330,6 +354,28 @@ void ShellHintsTest::aDemonstrationSaysWhoMaySignIn() {
     QVERIFY(shell.click("demonstration_demo-anna"));
     QVERIFY(shell.click("sign_in"));
     QCOMPARE(shell.context().user().login, std::string("demo-anna"));
+}
+
+void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    db::AttemptResult result;
+    result.header.task_id = "grasp_and_lift";
+    result.header.device = "mouse";
+    result.header.started_utc = "2026-03-01T10:00:00Z";
+    result.end.reason = sim::EndReason::kFinished;
+    result.end.duration_s = 20;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.not_verified = db::void_text({{db::VoidCause::kTaskDiffers, 0, 0, "it version 1"}});
+    const int64_t doubted = shell_->context().store().attempts().save(user_, result);
+    shell_->window().open({PageId::kHistory, 0, {}, {{"task", "grasp_and_lift"}}});
+    QVERIFY(shell_->arrives(PageId::kHistory));
+    const QString why = shell_->text("history_empty");
+    QVERIFY2(why.contains("practice, not verified: 1") && !why.contains("tun"), qPrintable(why));
+    shell_->window().open({PageId::kResult, doubted, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    QCOMPARE(shell_->text("result_verdict"), QString("Does not count: practice, not verified"));
+    shell_->whole("36_result_not_verified");
+    shell_->context().signOut();
 }
 
 }  // namespace placode::ui

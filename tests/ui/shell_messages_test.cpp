@@ -300,6 +300,8 @@ void ShellMessagesTest::theyKeepClearOfThePrimaryButton() {
             there.moveTopLeft(button->mapTo(&window, there.topLeft()));
             QVERIFY2(!there.intersects(notices()->geometry()), qPrintable(button->objectName()));
         }
+        // One place for all of them: at the right edge, as high as the page asks for.
+        QCOMPARE(notices()->geometry().right(), window.width() - 1 - 16);
         window.grab().save(shell_->shotFile(
             QString("64_message_beside_%1_%2").arg(static_cast<int>(page)).arg(size.width())));
     }

@@ -5,7 +5,7 @@
 // question; report and every export come out, are validated, and agree with each other and with
 // the store.
 //
-// Procedures are real attempts of placode-sim, cut short after 4 s: in less nothing is done, and
+// Procedures are real attempts of placode-sim, cut short after 9 s: in less nothing is done, and
 // that counts in no analysis. PLACODE_SCENARIO_PARTICIPANTS=4 is quicker,
 // PLACODE_SCENARIO_SECONDS=600 lets every operator finish.
 
@@ -34,6 +34,7 @@ class ShellScenarioTest : public QObject {
     void aParticipantGoesFromConsentToTheLastQuestion_data();
     void aParticipantGoesFromConsentToTheLastQuestion();
     void everybodyIsThroughAndTheAttemptsAreReal();
+    void everyAttemptIsTheSameWhenItIsSimulatedAgain();
     void recordsAreEnteredTwiceLockedAndSigned();
     void theKeyHoldsTheNames();
     void everyResultPageShowsItsNumbers();
@@ -46,6 +47,10 @@ class ShellScenarioTest : public QObject {
     [[nodiscard]] db::Store& store() { return people_.store(); }
     [[nodiscard]] bool press(const QString& name) { return people_.press(name); }
     [[nodiscard]] QString out(const QString& name) const { return shell_->path("out/" + name); }
+    /// Where the export that went into out(name) has put its files.
+    [[nodiscard]] QString in(const QString& name) const {
+        return ShellHarness::exportedIn(out(name));
+    }
 
     ScriptedParticipants people_;
     ShellHarness* shell_ = nullptr;  ///< Of people_.
@@ -128,6 +133,17 @@ void ShellScenarioTest::everybodyIsThroughAndTheAttemptsAreReal() {
         QCOMPARE(done.done, done.total - 1);  // What was skipped was not done.
     }
     shell_->whole("81_scenario_study");
+}
+
+// Only then do they count: all that follows here needs them.
+void ShellScenarioTest::everyAttemptIsTheSameWhenItIsSimulatedAgain() {
+    QVERIFY(shell_->replaysEnd(600));
+    for (const auto& step : store().studies().steps(kStudy)) {
+        if (step.attempt_id <= 0) continue;
+        const auto record = store().attempts().detail(step.attempt_id).record;
+        QVERIFY2(record.replay == db::ReplayState::kIdentical && record.void_reason.empty(),
+                 record.void_reason.c_str());
+    }
 }
 
 void ShellScenarioTest::recordsAreEnteredTwiceLockedAndSigned() {
@@ -254,8 +270,8 @@ void ShellScenarioTest::everyResultPageShowsItsNumbers() {
     shell.save_as = out("figures");
     QVERIFY(press("save_results"));
     QVERIFY(shell.bannerSays("files written", 120));
-    QVERIFY(QFileInfo(out("figures/numbers.csv")).size() > 1000);
-    QVERIFY(QFileInfo(out("figures/learning_curves_table.csv")).exists());
+    QVERIFY(QFileInfo(shell.exported() + "/numbers.csv").size() > 1000);
+    QVERIFY(QFileInfo(shell.exported() + "/learning_curves_table.csv").exists());
 }
 
 void ShellScenarioTest::reportComesOut() {
@@ -330,22 +346,21 @@ void ShellScenarioTest::exportsAgreeWithEachOtherAndWithTheStore() {
                 stored[record.participant] = record.answers.at(item);
         for (size_t i = 0; i < people_.codes.size(); ++i)
             QCOMPARE(stored[people_.codes[i]], cell(people_.answers, i + 1, item));
-        QCOMPARE(csv_column(out("csv"), kStudy, form, item), stored);
-        QCOMPARE(fhir_column(out("fhir"), form, name), stored);
-        QCOMPARE(redcap_column(out("redcap"), "face_val_" + name.toLower().toStdString()), stored);
-        QCOMPARE(odm_column(out("odm"), "I.face_validity." + item), stored);
-        QCOMPARE(xapi_column(out("xapi"), form, name), stored);
+        QCOMPARE(csv_column(in("csv"), kStudy, form, item), stored);
+        QCOMPARE(fhir_column(in("fhir"), form, name), stored);
+        QCOMPARE(redcap_column(in("redcap"), "face_val_" + name.toLower().toStdString()), stored);
+        QCOMPARE(odm_column(in("odm"), "I.face_validity." + item), stored);
+        QCOMPARE(xapi_column(in("xapi"), form, name), stored);
         if (!QStandardPaths::findExecutable("readstat").isEmpty())
-            QCOMPARE(spss_column(out("spss") + "/" + kStudy + "_face_validity.sav", item), stored);
+            QCOMPARE(spss_column(in("spss") + "/" + kStudy + "_face_validity.sav", item), stored);
     }
     Column stored;
-    for (const auto& [code, value] : csv_column(out("csv"), kStudy, form, "F"))
-        stored[code] = value;
+    for (const auto& [code, value] : csv_column(in("csv"), kStudy, form, "F")) stored[code] = value;
     // The report's own number.
     std::vector<double> values;
     for (const auto& [code, value] : stored) values.push_back(std::stod(value));
     const Rows numbers =
-        reports::parse_csv(reports::read_file(out("figures/numbers.csv").toStdString()));
+        reports::parse_csv(reports::read_file((in("figures") + "/numbers.csv").toStdString()));
     bool found = false;
     for (const auto& row : numbers)
         if (row[0] == "face_validity" && row[1] == "F" && row[2] == "mean") {
@@ -358,8 +373,9 @@ void ShellScenarioTest::exportsAgreeWithEachOtherAndWithTheStore() {
 void ShellScenarioTest::anotherProgramFindsTheReportsNumbers() {
     if (QStandardPaths::findExecutable("Rscript").isEmpty())
         QSKIP("R is not installed; study_report_test holds the numbers against stored values");
-    const QString said = run_program("Rscript", {PLACODE_SOURCE_DIR "/scripts/study_report.R",
-                                                 out("csv"), kStudy, out("figures/numbers.csv")});
+    const QString said =
+        run_program("Rscript", {PLACODE_SOURCE_DIR "/scripts/study_report.R", in("csv"), kStudy,
+                                in("figures") + "/numbers.csv"});
     QVERIFY2(said.contains("numbers agree"), qPrintable(said));
 }
 

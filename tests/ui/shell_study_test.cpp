@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QFileInfo>
+#include <QListWidget>
 #include <QMessageBox>
 #include <QRadioButton>
 #include <QSlider>
@@ -48,6 +49,10 @@ class ShellStudyTest : public QObject {
  private:
     /// Answers whatever the questionnaire on the screen asks for, and submits.
     void answerAll(const std::string& questionnaire);
+    /// The main button of the step has the focus, and Enter presses it.
+    void enterGoesOn(const QString& name);
+    /// Every text of a table is to be read as it stands there.
+    [[nodiscard]] static bool nothingIsCut(const QTableWidget* table);
     /// Starts the attempt of the step that is shown and ends it after that time [s].
     void perform(double time_s = 0.5);
     /// Clicks as soon as the button is there: a step that was recorded leads on a moment later.
@@ -82,6 +87,12 @@ void ShellStudyTest::initTestCase() {
 void ShellStudyTest::studyIsPublishedOnce() {
     ShellHarness& shell = *shell_;
     shell.shot("60_study_unpublished");
+    QVERIFY(shell.click("check_consent"));
+    QVERIFY(shell.arrives(PageId::kProtocols));
+    QCOMPARE(shell.find<QListWidget>("elements")->currentItem()->text(),
+             QString("Information and consent"));
+    shell.window().open({PageId::kStudies, 0, {}, {}});
+    QVERIFY(shell.arrives(PageId::kStudies));
     QVERIFY(shell.find<QPushButton>("enrol") == nullptr);
     // The shipped consent text calls itself a draft: one click must not make it final.
     QString asked;
@@ -112,6 +123,7 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     ShellHarness& shell = *shell_;
     // The coordinator chooses the device, before the screen is handed over.
     QVERIFY(shell.choose("study_device", "script:novice"));
+    shell.confirmNext();
     QVERIFY(press("enrol"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
     code_ = QString::fromStdString(progress().participant.code);
@@ -178,7 +190,9 @@ void ShellStudyTest::answerAll(const std::string& questionnaire) {
     QVERIFY(shell.click("review"));
     QVERIFY2(shell.find<QPushButton>("submit_answers") != nullptr,
              qPrintable(shell.text("participant_message")));
-    QVERIFY(shell.click("submit_answers"));
+    // By keys, as at a station without a mouse: the next page goes on from there.
+    enterGoesOn("submit_answers");
+    if (QTest::currentTestFailed()) return;
     QVERIFY(shell.arrives(PageId::kStudyRun));
 }
 
@@ -189,7 +203,8 @@ void ShellStudyTest::questionsBriefingAndPractice() {
     if (QTest::currentTestFailed()) return;
     QCOMPARE(progress().next, std::string("briefing"));
     shell.shot("63_briefing");
-    QVERIFY(press("step_done"));
+    enterGoesOn("step_done");
+    if (QTest::currentTestFailed()) return;
     QVERIFY(QTest::qWaitFor([&] { return progress().next == "familiarisation"; }, 5000));
     QVERIFY(QTest::qWaitFor([&] { return !shell.text("run_device").isEmpty(); }, 5000));
     QVERIFY2(shell.text("run_device").contains("Novice", Qt::CaseInsensitive),
@@ -198,6 +213,32 @@ void ShellStudyTest::questionsBriefingAndPractice() {
     perform();
     if (QTest::currentTestFailed()) return;
     QCOMPARE(progress().next, std::string("procedure_1"));
+}
+
+void ShellStudyTest::enterGoesOn(const QString& name) {
+    ShellHarness& shell = *shell_;
+    QVERIFY(QTest::qWaitFor([&] {
+        QWidget* button = shell.find<QPushButton>(name);
+        return button != nullptr && shell.window().focusWidget() == button;
+    }));
+    QTest::keyClick(shell.window().focusWidget(), Qt::Key_Return);
+}
+
+bool ShellStudyTest::nothingIsCut(const QTableWidget* table) {
+    if (table->horizontalScrollBar()->maximum() > 0) return false;
+    for (int row = 0; row < table->rowCount(); ++row)
+        for (int c = 0; c < table->columnCount(); ++c) {
+            if (table->isColumnHidden(c)) continue;
+            // 9 px on both sides are the style sheet's, the rest Qt's own.
+            const QRect words =
+                table->fontMetrics().boundingRect(QRect(0, 0, table->columnWidth(c) - 24, 10000),
+                                                  Qt::TextWordWrap, table->item(row, c)->text());
+            if (words.height() > table->rowHeight(row) || words.width() > table->columnWidth(c)) {
+                qWarning("%s", qPrintable(table->item(row, c)->text()));
+                return false;
+            }
+        }
+    return true;
 }
 
 void ShellStudyTest::perform(double time_s) {
@@ -318,6 +359,13 @@ void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
     QVERIFY(deviations != nullptr);
     // Too short for the operator to reach the tissue: kept, and said.
     QVERIFY(table->item(4, 4)->text().contains("nothing was done"));
+    shell.window().resize(1280, 800);
+    QTest::qWait(80);
+    QVERIFY2(nothingIsCut(table) && nothingIsCut(deviations), "at 1280 x 800");
+    shell.shot("67_procedures_whole_words");  // In both themes: each makes the page anew.
+    shell.window().resize(1366, 768);
+    table = shell.find<QTableWidget>("procedures_table");
+    deviations = shell.find<QTableWidget>("deviations_table");
     QStringList kinds;
     for (int row = 0; row < deviations->rowCount(); ++row)
         kinds << deviations->item(row, 1)->text();
@@ -369,7 +417,17 @@ void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
 
 void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     ShellHarness& shell = *shell_;
+    // Whoever only lists people keeps the screen; "Continue" hands it over then.
+    shell.refuseNext();
     QVERIFY(press("enrol"));
+    QVERIFY(shell.bannerSays("is enrolled"));
+    QVERIFY(shell.arrives(PageId::kStudies));
+    QVERIFY(QTest::qWaitFor([&] {
+        auto* now = shell.find<QTableWidget>("progress_table");
+        return now != nullptr && now->rowCount() == 2 && now->currentRow() == 1;
+    }));
+    QVERIFY(shell.find<QToolButton>("rail_studies")->isVisible());
+    QVERIFY(press("continue_participant"));
     QVERIFY(shell.arrives(PageId::kStudyRun));
     shell.takeBackNext();
     QVERIFY(press("interrupt_run"));
@@ -378,6 +436,10 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     QCOMPARE(table->rowCount(), 2);
     QCOMPARE(table->item(0, 2)->text(), QString("finished"));
     QCOMPARE(table->item(1, 1)->text(), QString("0 of 8"));
+    shell.window().resize(1280, 800);
+    QTest::qWait(80);
+    QVERIFY2(nothingIsCut(table), "at 1280 x 800");
+    shell.window().resize(1366, 768);
     QVERIFY(shell.text("flow").contains("Information and consent: 1"));
     for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
         shell.window().resize(size);
@@ -394,7 +456,7 @@ void ShellStudyTest::coordinatorSeesWhereEveryoneStands() {
     QVERIFY(QTest::qWaitFor(
         [&] {
             auto* now = shell.find<QTableWidget>("progress_table");
-            return now != nullptr && now->item(1, 4)->text().contains("withdrew");
+            return now != nullptr && now->item(1, 4)->text().contains("Withdrew.");
         },
         10000));
 }
@@ -404,9 +466,17 @@ void ShellStudyTest::reportAndExportComeOut() {
     shell.save_as = shell.path("exported");
     QVERIFY(press("study_export"));
     QVERIFY(shell.bannerSays("read back and compared", 60));
-    QVERIFY(!QDir(shell.save_as).entryList({"*.csv"}, QDir::Files).isEmpty());
+    // In a folder of its own, which the message names and opens.
+    QVERIFY(QDir(shell.save_as).entryList(QDir::Files).isEmpty());
+    const QString exported = shell.exported();
+    QVERIFY2(QDir(exported).dirName().startsWith(QString("placode_%1_20").arg(kStudy)),
+             qPrintable(exported));
+    QVERIFY(!QDir(exported).entryList({"*.csv"}, QDir::Files).isEmpty());
+    QVERIFY(shell.window().banner().text().contains(exported));
+    QVERIFY(shell.click("banner_offer"));
+    QCOMPARE(shell.shown, exported);
     // Both attempts leave, and the one that counts no more says so; so do the deviations.
-    const Rows attempts = table_of(shell.save_as + "/" + kStudy + "_attempts.csv");
+    const Rows attempts = table_of(exported + "/" + kStudy + "_attempts.csv");
     int again = 0;
     for (size_t r = 1; r < attempts.size(); ++r) {
         if (cell(attempts, r, "step") != "procedure_1") continue;
@@ -416,7 +486,7 @@ void ShellStudyTest::reportAndExportComeOut() {
         QCOMPARE(cell(attempts, r, "counts"), std::string("0"));
     }
     QCOMPARE(again, 1);
-    const Rows deviations = table_of(shell.save_as + "/" + kStudy + "_deviations.csv");
+    const Rows deviations = table_of(exported + "/" + kStudy + "_deviations.csv");
     QVERIFY(deviations.size() >= 4);  // head, ended too early, done again, note
     shell.save_as = shell.path("study.pdf");
     QVERIFY(press("study_report"));

@@ -148,6 +148,7 @@ void ShellTrainingTest::educatorBuildsAndAssignsTheCourse() {
     auto* mode = shell.find<QComboBox>("stage_mode");
     mode->setCurrentIndex(mode->findData(static_cast<int>(curriculum::StageMode::kExam)));
     QVERIFY(shell.type("stage_seeds", "11, 12"));
+    shell.find<QSpinBox>("stage_limit")->setValue(4);
     shell.confirmNext();
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
@@ -234,7 +235,12 @@ void ShellTrainingTest::anExamThatIsLeftUsesUpItsAttempt() {
     // Nobody is asked whether it is kept: the case was seen.
     ::kill(static_cast<pid_t>(shell.context().launcher().processId()), SIGKILL);
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
-    QVERIFY(shell.text("void_for_cause").contains("uses up an attempt of this exam"));
+    QVERIFY2(shell.text("void_for_cause")
+                 .contains("It uses up one of the 4 attempts at this exam; left: 3. Next: the exam "
+                           "again"),
+             qPrintable(shell.text("void_for_cause")));
+    QVERIFY2(shell.text("result_verdict").startsWith("No score: left after"),
+             qPrintable(shell.text("result_verdict")));
     QCOMPARE(attempts().size(), size_t{3});
     QCOMPARE(attempts()[2].end, sim::EndReason::kInterrupted);
     QCOMPARE(attempts()[2].exam.stage_id, std::string("lift_as_exam"));
@@ -272,6 +278,18 @@ void ShellTrainingTest::theNextExamHasAnotherCase() {
     QCOMPARE(attempts[4].exam.proctor, std::string("Demonstration educator"));
     QCOMPARE(attempts[4].seed, uint64_t{11});  // There are two cases.
     QCOMPARE(shell.context().user().login, std::string("nina"));
+    // It counts once it was simulated again; until then the page says so, and has no score.
+    QVERIFY(shell.replaysEnd());
+    QCOMPARE(shell.context().store().attempts().detail(attempts[4].id).record.replay,
+             db::ReplayState::kIdentical);
+    QVERIFY(QTest::qWaitFor([&] { return !shell.text("exam_standing").isEmpty(); }, 10000));
+    // That it was finished uses up an attempt as well; the course is mastered with it.
+    const QString standing = shell.text("exam_standing");
+    QVERIFY2(standing.contains("It uses up one of the 4 attempts at this exam; left: 1."),
+             qPrintable(standing));
+    QVERIFY2(standing.contains("The exam is passed") && standing.contains("certificate"),
+             qPrintable(standing));
+    shell.whole("76_exam_finished");
 }
 
 bool ShellTrainingTest::openExam() {
@@ -312,6 +330,12 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QCOMPARE(shell.text("attempts_count"), QString("Shown: 1 to 5 of 5"));
     auto* table = shell.find<QTableWidget>("attempts_table");
     QCOMPARE(table->rowCount(), 5);
+    // Newest first: three attempts at the exam, two of practice before them.
+    QStringList kinds;
+    for (int row = 0; row < 5; ++row) kinds << table->item(row, 3)->text();
+    QCOMPARE(kinds, (QStringList{"Exam", "Exam", "Exam", "Practice", "Practice"}));
+    shell.shot("77_attempts_with_exams");  // In both themes: each makes the page anew.
+    table = shell.find<QTableWidget>("attempts_table");
     table->setCurrentCell(0, 0);
     Q_EMIT table->cellActivated(0, 0);
     QVERIFY(shell.arrives(PageId::kResult));
@@ -396,7 +420,7 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     shell.save_as = shell.path("mine");
     QVERIFY(shell.click("save_my_data"));
     QVERIFY(shell.bannerSays("Your data is in", 30));
-    QFile file(shell.path("mine/my_data.json"));
+    QFile file(shell.exported() + "/my_data.json");
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray text = file.readAll();
     QVERIFY(text.contains("Nina Nowak") && text.contains("lift_exam") &&

@@ -82,6 +82,16 @@ int print_file(const std::string& text) {
     return 0;
 }
 
+/// What kept the certificate from the recording; "" = it is in.
+std::string certificate_problem(const std::string& recording, const std::string& certificate) {
+    try {
+        db::add_haptic_certificate(recording, certificate);
+        return {};
+    } catch (const db::StoreError& error) {
+        return std::string("The recording lacks its end: ") + error.what();
+    }
+}
+
 int run_attempt(const Arguments& arguments, StatusLine& status) {
     status.print({}, true);
     curriculum::Task task = curriculum::load_task(arguments.task);
@@ -116,15 +126,18 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     }
     runner.wait();
     const sim::RecordingEnd end = runner.end();
-    const curriculum::AttemptStatus last = runner.status();
+    curriculum::AttemptStatus last = runner.status();
     const std::string certificate = runner.haptic_certificate();
     if (!arguments.record.empty() && last.warning.empty())
-        db::add_haptic_certificate(arguments.record, certificate);
+        last.warning = certificate_problem(arguments.record, certificate);
     status.end(last, reason_text(end.reason), arguments.record, {}, certificate);
     if (!arguments.status) {
+        // What could not be written is not called recorded.
+        const char* recorded = arguments.record.empty() ? ""
+                               : last.warning.empty()   ? ", recorded in "
+                                                        : ", NOT recorded to its end in ";
         std::printf("%s after %.1f s, ring %.0f %% cut%s%s\n", reason_text(end.reason).c_str(),
-                    end.duration_s, 100 * last.cut_fraction,
-                    arguments.record.empty() ? "" : ", recorded in ", arguments.record.c_str());
+                    end.duration_s, 100 * last.cut_fraction, recorded, arguments.record.c_str());
     }
     if (last.warning.empty()) return 0;
     std::fprintf(stderr, "placode-sim: %s\n", last.warning.c_str());

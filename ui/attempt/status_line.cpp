@@ -84,6 +84,7 @@ void StatusLine::end(const curriculum::AttemptStatus& status, const std::string&
     object["end"] = reason;
     object["recording"] =
         recording.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(recording);
+    object["recorded"] = !recording.empty() && status.warning.empty();
     if (!detail.empty()) object["detail"] = detail;
     if (!haptics.empty()) {
         const auto certificate = nlohmann::ordered_json::parse(haptics, nullptr, false);

@@ -3,10 +3,10 @@
 #include "ui/attempt/tuning_panel.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <ctime>
 
+#include "sim/core/number_text.h"
 #include "ui/view/strings.h"
 
 namespace placode::ui {
@@ -26,12 +26,7 @@ constexpr std::array<const char*, sim::kTuneParameters> kLabels{
 constexpr std::array<const char*, sim::kTissueCount> kTissues{
     "Skin", "Thin skin", "Subcutis", "Muscle", "Junctional zone", "Placode", "Gel", "Dura"};
 
-std::string number(double value, int digits) {
-    char text[32];
-    const auto end =
-        std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, digits);
-    return {text, end.ptr};
-}
+std::string number(double value, int digits) { return sim::fixed_text(value, digits); }
 
 std::string utc_now() {
     const std::time_t now = std::time(nullptr);

@@ -46,7 +46,7 @@ int report_attempt(const Context& context, const Options& options) {
                          ", which has no recording; expected an attempt with one");
     reports::write_attempt_pdf(attempt, *recording,
                                db::attempts_beside(session.store(), attempt.record), options.out,
-                               reports::centre_name(session.store()));
+                               reports::report_head(session.store(), attempt.record));
     session.store().audit().write(session.actor(), "report.pdf", "attempt " + options.id,
                                   options.out);
     print(context, {{"attempt", id}, {"path", options.out}}, "wrote " + options.out);

@@ -8,6 +8,7 @@
 
 #include "reports/people_file.h"
 #include "ui/shell/account_fields.h"
+#include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 
@@ -169,8 +170,9 @@ class AccountPage : public Page {
     }
 
     void saveData() {
-        const QString folder = context_.askFolder(this, tr("Save my data"));
-        if (folder.isEmpty()) return;
+        const QString parent = context_.askFolder(this, tr("Save my data"));
+        if (parent.isEmpty()) return;
+        const QString folder = export_folder(parent, qstr(context_.user().login));
         context_.require(db::Action::kExportPersonalData);
         const auto data = std::make_shared<reports::OwnData>();
         context_.background(

@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QRadioButton>
+#include <QRegularExpressionValidator>
 #include <QSlider>
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,25 @@ using curriculum::ItemKind;
 using curriculum::QuestionnaireItem;
 
 constexpr int kNoValue = 1000;  ///< "does not apply" among the values of a scale.
+
+/// Says when it is left, whatever stands in it.
+class TypedField : public QLineEdit {
+ public:
+    TypedField(const QString& text, std::function<void()> left)
+        : QLineEdit(text), left_(std::move(left)) {}
+
+ protected:
+    void focusOutEvent(QFocusEvent* event) override {
+        QLineEdit::focusOutEvent(event);
+        // Another window in front, or the field's own menu, is not the end of typing.
+        if (event->reason() != Qt::ActiveWindowFocusReason &&
+            event->reason() != Qt::PopupFocusReason && left_)
+            left_();
+    }
+
+ private:
+    std::function<void()> left_;
+};
 
 class AnswerFields {
     Q_DECLARE_TR_FUNCTIONS(ParticipantPage)
@@ -175,7 +195,7 @@ class AnswerFields {
     }
 
     QWidget* date() {
-        auto* edit = new QLineEdit(field_.given);
+        auto* edit = new TypedField(field_.given, field_.left);
         edit->setObjectName("answer_" + qstr(item_.id));
         edit->setAccessibleName(context_.in(item_.text));
         edit->setPlaceholderText(tr("year-month-day, e.g. 2026-11-21"));
@@ -255,7 +275,14 @@ class AnswerFields {
                              [keep = field_.keep, edit] { keep(edit->toPlainText().trimmed()); });
             return edit;
         }
-        auto* edit = new QLineEdit(field_.given);
+        // The field offers what it takes; "does not apply" is no number.
+        const bool number = curriculum::answer_number(field_.given.toStdString()).has_value();
+        auto* edit = new TypedField(number ? field_.given : QString(), field_.left);
+        // A letter would be silently wrong until the review.
+        edit->setValidator(new QRegularExpressionValidator(
+            QRegularExpression(item_.number_min < 0 ? "-?[0-9]{0,9}([.,][0-9]{0,6})?"
+                                                    : "[0-9]{0,9}([.,][0-9]{0,6})?"),
+            edit));
         edit->setObjectName("answer_" + qstr(item_.id));
         edit->setAccessibleName(context_.in(item_.text));
         edit->setPlaceholderText(tr("%1 to %2 %3")

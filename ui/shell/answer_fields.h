@@ -20,6 +20,7 @@ struct AnswerField {
     QString given;                              ///< Answer so far; empty = none.
     QObject* owner = nullptr;                   ///< The fields speak as long as it lives.
     std::function<void(const QString&)> keep;   ///< Takes every new answer; empty = none any more.
+    std::function<void()> left;                 ///< A typed answer is done: the field was left.
 };
 
 void add_answer_field(QVBoxLayout* layout, AppContext& context, const AnswerField& field);

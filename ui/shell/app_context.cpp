@@ -16,10 +16,14 @@
 #include <QTranslator>
 #include <QUrl>
 
+#include "ui/shell/parts.h"
+
 namespace placode::ui {
 namespace {
 
 constexpr const char* kLastFolder = "last_folder";
+
+constexpr int kSessionWatchMs = 15'000;  ///< Nobody touches anything: asked all the same.
 
 constexpr double kWorthAnEstimateS = 2;  ///< Shorter work is over before anybody reads it.
 constexpr double kOverdue = 1.5;         ///< Times the estimate; then it is worth nothing.
@@ -37,10 +41,10 @@ void learn_pace(QSettings& settings, const WorkSize& size, double took_s) {
 }  // namespace
 
 AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) {
-    store_url_ = options.store_url.empty() ? db::default_store_url() : options.store_url;
     settings_ = options.settings_file.isEmpty()
                     ? std::make_unique<QSettings>("Placode", "placode")
                     : std::make_unique<QSettings>(options.settings_file, QSettings::IniFormat);
+    store_url_ = startingStore(options.store_url);
     const QString desktop = QLocale::system().language() == QLocale::Polish ? "pl" : "en";
     language_ = !options.language.isEmpty() ? options.language
                                             : settings_->value("language", desktop).toString();
@@ -53,32 +57,34 @@ AppContext::AppContext(ShellOptions options, QObject* parent) : QObject(parent) 
     lock_after_s_ = options.lock_after_s;
     options.launch.language = language_;
     launcher_ = std::make_unique<AttemptLauncher>(options.launch);
+    replays_ = std::make_unique<ReplayQueue>();
+    connect(launcher_.get(), &AttemptLauncher::started, this, [this] { replays_->hold(true); });
+    connect(launcher_.get(), &AttemptLauncher::ended, this, [this] { replays_->hold(false); });
     installTranslators();
     apply_theme(*qApp, theme_);
+    session_watch_.setInterval(kSessionWatchMs);
+    connect(&session_watch_, &QTimer::timeout, this, [this] { (void)sessionStands(); });
+    session_watch_.start();
 }
 
 AppContext::~AppContext() { QThreadPool::globalInstance()->waitForDone(); }
 
-bool AppContext::openStore() {
-    return guard(tr("Opening the store"), [this] { store_ = db::open_store(store_url_); });
-}
-
-db::Store& AppContext::store() {
-    if (!store_) {
-        throw db::StoreError(db::StoreError::Kind::kUnavailable,
-                             "store " + store_url_ + ": not open; try again");
-    }
-    return *store_;
+void AppContext::verifyAttempts() {
+    if (user_) replays_->begin(store_url_, user_->login);
 }
 
 void AppContext::signIn(const db::UserRecord& user) {
     user_ = user;
+    session_note_.clear();
+    session_asked_.start();
+    if (!user.demonstration) rememberStore();
     setStoreSetting("last_login", QString::fromStdString(user.login));
     Q_EMIT userChanged();
 }
 
 void AppContext::signOut() {
     user_.reset();
+    session_note_.clear();
     if (store_) store_->act_as("unknown");
     Q_EMIT userChanged();
 }
@@ -93,8 +99,10 @@ void AppContext::notePassword(int64_t user_id) {
 
 bool AppContext::knowsPassword(int64_t user_id) const {
     const auto found = password_given_.find(user_id);
-    return found != password_given_.end() &&
-           found->second.secsTo(QDateTime::currentDateTimeUtc()) < kPinHours * 3600;
+    if (found == password_given_.end()) return false;
+    // A clock that was set back does not make the hours longer.
+    const qint64 since = found->second.secsTo(QDateTime::currentDateTimeUtc());
+    return since >= 0 && since < kPinHours * 3600;
 }
 
 void AppContext::require(db::Action action, db::Scope scope) const {
@@ -129,8 +137,8 @@ QString AppContext::in(const curriculum::LocalText& text) const {
 }
 
 QString AppContext::storeKey(const QString& key) const {
-    // The address without its options; hashed, for it may hold a password.
-    QString place = QString::fromStdString(store_url_.substr(0, store_url_.find('?')));
+    // The address without password and options.
+    QString place = qstr(shownStore());
     if (place.startsWith("sqlite:")) place = "sqlite:" + QFileInfo(place.mid(7)).absoluteFilePath();
     const QByteArray name =
         QCryptographicHash::hash(place.toUtf8(), QCryptographicHash::Sha256).toHex();
@@ -230,12 +238,16 @@ void AppContext::background(QObject* receiver, const QString& doing,
     const QPointer<QObject> alive(receiver);
     const QElapsedTimer began = work_started_;
     QThreadPool::globalInstance()->start([this, alive, doing, work = std::move(work),
-                                          done = std::move(done), url = store_url_,
-                                          actor = user_ ? user_->login : "unknown", size, began] {
+                                          done = std::move(done), url = store_url_, user = user_,
+                                          size, began] {
         std::exception_ptr error;
         try {
             const std::unique_ptr<db::Store> own = db::open_store(url);
-            own->act_as(actor);
+            own->act_as(user ? user->login : "unknown");
+            if (user)
+                if (const QString note = sessionProblem(own->accounts().find(user->id), *user);
+                    !note.isEmpty())
+                    throw Refusal(note);
             work(*own);
         } catch (...) {
             error = std::current_exception();

@@ -9,6 +9,7 @@
 #include <QObject>
 #include <QSettings>
 #include <QString>
+#include <QTimer>
 #include <functional>
 #include <map>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "ui/shell/attempt_launcher.h"
 #include "ui/shell/attempt_order.h"
 #include "ui/shell/messages.h"
+#include "ui/shell/replay_queue.h"
 #include "ui/shell/theme.h"
 
 class QTranslator;
@@ -65,7 +67,17 @@ class AppContext : public QObject {
     /// Opens the store; on failure reports a problem and returns false. May be called again.
     [[nodiscard]] bool openStore();
     [[nodiscard]] bool storeIsOpen() const { return store_ != nullptr; }
-    /// @pre storeIsOpen(); throws StoreError(kUnavailable) otherwise.
+    /// The last openStore() failed because a store that was here before is gone. Nothing was
+    /// reported: there are three ways on.
+    [[nodiscard]] bool storeIsMissing() const { return store_missing_; }
+    [[nodiscard]] bool beginAnew();  ///< Makes a new store: only when somebody has said so.
+    [[nodiscard]] bool restoreBackup(const QString& file);
+    /// Another file from now on, also at the next start without --store.
+    [[nodiscard]] bool chooseStore(const QString& file);
+    /// From now on a start without this store is not a first start.
+    void rememberStore();
+    /// @pre storeIsOpen(); throws StoreError(kUnavailable) otherwise, and kRefused when the
+    /// account of who is signed in was closed or has other roles now: the session then ends.
     [[nodiscard]] db::Store& store();
     [[nodiscard]] const std::string& storeUrl() const { return store_url_; }
     [[nodiscard]] QString recordingsFolder() const { return recordings_folder(store_url_); }
@@ -81,6 +93,11 @@ class AppContext : public QObject {
     void signIn(const db::UserRecord& user);
     void ownPasswordSet() { user_->password_given = false; }  ///< @pre signedIn()
     void signOut();
+    /// Why the last session ended, if it was not its owner's wish; empty otherwise.
+    [[nodiscard]] const QString& sessionNote() const { return session_note_; }
+    /// Asks the store, at most once a second, whether the account still is what it was when its
+    /// owner signed in; if not, the session ends. True when nobody is signed in.
+    [[nodiscard]] bool sessionStands();
     static constexpr int kPinHours = 12;
     /// The password was given here: for kPinHours the PIN is enough, until Placode is closed.
     void notePassword(int64_t user_id);
@@ -116,6 +133,9 @@ class AppContext : public QObject {
     void showFile(const QString& path) const;
 
     [[nodiscard]] AttemptLauncher& launcher() { return *launcher_; }
+    [[nodiscard]] ReplayQueue& replays() { return *replays_; }
+    /// Simulates again what waits for it in this store, behind everything else.
+    void verifyAttempts();
 
     /// Runs `work`; an exception becomes a banner and `false`. `doing` names the operation.
     bool guard(const QString& doing, const std::function<void()>& work);
@@ -142,6 +162,14 @@ class AppContext : public QObject {
     void busyChanged(const QString& what);  ///< Empty: nothing is running.
 
  private:
+    [[nodiscard]] bool openStore(const db::StoreOptions& options);
+    [[nodiscard]] std::string startingStore(const std::string& asked) const;
+    [[nodiscard]] std::string urlWithPassword();
+    /// Why the session of `then` may not go on; empty = it may.
+    [[nodiscard]] static QString sessionProblem(const std::optional<db::UserRecord>& now,
+                                                const db::UserRecord& then);
+    void endSession();
+    [[nodiscard]] std::string shownStore() const;  ///< For messages: without the password.
     void installTranslators();
     [[nodiscard]] QString storeKey(const QString& key) const;
     [[nodiscard]] QString lastFolder() const;
@@ -152,7 +180,11 @@ class AppContext : public QObject {
     std::function<void(const QString&)> show_file_;
     std::unique_ptr<QSettings> settings_;
     std::unique_ptr<db::Store> store_;
+    bool store_missing_ = false;
     std::optional<db::UserRecord> user_;
+    QString session_note_;
+    QElapsedTimer session_asked_;
+    QTimer session_watch_;
     std::set<QString> saving_;  ///< Recordings on their way into the store.
     int lock_after_s_ = 600;
     std::map<int64_t, QDateTime> password_given_;  ///< By user.
@@ -160,6 +192,7 @@ class AppContext : public QObject {
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;
     std::unique_ptr<AttemptLauncher> launcher_;
+    std::unique_ptr<ReplayQueue> replays_;
     int busy_ = 0;
     WorkSize work_size_;  ///< Of the last work that began.
     QElapsedTimer work_started_;

@@ -13,27 +13,14 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
-#include "assessment/metrics.h"
-#include "curriculum/task.h"
+#include "db/evidence.h"
 #include "db/recording_file.h"
-#include "db/standards.h"
 #include "db/study_conduct.h"
-#include "sim/core/event.h"
 
 namespace placode::ui {
 namespace {
 
 QString order_file(const QString& recording_file) { return recording_file + ".order.json"; }
-
-/// Phases, energy and damage are kept with the attempt; every vaporised element and every hash
-/// stay in the recording only.
-std::vector<sim::Event> ledger(const sim::Recording& recording) {
-    std::vector<sim::Event> kept;
-    for (const sim::Event& event : recording.events) {
-        if (!sim::only_in_recording(event.kind)) kept.push_back(event);
-    }
-    return kept;
-}
 
 /// An attempt of a study is a step of its participant.
 void record_study_step(db::Store& store, const AttemptOrder& order, int64_t attempt_id) {
@@ -45,6 +32,13 @@ void record_study_step(db::Store& store, const AttemptOrder& order, int64_t atte
     step.step = order.step.toStdString();
     step.attempt_id = attempt_id;
     db::record_attempt_step(store, step);
+}
+
+bool is_of(const db::AttemptRecord& attempt, const AttemptOrder& order) {
+    if (!order.study.isEmpty() || !attempt.study.study.empty())
+        return attempt.study.study == order.study.toStdString() &&
+               attempt.study.participant == order.participant.toStdString();
+    return attempt.user_id == order.user_id;
 }
 
 }  // namespace
@@ -179,7 +173,8 @@ void remove_recording(const QString& recording_file) {
 SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing.
-    if (const std::optional<int64_t> known = store.attempts().find_recording(file)) {
+    if (const std::optional<int64_t> known = store.attempts().find_recording(file);
+        known && is_of(store.attempts().detail(*known).record, order)) {
         record_study_step(store, order, *known);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};
@@ -189,21 +184,14 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
         remove_recording(order.recording_file);
         return {};
     }
-    const curriculum::Task task = curriculum::load_task_text(recording.header.task_json, file);
-    db::AttemptResult result;
-    result.header = recording.header;
+    db::AttemptResult result = db::judged(store, recording);
     result.header.demonstration = recording.header.demonstration || order.demonstration;
-    result.end = recording.end;
-    result.metrics = assessment::compute_metrics(recording);
-    // Judged by the standard of the day on which it was made.
-    result.score = assessment::score_attempt(
-        db::rubric_at(store, task, recording.header.started_utc), result.metrics, recording);
     // An exam is what was asked for: this task with this case.
     if (recording.header.task_id == order.task.toStdString() && recording.header.seed == order.seed)
         result.exam = order.exam;
     result.study = {order.study.toStdString(), order.participant.toStdString()};
-    result.events = ledger(recording);
     result.recording_file = file;
+    db::publish_task_on_first_use(store, recording.header.task_id, recording.header.task_version);
     const int64_t id = store.attempts().save(order.user_id, result);
     record_study_step(store, order, id);
     remove_recording(order.recording_file);

@@ -30,6 +30,19 @@ QTableWidgetItem* when_cell(const std::string& utc) {
     return cell;
 }
 
+/// What it was done for: an exam is looked at with other eyes than practice.
+QTableWidgetItem* kind_cell(const AppContext& context, const db::AttemptRecord& attempt) {
+    const bool exam = !attempt.exam.course_id.empty(), study = !attempt.study.study.empty();
+    QTableWidgetItem* cell = make_cell(exam    ? AttemptsTable::tr("Exam")
+                                       : study ? AttemptsTable::tr("Study")
+                                               : AttemptsTable::tr("Practice"));
+    cell->setForeground(exam ? context.colors().text : context.colors().muted);
+    if (study)
+        cell->setToolTip(AttemptsTable::tr("Study %1, participant %2")
+                             .arg(qstr(attempt.study.study), qstr(attempt.study.participant)));
+    return cell;
+}
+
 QTableWidgetItem* verdict_cell(const AppContext& context, const db::AttemptRecord& attempt) {
     // One word here; the result page says what the critical error was.
     const bool failed = db::counts(attempt) && attempt.verdict == assessment::Verdict::kFailed;
@@ -54,9 +67,9 @@ QTableWidget* make_attempts_table(AppContext& context,
     QStringList headers{AttemptsTable::tr("When")};
     const bool everybody = columns == AttemptColumns::kEverybody;
     if (everybody) headers << AttemptsTable::tr("Person") << AttemptsTable::tr("Task");
-    headers << AttemptsTable::tr("Points") << AttemptsTable::tr("Verdict")
-            << AttemptsTable::tr("Time") << AttemptsTable::tr("Device")
-            << AttemptsTable::tr("Remark");
+    headers << AttemptsTable::tr("Kind") << AttemptsTable::tr("Points")
+            << AttemptsTable::tr("Verdict") << AttemptsTable::tr("Time")
+            << AttemptsTable::tr("Device") << AttemptsTable::tr("Remark");
     QTableWidget* table = make_table(headers, AttemptsTable::tr("Attempts"));
     table->setSortingEnabled(false);
     table->setRowCount(static_cast<int>(attempts.size()));
@@ -76,6 +89,7 @@ QTableWidget* make_attempts_table(AppContext& context,
             table->item(row, column - 1)->setToolTip(title->second);
         }
         const bool counts = db::counts(attempt);
+        table->setItem(row, column++, kind_cell(context, attempt));
         table->setItem(row, column++,
                        make_number_cell(counts ? format_points(attempt.points) : "–",
                                         counts ? attempt.points : -1));
@@ -112,7 +126,7 @@ struct Uncounted {
 };
 
 Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
-    int slow = 0, broken_off = 0, idle = 0, tuned = 0;
+    int slow = 0, broken_off = 0, idle = 0, tuned = 0, doubted = 0, waiting = 0;
     for (const db::AttemptRecord& each : attempts) {
         // What the person did comes first, as on the result.
         if (each.end == sim::EndReason::kInterrupted)
@@ -121,8 +135,12 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
             ++idle;
         else if (db::machine_at_fault(each))
             ++slow;
+        else if (db::not_verified(each))
+            ++doubted;
         else if (!each.void_reason.empty())
             ++tuned;
+        else if (each.replay == db::ReplayState::kWaiting)
+            ++waiting;
     }
     Uncounted found;
     QStringList &why = found.why, &what = found.what;
@@ -142,6 +160,14 @@ Uncounted uncounted_of(const std::vector<db::AttemptRecord>& attempts) {
     if (tuned > 0) {
         why << AttemptsTable::tr("tuned: %1").arg(tuned);
         what << AttemptsTable::tr("Leave the tuning panel (F2) closed.");
+    }
+    if (doubted > 0) {
+        why << AttemptsTable::tr("practice, not verified: %1").arg(doubted);
+        what << AttemptsTable::tr("The result of each says what is in doubt.");
+    }
+    if (waiting > 0) {
+        why << AttemptsTable::tr("still to be simulated again: %1").arg(waiting);
+        what << AttemptsTable::tr("Placode simulates them by itself: come back later.");
     }
     return found;
 }

@@ -20,6 +20,12 @@ struct Words {
 // By code, for the binary search.
 constexpr auto kWords = std::to_array<Words>({
     {"attempt.import", QT_TRANSLATE_NOOP("AuditWords", "imported an attempt")},
+    {"attempt.replay",
+     QT_TRANSLATE_NOOP("AuditWords", "simulated an attempt again, with the same outcome")},
+    {"attempt.replay_differs",
+     QT_TRANSLATE_NOOP("AuditWords", "simulated an attempt again, with another outcome")},
+    {"attempt.replay_reset",
+     QT_TRANSLATE_NOOP("AuditWords", "put an attempt back to be simulated again")},
     {"attempt.rescore", QT_TRANSLATE_NOOP("AuditWords", "scored an attempt again")},
     {"attempt.save", QT_TRANSLATE_NOOP("AuditWords", "saved an attempt")},
     {"attempt.void", QT_TRANSLATE_NOOP("AuditWords", "declared an attempt void")},
@@ -43,6 +49,7 @@ constexpr auto kWords = std::to_array<Words>({
     {"norms.use", QT_TRANSLATE_NOOP("AuditWords", "put a norm pack to use")},
     {"questionnaire.publish", QT_TRANSLATE_NOOP("AuditWords", "published a questionnaire")},
     {"rating.save", QT_TRANSLATE_NOOP("AuditWords", "rated an attempt")},
+    {"recording.copy", QT_TRANSLATE_NOOP("AuditWords", "copied a recovered recording elsewhere")},
     {"recording.delete", QT_TRANSLATE_NOOP("AuditWords", "deleted a recovered recording")},
     {"report.cohort", QT_TRANSLATE_NOOP("AuditWords", "wrote a cohort's report")},
     {"report.figures", QT_TRANSLATE_NOOP("AuditWords", "wrote a study's figures")},
@@ -83,6 +90,7 @@ constexpr auto kWords = std::to_array<Words>({
      QT_TRANSLATE_NOOP("AuditWords", "entered a questionnaire a second time")},
     {"study.step", QT_TRANSLATE_NOOP("AuditWords", "went through a step of a protocol")},
     {"study.withdraw", QT_TRANSLATE_NOOP("AuditWords", "withdrew a participant")},
+    {"task.publish", QT_TRANSLATE_NOOP("AuditWords", "published a task")},
     {"user.activate", QT_TRANSLATE_NOOP("AuditWords", "activated an account")},
     {"user.ask_erasure", QT_TRANSLATE_NOOP("AuditWords", "asked for erasure")},
     {"user.create", QT_TRANSLATE_NOOP("AuditWords", "created an account")},
@@ -94,6 +102,7 @@ constexpr auto kWords = std::to_array<Words>({
     {"user.password", QT_TRANSLATE_NOOP("AuditWords", "changed a password")},
     {"user.pin", QT_TRANSLATE_NOOP("AuditWords", "set a PIN")},
     {"user.pin_removed", QT_TRANSLATE_NOOP("AuditWords", "removed the PIN")},
+    {"user.roles", QT_TRANSLATE_NOOP("AuditWords", "changed the roles of a person")},
 });
 static_assert(std::ranges::is_sorted(kWords, {}, &Words::action));
 
@@ -154,7 +163,7 @@ QString audit_thing(const QString& text, const AuditNames& names) {
     static const QRegularExpression kNumbers(
         "^((assignment|attempt|comment|group|invitation|norm pack|user) \\d+ ?)+$"),
         kNumber("(assignment|attempt|comment|group|invitation|norm pack|user) (\\d+)"),
-        kRoles("^roles (\\d+)$"), kVersion("^(\\S+) version (\\d+)( code (\\S+))?$"),
+        kRoles("^roles (\\d+)(?: -> (\\d+))?$"), kVersion("^(\\S+) version (\\d+)( code (\\S+))?$"),
         kStudy("^study (\\S+)$"), kFirst("^(\\S+) (?:of )?(.+)$");
     for (const Words& each : kDetails)
         if (text == text_of(each.action)) return translated(each.english);
@@ -166,8 +175,12 @@ QString audit_thing(const QString& text, const AuditNames& names) {
         }
         return parts.join(" · ");
     }
-    if (const auto roles = kRoles.match(text); roles.hasMatch())
-        return role_names(static_cast<db::Roles>(roles.captured(1).toUInt()));
+    if (const auto roles = kRoles.match(text); roles.hasMatch()) {
+        const auto named = [&](int part) {
+            return role_names(static_cast<db::Roles>(roles.captured(part).toUInt()));
+        };
+        return roles.captured(2).isEmpty() ? named(1) : named(1) + " → " + named(2);
+    }
     if (const auto version = kVersion.match(text); version.hasMatch()) {
         QString words = translated(QT_TRANSLATE_NOOP("AuditWords", "%1, version %2"))
                             .arg(title_of(version.captured(1), names), version.captured(2));

@@ -92,7 +92,8 @@ class ComparePage : public Page {
                                                  : context_.store().attempts().page(filter).rows) {
             if (each.id == first.id) continue;
             chooser_->addItem(nameOf(each), QVariant::fromValue<qint64>(each.id));
-            points_.push_back(each.user_id == first.user_id ? each.points : -1);
+            const bool own = each.user_id == first.user_id && db::counts(each);
+            points_.push_back(own ? each.points : -1);
         }
         row->addWidget(chooser_);
         QPushButton* back = make_button(context_, tr("Back to the result"), "quiet", "back");
@@ -104,7 +105,11 @@ class ComparePage : public Page {
         return row;
     }
 
+    /// Points only where there are any: those of an attempt that was left are no score.
     [[nodiscard]] static QString nameOf(const db::AttemptRecord& each) {
+        if (!db::counts(each))
+            return tr("%1 · %2 · does not count")
+                .arg(qstr(each.user_name), format_when(each.started_utc));
         return ComparePage::tr("%1 · %2 · %n point(s)", nullptr, whole_points(each.points))
             .arg(qstr(each.user_name), format_when(each.started_utc));
     }
@@ -150,8 +155,11 @@ class ComparePage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         auto* line = new QHBoxLayout;
-        QLabel* points = make_label(
-            tr("%n point(s)", nullptr, whole_points(half.detail.record.points)), "title");
+        const bool scored = db::counts(half.detail.record);
+        QLabel* points =
+            make_label(scored ? tr("%n point(s)", nullptr, whole_points(half.detail.record.points))
+                              : QStringLiteral("–"),
+                       "title");
         points->setObjectName(QString("compare_points_%1").arg(i));
         line->addWidget(points);
         line->addWidget(
@@ -159,39 +167,55 @@ class ComparePage : public Page {
         line->addStretch();
         layout->addLayout(line);
         layout->addWidget(make_label(nameOf(half.detail.record), "muted"));
-        for (const assessment::Reason& reason : half.detail.score.reasons) {
-            if (&reason - half.detail.score.reasons.data() >= 3) break;
-            layout->addWidget(make_label("−" + format_points(reason.points) + "  " +
-                                         reports::reason_words(reason)));
-        }
-        if (half.detail.score.reasons.empty())
-            layout->addWidget(make_label(tr("No points were lost"), "good"));
+        if (scored)
+            addReasons(layout, half.detail.score.reasons);
+        else
+            layout->addWidget(make_label(
+                tr("Does not count: %1").arg(reports::not_counted_words(half.detail.record)),
+                "muted"));
         layout->addStretch();
         QFrame* card = make_card(layout);
         card->setObjectName(QString("compare_head_%1").arg(i));
         return card;
     }
 
+    static void addReasons(QVBoxLayout* layout, const std::vector<assessment::Reason>& reasons) {
+        for (size_t i = 0; i < std::min<size_t>(3, reasons.size()); ++i)
+            layout->addWidget(make_label("−" + format_points(reasons[i].points) + "  " +
+                                         reports::reason_words(reasons[i])));
+        if (reasons.empty()) layout->addWidget(make_label(tr("No points were lost"), "good"));
+    }
+
     QWidget* metricsCard() {
         auto* layout = new QVBoxLayout;
         layout->addWidget(make_label(tr("Measures"), "heading"));
+        // What was left after a few seconds was short and gentle, and not better for that.
+        const bool judged =
+            db::counts(halves_[0].detail.record) && db::counts(halves_[1].detail.record);
+        if (!judged)
+            layout->addWidget(make_label(tr("One of the two does not count: its measures stand "
+                                            "here without a verdict on which is better."),
+                                         "muted"));
         QTableWidget* table =
             make_table({tr("Measure"), tr("Unit"), tr("This one"), tr("The other"), tr("Better")},
                        tr("Measures"));
         table->setObjectName("compare_metrics");
         table->setSortingEnabled(false);
+        const reports::TaskScope scope = task_scope(context_, halves_[0].detail.record.task_id);
         for (const assessment::MetricDefinition& each : assessment::metric_definitions()) {
+            if (!reports::belongs(scope, each.id)) continue;
             const auto a = halves_[0].detail.metrics.find(each.id);
             const auto b = halves_[1].detail.metrics.find(each.id);
             if (!a || !b) continue;
             const int row = table->rowCount();
             table->insertRow(row);
             table->setItem(row, 0, make_cell(metric_name(each.name)));
-            table->item(row, 0)->setToolTip(metric_explanation(each));
+            table->item(row, 0)->setData(Qt::UserRole, qstr(std::string(each.id)));
+            table->item(row, 0)->setToolTip(metric_explanation(each, scope));
             table->setItem(row, 1, make_cell(unit_sign(each.unit)));
             table->setItem(row, 2, make_number_cell(metric_value(each, *a), *a));
             table->setItem(row, 3, make_number_cell(metric_value(each, *b), *b));
-            const bool neutral = each.direction == assessment::Direction::kNeutral ||
+            const bool neutral = !judged || each.direction == assessment::Direction::kNeutral ||
                                  format_value(*a) == format_value(*b);
             const bool first =
                 (each.direction == assessment::Direction::kLowerIsBetter) == (*a < *b);
@@ -248,13 +272,12 @@ class ComparePage : public Page {
     void showPictures() {
         auto* grid = new QGridLayout;
         grid->setSpacing(kSpace16);
-        const reports::ChartStyle style = chart_style(context_.theme());
+        reports::ChartStyle style = chart_style(context_.theme());
         for (int i = 0; i < 2; ++i) {
             Half& half = halves_[static_cast<size_t>(i)];
-            half.ledger =
-                new LedgerView(context_, reports::ledger_picture(half.recording->events,
-                                                                 half.recording->header.geometry,
-                                                                 half.recording->end.duration_s));
+            const reports::TaskScope scope = reports::scope_of(half.recording->header);
+            style.plan = scope.line;
+            half.ledger = new LedgerView(context_, reports::ledger_picture(*half.recording, scope));
             half.ledger->setObjectName(QString("compare_ledger_%1").arg(i));
             half.ledger->chosen = [this](double time_s, int) { seek(time_s); };
             // One below the other: the same moment stands at the same place.

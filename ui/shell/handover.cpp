@@ -130,8 +130,8 @@ bool is_participants(AppContext& context, const Place& place) {
 bool take_back(AppContext& context, QWidget* parent) {
     TakeBackDialog dialog(context, parent);
     if (dialog.exec() != QDialog::Accepted) return false;
-    context.audit("session.take_back", qstr(context.user().login));
-    return true;
+    return context.guard(TakeBackDialog::tr("Writing the audit"),
+                         [&] { context.audit("session.take_back", qstr(context.user().login)); });
 }
 
 }  // namespace placode::ui

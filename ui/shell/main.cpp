@@ -9,6 +9,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QScreen>
+#include <QUrl>
 #include <cstdio>
 #include <string_view>
 
@@ -80,6 +81,16 @@ int complain(const QCommandLineParser& parser) {
     return 2;
 }
 
+/// `ps` shows the command line to everybody on this computer.
+bool has_password(const QString& url) { return !QUrl(url.section('?', 0, 0)).password().isEmpty(); }
+int refuse_password() {
+    std::fprintf(stderr,
+                 "placode: --store: the address holds a password, and everybody on this computer "
+                 "can read it there (ps); leave it out, and put it in ~/.pgpass (mode 600) or "
+                 "$PGPASSWORD, or type it when asked\n");
+    return 2;
+}
+
 constexpr QSize kFrame{4, 40};  ///< Of the desktop around a window [px].
 
 /// A desk at 200 % has half the pixels: what would hang over its edge is shrunk, then maximised.
@@ -129,6 +140,7 @@ int main(int argc, char** argv) {
     };
     if (!one_of("language", {"en", "pl"}) || !one_of("theme", {"light", "dark"})) return 2;
     if (parser.isSet("data")) qputenv("PLACODE_DATA", parser.value("data").toLocal8Bit());
+    if (has_password(parser.value("store"))) return refuse_password();
     placode::ui::ShellOptions options;
     options.store_url = parser.value("store").toStdString();
     options.language = parser.value("language");

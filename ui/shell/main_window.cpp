@@ -16,6 +16,7 @@
 #include <QWindow>
 
 #include "ui/shell/handover.h"
+#include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
@@ -47,8 +48,12 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
             [this](const Problem& problem) { notices_->showProblem(problem); });
     connect(&context, &AppContext::busyChanged, notices_, &Notices::showBusy);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::onAttemptEnded);
+    connect(&context.replays(), &ReplayQueue::checked, this, &MainWindow::onReplayed);
     auto* find = new QShortcut(QKeySequence("Ctrl+K"), this);
     connect(find, &QShortcut::activated, this, &MainWindow::openSearch);
+    connect(new QShortcut(QKeySequence("F1"), this), &QShortcut::activated, this, [this] {
+        if (!handedOver()) open_help(context_, this, manual_chapter(place_.page));
+    });
     connect(&context.launcher(), &AttemptLauncher::started, this, &MainWindow::updateFrame);
     // Whoever operates touches another window than this one: from the end on he has the whole time.
     for (const auto change : {&AttemptLauncher::statusChanged, &AttemptLauncher::started})
@@ -68,6 +73,7 @@ void MainWindow::begin() {
     if (!context_.openStore() || !context_.guard(tr("Reading the accounts"), [&] {
             first = context_.store().accounts().list().empty();
         })) {
+        if (context_.storeIsMissing()) return showMissingStore();
         showRetry(tr("Placode cannot open its store."), again);
         return;
     }
@@ -98,13 +104,14 @@ void MainWindow::onUserChanged() {
     if (!context_.signedIn()) {
         const QString note =
             locked_user_ != 0 ? tr("Locked after a time without a touch. Come back where you were.")
-                              : QString();
+                              : context_.sessionNote();
         return showPlace({PageId::kLogin, 0, {}, {{"note", note}}});
     }
     const bool back = context_.user().id == locked_user_;
     locked_user_ = 0;
     showPlace(back ? locked_place_ : lastPlace());
     offerLeftovers();
+    context_.verifyAttempts();  // What the last session did not come to.
 }
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
@@ -157,7 +164,9 @@ void MainWindow::lock() {
     if (page_) locked_place_.state = page_->state();
     locked_user_ = context_.user().id;
     context_.setStoreSetting("last_login", qstr(context_.user().login));
-    context_.audit("session.lock", qstr(context_.user().login));
+    // Locked in any case, also when the store cannot be written.
+    context_.guard(tr("Writing the audit"),
+                   [this] { context_.audit("session.lock", qstr(context_.user().login)); });
     context_.signOut();
 }
 
@@ -276,10 +285,14 @@ void MainWindow::updateFrame() {
     for (const char* name : {"user_menu", "search", "switch_user"})
         if (auto* button = bar_->findChild<QToolButton*>(name))
             button->setVisible(context_.signedIn() && !alone);
+    // A participant reads what the protocol says and nothing about scores.
+    if (auto* help = bar_->findChild<QToolButton*>("help")) help->setVisible(!alone);
+    if (alone) close_help(this);
     // Whoever has not signed in may neither look at an attempt nor end it.
     running_->setVisible(context_.signedIn() && context_.launcher().running() &&
                          place_.page != PageId::kRunning);
     title_->setText(page_ ? page_->title() : QString());
+    narrowRail();  // The title may leave less room beside it.
     placeNotices();
     for (const auto& [button, page] : rail_buttons_) {
         const bool here = page == place_.page;

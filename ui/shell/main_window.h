@@ -57,11 +57,14 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool mayTakeBack();
     void showPlace(const Place& place);
     void showRetry(const QString& text, const std::function<void()>& again);
+    void showMissingStore();
     void announce(const QString& text, const QString& written = {});
     void goBack();
     void onUserChanged();
     void onAttemptEnded(const AttemptEnding& ending);
     void saveAttempt(const AttemptEnding& ending);
+    /// Whoever looks at that attempt sees what came out.
+    void onReplayed(qint64 attempt_id);
     void offerLeftovers();
     void openSearch();
     /// The time to the lock begins anew.

@@ -88,6 +88,7 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                 if (waiting) leaveRunning(ending.order);
                 return;
             }
+            context_.verifyAttempts();
             const AttemptOrder& order = ending.order;
             // A participant is led on; scores are not shown during a study.
             const Place result =
@@ -105,6 +106,13 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
                  [this, result] { open(result); }});
         },
         {"scoring", context_.launcher().status().time_s});
+}
+
+void MainWindow::onReplayed(qint64 attempt_id) {
+    if (place_.page != PageId::kResult || place_.number != attempt_id || !page_) return;
+    Place here = place_;
+    here.state = page_->state();
+    showPlace(here);
 }
 
 void MainWindow::offerLeftovers() {

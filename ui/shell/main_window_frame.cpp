@@ -8,6 +8,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 
+#include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 
@@ -18,7 +19,8 @@ namespace {
 constexpr int kRailWidth = 216, kNarrowRail = 72;
 constexpr int kScrollBar = 12;       ///< As in the style sheet.
 constexpr int kLongestName = 180;    ///< Of the person in the top bar [px].
-constexpr int kNarrowWindow = 1100;  ///< [px], of the screen's own scale.
+constexpr int kShortestName = 48;    ///< [px]
+constexpr int kNarrowWindow = 1200;  ///< [px], of the screen's own scale.
 
 /// Who has every role has more pages than a small screen is high.
 QWidget* scrolling(QWidget* rail) {
@@ -30,6 +32,37 @@ QWidget* scrolling(QWidget* rail) {
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setFixedWidth(kRailWidth);
     return area;
+}
+
+/// The person's name is as long as title and buttons leave room for; whole in its tool tip.
+void fit_name(QWidget* bar, int room) {
+    auto* user = bar->findChild<QToolButton*>("user_menu");
+    if (user == nullptr) return;
+    const auto shorten = [user](int px) {
+        user->setText(user->fontMetrics().elidedText(user->toolTip(), Qt::ElideRight, px));
+    };
+    shorten(kLongestName);
+    const int over = bar->layout()->sizeHint().width() - room;
+    const int now = user->fontMetrics().horizontalAdvance(user->text());
+    if (over > 0) shorten(std::max(kShortestName, now - over));
+}
+
+/// Opens the chapter on the page that is shown.
+QToolButton* make_help_button(AppContext& context, QWidget* window,
+                              const std::function<PageId()>& page) {
+    auto* help = new QToolButton;
+    help->setObjectName("help");
+    help->setText(MainWindow::tr("Help"));
+    help->setIcon(line_icon("help", context.colors().text));
+    help->setIconSize(QSize(20, 20));
+    help->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    help->setAccessibleName(help->text());
+    help->setToolTip(MainWindow::tr("The chapter of the manual on this page (F1)"));
+    help->setFocusPolicy(Qt::StrongFocus);
+    QObject::connect(help, &QToolButton::clicked, window, [&context, window, page] {
+        open_help(context, window, manual_chapter(page()));
+    });
+    return help;
 }
 
 }  // namespace
@@ -63,15 +96,16 @@ void MainWindow::narrowRail() {
     const bool scrolls = inside != nullptr && inside->sizeHint().height() > height();
     if (inside != nullptr) inside->setFixedWidth(rail_width);
     rail_->setFixedWidth(rail_width + (scrolls ? kScrollBar : 0));
-    if (auto* search = bar_->findChild<QToolButton*>("search"))
-        search->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-    if (auto* change = bar_->findChild<QToolButton*>("switch_user"))
-        change->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
+    for (const char* name : {"search", "help", "switch_user"})
+        if (auto* button = bar_->findChild<QToolButton*>(name))
+            button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly
+                                              : Qt::ToolButtonTextBesideIcon);
     if (auto* name = rail_->findChild<QLabel*>("rail_mark")) name->setVisible(!narrow);
     for (const auto& [button, page] : rail_buttons_) {
         button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         button->setToolTip(narrow ? button->accessibleName() : QString());
     }
+    fit_name(bar_, width() - (rail_->isHidden() ? 0 : rail_->maximumWidth()));
 }
 
 QWidget* MainWindow::buildRail() {
@@ -178,10 +212,11 @@ QWidget* MainWindow::buildTopBar() {
     search->setIcon(line_icon("search", context_.colors().text));
     search->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     search->setAccessibleName(search->text());
-    search->setToolTip(tr("Search pages, tasks, people and attempts (Ctrl+K)"));
+    search->setToolTip(tr("Search pages, tasks, people, attempts and the manual (Ctrl+K)"));
     connect(search, &QToolButton::clicked, this, &MainWindow::openSearch);
     search->setVisible(context_.signedIn());
     row->addWidget(search);
+    row->addWidget(make_help_button(context_, this, [this] { return place_.page; }));
     auto* language = new QToolButton;
     language->setObjectName("language");
     language->setText(context_.language() == "pl" ? "EN" : "PL");
@@ -247,8 +282,7 @@ void MainWindow::addUserMenu(QHBoxLayout* bar) {
     auto* user = new QToolButton;
     user->setObjectName("user_menu");
     const QString name = qstr(context_.user().display_name);
-    user->setText(user->fontMetrics().elidedText(name, Qt::ElideRight, kLongestName));
-    user->setToolTip(name);
+    user->setToolTip(name);  // Of which fit_name() shows what there is room for.
     user->setAccessibleName(tr("Account of %1").arg(name));
     user->setIcon(line_icon("account", context_.colors().text));
     user->setIconSize(QSize(20, 20));

@@ -3,6 +3,7 @@
 // Search over everything, and the page that a user left last.
 #include <QToolButton>
 
+#include "ui/shell/help_window.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/search_box.h"
@@ -16,15 +17,22 @@ void MainWindow::openSearch() {
     std::vector<Findable> pages;
     for (const auto& [button, page] : rail_buttons_)
         pages.push_back(
-            {Findable::Kind::kPage, button->accessibleName(), {}, {page, 0, {}, {}}, {}});
+            {Findable::Kind::kPage, button->accessibleName(), {}, {page, 0, {}, {}}, {}, {}});
     pages.push_back(
-        {Findable::Kind::kPage, tr("My account"), {}, {PageId::kAccount, 0, {}, {}}, {}});
-    pages.push_back(
-        {Findable::Kind::kPage, tr("Unfinished attempts"), {}, {PageId::kRecovery, 0, {}, {}}, {}});
+        {Findable::Kind::kPage, tr("My account"), {}, {PageId::kAccount, 0, {}, {}}, {}, {}});
+    pages.push_back({Findable::Kind::kPage,
+                     tr("Unfinished attempts"),
+                     {},
+                     {PageId::kRecovery, 0, {}, {}},
+                     {},
+                     {}});
     auto* box = new SearchBox(context_, std::move(pages), this);
     search_ = box;
     box->setAttribute(Qt::WA_DeleteOnClose);
     connect(box, &SearchBox::chosen, this, &MainWindow::open, Qt::QueuedConnection);
+    connect(
+        box, &SearchBox::manualChosen, this,
+        [this](const QString& page) { open_help(context_, this, page); }, Qt::QueuedConnection);
     box->open();
 }
 

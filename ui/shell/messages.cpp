@@ -60,6 +60,10 @@ void describe_store(const db::StoreError& error, const QString& doing, Problem& 
             problem.title = Messages::tr("A file is damaged and was left as it is.");
             problem.way_out = Messages::tr("Restore a backup; nothing has been overwritten.");
             return;
+        case Kind::kMissing:
+            problem.title = Messages::tr("The store is not where it was.");
+            problem.way_out = Messages::tr("Restore a backup, or show where the store is now.");
+            return;
         case Kind::kTooNew:
             problem.title = Messages::tr("This file was written by a newer Placode.");
             problem.way_out = Messages::tr("Update Placode on this machine.");

@@ -46,4 +46,13 @@ QString metric_explanation(const assessment::MetricDefinition& metric) {
                 : Words::tr("Source: %1.").arg(qstr(std::string(metric.source))));
 }
 
+QString metric_explanation(const assessment::MetricDefinition& metric,
+                           const reports::TaskScope& scope) {
+    const QString text = metric_explanation(metric);
+    if (!reports::about_force_limit(metric.id) || !(scope.force_limit_n > 0)) return text;
+    return text + " " +
+           Words::tr("The limit of this scene: %1 mN.")
+               .arg(format_number(1000 * scope.force_limit_n, 0));
+}
+
 }  // namespace placode::ui

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "assessment/metrics.h"
+#include "reports/task_scope.h"
 #include "reports/text.h"
 
 namespace placode::ui {
@@ -17,5 +18,8 @@ using reports::unit_sign;
 [[nodiscard]] QString metric_value(const assessment::MetricDefinition& metric, double value);
 /// What it measures, which way is better, unit and source: a line of text.
 [[nodiscard]] QString metric_explanation(const assessment::MetricDefinition& metric);
+/// The same with the limit of force of the task's scene where it is about that.
+[[nodiscard]] QString metric_explanation(const assessment::MetricDefinition& metric,
+                                         const reports::TaskScope& scope);
 
 }  // namespace placode::ui

@@ -16,6 +16,7 @@
 namespace placode::ui {
 namespace {
 
+constexpr int kStep = 8;     ///< Between the heights that are tried [px].
 constexpr int kMargin = 16;  ///< From the edges of the page [px].
 constexpr int kBusyAfterMs = 400, kPaceMs = 500;
 constexpr int kLeastStrip = 220;  ///< Width for a few words [px].
@@ -199,53 +200,58 @@ void Notices::arrange() {
     const int height = column_->hasHeightForWidth() ? column_->totalHeightForWidth(width)
                                                     : column_->totalSizeHint().height();
     resize(width, std::min(height, std::max(60, area_.height() - 2 * kMargin)));
-    move(freePlace(size()));
+    move(freePlace(size(), obstacles()));
     raise();
 }
 
-int Notices::covered(const QRect& place) const {
-    int area = 0;
-    const auto count_in = [&](const QWidget* widget, int weight) {
+std::vector<Notices::Obstacle> Notices::obstacles() const {
+    std::vector<Obstacle> found;
+    const auto add = [&](const QWidget* widget, int weight) {
         if (widget == nullptr || !widget->isVisible() || isAncestorOf(widget)) return;
         // What has been scrolled out of sight is not in the way.
         QRect there = widget->visibleRegion().boundingRect();
         there.moveTopLeft(widget->mapTo(window(), there.topLeft()));
-        const QRect both = there.intersected(place);
-        area += weight * both.width() * both.height();
+        found.push_back({there, weight});
     };
     // Of a table its rows; the empty rest is free.
-    const auto count_rows = [&](const QTableView* table) {
+    const auto add_rows = [&](const QTableView* table) {
         if (!table->isVisible()) return;
         QRect rows = table->viewport()->visibleRegion().boundingRect();
         rows.setHeight(std::min(rows.height(), table->verticalHeader()->length()));
         rows.moveTopLeft(table->viewport()->mapTo(window(), rows.topLeft()));
-        const QRect both = rows.intersected(place);
-        area += both.width() * both.height();
+        found.push_back({rows, 1});
     };
     // Best over nothing that is used; never over the button that the page is there for.
     for (const auto* button : window()->findChildren<QAbstractButton*>())
-        count_in(button, button->property("role") == "primary" && button->isEnabled() ? 100 : 1);
-    for (const auto* field : window()->findChildren<QLineEdit*>()) count_in(field, 1);
-    for (const auto* box : window()->findChildren<QComboBox*>()) count_in(box, 1);
-    for (const auto* table : window()->findChildren<QTableView*>()) count_rows(table);
-    count_in(window()->focusWidget(), 10);
+        add(button, button->property("role") == "primary" && button->isEnabled() ? 100 : 1);
+    for (const auto* field : window()->findChildren<QLineEdit*>()) add(field, 1);
+    for (const auto* box : window()->findChildren<QComboBox*>()) add(box, 1);
+    for (const auto* table : window()->findChildren<QTableView*>()) add_rows(table);
+    add(window()->focusWidget(), 10);
+    return found;
+}
+
+int Notices::covered(const QRect& place, const std::vector<Obstacle>& obstacles) {
+    int area = 0;
+    for (const Obstacle& each : obstacles) {
+        const QRect both = each.where.intersected(place);
+        area += each.weight * both.width() * both.height();
+    }
     return area;
 }
 
-QPoint Notices::freePlace(QSize size) const {
-    const int left = area_.left() + kMargin, right = area_.right() - kMargin - size.width() + 1;
+/// Always at the right edge, so that everybody knows where to look: at the bottom, or as much
+/// higher as what is used there asks for.
+QPoint Notices::freePlace(QSize size, const std::vector<Obstacle>& obstacles) const {
+    const int right = area_.right() - kMargin - size.width() + 1;
     const int top = area_.top() + kMargin, bottom = area_.bottom() - kMargin - size.height() + 1;
-    const int middle = area_.center().x() - size.width() / 2;
-    const QPoint places[]{{right, bottom}, {right, top}, {middle, top},
-                          {left, bottom},  {left, top},  {middle, bottom}};
-    QPoint best = places[0];
-    int least = covered({best, size});
-    for (const QPoint& place : places) {
-        const int area = covered({place, size});
-        if (area < least) {
-            least = area;
-            best = place;
-        }
+    QPoint best(right, bottom);
+    int least = covered({best, size}, obstacles);
+    for (int y = bottom - kStep; y >= top && least > 0; y -= kStep) {
+        const int area = covered({{right, y}, size}, obstacles);
+        if (area >= least) continue;
+        least = area;
+        best.setY(y);
     }
     return best;
 }
@@ -254,10 +260,10 @@ void Notices::tick() {
     for (Banner* each : std::vector<Banner*>(banners_)) each->tick();
     // The page scrolled, or built itself meanwhile: out of the way of its button, unless somebody
     // is about to press something here.
-    if (isVisible() && !underMouse() && covered(geometry()) > 0) {
-        const QPoint place = freePlace(size());
-        if (covered({place, size()}) < covered(geometry())) move(place);
-    }
+    if (!isVisible() || underMouse()) return;
+    const auto in_the_way = obstacles();
+    const QPoint place = freePlace(size(), in_the_way);
+    if (covered({place, size()}, in_the_way) < covered(geometry(), in_the_way)) move(place);
 }
 
 }  // namespace placode::ui

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Messages float over the page and move nothing: the newest on top of the pile, three at most, the
-// others wait. They keep clear of the page's primary button. Esc or the cross closes the newest.
+// others wait. At the right edge, clear of the page's primary button. Esc or the cross closes the
+// newest.
 
 #include <QPointer>
 #include <QWidget>
@@ -47,8 +48,14 @@ class Notices : public QWidget {
     void present(Banner* banner);
     void remove(Banner* banner);
     void arrange();
-    [[nodiscard]] QPoint freePlace(QSize size) const;
-    [[nodiscard]] int covered(const QRect& place) const;
+    /// What should stay in sight, in the window, and how much.
+    struct Obstacle {
+        QRect where;
+        int weight = 1;
+    };
+    [[nodiscard]] std::vector<Obstacle> obstacles() const;
+    [[nodiscard]] static int covered(const QRect& place, const std::vector<Obstacle>& obstacles);
+    [[nodiscard]] QPoint freePlace(QSize size, const std::vector<Obstacle>& obstacles) const;
     void tick();
     void showPace();
     [[nodiscard]] bool standInStrip();

@@ -5,6 +5,7 @@
 
 #include <QDateTime>
 #include <QHBoxLayout>
+#include <QPointer>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <algorithm>
@@ -175,7 +176,11 @@ class ParticipantPage : public Page {
         layout->addWidget(heading);
         add_answer_field(layout, context_,
                          {item, context_.in(item.text), answer(item.id), this,
-                          [this, id = item.id](const QString& text) { keep(id, text); }});
+                          [this, id = item.id](const QString& text) { keep(id, text); },
+                          // A field is left, too, when the window is taken down.
+                          [page = QPointer<ParticipantPage>(this), &item] {
+                              if (page) page->mark(item.id, page->problemOf(item));
+                          }});
         if (const QString notes = item_notes(context_, questionnaire_, item);
             !preview_.isEmpty() && !notes.isEmpty()) {
             QLabel* label = make_label(notes, "small");
@@ -269,11 +274,10 @@ class ParticipantPage : public Page {
         switch (item.kind) {
             case ItemKind::kNumber:
             case ItemKind::kVisualAnalogue: {
-                const auto value = curriculum::answer_number(given);
-                if (!value) return tr("%1: a number").arg(name);
-                return *value < item.number_min
-                           ? tr("%1: %2 or more").arg(name, said(item.number_min))
-                           : tr("%1: %2 or less").arg(name, said(item.number_max));
+                const QString unit = item.unit.empty() ? QString() : " " + qstr(item.unit);
+                return tr("%1: a number from %2 to %3")
+                           .arg(name, said(item.number_min), said(item.number_max)) +
+                       unit;
             }
             case ItemKind::kDate:
                 return tr("%1: a date such as 2026-11-21").arg(name);

@@ -169,7 +169,64 @@ class PeoplePage : public Page {
         connect(reset_, &QPushButton::clicked, this, [this] { resetPassword(); });
         enter_submits({new_password_}, this, [this] { resetPassword(); });
         connect(active_, &QPushButton::clicked, this, [this] { toggleActive(); });
-        return make_card(layout);
+        auto* both = new QVBoxLayout;
+        both->setSpacing(kSpace12);
+        both->addLayout(layout);
+        both->addWidget(rolesRow());
+        return make_card(both);
+    }
+
+    QWidget* rolesRow() {
+        roles_row_ = new QWidget;
+        auto* layout = new QHBoxLayout(roles_row_);
+        layout->setContentsMargins(0, 0, 0, 0);
+        layout->setSpacing(kSpace12);
+        for (const db::Role role : {db::Role::kTrainee, db::Role::kEducator, db::Role::kCoordinator,
+                                    db::Role::kAdministrator}) {
+            auto* box = new QCheckBox(role_names(static_cast<db::Roles>(role)));
+            box->setObjectName(QString("selected_role_%1").arg(static_cast<int>(role)));
+            connect(box, &QCheckBox::toggled, this, [this] { showRolesButton(); });
+            selected_roles_.emplace_back(box, role);
+            layout->addWidget(box);
+        }
+        layout->addStretch();
+        change_roles_ = make_button(context_, tr("Change the roles"), "secondary");
+        change_roles_->setObjectName("change_roles");
+        connect(change_roles_, &QPushButton::clicked, this, [this] { changeRoles(); });
+        layout->addWidget(change_roles_);
+        return roles_row_;
+    }
+
+    [[nodiscard]] db::Roles tickedRoles() const {
+        db::Roles roles = 0;
+        for (const auto& [box, role] : selected_roles_)
+            if (box->isChecked()) roles |= static_cast<db::Roles>(role);
+        return roles;
+    }
+
+    /// Nobody changes the own roles: who takes away the last right cannot give it back.
+    void showRolesButton() {
+        const db::UserRecord* person = selected();
+        change_roles_->setEnabled(person != nullptr && person->id != context_.user().id &&
+                                  tickedRoles() != 0 && tickedRoles() != person->roles);
+    }
+
+    void changeRoles() {
+        const db::UserRecord* person = selected();
+        if (person == nullptr) return;
+        const db::Roles roles = tickedRoles();
+        const QString name = qstr(person->display_name);
+        if (!confirm(this, tr("Change the roles of %1?").arg(name),
+                     tr("From now on: %1. Whoever is signed in with this account has to sign in "
+                        "again.")
+                         .arg(role_names(roles)),
+                     tr("Change")))
+            return;
+        context_.guard(tr("Changing the account"), [&] {
+            context_.store().accounts().set_roles(person->id, roles);
+            fill();
+            Q_EMIT notice(tr("%1 is now: %2.").arg(name, role_names(roles)));
+        });
     }
 
     void fill() {
@@ -221,7 +278,8 @@ class PeoplePage : public Page {
 
     void showSelected() {
         const db::UserRecord* person = selected();
-        for (QWidget* part : std::initializer_list<QWidget*>{new_password_, reset_, active_})
+        for (QWidget* part :
+             std::initializer_list<QWidget*>{new_password_, reset_, active_, roles_row_})
             part->setVisible(person != nullptr);
         if (person == nullptr) {
             selected_->setText(tr("Select a person to change the account."));
@@ -231,6 +289,11 @@ class PeoplePage : public Page {
         active_->setText(person->active ? tr("Deactivate") : tr("Activate"));
         // Nobody locks himself out.
         active_->setEnabled(person->id != context_.user().id);
+        for (const auto& [box, role] : selected_roles_) {
+            box->setChecked(db::has_role(person->roles, role));
+            box->setEnabled(person->id != context_.user().id);
+        }
+        showRolesButton();
     }
 
     void add() {
@@ -309,13 +372,14 @@ class PeoplePage : public Page {
 
     std::vector<db::UserRecord> people_;
     QElapsedTimer added_;  ///< Since somebody was added.
-    std::vector<std::pair<QCheckBox*, db::Role>> roles_;
+    std::vector<std::pair<QCheckBox*, db::Role>> roles_, selected_roles_;
     QBoxLayout *row_ = nullptr, *fields_ = nullptr, *role_boxes_ = nullptr;
     QFrame* new_card_ = nullptr;
     QTableWidget* table_ = nullptr;
     QLabel *selected_ = nullptr, *role_summary_ = nullptr, *message_ = nullptr;
     QLineEdit *name_ = nullptr, *login_ = nullptr, *password_ = nullptr, *new_password_ = nullptr;
-    QPushButton *reset_ = nullptr, *active_ = nullptr;
+    QWidget* roles_row_ = nullptr;
+    QPushButton *reset_ = nullptr, *active_ = nullptr, *change_roles_ = nullptr;
 };
 
 }  // namespace

@@ -15,6 +15,10 @@
 
 namespace placode::ui {
 
+namespace {
+constexpr int kShownRows = 6;  ///< Of a table, before it scrolls.
+}  // namespace
+
 ProceduresCard::ProceduresCard(AppContext& context, Page& page, const std::string& study,
                                std::function<void()> changed)
     : context_(context), page_(page), study_(study), changed_(std::move(changed)) {
@@ -108,7 +112,7 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
     fit_columns(table_, 4);
     // When it was stands in the result, a click away.
     keep_within(table_, {.stretch = 4, .least_px = 260, .keep_px = 260, .drop = {1}});
-    table_->setMinimumHeight(std::min(6, row + 1) * kTouchTarget + 10);
+    wrap_rows(table_, kShownRows);
     table_->selectRow(row - 1);
     layout->addWidget(table_);
 }
@@ -202,7 +206,7 @@ void ProceduresCard::fillDeviations(QVBoxLayout* layout) {
     }
     fit_columns(table, 2);
     keep_within(table, {.stretch = 2});
-    table->setMinimumHeight(std::min(6, table->rowCount() + 1) * kTouchTarget + 10);
+    wrap_rows(table, kShownRows);
     layout->addWidget(table);
 }
 

@@ -16,12 +16,16 @@
 #include "reports/study_report.h"
 #include "reports/words.h"
 #include "ui/shell/device_tester.h"
+#include "ui/shell/export_folder.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_preview.h"
+#include "ui/shell/study_standing.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
 
+constexpr int kShownRows = 8;        ///< Of participants, before the table scrolls.
 constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
 constexpr const char* kDeviceSetting = "study_device";
 
@@ -36,8 +40,8 @@ std::vector<std::string> known_studies(AppContext& context) {
 class ProtocolCard : public QFrame {
     Q_DECLARE_TR_FUNCTIONS(ProtocolCard)
  public:
-    ProtocolCard(AppContext& context, Page& page, const QString& chosen)
-        : context_(context), page_(page) {
+    ProtocolCard(AppContext& context, Page& page, const QString& chosen, const QString& participant)
+        : context_(context), page_(page), participant_(participant) {
         auto* outer = new QVBoxLayout(this);
         outer->setContentsMargins(0, 0, 0, 0);
         const auto ids = known_studies(context);
@@ -99,7 +103,10 @@ class ProtocolCard : public QFrame {
         version->setVisible(protocol.version > 1);
         row->addWidget(version, 1);
         button(row, tr("Check the consent text"), "secondary", "search", "check_consent", [this] {
-            Q_EMIT page_.go({PageId::kProtocols, 0, {}, {{"kind", "study"}, {"id", qstr(study_)}}});
+            Q_EMIT page_.go({PageId::kProtocols,
+                             0,
+                             {},
+                             {{"kind", "study"}, {"id", qstr(study_)}, {"part", "consent"}}});
         });
         button(row, tr("Publish version %1").arg(protocol.version), "primary", "check",
                "publish_study", [this, protocol] { publish(protocol); });
@@ -218,21 +225,10 @@ class ProtocolCard : public QFrame {
         for (int row = 0; row < table_->rowCount(); ++row) {
             const db::Progress& each = list_[static_cast<size_t>(row)];
             const auto* next = protocol.step(each.next);
-            QString remark = each.participant.demonstration ? tr("DEMONSTRATION") : QString();
-            if (each.participant.withdrawal)
-                remark = tr("withdrew") + " " + remark;
-            else if (!each.open_because.empty())
-                remark =
-                    tr("to be done again: %1").arg(reports::not_done_words(each.open_because)) +
-                    " " + remark;
-            if (!each.idle.empty())
-                remark =
-                    tr("nothing was done: %1").arg(namesOf(protocol, each.idle)) + " " + remark;
+            const QString remark = standing_remark(context_, protocol, each);
             table_->setItem(row, 0, make_cell(qstr(each.participant.code)));
             table_->setItem(
                 row, 1, make_number_cell(tr("%1 of %2").arg(each.done).arg(each.total), each.done));
-            if (!each.skipped.empty())
-                remark = tr("skipped: %1").arg(namesOf(protocol, each.skipped)) + " " + remark;
             table_->setItem(row, 2,
                             make_cell(each.participant.withdrawal ? QString()
                                       : next == nullptr           ? tr("finished")
@@ -242,21 +238,18 @@ class ProtocolCard : public QFrame {
             table_->setItem(row, 4, make_cell(remark));
             table_->item(row, 4)->setToolTip(remark);
         }
-        fit_columns(table_, 2);
-        table_->selectRow(0);
-        table_->setMinimumHeight(std::min(8, table_->rowCount() + 1) * kTouchTarget + 10);
+        fit_columns(table_, 4);
+        keep_within(table_, {.stretch = 4, .least_px = 300, .keep_px = 300});
+        wrap_rows(table_, kShownRows);
+        table_->selectRow(std::max(0, rowOf(participant_)));
         return table_;
     }
 
-    /// Of steps given as "visit/step".
-    [[nodiscard]] QString namesOf(const curriculum::StudyProtocol& protocol,
-                                  const std::vector<std::string>& keys) const {
-        QStringList names;
-        for (const std::string& key : keys) {
-            const auto* step = protocol.step(key.substr(key.find('/') + 1));
-            names << (step != nullptr ? context_.in(step->title) : qstr(key));
-        }
-        return names.join(", ");
+    [[nodiscard]] int rowOf(const QString& code) const {
+        const auto found = std::find_if(list_.begin(), list_.end(), [&](const db::Progress& each) {
+            return qstr(each.participant.code) == code;
+        });
+        return found == list_.end() ? -1 : static_cast<int>(found - list_.begin());
     }
 
     /// How many have done which step, and who left.
@@ -355,8 +348,25 @@ class ProtocolCard : public QFrame {
     void enrol() {
         context_.guard(tr("Making a participant code"), [this] {
             context_.require(db::Action::kRunQuestionnaire);
-            run(context_.store().studies().new_participant(study_, context_.user().demonstration));
+            const std::string code =
+                context_.store().studies().new_participant(study_, context_.user().demonstration);
+            // Whoever only lists people beforehand keeps the screen.
+            confirm(window(), tr("%1 is enrolled").arg(qstr(code)),
+                    tr("Hand the screen over now? The participant answers and operates; you take "
+                       "it back with your password."),
+                    tr("Hand over"), tr("Not yet"))
+                ? run(code)
+                : enrolled(code);
         });
+    }
+
+    /// In the list, with the device that was chosen, for "Continue".
+    void enrolled(const std::string& code) {
+        setDevice(code);
+        Q_EMIT page_.notice(
+            tr("%1 is enrolled. \"Continue\" hands the screen over.").arg(qstr(code)));
+        Q_EMIT page_.go(
+            {PageId::kStudies, 0, {}, {{"study", qstr(study_)}, {"participant", qstr(code)}}});
     }
 
     void withdraw() {
@@ -377,8 +387,9 @@ class ProtocolCard : public QFrame {
     }
 
     void exportAs(const QString& format) {
-        const QString folder = context_.askFolder(this, tr("Export into this folder"));
-        if (folder.isEmpty()) return;
+        const QString parent = context_.askFolder(this, tr("Export into this folder"));
+        if (parent.isEmpty()) return;
+        const QString folder = export_folder(parent, qstr(study_));
         const QString reason = identifying_->text().trimmed();
         if (!context_.guard(tr("Exporting the study"), [&] {
                 context_.require(db::Action::kExportStudy);
@@ -431,22 +442,26 @@ class ProtocolCard : public QFrame {
                     });
             },
             [this, path](bool done) {
-                if (!done) return;
-                context_.audit("report.study", "study " + qstr(study_), path);
+                if (!done || !context_.guard(tr("Writing the audit"), [&] {
+                        context_.audit("report.study", "study " + qstr(study_), path);
+                    }))
+                    return;
                 Q_EMIT page_.written(tr("Report written: %1").arg(path), path);
             });
+    }
+
+    void setDevice(const std::string& code) {
+        if (devices_ == nullptr) return;
+        const QString device = devices_->currentData().toString();
+        context_.settings().setValue(kDeviceSetting, device);
+        context_.store().studies().set_participant_device(study_, code, device.toStdString());
     }
 
     /// The device is set, then the screen is the participant's.
     void run(const std::string& code) {
         context_.guard(tr("Handing the screen over"), [&] {
             context_.require(db::Action::kRunQuestionnaire);
-            if (devices_ != nullptr) {
-                const QString device = devices_->currentData().toString();
-                context_.settings().setValue(kDeviceSetting, device);
-                context_.store().studies().set_participant_device(study_, code,
-                                                                  device.toStdString());
-            }
+            setDevice(code);
             Q_EMIT page_.go({PageId::kStudyRun, 0, qstr(code), {{"study", qstr(study_)}}});
         });
     }
@@ -454,6 +469,7 @@ class ProtocolCard : public QFrame {
 
     AppContext& context_;
     Page& page_;
+    QString participant_;  ///< Selected at first; empty: the first one.
     std::string study_;
     std::vector<db::Progress> list_;
     QTableWidget* table_ = nullptr;
@@ -466,8 +482,9 @@ class ProtocolCard : public QFrame {
 
 }  // namespace
 
-QWidget* make_protocol_card(AppContext& context, Page& page, const QString& study) {
-    return new ProtocolCard(context, page, study);
+QWidget* make_protocol_card(AppContext& context, Page& page, const QString& study,
+                            const QString& participant) {
+    return new ProtocolCard(context, page, study, participant);
 }
 
 }  // namespace placode::ui

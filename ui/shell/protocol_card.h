@@ -8,6 +8,8 @@
 namespace placode::ui {
 
 /// @param study its id; empty = the first. Emits `go` and `notice` of `page`.
-[[nodiscard]] QWidget* make_protocol_card(AppContext& context, Page& page, const QString& study);
+/// @param participant the code that is selected in the list; empty = the first.
+[[nodiscard]] QWidget* make_protocol_card(AppContext& context, Page& page, const QString& study,
+                                          const QString& participant);
 
 }  // namespace placode::ui

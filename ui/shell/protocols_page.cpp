@@ -55,6 +55,8 @@ class ProtocolsPage : public Page {
                     text = textOf(chooser_->itemData(i).toString());
                 }
         setText(text.isEmpty() ? firstText() : text);
+        if (isStudy() && place.state.value("part").toString() == "consent")
+            list_->setCurrentRow(kConsentRow);
         unsaved_ = place.state.value("unsaved").toBool();
     }
 
@@ -268,6 +270,7 @@ class ProtocolsPage : public Page {
             definition_[key] = part;
     }
 
+    static constexpr int kConsentRow = 1;
     /// Rows of the list above the first element.
     [[nodiscard]] int firstRow() const { return isStudy() ? 3 : 1; }
 
@@ -294,8 +297,8 @@ class ProtocolsPage : public Page {
         if (row == 0)
             form_->showObject(&definition_, isStudy() ? study_fields() : questionnaire_fields());
         else if (row < firstRow())
-            form_->showObject(row == 1 ? &consent_ : &arms_,
-                              row == 1 ? consent_fields() : arms_fields());
+            form_->showObject(row == kConsentRow ? &consent_ : &arms_,
+                              row == kConsentRow ? consent_fields() : arms_fields());
         else {
             OrderedJson& element = elements()[static_cast<size_t>(row - firstRow())];
             if (!element.is_object()) element = OrderedJson::object();

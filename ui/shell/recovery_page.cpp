@@ -4,6 +4,8 @@
 // later, or delete; nothing happens by itself.
 
 #include <QComboBox>
+#include <QFile>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <memory>
 
@@ -133,10 +135,37 @@ class RecoveryPage : public Page {
             });
         });
         row->addWidget(keep);
+        QPushButton* elsewhere = make_button(context_, tr("Copy it to another disk"), "secondary");
+        elsewhere->setObjectName(QString("recover_copy_%1").arg(index));
+        connect(elsewhere, &QPushButton::clicked, this, [this, file] { copyElsewhere(file); });
+        row->addWidget(elsewhere);
         row->addStretch();
         remove->setVisible(!keepsExam(leftover));
         row->addWidget(remove);
         return row;
+    }
+
+    /// Where this disk is full or ends: the file is whole elsewhere before anybody relies on it.
+    void copyElsewhere(const QString& file) {
+        const QString path =
+            context_.askSaveFile(this, tr("Copy the recording"), QFileInfo(file).fileName(),
+                                 tr("Recording (*.placode)"));
+        if (path.isEmpty()) return;
+        context_.guard(tr("Copying the recording"), [&] {
+            if (QFileInfo(path) == QFileInfo(file))
+                throw Refusal(tr("The recording is there already: choose another folder."));
+            QFile::remove(path);  // The dialog has asked.
+            QFile source(file);
+            if (!source.copy(path) || QFileInfo(path).size() != QFileInfo(file).size()) {
+                const QString said = source.errorString();
+                QFile::remove(path);
+                throw db::StoreError(db::StoreError::Kind::kOther, "copy " + file.toStdString() +
+                                                                       " to " + path.toStdString() +
+                                                                       ": " + said.toStdString());
+            }
+            context_.audit("recording.copy", QFileInfo(file).fileName());
+            Q_EMIT written(tr("Recording copied: %1").arg(path), path);
+        });
     }
 
     void save(const AttemptOrder& order) {
@@ -146,6 +175,7 @@ class RecoveryPage : public Page {
             [saved, order](db::Store& store) { *saved = save_recording(store, order); },
             [this, saved, order](bool done) {
                 if (!done) return;
+                context_.verifyAttempts();
                 if (saved->outcome == Saving::kEmpty) {
                     Q_EMIT notice(tr("Nothing had been recorded; the empty file was removed."));
                     Q_EMIT go({PageId::kRecovery, 0, {}, {}});

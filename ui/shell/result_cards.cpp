@@ -19,6 +19,7 @@ struct Result {
     Q_DECLARE_TR_FUNCTIONS(ResultPage)
 };
 
+constexpr double kFullScore = 100;  ///< Points.
 constexpr size_t kShownReasons = 3;
 /// Own attempts before this one that the band is made of.
 constexpr size_t kBandAttempts = 10;
@@ -171,6 +172,17 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
         });
         layout->addWidget(all, 0, Qt::AlignLeft);
     }
+    double lost = 0;
+    for (const assessment::Reason& each : reasons) lost += each.points;
+    // Else whoever adds them up finds a score that cannot be right.
+    if (scored && lost > kFullScore) {
+        QLabel* sum =
+            make_label(Result::tr("The losses add up to %1 points; a score does not go below 0.")
+                           .arg(format_number(lost, 1)),
+                       "small");
+        sum->setObjectName("reasons_sum");
+        layout->addWidget(sum);
+    }
     layout->addStretch();
     return make_card(layout);
 }
@@ -218,8 +230,8 @@ QWidget* make_ledger_card(AppContext& context, const ResultData& data,
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace8);
     layout->addWidget(make_label(Result::tr("Damage over time"), "heading"));
-    reports::LedgerPicture picture = reports::ledger_picture(
-        recording.events, recording.header.geometry, recording.end.duration_s);
+    reports::LedgerPicture picture =
+        reports::ledger_picture(recording, reports::scope_of(recording.header));
     picture.marks = marks_of(data.comments);
     auto* view = new LedgerView(context, std::move(picture));
     view->setObjectName("ledger");

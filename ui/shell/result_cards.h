@@ -38,7 +38,7 @@ struct ResultData {
 /// Damage ledger on a time line with the chosen entry in words.
 [[nodiscard]] QWidget* make_ledger_card(AppContext& context, const ResultData& data,
                                         const sim::Recording& recording, const ShowMoment& show);
-/// Damage and energy on the anatomy, beside the incision.
+/// Damage on the anatomy, beside energy and incision or what an exercise asked for.
 [[nodiscard]] QWidget* make_map_card(AppContext& context,
                                      const std::shared_ptr<const sim::Recording>& recording);
 /// The ways of the instruments from three sides.

@@ -8,13 +8,14 @@
 #include <set>
 
 #include "reports/attempt_figures.h"
-#include "reports/metric_groups.h"
+#include "reports/task_scope.h"
 #include "reports/text.h"
 #include "reports/words.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/result_cards.h"
 #include "ui/shell/table_width.h"
+#include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
@@ -25,22 +26,11 @@ struct Metrics {
 
 constexpr int kStripWidth = 150, kNarrowStrip = 104;
 
-/// What the rubric looks at; empty when the task is not installed.
-std::vector<std::string> scored_metrics(AppContext& context, const std::string& task_id) {
-    std::vector<std::string> ids;
-    (void)context.problemOf([&] {
-        const curriculum::Task task = curriculum::load_task(task_id);
-        for (const assessment::RubricItem& item : task.rubric.items) ids.push_back(item.metric);
-    });
-    return ids;
-}
-
 /// And what everybody asks for first.
-std::set<std::string> metrics_that_count(const std::vector<std::string>& scored) {
-    std::set<std::string> ids(scored.begin(), scored.end());
+std::set<std::string> metrics_that_count(const reports::TaskScope& scope) {
+    std::set<std::string> ids(scope.scored.begin(), scope.scored.end());
     ids.insert({"task_time_s", "path_length_mm"});
-    if (scored.empty() || reports::looks_at_ring(scored))
-        ids.insert({"ring_completeness_percent", "contour_deviation_mm"});
+    if (scope.ring) ids.insert({"ring_completeness_percent", "contour_deviation_mm"});
     return ids;
 }
 
@@ -105,19 +95,18 @@ QString band_name(const curriculum::NormGroup& group) {
 class MetricsTable {
  public:
     MetricsTable(AppContext& context, const ResultData& data)
-        : context_(context), data_(data), groups_(shown_groups(data)) {
+        : context_(context),
+          data_(data),
+          scope_(task_scope(context, data.detail.record.task_id)),
+          groups_(shown_groups(data)) {
         QStringList head{Metrics::tr("Measure"),  Metrics::tr("Value"),  Metrics::tr("Unit"),
                          Metrics::tr("Own last"), Metrics::tr("Change"), Metrics::tr("Own band")};
         for (const curriculum::NormGroup* group : groups_) head << band_name(*group);
         table_ = make_table(head, Metrics::tr("Measures"));
         table_->setObjectName("metrics");
         table_->setSortingEnabled(false);
-        // Without a ring in the task its numbers are those of an incision nobody was to make.
-        const auto scored = scored_metrics(context, data.detail.record.task_id);
-        const bool ring = scored.empty() || reports::looks_at_ring(scored);
         for (const assessment::MetricDefinition& each : assessment::metric_definitions()) {
-            if (!ring && reports::group_of_metric(each.id) == reports::MetricGroup::kIncision)
-                continue;
+            if (!reports::belongs(scope_, each.id)) continue;
             if (const auto value = data.detail.metrics.find(each.id)) add(each, *value);
         }
         fit_columns(table_, 0);
@@ -136,7 +125,7 @@ class MetricsTable {
         const int row = table_->rowCount();
         table_->insertRow(row);
         QTableWidgetItem* name = make_cell(metric_name(definition.name));
-        name->setToolTip(metric_explanation(definition));
+        name->setToolTip(metric_explanation(definition, scope_));
         name->setData(Qt::UserRole, qstr(std::string(definition.id)));
         table_->setItem(row, 0, name);
         // One unit for the row: minutes when one of the two is that long.
@@ -172,6 +161,7 @@ class MetricsTable {
 
     AppContext& context_;
     const ResultData& data_;
+    const reports::TaskScope scope_;
     std::vector<const curriculum::NormGroup*> groups_;
     QTableWidget* table_ = nullptr;
 };
@@ -213,7 +203,7 @@ QWidget* make_metrics_card(AppContext& context, const ResultData& data) {
     layout->addWidget(explained);
     const auto show = [table, all,
                        wanted = metrics_that_count(
-                           scored_metrics(context, data.detail.record.task_id))](bool everything) {
+                           task_scope(context, data.detail.record.task_id))](bool everything) {
         int shown = 0;
         for (int row = 0; row < table->rowCount(); ++row) {
             const std::string id = table->item(row, 0)->data(Qt::UserRole).toString().toStdString();

@@ -5,6 +5,7 @@
 // person's own band, remarks, and what to do next.
 
 #include <QHBoxLayout>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -12,6 +13,7 @@
 
 #include "db/attempt_counting.h"
 #include "reports/words.h"
+#include "ui/shell/exam_standing.h"
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/result_cards.h"
@@ -28,6 +30,7 @@ class ResultPage : public Page {
         const db::AttemptRecord& record = data_.detail.record;
         const bool own = record.user_id == context.user().id;
         require_sight(context, record);
+        if (!record.exam.course_id.empty()) exam_ = exam_standing(context, record);
         QVBoxLayout* column = make_column(this);
         column->addWidget(headCard(own));
         auto* row = new QHBoxLayout;
@@ -81,10 +84,24 @@ class ResultPage : public Page {
         addButtons(buttons, own);
         buttons->addStretch();
         layout->addLayout(buttons);
+        addStanding(layout, own);
+        return make_card(layout);
+    }
+
+    /// What became of it: of an exam how many attempts are left, of an attempt that does not count
+    /// why, and of a force device whether it worked.
+    void addStanding(QVBoxLayout* layout, bool own) {
+        const db::AttemptRecord& record = data_.detail.record;
+        if (db::counts(record) && !exam_.words.isEmpty()) {
+            QLabel* left = make_label(exam_.words);
+            left->setObjectName("exam_standing");
+            layout->addWidget(left);
+        }
         if (!db::counts(record)) {
             QLabel* why = make_label(whyNotCounted(own), "warn");
             why->setObjectName("void_for_cause");
             layout->addWidget(why);
+            if (waits()) followReplay(layout);
         } else if (record.haptic_grade == "bad") {
             layout->addWidget(make_label(
                 tr("The force device did not work as it must: forces of this attempt may have been "
@@ -93,7 +110,6 @@ class ResultPage : public Page {
         } else if (record.haptic_grade == "sound") {
             layout->addWidget(make_label(tr("Haptic certificate: sound."), "small"));
         }
-        return make_card(layout);
     }
 
     void addScore(QVBoxLayout* layout) {
@@ -112,10 +128,12 @@ class ResultPage : public Page {
         layout->addLayout(line);
     }
 
-    /// No points and no verdict of the rubric: they would read like a score.
+    /// No points and no verdict of the rubric: they would read like a score. That an exam does not
+    /// count would contradict that it has used up an attempt.
     void addNotCounted(QVBoxLayout* layout) {
+        const QString why = reports::not_counted_words(data_.detail.record);
         QLabel* verdict = make_label(
-            tr("Does not count: %1").arg(reports::not_counted_words(data_.detail.record)), "title");
+            (exam_.used ? tr("No score: %1") : tr("Does not count: %1")).arg(why), "title");
         verdict->setObjectName("result_verdict");
         layout->addWidget(verdict);
     }
@@ -125,6 +143,10 @@ class ResultPage : public Page {
         const db::AttemptRecord& record = data_.detail.record;
         QStringList said;
         const bool exam = !record.exam.course_id.empty();
+        if (waits())
+            return tr(
+                "What the hands did is simulated again, behind other work. The attempt gets "
+                "its score and counts once the same comes out.");
         if (!record.void_reason.empty()) {
             // Of an exam also the force device; its reasons are figures for technicians.
             const bool device = exam && record.haptic_grade == "bad";
@@ -143,7 +165,9 @@ class ResultPage : public Page {
                     "Close other programs, make the window of the simulation smaller, or "
                     "use another computer.");
         }
-        if (exam)
+        if (exam && !exam_.words.isEmpty())
+            said << tr("The attempt is kept.") << exam_.words;
+        else if (exam)
             said << (record.void_reason.empty()
                          ? tr("The attempt is kept, and uses up an attempt of this exam.")
                          : tr("The attempt is kept, and uses up no attempt of this exam; the next "
@@ -151,6 +175,30 @@ class ResultPage : public Page {
         else
             said << tr("The attempt is kept, and does not count for the course.");
         return said.join(' ');
+    }
+
+    /// Complete and sound, but for the proof.
+    [[nodiscard]] bool waits() const {
+        const db::AttemptRecord& record = data_.detail.record;
+        return record.replay == db::ReplayState::kWaiting && db::was_tried(record) &&
+               record.void_reason.empty();
+    }
+
+    /// How far the replay is; the window builds this page anew when it is over.
+    void followReplay(QVBoxLayout* layout) {
+        auto* bar = new QProgressBar;
+        bar->setObjectName("replay_progress");
+        bar->setAccessibleName(tr("Simulated again"));
+        bar->setRange(0, 100);
+        bar->setFormat(tr("Simulated again: %p %"));
+        layout->addWidget(bar);
+        const int64_t id = data_.detail.record.id;
+        const auto show = [this, bar, id] {
+            bar->setValue(static_cast<int>(100 * context_.replays().share(id).value_or(0)));
+        };
+        show();
+        connect(&context_.replays(), &ReplayQueue::moved, bar, show);
+        context_.verifyAttempts();
     }
 
     void addButtons(QHBoxLayout* line, bool own) {
@@ -249,7 +297,7 @@ class ResultPage : public Page {
                 const sim::Recording recording =
                     known ? *known : stored_recording(store, detail.record.id);
                 reports::write_attempt_pdf(detail, recording, history, path.toStdString(),
-                                           reports::centre_name(store));
+                                           reports::report_head(store, detail.record));
             },
             [this, path](bool done) {
                 if (done) Q_EMIT written(tr("Report written: %1").arg(path), path);
@@ -257,6 +305,7 @@ class ResultPage : public Page {
     }
 
     ResultData data_;
+    ExamStanding exam_;
     QVBoxLayout* pictures_ = nullptr;
     QPushButton *watch_ = nullptr, *report_ = nullptr;
     std::shared_ptr<sim::Recording> recording_;

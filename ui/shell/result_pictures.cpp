@@ -73,47 +73,79 @@ constexpr int kLeastMap = 280, kLeastWay = 260;
 
 }  // namespace
 
+namespace {
+
+using Draw = std::function<void(QPainter&, const QRectF&)>;
+
+void add_map(Shelf* shelf, const QString& name, const QString& words, const char* object,
+             const Draw& draw) {
+    auto* titled = new QWidget;
+    auto* column = new QVBoxLayout(titled);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(kSpace4);
+    QWidget* picture = make_picture(draw, QSize(kLeastMap, 320), name, words);
+    picture->setObjectName(object);
+    picture->setMaximumHeight(380);
+    QLabel* title = make_label(name, "muted");
+    title->setAlignment(Qt::AlignHCenter);
+    column->addWidget(title);
+    column->addWidget(picture, 1);
+    shelf->add(titled);
+}
+
+/// What an exercise asked for; nothing where it asked for no place and no line.
+void add_asked(Shelf* shelf, const std::shared_ptr<const sim::Recording>& recording,
+               const reports::ChartStyle& style) {
+    const reports::AskedPlaces asked = reports::asked_places(*recording);
+    if (!asked.any()) return;
+    const QString words =
+        asked.places.empty()
+            ? Pictures::tr("The planned line; green where the tip followed it within 1 mm.")
+            : Pictures::tr("Places done: %1 of %2. Touches beside them: %3.")
+                  .arg(asked.done())
+                  .arg(asked.places.size())
+                  .arg(asked.missed.size());
+    add_map(shelf,
+            asked.places.empty() ? Pictures::tr("The line to follow")
+                                 : Pictures::tr("The places of the task"),
+            words, "asked_map", [recording, asked, style](QPainter& painter, const QRectF& where) {
+                reports::draw_asked(painter, where, recording->header.geometry, asked, style);
+            });
+}
+
+}  // namespace
+
 QWidget* make_map_card(AppContext& context,
                        const std::shared_ptr<const sim::Recording>& recording) {
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(Pictures::tr("Where it happened"), "heading"));
-    const reports::ChartStyle style = chart_style(context.theme());
+    const reports::TaskScope scope = reports::scope_of(recording->header);
+    reports::ChartStyle style = chart_style(context.theme());
+    style.plan = scope.line;
     auto entries = std::make_shared<std::vector<assessment::LedgerEntry>>(
         assessment::damage_ledger(recording->events, recording->header.geometry));
     auto* shelf = new Shelf(kLeastMap);
-    const auto add = [&](const QString& name, const QString& words, const char* object,
-                         const std::function<void(QPainter&, const QRectF&)>& draw) {
-        auto* titled = new QWidget;
-        auto* column = new QVBoxLayout(titled);
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(kSpace4);
-        QWidget* picture = make_picture(draw, QSize(kLeastMap, 320), name, words);
-        picture->setObjectName(object);
-        picture->setMaximumHeight(380);
-        QLabel* title = make_label(name, "muted");
-        title->setAlignment(Qt::AlignHCenter);
-        column->addWidget(title);
-        column->addWidget(picture, 1);
-        shelf->add(titled);
-    };
-    add(Pictures::tr("Damage"), map_words(*entries), "damage_map",
-        [recording, entries, style](QPainter& painter, const QRectF& where) {
-            reports::draw_field_map(painter, where, *recording, *entries,
-                                    reports::FieldLayer::kDamage, style);
-        });
-    add(Pictures::tr("Energy in tissue"),
-        Pictures::tr("Where the needle delivered energy, in joules per square millimetre."),
-        "energy_map", [recording, entries, style](QPainter& painter, const QRectF& where) {
-            reports::draw_field_map(painter, where, *recording, *entries,
-                                    reports::FieldLayer::kEnergy, style);
-        });
-    add(Pictures::tr("The incision"),
-        Pictures::tr("The field from above: planned contour, what was cut, the needle's path. "
-                     "The measures say the same in numbers."),
-        "incision", [recording, style](QPainter& painter, const QRectF& where) {
-            reports::draw_incision(painter, where, *recording, style);
-        });
+    if (!scope.ring) add_asked(shelf, recording, style);
+    add_map(shelf, Pictures::tr("Damage"), map_words(*entries), "damage_map",
+            [recording, entries, style](QPainter& painter, const QRectF& where) {
+                reports::draw_field_map(painter, where, *recording, *entries,
+                                        reports::FieldLayer::kDamage, style);
+            });
+    if (scope.energy)
+        add_map(shelf, Pictures::tr("Energy in tissue"),
+                Pictures::tr("Where the needle delivered energy, in joules per square millimetre."),
+                "energy_map", [recording, entries, style](QPainter& painter, const QRectF& where) {
+                    reports::draw_field_map(painter, where, *recording, *entries,
+                                            reports::FieldLayer::kEnergy, style);
+                });
+    if (scope.ring)
+        add_map(shelf, Pictures::tr("The incision"),
+                Pictures::tr("The field from above: planned contour, what was cut, the needle's "
+                             "path. The measures say the same in numbers."),
+                "incision", [recording, style](QPainter& painter, const QRectF& where) {
+                    reports::draw_incision(painter, where, *recording, style);
+                });
     layout->addWidget(shelf);
     return make_card(layout);
 }
@@ -123,7 +155,9 @@ QWidget* make_ways_card(AppContext& context,
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
     layout->addWidget(make_label(Pictures::tr("Ways of the instruments"), "heading"));
-    const reports::ChartStyle style = chart_style(context.theme());
+    const reports::TaskScope scope = reports::scope_of(recording->header);
+    reports::ChartStyle style = chart_style(context.theme());
+    style.plan = scope.line;
     auto* shelf = new Shelf(kLeastWay);
     const QString names[]{Pictures::tr("Ways from above"), Pictures::tr("Ways from the left side"),
                           Pictures::tr("Ways from the feet")};
@@ -140,8 +174,10 @@ QWidget* make_ways_card(AppContext& context,
         shelf->add(picture);
     }
     layout->addWidget(shelf);
-    layout->addWidget(make_label(
-        Pictures::tr("Thick where energy flowed into tissue. Dashed line: the plan."), "small"));
+    QStringList key;
+    if (scope.energy) key << Pictures::tr("Thick where energy flowed into tissue.");
+    if (scope.line) key << Pictures::tr("Dashed line: the plan.");
+    if (!key.isEmpty()) layout->addWidget(make_label(key.join(' '), "small"));
     return make_card(layout);
 }
 

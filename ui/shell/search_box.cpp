@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 
+#include "ui/shell/manual.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
 
@@ -23,7 +24,7 @@ constexpr size_t kAttempts = 5000;
 
 Findable findable(Findable::Kind kind, const QString& title, const QString& detail,
                   const Place& place) {
-    return {kind, title, detail, place, folded(title + " " + detail)};
+    return {kind, title, detail, place, folded(title + " " + detail), {}};
 }
 
 }  // namespace
@@ -68,7 +69,7 @@ SearchBox::SearchBox(AppContext& context, std::vector<Findable> pages, QWidget* 
     layout->setSpacing(kSpace12);
     typed_ = new QLineEdit;
     typed_->setObjectName("search_text");
-    typed_->setPlaceholderText(tr("Page, task, person, attempt"));
+    typed_->setPlaceholderText(tr("Page, task, person, attempt, manual"));
     typed_->setAccessibleName(tr("Search"));
     typed_->installEventFilter(this);
     layout->addWidget(typed_);
@@ -88,6 +89,7 @@ SearchBox::SearchBox(AppContext& context, std::vector<Findable> pages, QWidget* 
     connect(list_, &QListWidget::itemClicked, this, [this] { openCurrent(); });
     addTasks();
     addPeople();
+    addManual();
     readAttempts();
     refill();
     typed_->setFocus();
@@ -120,6 +122,16 @@ void SearchBox::addPeople() {
                                     qstr(user.login) + " · " + role_names(user.roles), place));
         }
     });
+}
+
+/// Titles and headings: what stands below them is found in the manual's own window.
+void SearchBox::addManual() {
+    for (const ManualPage& page : load_manual(context_.language()).pages) {
+        Findable one = findable(Findable::Kind::kManual, page.title, tr("manual"), {});
+        for (const ManualSection& section : page.sections) one.key += " " + folded(section.heading);
+        one.manual = page.file;
+        all_.push_back(one);
+    }
 }
 
 void SearchBox::readAttempts() {
@@ -157,7 +169,7 @@ void SearchBox::refill() {
     shown_ = find_in(all_, typed, kShown);
     list_->clear();
     const Tokens& colors = context_.colors();
-    static constexpr const char* kIcons[]{"next", "course", "people", "history"};
+    static constexpr const char* kIcons[]{"next", "course", "people", "help", "history"};
     for (const Findable* each : shown_) {
         const QString text =
             each->detail.isEmpty() ? each->title : each->title + "   " + each->detail;
@@ -175,8 +187,12 @@ void SearchBox::refill() {
 void SearchBox::openCurrent() {
     const int row = list_->currentRow();
     if (row < 0 || row >= static_cast<int>(shown_.size())) return;
-    const Place place = shown_[static_cast<size_t>(row)]->place;
-    Q_EMIT chosen(place);
+    const Findable& one = *shown_[static_cast<size_t>(row)];
+    if (one.manual.isEmpty()) {
+        Q_EMIT chosen(one.place);
+    } else {
+        Q_EMIT manualChosen(one.manual);
+    }
     accept();
 }
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Search (Ctrl+K): pages, tasks, people and attempts that this user may see, found by any part of
-// any word, without accents.
+// Search (Ctrl+K): pages, tasks, people, attempts that this user may see, and the manual; found by
+// any part of any word, without accents.
 
 #include <QDialog>
 #include <vector>
@@ -17,17 +17,18 @@ namespace placode::ui {
 
 /// Something that can be opened.
 struct Findable {
-    enum class Kind : uint8_t { kPage, kTask, kPerson, kAttempt } kind = Kind::kPage;
+    enum class Kind : uint8_t { kPage, kTask, kPerson, kManual, kAttempt } kind = Kind::kPage;
     QString title, detail;
     Place place;
-    QString key;  ///< Title and detail, folded.
+    QString key;     ///< Title and detail, folded.
+    QString manual;  ///< A page of the manual, instead of a place.
 };
 
 /// Lower case without accents: "Źródło" finds with "zrodlo".
 [[nodiscard]] QString folded(const QString& text);
 
 /// Those whose key holds every word that was typed: titles that begin with it first, then pages,
-/// tasks, people, attempts. At most `limit`.
+/// tasks, people, the manual, attempts. At most `limit`.
 [[nodiscard]] std::vector<const Findable*> find_in(const std::vector<Findable>& all,
                                                    const QString& typed, size_t limit);
 
@@ -40,6 +41,7 @@ class SearchBox : public QDialog {
 
  Q_SIGNALS:
     void chosen(const placode::ui::Place& place);
+    void manualChosen(const QString& page);
 
  protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -47,6 +49,7 @@ class SearchBox : public QDialog {
  private:
     void addTasks();
     void addPeople();
+    void addManual();
     void readAttempts();
     void refill();
     void openCurrent();

@@ -50,6 +50,11 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "locked; to be mastered first: %1"),
     QT_TRANSLATE_NOOP("StoreWords", "all attempts are used"),
     QT_TRANSLATE_NOOP("StoreWords", "the proctor's name is missing"),
+    QT_TRANSLATE_NOOP("StoreWords", "the proctor \"%1\" has no account here"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "\"%1\" is no active educator or administrator and cannot be the proctor"),
+    QT_TRANSLATE_NOOP("StoreWords", "nobody can be their own proctor"),
+    QT_TRANSLATE_NOOP("StoreWords", "the recording is larger than 1 GiB"),
     QT_TRANSLATE_NOOP("StoreWords", "the device has no haptic certificate"),
     QT_TRANSLATE_NOOP("StoreWords", "not mastered yet. %1"),
     // Published texts
@@ -60,8 +65,8 @@ constexpr const char* kSentences[]{
                       "version %1 is published already; give your text a higher version"),
     QT_TRANSLATE_NOOP("StoreWords", "an amendment needs a reason"),
     QT_TRANSLATE_NOOP("StoreWords",
-                      "only questionnaires, studies, courses, rubrics, standards and seals of "
-                      "consents are published"),
+                      "only questionnaires, studies, courses, tasks, rubrics, standards and seals "
+                      "of consents are published"),
     QT_TRANSLATE_NOOP("StoreWords",
                       "rubric %1 version %2 is known with another text; give the rubric the next "
                       "version"),

@@ -8,6 +8,7 @@
 
 #include "assessment/statistics.h"
 #include "reports/export.h"
+#include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/protocol_card.h"
@@ -41,7 +42,8 @@ class StudiesPage : public Page {
         questionnaire_ = newest_questionnaire(context, chosen_.toStdString());
         answers_ = context.store().studies().answers(questionnaire_.id);
         QVBoxLayout* column = make_column(this);
-        column->addWidget(make_protocol_card(context, *this, study_));
+        column->addWidget(make_protocol_card(context, *this, study_,
+                                             place.state.value("participant").toString()));
         column->addWidget(make_label(tr("Questionnaires without a protocol"), "title"));
         auto* head = new QHBoxLayout;
         head->addWidget(make_label(context.in(questionnaire_.title), "heading"), 1);
@@ -215,8 +217,9 @@ class StudiesPage : public Page {
     }
 
     void exportAs(const QString& format) {
-        const QString folder = context_.askFolder(this, tr("Export into this folder"));
-        if (folder.isEmpty()) return;
+        const QString parent = context_.askFolder(this, tr("Export into this folder"));
+        if (parent.isEmpty()) return;
+        const QString folder = export_folder(parent, qstr(questionnaire_.id));
         context_.guard(tr("Exporting the answers"), [&] {
             context_.require(db::Action::kExportStudy);
             const reports::ExportSource source{

@@ -11,6 +11,7 @@
 
 #include "reports/attempt_counts.h"
 #include "reports/study_analysis.h"
+#include "ui/shell/export_folder.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/study_parts.h"
@@ -227,8 +228,9 @@ class StudyResultsPage : public Page {
 
     /// Figures as SVG, PNG and data, numbers.csv, and every analysis that has a table.
     void save() {
-        const QString folder = context_.askFolder(this, tr("Save into this folder"));
-        if (folder.isEmpty()) return;
+        const QString parent = context_.askFolder(this, tr("Save into this folder"));
+        if (parent.isEmpty()) return;
+        const QString folder = export_folder(parent, qstr(study_) + "-results");
         auto count = std::make_shared<size_t>(0);
         AppContext* context = &context_;
         context_.background(
@@ -251,8 +253,10 @@ class StudyResultsPage : public Page {
                 }
             },
             [this, folder, count](bool done) {
-                if (!done) return;
-                context_.audit("report.figures", "study " + qstr(study_), folder);
+                if (!done || !context_.guard(tr("Writing the audit"), [&] {
+                        context_.audit("report.figures", "study " + qstr(study_), folder);
+                    }))
+                    return;
                 Q_EMIT written(
                     tr("%n file(s) written: %1", nullptr, static_cast<int>(*count)).arg(folder),
                     folder);

@@ -75,6 +75,13 @@ class StudyRunPage : public Page {
     [[nodiscard]] QString title() const override { return tr("Participant %1").arg(code_); }
     [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
 
+ protected:
+    /// Enter goes on: whoever submitted a questionnaire by keys has no other focus.
+    void showEvent(QShowEvent* event) override {
+        Page::showEvent(event);
+        if (!event->spontaneous() && main_ != nullptr) main_->setFocus(Qt::OtherFocusReason);
+    }
+
  private:
     [[nodiscard]] QString nameOf(const StudyStep& step) const {
         const QString name = context_.in(step.title);
@@ -151,6 +158,8 @@ class StudyRunPage : public Page {
         button->setObjectName(name);
         connect(button, &QPushButton::clicked, this, work);
         layout->addWidget(button, 0, Qt::AlignRight);
+        main_ = button;
+        setFocusProxy(button);  // the window hands the focus of the page before to this one
         return button;
     }
 
@@ -361,7 +370,8 @@ class StudyRunPage : public Page {
     std::string study_;
     curriculum::StudyProtocol protocol_;
     db::Progress progress_;
-    bool waits_ = false;  ///< A start that waits for what is being saved.
+    QPushButton* main_ = nullptr;  ///< What leads on from this step.
+    bool waits_ = false;           ///< A start that waits for what is being saved.
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -16,6 +17,7 @@ namespace placode::ui {
 namespace {
 
 constexpr int kLeastColumn = 52, kTitleLines = 3, kTitlePadding = 20;
+constexpr int kCellPadding = 28;                    ///< Of the style sheet and of Qt [px].
 constexpr int kTitlePx = 12, kTitleLine = 17;       ///< Letters and lines of a title [px].
 constexpr int kUpright = 100, kTurnedHeight = 168;  ///< Least width across; height turned [px].
 
@@ -81,6 +83,45 @@ class WidthKeeper : public QObject {
     QTableWidget* table_;
     TableFit fit_;
     std::vector<int> wanted_;
+};
+
+/// Keeps every row as high as the widest of its texts needs.
+class RowWrapper : public QObject {
+ public:
+    RowWrapper(QTableWidget* table, int shown) : QObject(table), table_(table), shown_(shown) {
+        table->setWordWrap(true);
+        connect(table->horizontalHeader(), &QHeaderView::sectionResized, this,
+                [this] { later_.start(0); });
+        later_.setSingleShot(true);
+        connect(&later_, &QTimer::timeout, this, [this] { apply(); });
+        apply();
+    }
+
+ private:
+    [[nodiscard]] int heightOf(int row) const {
+        int most = kTouchTarget;
+        for (int c = 0; c < table_->columnCount(); ++c) {
+            const QTableWidgetItem* item = table_->item(row, c);
+            if (item == nullptr || table_->isColumnHidden(c)) continue;
+            const int room = std::max(40, table_->columnWidth(c) - kCellPadding);
+            const QRect text = table_->fontMetrics().boundingRect(
+                QRect(0, 0, room, 10000), Qt::AlignLeft | Qt::TextWordWrap, item->text());
+            most = std::max(most, text.height() + kSpace16);
+        }
+        return most;
+    }
+    void apply() {
+        int height = table_->horizontalHeader()->sizeHint().height() + 2 * table_->frameWidth();
+        for (int row = 0; row < table_->rowCount(); ++row) {
+            const int needed = heightOf(row);
+            if (table_->rowHeight(row) != needed) table_->setRowHeight(row, needed);
+            if (row < shown_) height += needed;
+        }
+        table_->setMinimumHeight(height);
+    }
+    QTableWidget* table_;
+    int shown_;
+    QTimer later_;  ///< Several columns change together.
 };
 
 /// Words on lines of `width` px, the last line and words without room end in dots.
@@ -175,6 +216,8 @@ void use_title_header(QTableWidget* table, int first) {
 void wrap_titles(QTableWidget* table) {
     if (auto* header = dynamic_cast<TitleHeader*>(table->horizontalHeader())) header->learn();
 }
+
+void wrap_rows(QTableWidget* table, int shown) { new RowWrapper(table, shown); }
 
 void keep_within(QTableWidget* table, const TableFit& fit) {
     QObject* known = table->findChild<QObject*>("width_keeper", Qt::FindDirectChildrenOnly);

@@ -21,6 +21,10 @@ struct TableFit {
 /// what is cut off ends in dots and stands in the tool tip. Called after fit_columns().
 void keep_within(QTableWidget* table, const TableFit& fit);
 
+/// Rows as high as their text needs on lines of the columns' widths: nothing is cut off. Called
+/// after keep_within(). @param shown rows that the table has room for before it scrolls.
+void wrap_rows(QTableWidget* table, int shown);
+
 /// A header whose titles from column `first` on stand in up to three lines, broken at words, or
 /// upright where columns are narrow; what has no room ends in dots and stands in the tool tip.
 /// Called before fit_columns(), and wrap_titles() once the widths are set.

@@ -117,4 +117,10 @@ QString task_title(AppContext& context, const std::string& task_id) {
     return title;
 }
 
+reports::TaskScope task_scope(AppContext& context, const std::string& task_id) {
+    reports::TaskScope scope;
+    (void)context.problemOf([&] { scope = reports::scope_of(curriculum::load_task(task_id)); });
+    return scope;
+}
+
 }  // namespace placode::ui

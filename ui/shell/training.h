@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "curriculum/next_step.h"
+#include "reports/task_scope.h"
 #include "ui/shell/app_context.h"
 
 namespace placode::ui {
@@ -63,5 +64,7 @@ void remarks_read(AppContext& context, int64_t attempt_id,
 
 /// Title of any task, also outside the course.
 [[nodiscard]] QString task_title(AppContext& context, const std::string& task_id);
+/// What belongs to it; everything where it is not installed.
+[[nodiscard]] reports::TaskScope task_scope(AppContext& context, const std::string& task_id);
 
 }  // namespace placode::ui

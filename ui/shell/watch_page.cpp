@@ -202,8 +202,8 @@ class WatchPage : public Page {
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace8);
         layout->addWidget(make_label(tr("Click the time line to go there"), "heading"));
-        reports::LedgerPicture picture = reports::ledger_picture(
-            recording.events, recording.header.geometry, recording.end.duration_s);
+        reports::LedgerPicture picture =
+            reports::ledger_picture(recording, reports::scope_of(recording.header));
         ledger_ = new LedgerView(context_, std::move(picture));
         ledger_->setObjectName("ledger");
         layout->addWidget(ledger_);

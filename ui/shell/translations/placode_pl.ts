@@ -261,6 +261,42 @@
 <context>
     <name>AttemptsTable</name>
     <message>
+        <source>practice, not verified: %1</source>
+        <translation>ćwiczenie, niezweryfikowane: %1</translation>
+    </message>
+    <message>
+        <source>still to be simulated again: %1</source>
+        <translation>czekają na ponowną symulację: %1</translation>
+    </message>
+    <message>
+        <source>The result of each says what is in doubt.</source>
+        <translation>Wynik każdej z nich mówi, co jest wątpliwe.</translation>
+    </message>
+    <message>
+        <source>Placode simulates them by itself: come back later.</source>
+        <translation>Placode symuluje je samodzielnie: wróć tu później.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Rodzaj</translation>
+    </message>
+    <message>
+        <source>Exam</source>
+        <translation>Egzamin</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Badanie</translation>
+    </message>
+    <message>
+        <source>Practice</source>
+        <translation>Ćwiczenie</translation>
+    </message>
+    <message>
+        <source>Study %1, participant %2</source>
+        <translation>Badanie %1, uczestnik %2</translation>
+    </message>
+    <message>
         <source>When</source>
         <translation>Kiedy</translation>
     </message>
@@ -390,6 +426,30 @@
 </context>
 <context>
     <name>AuditWords</name>
+    <message>
+        <source>simulated an attempt again, with the same outcome</source>
+        <translation>zasymulowano próbę ponownie, z tym samym wynikiem</translation>
+    </message>
+    <message>
+        <source>simulated an attempt again, with another outcome</source>
+        <translation>zasymulowano próbę ponownie, z innym wynikiem</translation>
+    </message>
+    <message>
+        <source>put an attempt back to be simulated again</source>
+        <translation>skierowano próbę do ponownej symulacji</translation>
+    </message>
+    <message>
+        <source>copied a recovered recording elsewhere</source>
+        <translation>skopiowano odzyskane nagranie w inne miejsce</translation>
+    </message>
+    <message>
+        <source>published a task</source>
+        <translation>opublikowano zadanie</translation>
+    </message>
+    <message>
+        <source>changed the roles of a person</source>
+        <translation>zmieniono role osoby</translation>
+    </message>
     <message>
         <source>imported an attempt</source>
         <translation>zaimportowano próbę</translation>
@@ -1497,6 +1557,10 @@
         <translation>Uszkodzenia i energia na anatomii</translation>
     </message>
     <message>
+        <source>Damage on the anatomy</source>
+        <translation>Uszkodzenia na anatomii</translation>
+    </message>
+    <message>
         <source>Ways of the instruments</source>
         <translation>Drogi narzędzi</translation>
     </message>
@@ -1515,6 +1579,22 @@
     <message>
         <source>harm</source>
         <translation>uszkodzenie</translation>
+    </message>
+    <message>
+        <source>followed</source>
+        <translation>obwiedziona</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>wykonane</translation>
+    </message>
+    <message>
+        <source>not done</source>
+        <translation>niewykonane</translation>
+    </message>
+    <message>
+        <source>beside it</source>
+        <translation>obok</translation>
     </message>
     <message>
         <source>attempt</source>
@@ -2365,6 +2445,10 @@
         <source>Source: %1.</source>
         <translation>Źródło: %1.</translation>
     </message>
+    <message>
+        <source>The limit of this scene: %1 mN.</source>
+        <translation>Granica tej sceny: %1 mN.</translation>
+    </message>
 </context>
 <context>
     <name>MetricDefinition</name>
@@ -2820,6 +2904,10 @@
 <context>
     <name>ParticipantPage</name>
     <message>
+        <source>%1: a number from %2 to %3</source>
+        <translation>%1: liczba od %2 do %3</translation>
+    </message>
+    <message>
         <source>Participant %1</source>
         <translation>Uczestnik badania %1</translation>
     </message>
@@ -2968,18 +3056,6 @@
         <translation>Pytania %1 wymagają odpowiedzi.</translation>
     </message>
     <message>
-        <source>%1: a number</source>
-        <translation>%1: liczba</translation>
-    </message>
-    <message>
-        <source>%1: %2 or more</source>
-        <translation>%1: co najmniej %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 or less</source>
-        <translation>%1: najwyżej %2</translation>
-    </message>
-    <message>
         <source>%1: a date such as 2026-11-21</source>
         <translation>%1: data, na przykład 2026-11-21</translation>
     </message>
@@ -3077,6 +3153,26 @@
 </context>
 <context>
     <name>PeoplePage</name>
+    <message>
+        <source>Change the roles</source>
+        <translation>Zmień role</translation>
+    </message>
+    <message>
+        <source>Change the roles of %1?</source>
+        <translation>Zmienić role: %1?</translation>
+    </message>
+    <message>
+        <source>From now on: %1. Whoever is signed in with this account has to sign in again.</source>
+        <translation>Od teraz: %1. Kto jest zalogowany na to konto, musi zalogować się ponownie.</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Zmień</translation>
+    </message>
+    <message>
+        <source>%1 is now: %2.</source>
+        <translation>%1 ma teraz role: %2.</translation>
+    </message>
     <message>
         <source>The log-in name %1 is taken: %2 has it. Choose another one.</source>
         <translation>Nazwa logowania %1 jest zajęta: ma ją %2. Wybierz inną.</translation>
@@ -3209,6 +3305,30 @@
 <context>
     <name>ProtocolCard</name>
     <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
+    <message>
+        <source>%1 is enrolled</source>
+        <translation>%1: uczestnik włączony</translation>
+    </message>
+    <message>
+        <source>Hand the screen over now? The participant answers and operates; you take it back with your password.</source>
+        <translation>Przekazać teraz ekran? Uczestnik odpowiada i wykonuje zadania; odbierzesz go swoim hasłem.</translation>
+    </message>
+    <message>
+        <source>Hand over</source>
+        <translation>Przekaż</translation>
+    </message>
+    <message>
+        <source>Not yet</source>
+        <translation>Jeszcze nie</translation>
+    </message>
+    <message>
+        <source>%1 is enrolled. &quot;Continue&quot; hands the screen over.</source>
+        <translation>%1: uczestnik włączony. „Kontynuuj” przekazuje ekran.</translation>
+    </message>
+    <message>
         <source>Study</source>
         <translation>Badanie</translation>
     </message>
@@ -3251,14 +3371,6 @@
     <message>
         <source>Where everyone stands</source>
         <translation>Na jakim etapie są wszyscy</translation>
-    </message>
-    <message>
-        <source>DEMONSTRATION</source>
-        <translation>DEMONSTRACJA</translation>
-    </message>
-    <message>
-        <source>withdrew</source>
-        <translation>wycofany</translation>
     </message>
     <message>
         <source>%1 of %2</source>
@@ -3401,10 +3513,6 @@
         <translation>Urządzenie</translation>
     </message>
     <message>
-        <source>to be done again: %1</source>
-        <translation>do powtórzenia: %1</translation>
-    </message>
-    <message>
         <source>Procedures</source>
         <translation>Zabiegi</translation>
     </message>
@@ -3435,14 +3543,6 @@
     <message>
         <source>Check the consent text</source>
         <translation>Sprawdź tekst zgody</translation>
-    </message>
-    <message>
-        <source>nothing was done: %1</source>
-        <translation>nic nie zrobiono: %1</translation>
-    </message>
-    <message>
-        <source>skipped: %1</source>
-        <translation>pominięto: %1</translation>
     </message>
 </context>
 <context>
@@ -3570,6 +3670,30 @@
 <context>
     <name>RecoveryPage</name>
     <message>
+        <source>The recording is there already: choose another folder.</source>
+        <translation>To nagranie już tam jest: wybierz inny folder.</translation>
+    </message>
+    <message>
+        <source>Copy it to another disk</source>
+        <translation>Skopiuj na inny dysk</translation>
+    </message>
+    <message>
+        <source>Copy the recording</source>
+        <translation>Kopiowanie nagrania</translation>
+    </message>
+    <message>
+        <source>Recording (*.placode)</source>
+        <translation>Nagranie (*.placode)</translation>
+    </message>
+    <message>
+        <source>Copying the recording</source>
+        <translation>Kopiowanie nagrania</translation>
+    </message>
+    <message>
+        <source>Recording copied: %1</source>
+        <translation>Skopiowano nagranie: %1</translation>
+    </message>
+    <message>
         <source>Attempts that were not finished</source>
         <translation>Niedokończone próby</translation>
     </message>
@@ -3660,6 +3784,18 @@
 </context>
 <context>
     <name>ResultPage</name>
+    <message>
+        <source>The losses add up to %1 points; a score does not go below 0.</source>
+        <translation>Straty dają razem %1 pkt; wynik nie spada poniżej 0.</translation>
+    </message>
+    <message>
+        <source>No score: %1</source>
+        <translation>Bez wyniku: %1</translation>
+    </message>
+    <message>
+        <source>The attempt is kept.</source>
+        <translation>Próba jest zachowana.</translation>
+    </message>
     <message>
         <source>Close other programs, make the window of the simulation smaller, or use another computer.</source>
         <translation>Zamknij inne programy, zmniejsz okno symulacji albo użyj innego komputera.</translation>
@@ -3897,8 +4033,12 @@
         <translation>Długość drogi i czas są wśród pomiarów.</translation>
     </message>
     <message>
-        <source>Thick where energy flowed into tissue. Dashed line: the plan.</source>
-        <translation>Grubo tam, gdzie energia płynęła do tkanki. Linia przerywana: plan.</translation>
+        <source>Thick where energy flowed into tissue.</source>
+        <translation>Grubo tam, gdzie energia płynęła do tkanki.</translation>
+    </message>
+    <message>
+        <source>Dashed line: the plan.</source>
+        <translation>Linia przerywana: plan.</translation>
     </message>
     <message>
         <source>The force device did not work as it must: forces of this attempt may have been wrong.</source>
@@ -4019,6 +4159,34 @@
     <message>
         <source>The attempt is kept, and uses up no attempt of this exam; the next one has another case, if there is one.</source>
         <translation>Próba zostaje zachowana i nie zużywa próby tego egzaminu; następna ma inny przypadek, jeśli taki jest.</translation>
+    </message>
+    <message>
+        <source>The planned line; green where the tip followed it within 1 mm.</source>
+        <translation>Linia planowana; zielona tam, gdzie końcówka szła po niej z dokładnością do 1 mm.</translation>
+    </message>
+    <message>
+        <source>Places done: %1 of %2. Touches beside them: %3.</source>
+        <translation>Wykonane miejsca: %1 z %2. Dotknięcia obok nich: %3.</translation>
+    </message>
+    <message>
+        <source>The line to follow</source>
+        <translation>Linia do obwiedzenia</translation>
+    </message>
+    <message>
+        <source>The places of the task</source>
+        <translation>Miejsca z zadania</translation>
+    </message>
+    <message>
+        <source>What the hands did is simulated again, behind other work. The attempt gets its score and counts once the same comes out.</source>
+        <translation>Ruchy rąk są symulowane ponownie, w tle. Próba otrzyma ocenę i będzie się liczyć, gdy wynik okaże się taki sam.</translation>
+    </message>
+    <message>
+        <source>Simulated again</source>
+        <translation>Ponowna symulacja</translation>
+    </message>
+    <message>
+        <source>Simulated again: %p %</source>
+        <translation>Ponowna symulacja: %p %</translation>
     </message>
 </context>
 <context>
@@ -5136,16 +5304,36 @@
         <translation>Ta próba została zapisana bez nagrania, więc nie można jej obejrzeć. Jej wynik jest kompletny.</translation>
     </message>
     <message>
-        <source>The attempt is simulated again exactly, in a window beside this one.</source>
-        <translation>Próba jest symulowana jeszcze raz, dokładnie tak samo, w oknie obok.</translation>
-    </message>
-    <message>
         <source>Keys in its window: Space or Esc pauses and goes on, ← and → jump 5 s, ↑ and ↓ change the speed, V the camera, Q closes it.</source>
         <translation>Klawisze w tamtym oknie: spacja lub Esc zatrzymuje i wznawia, ← i → przeskakują o 5 s, ↑ i ↓ zmieniają prędkość, V kamerę, Q zamyka okno.</translation>
+    </message>
+    <message>
+        <source>The attempt is simulated again exactly, in a window beside this one.</source>
+        <translation>Próba jest symulowana jeszcze raz, dokładnie tak samo, w oknie obok.</translation>
     </message>
 </context>
 <context>
     <name>placode::ui::AppContext</name>
+    <message>
+        <source>Password of the server</source>
+        <translation>Hasło do serwera</translation>
+    </message>
+    <message>
+        <source>Password for %1</source>
+        <translation>Hasło do %1</translation>
+    </message>
+    <message>
+        <source>Restoring the backup</source>
+        <translation>Przywracanie kopii</translation>
+    </message>
+    <message>
+        <source>Your account was closed. An administrator can open it again.</source>
+        <translation>Twoje konto zostało wyłączone. Administrator może je włączyć.</translation>
+    </message>
+    <message>
+        <source>Your roles were changed. Sign in again to go on with them.</source>
+        <translation>Zmieniono Twoje role. Zaloguj się ponownie, aby pracować z nowymi.</translation>
+    </message>
     <message>
         <source>%1 did not work.</source>
         <translation>%1: nie udało się.</translation>
@@ -5248,6 +5436,50 @@
 </context>
 <context>
     <name>placode::ui::MainWindow</name>
+    <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
+    <message>
+        <source>The store is not where it was</source>
+        <translation>Bazy nie ma tam, gdzie była</translation>
+    </message>
+    <message>
+        <source>Accounts and attempts were kept in a file that is gone or empty now. Perhaps a disk is not connected, or somebody moved the file. Nothing was changed.</source>
+        <translation>Konta i próby były przechowywane w pliku, którego już nie ma albo który jest pusty. Być może dysk nie jest podłączony albo ktoś przeniósł plik. Niczego nie zmieniono.</translation>
+    </message>
+    <message>
+        <source>Placode store (*.db)</source>
+        <translation>Baza Placode (*.db)</translation>
+    </message>
+    <message>
+        <source>Show where it is now</source>
+        <translation>Wskaż, gdzie jest teraz</translation>
+    </message>
+    <message>
+        <source>Where the store is now</source>
+        <translation>Gdzie jest teraz baza</translation>
+    </message>
+    <message>
+        <source>Restore a backup</source>
+        <translation>Przywróć kopię</translation>
+    </message>
+    <message>
+        <source>Begin anew, without any data</source>
+        <translation>Zacznij od nowa, bez żadnych danych</translation>
+    </message>
+    <message>
+        <source>Begin with an empty store?</source>
+        <translation>Zacząć z pustą bazą?</translation>
+    </message>
+    <message>
+        <source>Whoever creates the first account becomes administrator. The old data does not come back by this.</source>
+        <translation>Kto utworzy pierwsze konto, zostanie administratorem. Dawne dane w ten sposób nie wrócą.</translation>
+    </message>
+    <message>
+        <source>Begin anew</source>
+        <translation>Zacznij od nowa</translation>
+    </message>
     <message>
         <source>The attempt was left before it began; nothing was kept.</source>
         <translation>Próba została opuszczona, zanim się zaczęła; nic nie zapisano.</translation>
@@ -5429,8 +5661,8 @@
         <translation>Szukaj</translation>
     </message>
     <message>
-        <source>Search pages, tasks, people and attempts (Ctrl+K)</source>
-        <translation>Szukaj stron, zadań, osób i prób (Ctrl+K)</translation>
+        <source>Search pages, tasks, people, attempts and the manual (Ctrl+K)</source>
+        <translation>Szukaj stron, zadań, osób, prób i w podręczniku (Ctrl+K)</translation>
     </message>
     <message>
         <source>Devices</source>
@@ -5488,6 +5720,14 @@
         <source>What was recorded is saved and uses up this attempt of the exam. An educator can grant another one.</source>
         <translation>To, co nagrano, zostaje zapisane i zużywa tę próbę egzaminu. Osoba prowadząca może przyznać następną.</translation>
     </message>
+    <message>
+        <source>Help</source>
+        <translation>Pomoc</translation>
+    </message>
+    <message>
+        <source>The chapter of the manual on this page (F1)</source>
+        <translation>Rozdział podręcznika o tej stronie (F1)</translation>
+    </message>
 </context>
 <context>
     <name>placode::ui::SearchBox</name>
@@ -5496,8 +5736,8 @@
         <translation>Szukaj</translation>
     </message>
     <message>
-        <source>Page, task, person, attempt</source>
-        <translation>Strona, zadanie, osoba, próba</translation>
+        <source>Page, task, person, attempt, manual</source>
+        <translation>Strona, zadanie, osoba, próba, podręcznik</translation>
     </message>
     <message>
         <source>Found</source>
@@ -5538,6 +5778,10 @@
             <numerusform>%n punkty</numerusform>
             <numerusform>%n punktów</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>manual</source>
+        <translation>podręcznik</translation>
     </message>
 </context>
 <context>
@@ -7031,6 +7275,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>StudyResultsPage</name>
     <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
+    <message>
         <source>Figures</source>
         <translation>Ryciny</translation>
     </message>
@@ -7356,6 +7604,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Porównaj z</translation>
     </message>
     <message>
+        <source>%1 · %2 · does not count</source>
+        <translation>%1 · %2 · nie liczy się</translation>
+    </message>
+    <message>
         <source>Back to the result</source>
         <translation>Wróć do wyniku</translation>
     </message>
@@ -7366,6 +7618,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>No points were lost</source>
         <translation>Nie stracono punktów</translation>
+    </message>
+    <message>
+        <source>Does not count: %1</source>
+        <translation>Nie liczy się: %1</translation>
     </message>
     <message>
         <source>Measures</source>
@@ -7510,6 +7766,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
             <numerusform>%1 · %2 · %n pkt</numerusform>
             <numerusform>%1 · %2 · %n pkt</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>One of the two does not count: its measures stand here without a verdict on which is better.</source>
+        <translation>Jedna z prób się nie liczy: jej miary stoją tu bez oceny, która jest lepsza.</translation>
     </message>
 </context>
 <context>
@@ -8305,6 +8565,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>Deviation</name>
     <message>
+        <source>practice, not verified: %1</source>
+        <translation>ćwiczenie, niezweryfikowane: %1</translation>
+    </message>
+    <message>
+        <source>still to be simulated again: %1</source>
+        <translation>czekają na ponowną symulację: %1</translation>
+    </message>
+    <message>
         <source>menu</source>
         <translation>menu</translation>
     </message>
@@ -8476,9 +8744,45 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>the computer was too slow</source>
         <translation>komputer był za wolny</translation>
     </message>
+    <message>
+        <source>Practice, not verified: no task %1 is published here</source>
+        <translation>Ćwiczenie, niezweryfikowane: nie opublikowano tu zadania %1</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: its task is not the published %1</source>
+        <translation>Ćwiczenie, niezweryfikowane: jego zadanie nie jest opublikowanym %1</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: it cannot be scored (%1)</source>
+        <translation>Ćwiczenie, niezweryfikowane: nie można go ocenić (%1)</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: attempt %1 is the same recording</source>
+        <translation>Ćwiczenie, niezweryfikowane: próba %1 jest tym samym nagraniem</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: simulated again it differs (%1)</source>
+        <translation>Ćwiczenie, niezweryfikowane: ponowna symulacja dała inny wynik (%1)</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: the signature is in doubt (%1)</source>
+        <translation>Ćwiczenie, niezweryfikowane: podpis jest wątpliwy (%1)</translation>
+    </message>
+    <message>
+        <source>practice, not verified</source>
+        <translation>ćwiczenie, niezweryfikowane</translation>
+    </message>
+    <message>
+        <source>it is still to be simulated again</source>
+        <translation>czeka na ponowną symulację</translation>
+    </message>
 </context>
 <context>
     <name>TakeBackDialog</name>
+    <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
     <message>
         <source>For the coordinator</source>
         <translation>Dla koordynatora</translation>
@@ -8649,6 +8953,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 </context>
 <context>
     <name>Messages</name>
+    <message>
+        <source>The store is not where it was.</source>
+        <translation>Magazynu danych nie ma tam, gdzie był.</translation>
+    </message>
+    <message>
+        <source>Restore a backup, or show where the store is now.</source>
+        <translation>Przywróć kopię zapasową albo wskaż, gdzie magazyn jest teraz.</translation>
+    </message>
+    <message>
+        <source>The data that are there do not allow it.</source>
+        <translation>Dane, które już są, na to nie pozwalają.</translation>
+    </message>
     <message>
         <source>Nothing was changed. Try again; if it happens again, the details tell an administrator where to look.</source>
         <translation>Nic nie zostało zmienione. Spróbuj ponownie; jeśli się powtórzy, szczegóły powiedzą administratorowi, gdzie szukać.</translation>
@@ -8861,6 +9177,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>Make a copy of it now, then restore the last backup that is sound.</source>
         <translation>Zrób teraz jego kopię, a potem przywróć ostatnią sprawną kopię zapasową.</translation>
     </message>
+    <message>
+        <source>The list of people cannot be used; nobody was added.</source>
+        <translation>Nie można użyć listy osób; nikogo nie dodano.</translation>
+    </message>
+    <message>
+        <source>Correct the line named below, then choose the file again.</source>
+        <translation>Popraw wskazany poniżej wiersz, potem wybierz plik ponownie.</translation>
+    </message>
 </context>
 <context>
     <name>Rights</name>
@@ -8983,6 +9307,22 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 </context>
 <context>
     <name>StoreWords</name>
+    <message>
+        <source>the proctor &quot;%1&quot; has no account here</source>
+        <translation>osoba nadzorująca &quot;%1&quot; nie ma tu konta</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no active educator or administrator and cannot be the proctor</source>
+        <translation>&quot;%1&quot; nie jest aktywnym instruktorem ani administratorem i nie może nadzorować</translation>
+    </message>
+    <message>
+        <source>nobody can be their own proctor</source>
+        <translation>nikt nie może nadzorować samego siebie</translation>
+    </message>
+    <message>
+        <source>the recording is larger than 1 GiB</source>
+        <translation>nagranie jest większe niż 1 GiB</translation>
+    </message>
     <message>
         <source>attempt %1 belongs to %2 of the study &quot;%3&quot;</source>
         <translation>próba %1 należy do %2 w badaniu „%3”</translation>
@@ -9120,8 +9460,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>zmiana wymaga uzasadnienia</translation>
     </message>
     <message>
-        <source>only questionnaires, studies, courses, rubrics, standards and seals of consents are published</source>
-        <translation>publikuje się tylko ankiety, badania, kursy, kryteria, standardy i pieczęcie zgód</translation>
+        <source>only questionnaires, studies, courses, tasks, rubrics, standards and seals of consents are published</source>
+        <translation>publikuje się tylko ankiety, badania, kursy, zadania, kryteria, standardy i pieczęcie zgód</translation>
     </message>
     <message>
         <source>rubric %1 version %2 is known with another text; give the rubric the next version</source>
@@ -9368,6 +9708,134 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>%1, about %2 left</source>
         <translation>%1, jeszcze około %2</translation>
+    </message>
+</context>
+<context>
+    <name>ExamStandingWords</name>
+    <message>
+        <source>The number of attempts at this exam is not limited.</source>
+        <translation>Liczba prób tego egzaminu nie jest ograniczona.</translation>
+    </message>
+    <message>
+        <source>none is left</source>
+        <translation>nie została żadna</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>zostało: %1</translation>
+    </message>
+    <message>
+        <source>It uses up one of the %1 attempts at this exam; %2.</source>
+        <translation>Zużywa jedną z %1 prób tego egzaminu; %2.</translation>
+    </message>
+    <message>
+        <source>It uses up none of the %1 attempts at this exam; %2.</source>
+        <translation>Nie zużywa żadnej z %1 prób tego egzaminu; %2.</translation>
+    </message>
+    <message>
+        <source>The exam is passed, and with it the course: the certificate is on the page Course.</source>
+        <translation>Egzamin zdany, a z nim kurs: certyfikat jest na stronie Kurs.</translation>
+    </message>
+    <message>
+        <source>The exam is passed.</source>
+        <translation>Egzamin zdany.</translation>
+    </message>
+    <message>
+        <source>The exam is passed. Next in the course: %1.</source>
+        <translation>Egzamin zdany. Dalej w kursie: %1.</translation>
+    </message>
+    <message>
+        <source>The exam is not passed. An educator can grant more attempts.</source>
+        <translation>Egzamin nie jest zdany. Instruktor może przyznać dalsze próby.</translation>
+    </message>
+    <message>
+        <source>To pass, the benchmark is still to be met in a row: %1 times.</source>
+        <translation>Do zdania trzeba jeszcze osiągnąć próg z rzędu: %1 razy.</translation>
+    </message>
+    <message>
+        <source>Next: the exam again, with another case if there is one.</source>
+        <translation>Dalej: egzamin jeszcze raz, z innym przypadkiem, jeśli taki jest.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::HelpWindow</name>
+    <message>
+        <source>Placode: help</source>
+        <translation>Placode: pomoc</translation>
+    </message>
+    <message>
+        <source>Search the manual</source>
+        <translation>Szukaj w podręczniku</translation>
+    </message>
+    <message>
+        <source>Contents of the manual</source>
+        <translation>Spis treści podręcznika</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Wstecz</translation>
+    </message>
+    <message>
+        <source>Alt and left arrow</source>
+        <translation>Alt i strzałka w lewo</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Dalej</translation>
+    </message>
+    <message>
+        <source>Alt and right arrow</source>
+        <translation>Alt i strzałka w prawo</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Spis treści</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Zamknij</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Escape</translation>
+    </message>
+    <message>
+        <source>Nothing found. Try fewer letters.</source>
+        <translation>Nic nie znaleziono. Spróbuj mniej liter.</translation>
+    </message>
+</context>
+<context>
+    <name>placode::ui::ManualView</name>
+    <message>
+        <source>Page of the manual</source>
+        <translation>Strona podręcznika</translation>
+    </message>
+    <message>
+        <source>This page of the manual is missing: %1</source>
+        <translation>Brakuje tej strony podręcznika: %1</translation>
+    </message>
+</context>
+<context>
+    <name>StudyStanding</name>
+    <message>
+        <source>Skipped: %1.</source>
+        <translation>Pominięto: %1.</translation>
+    </message>
+    <message>
+        <source>Nothing was done: %1.</source>
+        <translation>Nic nie wykonano: %1.</translation>
+    </message>
+    <message>
+        <source>Withdrew.</source>
+        <translation>Uczestnik się wycofał.</translation>
+    </message>
+    <message>
+        <source>To be done again: %1.</source>
+        <translation>Do powtórzenia: %1.</translation>
+    </message>
+    <message>
+        <source>DEMONSTRATION</source>
+        <translation>DEMONSTRACJA</translation>
     </message>
 </context>
 </TS>

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Result and comparison show what belongs to the task and nothing of others: after places were
+// touched nobody reads of cutting, and what was left half-way has no points anywhere.
+
+#include <QProcess>
+
+#include "assessment/metrics.h"
+#include "db/recording_file.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+class ShellScopeTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void initTestCase();
+    void cleanupTestCase() { shell_.reset(); }
+    void theResultOfATouchingTaskDoesNotSpeakOfCutting();
+    void theResultOfARingStillDoes();
+    void theComparisonShowsWhatBelongsToTheTask();
+    void whatWasLeftHasNoPointsInTheComparison();
+
+ private:
+    /// Some seconds of the scripted expert. Returns the number of the attempt.
+    int64_t attempt(const char* task, sim::EndReason end, double points, const char* started);
+    [[nodiscard]] QString names(const char* table) const;
+
+    std::unique_ptr<ShellHarness> shell_;
+    int64_t done_ = 0, better_ = 0, left_ = 0, ring_ = 0;
+    int seed_ = 0;
+};
+
+int64_t ShellScopeTest::attempt(const char* task, sim::EndReason end, double points,
+                                const char* started) {
+    // Each of its own: the same recording a second time proves nothing.
+    const QString seed = QString::number(++seed_);
+    const QString file = shell_->path(QString("%1_%2.placode").arg(task, seed));
+    QProcess simulator;
+    simulator.start(PLACODE_BIN_DIR "/placode-sim",
+                    {"--task", task, "--seed", seed, "--device", "script:expert", "--headless",
+                     "--fast", "--demonstration", "--duration", "12", "--record", file});
+    if (!simulator.waitForFinished(300000)) return 0;
+    const sim::Recording recording = db::read_recording_file(file.toStdString());
+    db::AttemptResult result;
+    result.header = recording.header;
+    result.header.started_utc = started;
+    result.end = recording.end;
+    result.end.reason = end;
+    result.metrics = assessment::compute_metrics(recording);
+    result.score.points = points;
+    result.score.verdict =
+        points >= 70 ? assessment::Verdict::kPassed : assessment::Verdict::kNotYet;
+    result.score.rubric_id = task;
+    result.score.reasons = {{"steps", "40 % of the places were touched.", 100, -1, false}};
+    result.recording_file = file.toStdString();
+    db::Store& store = shell_->context().store();
+    return store.attempts().save(store.accounts().find_login("demo.trainee")->id, result);
+}
+
+QString ShellScopeTest::names(const char* table) const {
+    QStringList all;
+    const auto* metrics = shell_->find<QTableWidget>(table);
+    for (int row = 0; metrics != nullptr && row < metrics->rowCount(); ++row)
+        all << metrics->item(row, 0)->text();
+    return all.join('\n');
+}
+
+void ShellScopeTest::initTestCase() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+    shell_->context().store().act_as("ada");
+    done_ = attempt("touch_targets", sim::EndReason::kFinished, 62, "2026-03-01T10:00:00Z");
+    better_ = attempt("touch_targets", sim::EndReason::kFinished, 84, "2026-03-02T10:00:00Z");
+    left_ = attempt("touch_targets", sim::EndReason::kInterrupted, 0, "2026-03-03T10:00:00Z");
+    ring_ = attempt("diathermy_ring_small", sim::EndReason::kFinished, 75, "2026-03-04T10:00:00Z");
+    QVERIFY(done_ > 0 && better_ > 0 && left_ > 0 && ring_ > 0);
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+}
+
+void ShellScopeTest::theResultOfATouchingTaskDoesNotSpeakOfCutting() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kResult, done_, {}, {}});
+    QVERIFY(shell.arrives(PageId::kResult));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("damage_map") != nullptr; }, 60000));
+    QVERIFY(shell.find<QWidget>("incision") == nullptr);
+    QVERIFY(shell.find<QWidget>("energy_map") == nullptr);
+    auto* asked = shell.find<QWidget>("asked_map");
+    QVERIFY(asked != nullptr);
+    QVERIFY2(asked->accessibleDescription().contains("of 8"),
+             qPrintable(asked->accessibleDescription()));
+    const QString all = names("metrics");
+    for (const char* cutting : {"Ring completeness", "Largest gap", "Energy delivered", "Snips",
+                                "Length off the planned line", "Placode peak temperature"})
+        QVERIFY2(!all.contains(cutting), cutting);
+    QVERIFY(all.contains("Distance from targets"));
+    QVERIFY(shell.click("all_measures"));
+    shell.whole("97_result_touch_targets");
+}
+
+void ShellScopeTest::theResultOfARingStillDoes() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kResult, ring_, {}, {}});
+    QVERIFY(shell.arrives(PageId::kResult));
+    QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 60000));
+    QVERIFY(shell.find<QWidget>("energy_map") != nullptr);
+    QVERIFY(shell.find<QWidget>("asked_map") == nullptr);
+    QVERIFY(names("metrics").contains("Ring completeness"));
+    // Whose limit it is that was not passed stands with the measure.
+    auto* table = shell.find<QTableWidget>("metrics");
+    QString limit;
+    for (int row = 0; row < table->rowCount(); ++row)
+        if (table->item(row, 0)->text() == "Force above the scene's limit")
+            limit = table->item(row, 0)->toolTip();
+    QVERIFY2(limit.contains("The limit of this scene: 400 mN."), qPrintable(limit));
+}
+
+void ShellScopeTest::theComparisonShowsWhatBelongsToTheTask() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kCompare, done_, {}, {{"other", QVariant::fromValue(better_)}}});
+    QVERIFY(shell.arrives(PageId::kCompare));
+    QVERIFY(
+        QTest::qWaitFor([&] { return shell.find<QWidget>("compare_pictures") != nullptr; }, 60000));
+    const QString all = names("compare_metrics");
+    for (const char* cutting : {"Ring completeness", "Largest gap", "Energy", "planned"})
+        QVERIFY2(!all.contains(cutting), cutting);
+    QVERIFY(all.contains("Path length"));
+    QVERIFY(shell.text("compare_points_0").contains("62"));
+    QVERIFY(shell.text("compare_points_1").contains("84"));
+    shell.whole("98_compare_touch_targets");
+}
+
+void ShellScopeTest::whatWasLeftHasNoPointsInTheComparison() {
+    ShellHarness& shell = *shell_;
+    shell.window().open({PageId::kCompare, done_, {}, {{"other", QVariant::fromValue(left_)}}});
+    QVERIFY(shell.arrives(PageId::kCompare));
+    QCOMPARE(shell.text("compare_points_1"), QString("–"));
+    auto* offered = shell.find<QComboBox>("compare_with");
+    QVERIFY2(offered->currentText().contains("does not count") &&
+                 !offered->currentText().contains("point"),
+             qPrintable(offered->currentText()));
+    auto* head = shell.find<QWidget>("compare_head_1");
+    for (const QLabel* label : head->findChildren<QLabel*>())
+        QVERIFY2(!label->text().contains("100"), qPrintable(label->text()));
+    auto* table = shell.find<QTableWidget>("compare_metrics");
+    for (int row = 0; row < table->rowCount(); ++row)
+        QCOMPARE(table->item(row, 4)->text(), QString("–"));
+    shell.whole("99_compare_left");
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication app(argc, argv);
+    placode::ui::ShellScopeTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_scope_test.moc"

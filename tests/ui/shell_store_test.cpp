@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A store that is gone is no first start; a session ends when its account has changed; a recording
+// that cannot be saved is copied elsewhere.
+
+#include <QProcess>
+
+#include "page_fit.h"
+#include "shell_harness.h"
+
+namespace placode::ui {
+
+class ShellStoreTest : public QObject {
+    Q_OBJECT
+
+ private Q_SLOTS:
+    void init();
+    void cleanup() { shell_.reset(); }
+    void aStoreThatWasMovedIsFoundAgain();
+    void aStoreThatIsGoneComesFromItsBackup();
+    void anEmptyStoreIsBegunOnlyWhenSomebodySaysSo();
+    void theRolesOfAPersonAreChanged();
+    void aSessionEndsWhenItsRolesAreOthers();
+    void aSessionEndsWhenItsAccountIsClosed();
+    void aRecordingIsCopiedElsewhereAndNeverOverItself();
+
+ private:
+    [[nodiscard]] QString file() const { return shell_->path("placode.db"); }
+    /// Takes the store away while nobody has it open, and starts the shell.
+    void loseStore(const QString& moved_to = {});
+    [[nodiscard]] bool asksForTheStore() const {
+        return shell_->find<QPushButton>("begin_anew") != nullptr &&
+               shell_->find<QLineEdit>("login") == nullptr;
+    }
+    /// As from another computer.
+    [[nodiscard]] std::unique_ptr<db::Store> elsewhere() const {
+        auto store = db::open_store("sqlite:" + file().toStdString());
+        store->act_as("ada");
+        return store;
+    }
+    /// A page is opened after the store was last asked who may be here.
+    [[nodiscard]] bool isSentToSignIn(const QString& because);
+    /// Some seconds of an attempt that nobody has saved. Returns the recording.
+    [[nodiscard]] QString leftover();
+
+    std::unique_ptr<ShellHarness> shell_;
+};
+
+void ShellStoreTest::init() {
+    shell_ = std::make_unique<ShellHarness>();
+    QVERIFY(shell_->setUpWithDemonstration());
+}
+
+void ShellStoreTest::loseStore(const QString& moved_to) {
+    shell_->stop();
+    if (!moved_to.isEmpty()) QVERIFY(QFile::copy(file(), moved_to));
+    for (const char* part : {"", "-wal", "-shm"}) QFile::remove(file() + part);
+    shell_->start();
+}
+
+void ShellStoreTest::aStoreThatWasMovedIsFoundAgain() {
+    const QString moved = shell_->path("elsewhere.db");
+    loseStore(moved);
+    QVERIFY(asksForTheStore());
+    for (const QSize size : {QSize(960, 540), QSize(1366, 768)}) {
+        shell_->window().resize(size);
+        QTest::qWait(100);
+        const QStringList cut = misfits(shell_->window());
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join("\n")));
+        shell_->window().grab().save(
+            shell_->shotFile(QString("04_store_is_gone_%1").arg(size.width())));
+    }
+    QVERIFY(shell_->click("try_again"));
+    QVERIFY(QTest::qWaitFor([&] { return asksForTheStore(); }, 5000));
+    QVERIFY2(!QFile::exists(file()), "looking for it must not make a new one");
+    // A file without anything in it is not the store, and that is said.
+    QFile empty(shell_->path("empty.db"));
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    empty.close();
+    shell_->open_this = empty.fileName();
+    QVERIFY(shell_->click("choose_store"));
+    QVERIFY(QTest::qWaitFor([&] { return shell_->window().banner().isShown(); }, 5000));
+    QVERIFY(asksForTheStore());
+    shell_->open_this = moved;
+    QVERIFY(shell_->click("choose_store"));
+    QVERIFY(shell_->arrives(PageId::kLogin));
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    // Also the next time, where no other store is asked for.
+    QCOMPARE(shell_->context().settings().value("chosen_store").toString(), "sqlite:" + moved);
+}
+
+void ShellStoreTest::aStoreThatIsGoneComesFromItsBackup() {
+    const QString copy = shell_->path("copy.db");
+    shell_->context().store().backup(copy.toStdString());
+    loseStore();
+    QVERIFY(asksForTheStore());
+    shell_->open_this = copy;
+    QVERIFY(shell_->click("restore_backup"));
+    QVERIFY(shell_->arrives(PageId::kLogin));
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    QVERIFY(QFile::exists(file()));
+}
+
+void ShellStoreTest::anEmptyStoreIsBegunOnlyWhenSomebodySaysSo() {
+    loseStore();
+    shell_->refuseNext();
+    QVERIFY(shell_->click("begin_anew"));
+    QTest::qWait(300);  // The question comes and goes.
+    QVERIFY(asksForTheStore());
+    QVERIFY(!QFile::exists(file()));
+    shell_->confirmNext();
+    QVERIFY(shell_->click("begin_anew"));
+    QVERIFY(shell_->arrives(PageId::kSetup));
+    QVERIFY(shell_->context().store().accounts().list().empty());
+}
+
+void ShellStoreTest::theRolesOfAPersonAreChanged() {
+    QVERIFY(shell_->signIn("ada", "correct horse"));
+    shell_->window().open({PageId::kPeople, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kPeople));
+    const auto choose = [&](const char* login) {
+        auto* table = shell_->find<QTableWidget>("people_table");
+        for (int row = 0; row < table->rowCount(); ++row)
+            if (table->item(row, 1)->text() == login) table->selectRow(row);
+    };
+    const auto box = [&](db::Role role) {
+        return shell_->find<QAbstractButton>(
+            QString("selected_role_%1").arg(static_cast<int>(role)));
+    };
+    choose("ada");
+    QVERIFY2(!box(db::Role::kAdministrator)->isEnabled(), "nobody takes the own roles away");
+    choose("demo.trainee");
+    QVERIFY(box(db::Role::kTrainee)->isChecked() && !box(db::Role::kEducator)->isChecked());
+    QVERIFY2(!shell_->find<QPushButton>("change_roles")->isEnabled(), "nothing was changed yet");
+    box(db::Role::kEducator)->click();
+    QTest::qWait(100);  // Lets the row appear; nothing depends on it.
+    shell_->window().grab().save(shell_->shotFile("11_people_roles"));
+    for (const QSize size : {QSize(1024, 768), QSize(1366, 768)}) {
+        shell_->window().resize(size);
+        QTest::qWait(80);
+        QVERIFY(shell_->fits());
+    }
+    shell_->confirmNext();
+    QVERIFY(shell_->click("change_roles"));
+    QVERIFY(shell_->bannerSays("is now"));
+    const auto roles = shell_->context().store().accounts().find_login("demo.trainee")->roles;
+    QVERIFY(db::has_role(roles, db::Role::kTrainee) && db::has_role(roles, db::Role::kEducator));
+    // In the audit in words.
+    shell_->window().open({PageId::kAudit, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kAudit));
+    auto* audit = shell_->find<QTableWidget>("audit_table");
+    QStringList line;
+    for (int row = 0; row < audit->rowCount(); ++row)
+        if (audit->item(row, 2)->text() == "changed the roles of a person")
+            for (int c = 0; c < audit->columnCount(); ++c) line << audit->item(row, c)->text();
+    QVERIFY2(line.join(' ').contains(" → "), qPrintable(line.join(' ')));
+}
+
+bool ShellStoreTest::isSentToSignIn(const QString& because) {
+    QTest::qWait(1100);  // The store is asked once a second at most.
+    shell_->window().open({PageId::kHistory, 0, {}, {}});
+    return shell_->arrives(PageId::kLogin) && !shell_->context().signedIn() &&
+           shell_->text("login_note").contains(because);
+}
+
+void ShellStoreTest::aSessionEndsWhenItsRolesAreOthers() {
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    elsewhere()->accounts().set_roles(
+        shell_->idOf("demo.trainee"),
+        static_cast<db::Roles>(db::Role::kTrainee) | static_cast<db::Roles>(db::Role::kEducator));
+    QVERIFY2(isSentToSignIn("Your roles were changed"), qPrintable(shell_->text("login_note")));
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    QVERIFY(shell_->find<QToolButton>("rail_attempts") != nullptr);
+}
+
+void ShellStoreTest::aSessionEndsWhenItsAccountIsClosed() {
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    elsewhere()->accounts().set_active(shell_->idOf("demo.trainee"), false);
+    QVERIFY2(isSentToSignIn("Your account was closed"), qPrintable(shell_->text("login_note")));
+    QVERIFY(!shell_->signIn("demo.trainee", "placode-demo"));
+}
+
+QString ShellStoreTest::leftover() {
+    AttemptOrder order;
+    order.user_id = shell_->idOf("demo.trainee");
+    order.task = "familiarisation";
+    order.title = "Familiarisation";
+    order.device = "mouse";
+    order.started_utc = "2026-04-01T10:00:00Z";
+    order.demonstration = true;
+    write_order(order, shell_->context().recordingsFolder());
+    QProcess simulator;
+    simulator.start(PLACODE_BIN_DIR "/placode-sim",
+                    {"--task", order.task, "--device", "script:novice", "--headless", "--fast",
+                     "--duration", "2", "--record", order.recording_file});
+    return simulator.waitForFinished(120000) ? order.recording_file : QString();
+}
+
+void ShellStoreTest::aRecordingIsCopiedElsewhereAndNeverOverItself() {
+    const QString recording = leftover();
+    const auto bytes = [](const QString& path) {
+        QFile each(path);
+        return each.open(QIODevice::ReadOnly) ? each.readAll() : QByteArray();
+    };
+    const QByteArray was = bytes(recording);
+    QVERIFY(was.size() > 1000);
+    QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
+    shell_->window().open({PageId::kRecovery, 0, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kRecovery));
+    QVERIFY(shell_->fitsInBothSizes("33_recovery_copy"));
+    shell_->save_as = recording;
+    QVERIFY(shell_->click("recover_copy_0"));
+    QVERIFY(shell_->bannerSays("choose another folder"));
+    QVERIFY2(bytes(recording) == was, "it was on the way to be lost");
+    shell_->save_as = shell_->path("stick.placode");
+    QVERIFY(shell_->click("recover_copy_0"));
+    QVERIFY(shell_->bannerSays("Recording copied"));
+    QVERIFY(bytes(shell_->save_as) == was && bytes(recording) == was);
+}
+
+}  // namespace placode::ui
+
+int main(int argc, char** argv) {
+    placode::ui::prepare_display();
+    QApplication application(argc, argv);
+    placode::ui::ShellStoreTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "shell_store_test.moc"

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Opening the store, what to do when it is gone, and whether who is signed in still may be.
+#include <QApplication>
+#include <QInputDialog>
+#include <QTimer>
+
+#include "db/store_url.h"
+#include "ui/shell/app_context.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+constexpr const char* kChosenStore = "chosen_store";
+constexpr const char* kKnown = "known";
+constexpr qint64 kAskAgainMs = 1000;
+constexpr int kAfterDialogMs = 300;
+
+}  // namespace
+
+std::string AppContext::startingStore(const std::string& asked) const {
+    if (!asked.empty()) return asked;
+    const std::string chosen = settings_->value(kChosenStore).toString().toStdString();
+    return chosen.empty() ? db::default_store_url() : chosen;
+}
+
+std::string AppContext::shownStore() const {
+    try {
+        return db::parse_store_url(store_url_).shown;
+    } catch (const db::StoreError&) {
+        return "(an address that cannot be read)";  // It may hold a password.
+    }
+}
+
+// Kept in memory only, and only when the server took it.
+std::string AppContext::urlWithPassword() {
+    const db::StoreUrl url = db::parse_store_url(store_url_);
+    if (!db::needs_password(url)) return store_url_;
+    const QString typed =
+        QInputDialog::getText(QApplication::activeWindow(), tr("Password of the server"),
+                              tr("Password for %1").arg(qstr(url.shown)), QLineEdit::Password);
+    return typed.isEmpty() ? store_url_ : db::with_password(store_url_, typed.toStdString());
+}
+
+bool AppContext::openStore(const db::StoreOptions& options) {
+    store_.reset();
+    store_missing_ = false;
+    const bool tried = guard(tr("Opening the store"), [&] {
+        try {
+            const std::string url = urlWithPassword();
+            store_ = db::open_store(url, options);
+            store_url_ = url;
+        } catch (const db::StoreError& error) {
+            store_missing_ = error.kind() == db::StoreError::Kind::kMissing;
+            if (!store_missing_) throw;
+        }
+    });
+    return tried && store_ != nullptr;
+}
+
+bool AppContext::openStore() {
+    db::StoreOptions options;
+    options.known = storeSetting(kKnown).toBool();
+    return openStore(options);
+}
+
+void AppContext::rememberStore() { setStoreSetting(kKnown, true); }
+
+bool AppContext::beginAnew() {
+    setStoreSetting(kKnown, {});
+    db::StoreOptions options;
+    options.begin_anew = true;
+    return openStore(options);
+}
+
+bool AppContext::restoreBackup(const QString& file) {
+    store_.reset();
+    return guard(tr("Restoring the backup"),
+                 [&] { db::restore_store(store_url_, file.toStdString()); }) &&
+           openStore();
+}
+
+bool AppContext::chooseStore(const QString& file) {
+    const std::string before = store_url_;
+    store_url_ = "sqlite:" + file.toStdString();
+    db::StoreOptions options;
+    options.known = true;
+    if (!openStore(options)) {
+        if (store_missing_)
+            (void)guard(tr("Opening the store"), [this] {
+                throw db::StoreError(db::StoreError::Kind::kOther,
+                                     "store " + shownStore() + ": the file is gone or empty");
+            });
+        store_url_ = before;
+        store_missing_ = true;  // The question is still how to go on.
+        return false;
+    }
+    settings_->setValue(kChosenStore, qstr(store_url_));
+    return true;
+}
+
+db::Store& AppContext::store() {
+    if (!store_) {
+        throw db::StoreError(db::StoreError::Kind::kUnavailable,
+                             "store " + shownStore() + ": not open; try again");
+    }
+    if (!sessionStands()) throw Refusal(session_note_);
+    return *store_;
+}
+
+QString AppContext::sessionProblem(const std::optional<db::UserRecord>& now,
+                                   const db::UserRecord& then) {
+    if (!now || !now->active)
+        return tr("Your account was closed. An administrator can open it again.");
+    if (now->roles != then.roles)
+        return tr("Your roles were changed. Sign in again to go on with them.");
+    return {};
+}
+
+bool AppContext::sessionStands() {
+    if (!user_ || !store_) return true;
+    if (!session_note_.isEmpty()) return false;
+    if (session_asked_.isValid() && session_asked_.elapsed() < kAskAgainMs) return true;
+    session_asked_.start();
+    try {
+        session_note_ = sessionProblem(store_->accounts().find(user_->id), *user_);
+    } catch (const db::StoreError&) {
+        return true;  // Whoever asks the store next says what is wrong with it.
+    }
+    if (session_note_.isEmpty()) return true;
+    // Queued: a page may be in the middle of its work.
+    QMetaObject::invokeMethod(this, &AppContext::endSession, Qt::QueuedConnection);
+    return false;
+}
+
+void AppContext::endSession() {
+    if (!user_ || session_note_.isEmpty()) return;
+    // A page that waits for an answer must not go away under its question.
+    if (QApplication::activeModalWidget() != nullptr ||
+        QApplication::activePopupWidget() != nullptr)
+        return QTimer::singleShot(kAfterDialogMs, this, &AppContext::endSession);
+    user_.reset();
+    if (store_) store_->act_as("unknown");
+    Q_EMIT userChanged();
+}
+
+}  // namespace placode::ui

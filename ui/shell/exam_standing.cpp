@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/shell/exam_standing.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QStringList>
+
+#include "db/course_conduct.h"
+#include "ui/shell/parts.h"
+#include "ui/shell/training.h"
+
+namespace placode::ui {
+namespace {
+
+using curriculum::StageStatus;
+
+struct ExamStandingWords {
+    Q_DECLARE_TR_FUNCTIONS(ExamStandingWords)
+};
+
+/// Left and idle attempts as well: the case was seen.
+bool uses_up(const curriculum::Course& course, const curriculum::CourseStage& stage,
+             const db::AttemptRecord& attempt) {
+    curriculum::AttemptOutcome outcome = db::outcomes_of({attempt}).front();
+    outcome.interrupted = false;
+    return curriculum::counts_for(course, stage, outcome);
+}
+
+QString used_words(const curriculum::StageProgress& own, bool used) {
+    if (own.attempts_left < 0)
+        return ExamStandingWords::tr("The number of attempts at this exam is not limited.");
+    const QString left = own.attempts_left == 0
+                             ? ExamStandingWords::tr("none is left")
+                             : ExamStandingWords::tr("left: %1").arg(own.attempts_left);
+    return (used ? ExamStandingWords::tr("It uses up one of the %1 attempts at this exam; %2.")
+                 : ExamStandingWords::tr("It uses up none of the %1 attempts at this exam; %2."))
+        .arg(own.attempts + own.attempts_left)
+        .arg(left);
+}
+
+QString next_words(AppContext& context, const db::CourseStanding& standing,
+                   const curriculum::CourseStage& stage, const curriculum::StageProgress& own) {
+    switch (own.status) {
+        case StageStatus::kMastered:
+            if (standing.progress.mastered)
+                return ExamStandingWords::tr(
+                    "The exam is passed, and with it the course: the certificate is on the page "
+                    "Course.");
+            if (standing.next.stage < 0) return ExamStandingWords::tr("The exam is passed.");
+            return ExamStandingWords::tr("The exam is passed. Next in the course: %1.")
+                .arg(task_title(context, standing.next.task_id));
+        case StageStatus::kExhausted:
+            return ExamStandingWords::tr(
+                "The exam is not passed. An educator can grant more "
+                "attempts.");
+        default:
+            if (own.streak > 0 && own.streak < stage.consecutive)
+                return ExamStandingWords::tr(
+                           "To pass, the benchmark is still to be met in a row: %1 times.")
+                    .arg(stage.consecutive - own.streak);
+            return ExamStandingWords::tr(
+                "Next: the exam again, with another case if there is one.");
+    }
+}
+
+}  // namespace
+
+ExamStanding exam_standing(AppContext& context, const db::AttemptRecord& attempt) {
+    ExamStanding found;
+    std::optional<db::CourseStanding> standing;
+    const std::string now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    // A course that is gone leaves the attempt: its result is shown without this.
+    (void)context.problemOf([&] {
+        standing =
+            db::course_standing(context.store(), attempt.user_id, attempt.exam.course_id, now);
+    });
+    if (!standing) return found;
+    const curriculum::CourseStage* stage = standing->course.stage(attempt.exam.stage_id);
+    if (stage == nullptr) return found;
+    const auto& own =
+        standing->progress.stages[static_cast<size_t>(stage - standing->course.stages.data())];
+    found.used = uses_up(standing->course, *stage, attempt);
+    found.words = used_words(own, found.used) + " " + next_words(context, *standing, *stage, own);
+    return found;
+}
+
+}  // namespace placode::ui
