@@ -416,6 +416,22 @@ class Pictures(unittest.TestCase):
         self.assertIsNone(tiny().render())
 
 
+class Example(unittest.TestCase):
+    """The script of docs/environment.md, in short form."""
+
+    def test_learns_and_writes_an_attempt_that_replays(self):
+        script = os.path.join(os.path.dirname(__file__), "..", "..", "examples",
+                              "learn_to_reach.py")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "reach.placode")
+            done = subprocess.run([sys.executable, script, "1", path], capture_output=True,
+                                  text=True, check=True, timeout=300)
+            self.assertRegex(done.stdout, "generation +1: reward -?[0-9]")
+            metrics = subprocess.run([os.environ["PLACODECTL"], "--json", "metrics", path],
+                                     capture_output=True, text=True, check=True).stdout
+            self.assertIn("touch_targets", metrics)
+
+
 class Stubs(unittest.TestCase):
     def test_what_they_promise_is_there(self):
         folder = os.path.dirname(placode.__file__)
