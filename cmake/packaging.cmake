@@ -6,6 +6,7 @@ include(GNUInstallDirs)
 
 install(TARGETS placode placode-sim placodectl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
+install(DIRECTORY docs/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
 install(FILES packaging/org.placode.Placode.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
 install(FILES packaging/org.placode.Placode.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ui/shell/icons/placode.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)

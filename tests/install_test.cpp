@@ -52,6 +52,8 @@ TEST_F(Install, ProgramsFindTheirDataWhereTheyWereInstalled) {
                                 "' --task touch_targets --device script:expert --headless "
                                 "--fast --duration 0.2";
     EXPECT_EQ(shell(attempt).status, 0) << read_text(file("err"));
+    for (const char* page : {"en/index.md", "pl/index.md", "pictures/en/today.png"})
+        EXPECT_TRUE(fs::exists(there(std::string("share/placode/manual/") + page))) << page;
     // It reads these files and not those of the tree.
     fs::remove(there("share/placode/tasks/touch_targets.json"));
     const Outcome without = shell(attempt);
