@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
+#include "curriculum/attempt_sample.h"
 #include "sim/anatomy/operative_field.h"
 #include "sim/core/number_text.h"
 #include "sim/step/live_tuning.h"
@@ -36,10 +38,10 @@ void restore_grips(const sim::RecordingHeader& header, Task& task) {
 
 }  // namespace
 
-void KeyFrames::offer(const sim::Scene& scene, const sim::State& state) {
-    if (most_bytes_ == 0) return;
+bool KeyFrames::offer(const sim::Scene& scene, const sim::State& state) {
+    if (most_bytes_ == 0) return false;
     const double last_s = kept_.empty() ? 0 : kept_.back().time_s;
-    if (state.time_s < last_s + every_s_) return;
+    if (state.time_s < last_s + every_s_) return false;
     kept_.push_back({state.time_s, sim::save_state(scene, state)});
     while (kept_.size() > 1 && bytes() > most_bytes_) {
         // The second, the fourth, ... go; with them the last where their number is even.
@@ -48,6 +50,7 @@ void KeyFrames::offer(const sim::Scene& scene, const sim::State& state) {
         kept_ = std::move(rest);
         every_s_ *= 2;
     }
+    return true;
 }
 
 const std::vector<uint8_t>* KeyFrames::before(double time_s) const {
@@ -80,6 +83,9 @@ void Replay::build() {
     scene_ = std::const_pointer_cast<sim::Scene>(sim::build_operative_field(task.scene));
     state_ = std::make_unique<sim::State>(*scene_, threads_);
     sim::settle(*scene_, *state_, task.settle_s);
+    practice_ = PracticeGuide(steps_for(task, recording_.header.device), *scene_, *state_);
+    frames_per_sample_ =
+        std::max<int64_t>(1, std::llround(sim::RecordingHeader{}.sample_s / frame_s_));
     next_hash_ = next_tuning_ = 0;
 }
 
@@ -125,9 +131,16 @@ bool Replay::step() {
     std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
     (void)sim::step(*scene_, *state_, {input.tools, tools}, {feedback.data(), tools});
     result_.frames = std::max(result_.frames, state_->frame);
+    follow_practice({input.tools, tools});
     differs_ = !compare();
-    if (!differs_) keys_.offer(*scene_, *state_);
+    if (!differs_ && keys_.offer(*scene_, *state_) && practice_.goal().count > 0)
+        practice_kept_.emplace_back(state_->time_s, practice_);
     return !differs_;
+}
+
+void Replay::follow_practice(std::span<const sim::ToolInput> hands) {
+    if (practice_.goal().count == 0 || state_->frame % frames_per_sample_ != 0) return;
+    (void)practice_.see(*state_, hands, sample_of(*scene_, *state_, hands));
 }
 
 void Replay::back_to(double time_s) {
@@ -141,6 +154,8 @@ void Replay::back_to(double time_s) {
         tune();
         sim::load_state(*scene_, *state_, *kept);
     }
+    for (const auto& [at_s, guide] : practice_kept_)
+        if (at_s == state_->time_s) practice_ = guide;
     next_hash_ = 0;
     while (next_hash_ < hashes_.size() &&
            hashes_[next_hash_].time_s <= state_->time_s + frame_s_ / 2)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "curriculum/attempt_runner.h"
+#include "curriculum/practice_guide.h"
 #include "sim/step/step.h"
 
 namespace placode::curriculum {
@@ -22,7 +23,8 @@ class KeyFrames {
 
     explicit KeyFrames(size_t most_bytes) : most_bytes_(most_bytes) {}
     /// Keeps this moment when it is due.
-    void offer(const sim::Scene& scene, const sim::State& state);
+    /// @return whether it was kept.
+    bool offer(const sim::Scene& scene, const sim::State& state);
     /// The last moment at or before `time_s`; null = none.
     [[nodiscard]] const std::vector<uint8_t>* before(double time_s) const;
     [[nodiscard]] size_t bytes() const;
@@ -51,6 +53,8 @@ class Replay {
     void back_to(double time_s);
     [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
     [[nodiscard]] const sim::State& state() const { return *state_; }
+    /// Where the steps of a practice task stand, as the person saw them; count == 0: it has none.
+    [[nodiscard]] const sim::PracticeGoal& practice() const { return practice_.goal(); }
     /// How far it is the same; complete when step() was false.
     [[nodiscard]] ReplayResult result() const;
 
@@ -58,12 +62,16 @@ class Replay {
     void build();
     void tune();
     bool compare();
+    void follow_practice(std::span<const sim::ToolInput> hands);
 
     const sim::Recording& recording_;
     int threads_;
     std::shared_ptr<sim::Scene> scene_;
     std::unique_ptr<sim::State> state_;
     KeyFrames keys_;
+    PracticeGuide practice_;
+    std::vector<std::pair<double, PracticeGuide>> practice_kept_;  // beside the key frames
+    int64_t frames_per_sample_ = 10;
     std::vector<sim::Event> hashes_, tunings_;
     size_t next_hash_ = 0, next_tuning_ = 0, compared_ = 0;
     double frame_s_ = 0;

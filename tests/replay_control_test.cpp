@@ -72,6 +72,10 @@ TEST(ReplayOverlay, SaysThatItIsAReplayAndOfWhat) {
     EXPECT_EQ(overlay_of("study").heading, "Replay: study");
     EXPECT_EQ(overlay_of("practice").heading, "Replay: practice");
     EXPECT_EQ(overlay_of("exam").time_limit_s, 42);
+    // What was asked for is seen again, without hints for whoever only watches.
+    ASSERT_EQ(overlay_of("exam").practice.steps.size(), 8U);
+    EXPECT_FALSE(overlay_of("exam").practice.steps[0].text.empty());
+    EXPECT_EQ(overlay_of("exam").practice.steps[0].hint, "");
     for (const char* mode : {"exam", "study", "practice"}) {
         const std::string english = overlay_of(mode).heading;
         EXPECT_NE(view::translated(english, "pl"), english);

@@ -41,6 +41,30 @@ TEST(Replay, GoesBackToAKeptMomentAndComesOutTheSame) {
     ASSERT_TRUE(replay.step());
 }
 
+TEST(Replay, KnowsTheStepThatThePersonWasAt) {
+    const sim::Recording recording = recording_of(9);
+    Replay replay(recording, 1, size_t{100} << 20);
+    EXPECT_EQ(replay.practice().count, 8);
+    EXPECT_EQ(replay.practice().index, 0);
+    EXPECT_EQ(replay.practice().targets, 1);
+    sim::PracticeGoal at_seven;
+    while (replay.step()) {
+        if (replay.state().frame == 7000) at_seven = replay.practice();
+    }
+    const auto done = std::count_if(
+        recording.events.begin(), recording.events.end(),
+        [](const sim::Event& event) { return event.kind == sim::EventKind::kStepDone; });
+    ASSERT_GE(done, 2);
+    EXPECT_EQ(replay.practice().index, done);
+    replay.back_to(6);
+    while (replay.state().frame < 7000) ASSERT_TRUE(replay.step());
+    EXPECT_EQ(replay.practice().index, at_seven.index);
+    EXPECT_EQ(replay.practice().progress, at_seven.progress);
+    EXPECT_EQ(replay.practice().target_m[0], at_seven.target_m[0]);
+    replay.back_to(1);
+    EXPECT_EQ(replay.practice().index, 0);
+}
+
 TEST(Replay, KeepsMomentsInBoundedMemoryAndThinsThem) {
     const sim::Recording recording = recording_of(0.2);
     Replay replay(recording, 1);

@@ -70,6 +70,28 @@ Help controls(const Arguments& arguments) {
 
 }  // namespace
 
+namespace {
+
+/// What a practice task asks for, with the hints for this device.
+void set_steps(view::OverlayState& overlay, const curriculum::Task& task, const std::string& device,
+               const std::string& language) {
+    overlay.practice.device = haptics::hint_device(device);
+    overlay.practice.steps.clear();
+    const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(task, device);
+    for (size_t i = 0; i < steps.size(); ++i) {
+        const curriculum::TaskStep& step = steps[i];
+        const sim::Hand before = i > 0 ? steps[i - 1].goal.hand : sim::Hand::kRight;
+        const bool changes = step.goal.hand != before && step.goal.hand != sim::Hand::kCamera;
+        overlay.practice.steps.push_back({step.text.in(language),
+                                          curriculum::step_hint(step, device, changes).in(language),
+                                          changes});
+        // A line that is to be followed must be seen.
+        overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
+    }
+}
+
+}  // namespace
+
 view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments& arguments) {
     view::OverlayState overlay;
     overlay.language = arguments.language;
@@ -90,19 +112,7 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
         overlay.coag_power_w = tool.coag_power_w;
         break;
     }
-    overlay.practice.device = haptics::hint_device(arguments.device);
-    const std::vector<curriculum::TaskStep> steps = curriculum::steps_for(task, arguments.device);
-    for (size_t i = 0; i < steps.size(); ++i) {
-        const curriculum::TaskStep& step = steps[i];
-        const sim::Hand before = i > 0 ? steps[i - 1].goal.hand : sim::Hand::kRight;
-        const bool changes = step.goal.hand != before && step.goal.hand != sim::Hand::kCamera;
-        overlay.practice.steps.push_back(
-            {step.text.in(arguments.language),
-             curriculum::step_hint(step, arguments.device, changes).in(arguments.language),
-             changes});
-        // A line that is to be followed must be seen.
-        overlay.show_guide = overlay.show_guide || step.goal.kind == sim::PracticeKind::kTrace;
-    }
+    set_steps(overlay, task, arguments.device, arguments.language);
     overlay.exam = !arguments.aids.read_outs;
     overlay.warnings = arguments.aids.warnings;
     if (!curriculum::preset_of(task).empty()) overlay.banner = "TUNED, not scored";
@@ -113,6 +123,9 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
 view::OverlayState replay_overlay(const curriculum::Task& task, const sim::Recording& recording,
                                   const Arguments& arguments) {
     view::OverlayState overlay = attempt_overlay(task, arguments);
+    // The steps of whoever was recorded; nobody is to do anything now.
+    set_steps(overlay, task, recording.header.device, arguments.language);
+    for (auto& step : overlay.practice.steps) step.hint.clear();
     overlay.time_limit_s = recording.end.duration_s;
     overlay.keys = "F1 keys   Space pause   ← → 5 s   ↑ ↓ speed   V camera   Q close";
     overlay.heading = recording.header.mode == "exam"    ? "Replay: exam"

@@ -74,7 +74,10 @@ class Watcher {
         started_ = false;
     }
 
-    void frame(const sim::Scene& scene, const sim::State& state) {
+    void frame(const curriculum::Replay& replay) {
+        const sim::Scene& scene = replay.scene();
+        const sim::State& state = replay.state();
+        overlay_.practice.goal = replay.practice();
         note(state);
         // Commands and keys are looked at a hundred times a second, not a thousand times.
         if (Clock::now() - last_look_ > std::chrono::milliseconds(10)) {
@@ -240,7 +243,7 @@ curriculum::ReplayResult play(const Arguments& arguments, const sim::Recording& 
         try {
             more = replay.step();
             if (!more) break;
-            watcher.frame(replay.scene(), replay.state());
+            watcher.frame(replay);
             if (replay.state().frame == last && arguments.control)
                 watcher.stay(replay.scene(), replay.state());
         } catch (const GoBack& back) {

@@ -221,6 +221,7 @@ class SymbolPainter {
 
 void Overlay::hint() {
     if (!practising() || state_->menu.shown || state_->show_help || state_->exam) return;
+    if (!state_->heading.empty()) return;  // a replay
     const bool wrong = wrong_hand();
     if (!watch_.stuck() && !wrong) return;
     if (state_->tuning.shown) return;  // it stands where the panel does
