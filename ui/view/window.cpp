@@ -88,6 +88,9 @@ void put_on_screen(GLFWwindow* window, int width, int height) {
                      y + std::max(top, (highest - height) / 2));
 }
 
+/// After the window was moved or sized no motion is the hand's for so long [s].
+constexpr double kSettlesS = 0.15;
+
 class GlfwWindow final : public GlContext {
  public:
     explicit GlfwWindow(const ContextSettings& settings) {
@@ -143,10 +146,8 @@ class GlfwWindow final : public GlContext {
         glfwSetCursorPosCallback(
             window_, [](GLFWwindow* w, double x, double y) { self(w).on_motion(x, y); });
         // A window that is moved or sized moves under the pointer: no motion of a hand.
-        glfwSetWindowPosCallback(window_,
-                                 [](GLFWwindow* w, int, int) { self(w).has_last_ = false; });
-        glfwSetWindowSizeCallback(window_,
-                                  [](GLFWwindow* w, int, int) { self(w).has_last_ = false; });
+        glfwSetWindowPosCallback(window_, [](GLFWwindow* w, int, int) { self(w).on_place(); });
+        glfwSetWindowSizeCallback(window_, [](GLFWwindow* w, int, int) { self(w).on_place(); });
         glfwSetWindowFocusCallback(
             window_, [](GLFWwindow* w, int focused) { self(w).on_focus(focused == GLFW_TRUE); });
     }
@@ -185,7 +186,7 @@ class GlfwWindow final : public GlContext {
     void capture_pointer(bool capture) override {
         if (capture == captured_) return;
         captured_ = capture;
-        has_last_ = false;  // the pointer jumps when the mode changes
+        on_place();  // the pointer jumps when the mode changes
         glfwSetInputMode(window_, GLFW_CURSOR, capture ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
         if (glfwRawMouseMotionSupported() == GLFW_TRUE) {
             glfwSetInputMode(window_, GLFW_RAW_MOUSE_MOTION, capture ? GLFW_TRUE : GLFW_FALSE);
@@ -241,8 +242,13 @@ class GlfwWindow final : public GlContext {
             happened({.kind = WindowEvent::Kind::kKey, .key = name, .down = action == GLFW_PRESS});
         }
     }
+    // The pointer is kept inside a window that shrinks, in jumps that follow one another.
+    void on_place() {
+        has_last_ = false;
+        placed_s_ = glfwGetTime();
+    }
     void on_motion(double x, double y) {
-        if (has_last_ && captured_) {
+        if (has_last_ && captured_ && glfwGetTime() > placed_s_ + kSettlesS) {
             state_.mouse_x += x - last_x_;
             state_.mouse_y += y - last_y_;
         }
@@ -284,6 +290,7 @@ class GlfwWindow final : public GlContext {
     WindowEvents events_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;
+    double placed_s_ = -1;  ///< When the window was moved or sized last.
 };
 
 }  // namespace
