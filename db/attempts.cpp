@@ -127,7 +127,10 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     for (VoidReason& device : void_reasons(haptics.void_reason)) voids.push_back(std::move(device));
     for (VoidReason& doubt : void_reasons(result.not_verified)) voids.push_back(std::move(doubt));
     UnitOfWork work(connection_);
-    (void)context_.need_user(user_id);
+    // A script that passes an exam passes it for nobody but an account that shows how it is done.
+    if (const UserRecord user = context_.need_user(user_id);
+        !result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
+        voids.push_back({VoidCause::kScript, 0, 0, result.header.device});
     if (const auto same =
             checksum.empty() ? std::nullopt : same_recording(connection_, result, checksum))
         voids.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});

@@ -32,7 +32,7 @@ constexpr std::array kDoubts{
     Doubt{VoidCause::kSameRecording, "Practice, not verified: the recording is that of attempt ",
           ""},
     Doubt{VoidCause::kReplayDiffers, "Practice, not verified: simulated again it differs, ", ""},
-    Doubt{VoidCause::kSignature, "Practice, not verified: the signature is in doubt, ", ""},
+    Doubt{VoidCause::kScript, "Practice, not verified: operated by ", ""},
 };
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
@@ -111,7 +111,7 @@ std::string text_of(const VoidReason& reason) {
         case VoidCause::kUnsound:
         case VoidCause::kSameRecording:
         case VoidCause::kReplayDiffers:
-        case VoidCause::kSignature:
+        case VoidCause::kScript:
             return doubt_text(reason);
     }
     return {};

@@ -23,7 +23,7 @@ enum class VoidCause : uint8_t {
     kUnsound,        ///< What scoring needs is missing or out of range; `text` says what.
     kSameRecording,  ///< Another attempt holds this recording; `text` has its number.
     kReplayDiffers,  ///< Simulated again it gave something else; `text` says where.
-    kSignature       ///< Not signed by a known station, or changed after; `text` says which.
+    kScript          ///< An exam of a person that a script performed; `text` names it.
 };
 
 /// True for what makes an attempt "practice, not verified": neither the machine nor the person's

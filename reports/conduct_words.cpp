@@ -84,7 +84,7 @@ QString doubt_words(const db::VoidReason& reason) {
         case db::VoidCause::kReplayDiffers:
             return say("Practice, not verified: simulated again it differs (%1)");
         default:
-            return say("Practice, not verified: the signature is in doubt (%1)");
+            return say("Practice, not verified: operated by %1");
     }
 }
 
@@ -112,7 +112,7 @@ QString void_reason_words(const db::VoidReason& reason) {
         case db::VoidCause::kUnsound:
         case db::VoidCause::kSameRecording:
         case db::VoidCause::kReplayDiffers:
-        case db::VoidCause::kSignature:
+        case db::VoidCause::kScript:
             return doubt_words(reason);
     }
     return {};

@@ -144,8 +144,9 @@ class Evidence : public testing::Test {
         db::StoreOptions options;
         options.cheap_passwords = true;
         store = db::open_store("sqlite:" + folder.file("placode.db"), options);
-        anna = add("anna");
-        jan = add("jan");
+        anna = add("anna", true);
+        jan = add("jan", true);
+        ewa = add("ewa", false);
         db::DefinitionRecord course;
         course.kind = "course";
         course.id = "short";
@@ -153,7 +154,7 @@ class Evidence : public testing::Test {
         course.json = kCourse;
         course.reason = "test";
         store->definitions().publish(course);
-        for (const int64_t user : {anna, jan}) {
+        for (const int64_t user : {anna, jan, ewa}) {
             db::AssignmentRecord assignment;
             assignment.course_id = "short";
             assignment.course_version = 1;
@@ -161,9 +162,10 @@ class Evidence : public testing::Test {
             store->courses().assign(assignment);
         }
     }
-    [[nodiscard]] int64_t add(const std::string& login) const {
-        return store->accounts().create(
-            {login, login, "long enough 1", static_cast<db::Roles>(db::Role::kTrainee), false});
+    [[nodiscard]] int64_t add(const std::string& login, bool demonstration) const {
+        return store->accounts().create({login, login, "long enough 1",
+                                         static_cast<db::Roles>(db::Role::kTrainee),
+                                         demonstration});
     }
     /// As the shell and the import do: judged, saved as the exam, simulated again.
     int64_t take(int64_t user, const Recording& recording) {
@@ -189,7 +191,8 @@ class Evidence : public testing::Test {
 
     TemporaryFolder folder;
     std::unique_ptr<db::Store> store;
-    int64_t anna = 0, jan = 0;
+    int64_t anna = 0, jan = 0;  // Of demonstration: a script operates.
+    int64_t ewa = 0;
     int files = 0;
 };
 
@@ -256,6 +259,15 @@ TEST_F(Evidence, OneRecordingIsNotTheExamOfTwoPeople) {
     EXPECT_FALSE(db::counts(record(third)));
     EXPECT_THAT(record(third).void_reason, HasSubstr("the recording is that of attempt"));
     EXPECT_FALSE(mastered(jan));
+}
+
+TEST_F(Evidence, AScriptPassesNoExamOfAPerson) {
+    const int64_t id = take(ewa, honest_attempt());
+    EXPECT_FALSE(db::counts(record(id)));
+    EXPECT_EQ(record(id).void_reason, "Practice, not verified: operated by script:expert");
+    EXPECT_FALSE(mastered(ewa));
+    // It has used up the case.
+    EXPECT_EQ(db::void_reasons(record(id).void_reason).front().cause, db::VoidCause::kScript);
 }
 
 TEST_F(Evidence, WhatAnotherProcessorRecordedWaitsAndIsNotCalledForged) {
