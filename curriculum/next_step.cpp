@@ -116,9 +116,9 @@ LocalText why_continue(const Case& c, int to_go) {
 LocalText why_exam(const Case& c) {
     const std::string number = std::to_string(c.own.attempts + 1);
     LocalText text{
-        "Exam, attempt " + number + ": \"" + c.title.en + "\" without aids, seed " +
+        "Exam, attempt " + number + ": \"" + c.title.en + "\" without aids, case " +
             std::to_string(c.own.next_seed) + ", " + points(c.stage.benchmark_points) + " points.",
-        "Egzamin, próba " + number + ": „" + c.title.pl + "” bez pomocy, ziarno " +
+        "Egzamin, próba " + number + ": „" + c.title.pl + "” bez pomocy, przypadek " +
             std::to_string(c.own.next_seed) + ", " + points_pl(c.stage.benchmark_points) + " pkt."};
     if (c.stage.exam.proctor)
         add(text, "A proctor has to be present.", "Musi być obecna osoba nadzorująca.");

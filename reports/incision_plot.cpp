@@ -255,7 +255,12 @@ AskedPlaces asked_places(const sim::Recording& recording) {
 
 void draw_asked(QPainter& painter, const QRectF& where, const sim::FieldGeometry& geometry,
                 const AskedPlaces& asked, const ChartStyle& style) {
-    const Map map = fitted(geometry, where);
+    Map map = fitted(geometry, where);
+    // A place beside the skin's edge is shown whole, sign and all, below the words at the top.
+    const double room = 0.5 * std::min(where.width(), where.height()) - 2.6 * style.font_px;
+    for (const AskedPlaces::Place& place : asked.places)
+        map.scale = std::min(
+            map.scale, room / std::max({1e-3, std::abs(place.at_m.x()), std::abs(place.at_m.y())}));
     painter.save();
     painter.setClipRect(where);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -247,7 +247,7 @@ QString signature_html(const Subject& subject) {
            line(second, escaped(record.exam.proctor)) + QStringLiteral("</table>");
 }
 
-/// What was harmed when and where, and the ways of the instruments.
+/// What was harmed when and where, and the paths of the instruments.
 void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& style) {
     const sim::Recording& recording = subject.recording;
     const auto picture = ledger_picture(recording, subject.scope);
@@ -271,7 +271,7 @@ void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& styl
                            picture.entries, FieldLayer::kEnergy, style);
     });
     const double third = (kInner - 24) / 3;
-    heading("Ways of the instruments", 250);
+    heading("Paths of the instruments", 250);
     sheets.picture(256, [&](QPainter& painter, double y) {
         for (int i = 0; i < 3; ++i)
             draw_trajectory(painter, QRectF(kMargin + i * (third + 12), y, third, 250), recording,
@@ -279,7 +279,7 @@ void add_pictures(Sheets& sheets, const Subject& subject, const ChartStyle& styl
     });
 }
 
-/// The incision; of a task without one what was asked for; else the ways of the instruments.
+/// The incision; of a task without one what was asked for; else the paths of the instruments.
 void draw_main_picture(QPainter& painter, const QRectF& where, const Subject& subject,
                        const ChartStyle& style) {
     const AskedPlaces asked = asked_places(subject.recording);

@@ -83,7 +83,7 @@ TEST(NextStep, SaysWhatIsNextAndWhyInEveryState) {
          2,
          "critical error",
          "błąd krytyczny"},
-        {{ring(80), ring(80)}, "2026-01-02", "exam", "final", 1, "seed 11", "ziarno 11"},
+        {{ring(80), ring(80)}, "2026-01-02", "exam", "final", 1, "case 11", "przypadek 11"},
         {{ring(80), ring(80), exam(10, 11)},
          "2026-01-02",
          "exam",

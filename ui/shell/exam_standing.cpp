@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QStringList>
 
+#include "db/attempt_counting.h"
 #include "db/course_conduct.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -82,6 +83,8 @@ ExamStanding exam_standing(AppContext& context, const db::AttemptRecord& attempt
         standing->progress.stages[static_cast<size_t>(stage - standing->course.stages.data())];
     found.used = uses_up(standing->course, *stage, attempt);
     found.words = used_words(own, found.used) + " " + next_words(context, *standing, *stage, own);
+    if (db::counts(attempt))
+        found.words.prepend(ExamStandingWords::tr("The attempt counts.") + " ");
     return found;
 }
 

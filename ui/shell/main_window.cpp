@@ -1,37 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <QScrollBar>
-
 #include "ui/shell/main_window.h"
 
-#include <QAbstractSlider>
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QCloseEvent>
-#include <QComboBox>
-#include <QKeyEvent>
 #include <QScreen>
 #include <QShortcut>
 #include <QToolButton>
-#include <QWindow>
 
 #include "ui/shell/handover.h"
 #include "ui/shell/help_window.h"
 #include "ui/shell/parts.h"
 
 namespace placode::ui {
-
-namespace {
-
-/// A field that a wheel would change while somebody only scrolls past it: an answer nobody gave.
-bool holds_a_value(QObject* object) {
-    return qobject_cast<QComboBox*>(object) != nullptr ||
-           qobject_cast<QAbstractSpinBox*>(object) != nullptr ||
-           (qobject_cast<QAbstractSlider*>(object) != nullptr &&
-            qobject_cast<QScrollBar*>(object) == nullptr);
-}
-
-}  // namespace
 
 MainWindow::MainWindow(AppContext& context) : context_(context) {
     setWindowTitle("Placode");
@@ -59,6 +40,12 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     for (const auto change : {&AttemptLauncher::statusChanged, &AttemptLauncher::started})
         connect(&context.launcher(), change, this, &MainWindow::touched);
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::touched);
+    attempt_ended_.setSingleShot(true);
+    attempt_ended_.setInterval(5000);
+    connect(&context.launcher(), &AttemptLauncher::ended, this, [this] {
+        attempt_ended_.start();
+        last_held_press_.start();
+    });
     idle_.setSingleShot(true);
     connect(&idle_, &QTimer::timeout, this, &MainWindow::lock);
     qApp->installEventFilter(this);
@@ -112,62 +99,6 @@ void MainWindow::onUserChanged() {
     showPlace(back ? locked_place_ : lastPlace());
     offerLeftovers();
     context_.verifyAttempts();  // What the last session did not come to.
-}
-
-bool MainWindow::eventFilter(QObject* object, QEvent* event) {
-    switch (event->type()) {
-        case QEvent::KeyPress:
-        case QEvent::MouseButtonPress:
-        case QEvent::MouseMove:
-        case QEvent::Wheel:
-        case QEvent::TouchBegin:
-            touched();
-            if (closesNotice(object, event)) return true;
-            if (event->type() == QEvent::Wheel && holds_a_value(object)) {
-                event->ignore();  // goes to the page, which scrolls
-                return true;
-            }
-            break;
-        default:
-            break;
-    }
-    return QMainWindow::eventFilter(object, event);
-}
-
-void MainWindow::touched() {
-    if (context_.signedIn() && context_.lockAfterSeconds() > 0)
-        idle_.start(context_.lockAfterSeconds() * 1000);
-}
-
-// Escape belongs to an open list, menu or dialog first.
-bool MainWindow::closesNotice(QObject* object, QEvent* event) {
-    if (event->type() != QEvent::KeyPress ||
-        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
-        return false;
-    if (QApplication::activePopupWidget() != nullptr ||
-        QApplication::activeModalWidget() != nullptr || (search_ && search_->isVisible()))
-        return false;
-    const auto* widget = qobject_cast<QWidget*>(object);
-    const bool here = object == static_cast<QObject*>(windowHandle()) ||
-                      (widget != nullptr && widget->window() == this);
-    return here && notices_->closeNewest();
-}
-
-void MainWindow::lock() {
-    if (!context_.signedIn()) return;
-    if (context_.launcher().running() || handedOver() ||
-        QApplication::activeModalWidget() != nullptr) {
-        idle_.start(context_.lockAfterSeconds() * 1000);
-        return;
-    }
-    locked_place_ = place_;
-    if (page_) locked_place_.state = page_->state();
-    locked_user_ = context_.user().id;
-    context_.setStoreSetting("last_login", qstr(context_.user().login));
-    // Locked in any case, also when the store cannot be written.
-    context_.guard(tr("Writing the audit"),
-                   [this] { context_.audit("session.lock", qstr(context_.user().login)); });
-    context_.signOut();
 }
 
 Place MainWindow::home() const {

@@ -3,6 +3,7 @@
 #pragma once
 // The frame of the shell: rail, top bar, the page that is shown, and messages floating over it.
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 #include <QPointer>
 #include <QTimer>
@@ -73,6 +74,8 @@ class MainWindow : public QMainWindow {
     /// runs, nor while a participant is at the screen.
     void lock();
     [[nodiscard]] bool closesNotice(QObject* object, QEvent* event);
+    /// Enter that was held to end an attempt is still down when this window is in front again.
+    [[nodiscard]] bool isLeftOverKey(QEvent* event);
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.
     [[nodiscard]] Place lastPlace() const;
@@ -105,6 +108,8 @@ class MainWindow : public QMainWindow {
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
     QTimer idle_;
+    QTimer attempt_ended_;           ///< Runs for a moment after the end of an attempt.
+    QElapsedTimer last_held_press_;  ///< Since a key of that kind, or since the window came back.
     Place locked_place_;
     int64_t locked_user_ = 0;
 };

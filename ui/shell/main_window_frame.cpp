@@ -259,24 +259,6 @@ void MainWindow::addSwitch(QHBoxLayout* bar) {
     bar->addWidget(change);
 }
 
-// What is unsaved on the page asks by itself; an attempt goes on, but its owner must not lose sight
-// of it.
-bool MainWindow::maySignOut() {
-    if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return false;
-    return !context_.launcher().running() ||
-           confirm(this, tr("Sign out while your attempt is running?"),
-                   tr("The attempt goes on in its window and is saved under your name. You do not "
-                      "see its result until you sign in again."),
-                   tr("Sign out"), tr("Stay"));
-}
-
-void MainWindow::switchUser() {
-    if (!maySignOut()) return;
-    // Switching keeps nobody's name in the field; signing out proposes the same person again.
-    context_.setStoreSetting("last_login", {});
-    context_.signOut();
-}
-
 void MainWindow::addUserMenu(QHBoxLayout* bar) {
     if (!context_.signedIn()) return;
     auto* user = new QToolButton;

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Result: verdict and score in one line, the three reasons that cost most, strengths and
-// weaknesses, when and where harm was done, the ways of the instruments, the numbers beside the
+// weaknesses, when and where harm was done, the paths of the instruments, the numbers beside the
 // person's own band, remarks, and what to do next.
 
 #include <QHBoxLayout>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QTemporaryDir>
@@ -17,6 +16,7 @@
 #include "ui/shell/kept_recording.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/result_cards.h"
+#include "ui/shell/result_standing.h"
 #include "ui/shell/training.h"
 
 namespace placode::ui {
@@ -98,10 +98,10 @@ class ResultPage : public Page {
             layout->addWidget(left);
         }
         if (!db::counts(record)) {
-            QLabel* why = make_label(whyNotCounted(own), "warn");
+            QLabel* why = make_label(why_not_counted(record, exam_, own), "warn");
             why->setObjectName("void_for_cause");
             layout->addWidget(why);
-            if (waits()) followReplay(layout);
+            if (waits_for_replay(record)) layout->addWidget(make_replay_bar(context_, record.id));
         } else if (record.haptic_grade == "bad") {
             layout->addWidget(make_label(
                 tr("The force device did not work as it must: forces of this attempt may have been "
@@ -138,69 +138,6 @@ class ResultPage : public Page {
         layout->addWidget(verdict);
     }
 
-    /// What became of it, for who reads it.
-    [[nodiscard]] QString whyNotCounted(bool own) const {
-        const db::AttemptRecord& record = data_.detail.record;
-        QStringList said;
-        const bool exam = !record.exam.course_id.empty();
-        if (waits())
-            return tr(
-                "What the hands did is simulated again, behind other work. The attempt gets "
-                "its score and counts once the same comes out.");
-        if (!record.void_reason.empty()) {
-            // Of an exam also the force device; its reasons are figures for technicians.
-            const bool device = exam && record.haptic_grade == "bad";
-            const QString reason = reports::void_words(record.void_reason);
-            said << (device ? tr("The force device did not work as it must (%1).") : tr("%1."))
-                        .arg(reason);
-            if (db::machine_at_fault(record))
-                said << (own ? tr("This was not your fault.")
-                             : tr("The machine was the cause, not the person."));
-            const auto reasons = db::void_reasons(record.void_reason);
-            if (std::any_of(reasons.begin(), reasons.end(), [](const db::VoidReason& reason) {
-                    return reason.cause == db::VoidCause::kFewPictures ||
-                           reason.cause == db::VoidCause::kNotRealTime;
-                }))
-                said << tr(
-                    "Close other programs, make the window of the simulation smaller, or "
-                    "use another computer.");
-        }
-        if (exam && !exam_.words.isEmpty())
-            said << tr("The attempt is kept.") << exam_.words;
-        else if (exam)
-            said << (record.void_reason.empty()
-                         ? tr("The attempt is kept, and uses up an attempt of this exam.")
-                         : tr("The attempt is kept, and uses up no attempt of this exam; the next "
-                              "one has another case, if there is one."));
-        else
-            said << tr("The attempt is kept, and does not count for the course.");
-        return said.join(' ');
-    }
-
-    /// Complete and sound, but for the proof.
-    [[nodiscard]] bool waits() const {
-        const db::AttemptRecord& record = data_.detail.record;
-        return record.replay == db::ReplayState::kWaiting && db::was_tried(record) &&
-               record.void_reason.empty();
-    }
-
-    /// How far the replay is; the window builds this page anew when it is over.
-    void followReplay(QVBoxLayout* layout) {
-        auto* bar = new QProgressBar;
-        bar->setObjectName("replay_progress");
-        bar->setAccessibleName(tr("Simulated again"));
-        bar->setRange(0, 100);
-        bar->setFormat(tr("Simulated again: %p %"));
-        layout->addWidget(bar);
-        const int64_t id = data_.detail.record.id;
-        const auto show = [this, bar, id] {
-            bar->setValue(static_cast<int>(100 * context_.replays().share(id).value_or(0)));
-        };
-        show();
-        connect(&context_.replays(), &ReplayQueue::moved, bar, show);
-        context_.verifyAttempts();
-    }
-
     void addButtons(QHBoxLayout* line, bool own) {
         watch_ = make_button(context_, tr("Watch"), "secondary", "play");
         watch_->setObjectName("watch");
@@ -221,10 +158,13 @@ class ResultPage : public Page {
         line->addWidget(report_);
         if (!own || !context_.may(db::Action::kPerformAttempt)) return;
         const QString task = qstr(data_.detail.record.task_id);
-        QPushButton* again = make_button(context_, tr("Again"), "secondary", "again");
+        // An exam is begun from its course: the task's own page would be practice.
+        const bool exam = !data_.detail.record.exam.course_id.empty();
+        QPushButton* again = make_button(context_, exam ? tr("To the course") : tr("Again"),
+                                         "secondary", exam ? "" : "again");
         again->setObjectName("again");
-        connect(again, &QPushButton::clicked, this, [this, task] {
-            Q_EMIT go({PageId::kTask, 0, task, {}});
+        connect(again, &QPushButton::clicked, this, [this, task, exam] {
+            Q_EMIT go(exam ? Place{PageId::kCourse, 0, {}, {}} : Place{PageId::kTask, 0, task, {}});
         });
         QPushButton* next = make_button(context_, tr("Next"), "primary", "next");
         next->setObjectName("next");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Result: the field with damage or energy, the incision, and the ways of the instruments.
+// Result: the field with damage or energy, the incision, and the paths of the instruments.
 
 #include <QButtonGroup>
 #include <QGridLayout>
@@ -154,7 +154,7 @@ QWidget* make_ways_card(AppContext& context,
                         const std::shared_ptr<const sim::Recording>& recording) {
     auto* layout = new QVBoxLayout;
     layout->setSpacing(kSpace12);
-    layout->addWidget(make_label(Pictures::tr("Ways of the instruments"), "heading"));
+    layout->addWidget(make_label(Pictures::tr("Paths of the instruments"), "heading"));
     const reports::TaskScope scope = reports::scope_of(recording->header);
     reports::ChartStyle style = chart_style(context.theme());
     style.plan = scope.line;

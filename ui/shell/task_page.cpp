@@ -256,6 +256,12 @@ class TaskPage : public Page {
                               .arg(start, pass)
                         : tr("You start with %1 points and pass with %2.").arg(start, pass),
             "muted"));
+        if (exam_) {
+            QLabel* asked = make_label(
+                tr("This exam asks for %1 points.").arg(format_points(exam_->benchmark_points)));
+            asked->setObjectName("exam_points");
+            layout->addWidget(asked);
+        }
         for (const assessment::RubricItem& item : task_.rubric.items) {
             layout->addWidget(make_rule());
             auto* line = new QHBoxLayout;

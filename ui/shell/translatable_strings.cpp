@@ -253,7 +253,7 @@ namespace {
     QT_TRANSLATE_NOOP("Figure", "Damage over time"),
     QT_TRANSLATE_NOOP("Figure", "Damage and energy on the anatomy"),
     QT_TRANSLATE_NOOP("Figure", "Damage on the anatomy"),
-    QT_TRANSLATE_NOOP("Figure", "Ways of the instruments"),
+    QT_TRANSLATE_NOOP("Figure", "Paths of the instruments"),
     QT_TRANSLATE_NOOP("Figure", "cranial (12 o'clock)"),
     QT_TRANSLATE_NOOP("Figure", "planned"),
     QT_TRANSLATE_NOOP("Figure", "cut"),

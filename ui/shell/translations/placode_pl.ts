@@ -1561,7 +1561,7 @@
         <translation>Uszkodzenia na anatomii</translation>
     </message>
     <message>
-        <source>Ways of the instruments</source>
+        <source>Paths of the instruments</source>
         <translation>Drogi narzędzi</translation>
     </message>
     <message>
@@ -4013,7 +4013,7 @@
         <translation>Pole z góry: planowany kontur, co nacięto, droga igły. Pomiary mówią to samo w liczbach.</translation>
     </message>
     <message>
-        <source>Ways of the instruments</source>
+        <source>Paths of the instruments</source>
         <translation>Drogi narzędzi</translation>
     </message>
     <message>
@@ -4185,8 +4185,12 @@
         <translation>Ponowna symulacja</translation>
     </message>
     <message>
-        <source>Simulated again: %p %</source>
-        <translation>Ponowna symulacja: %p %</translation>
+        <source>Simulated again: %1 %</source>
+        <translation>Ponowna symulacja: %1 %</translation>
+    </message>
+    <message>
+        <source>To the course</source>
+        <translation>Do kursu</translation>
     </message>
 </context>
 <context>
@@ -5021,6 +5025,10 @@
     <message>
         <source>Escape in the window pauses.</source>
         <translation>Escape w oknie wstrzymuje próbę.</translation>
+    </message>
+    <message>
+        <source>This exam asks for %1 points.</source>
+        <translation>Ten egzamin wymaga %1 pkt.</translation>
     </message>
 </context>
 <context>
@@ -8765,8 +8773,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Ćwiczenie, niezweryfikowane: ponowna symulacja dała inny wynik (%1)</translation>
     </message>
     <message>
-        <source>Practice, not verified: the signature is in doubt (%1)</source>
-        <translation>Ćwiczenie, niezweryfikowane: podpis jest wątpliwy (%1)</translation>
+        <source>Practice, not verified: operated by %1</source>
+        <translation>Ćwiczenie, niezweryfikowane: operował %1</translation>
     </message>
     <message>
         <source>practice, not verified</source>
@@ -9755,6 +9763,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Next: the exam again, with another case if there is one.</source>
         <translation>Dalej: egzamin jeszcze raz, z innym przypadkiem, jeśli taki jest.</translation>
+    </message>
+    <message>
+        <source>The attempt counts.</source>
+        <translation>Próba się liczy.</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who sits before the window: touches, the lock, another user.
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QScrollBar>
+#include <QWindow>
+
+#include "ui/shell/main_window.h"
+#include "ui/shell/parts.h"
+
+namespace placode::ui {
+namespace {
+
+/// A field that a wheel would change while somebody only scrolls past it: an answer nobody gave.
+bool holds_a_value(QObject* object) {
+    return qobject_cast<QComboBox*>(object) != nullptr ||
+           qobject_cast<QAbstractSpinBox*>(object) != nullptr ||
+           (qobject_cast<QAbstractSlider*>(object) != nullptr &&
+            qobject_cast<QScrollBar*>(object) == nullptr);
+}
+
+}  // namespace
+
+bool MainWindow::eventFilter(QObject* object, QEvent* event) {
+    switch (event->type()) {
+        case QEvent::WindowActivate:
+            if (object == this) last_held_press_.start();
+            break;
+        case QEvent::KeyPress:
+        case QEvent::MouseButtonPress:
+        case QEvent::MouseMove:
+        case QEvent::Wheel:
+        case QEvent::TouchBegin:
+            touched();
+            // Of the window only: the same press comes again for the widget in it.
+            if (object->isWindowType() && isLeftOverKey(event)) return true;
+            if (closesNotice(object, event)) return true;
+            if (event->type() == QEvent::Wheel && holds_a_value(object)) {
+                event->ignore();  // goes to the page, which scrolls
+                return true;
+            }
+            break;
+        default:
+            break;
+    }
+    return QMainWindow::eventFilter(object, event);
+}
+
+void MainWindow::touched() {
+    if (context_.signedIn() && context_.lockAfterSeconds() > 0)
+        idle_.start(context_.lockAfterSeconds() * 1000);
+}
+
+bool MainWindow::isLeftOverKey(QEvent* event) {
+    if (event->type() != QEvent::KeyPress) return false;
+    if (!attempt_ended_.isActive() && !context_.launcher().running()) return false;
+    const auto* press = static_cast<QKeyEvent*>(event);
+    if (press->key() != Qt::Key_Return && press->key() != Qt::Key_Enter &&
+        press->key() != Qt::Key_Space)
+        return false;
+    // This window has not seen it go down: only the pace tells that it repeats.
+    constexpr qint64 kPauseMs = 600;
+    const bool held = press->isAutoRepeat() ||
+                      (last_held_press_.isValid() && last_held_press_.elapsed() < kPauseMs);
+    last_held_press_.start();
+    return held;
+}
+
+// Escape belongs to an open list, menu or dialog first.
+bool MainWindow::closesNotice(QObject* object, QEvent* event) {
+    if (event->type() != QEvent::KeyPress ||
+        static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return false;
+    if (QApplication::activePopupWidget() != nullptr ||
+        QApplication::activeModalWidget() != nullptr || (search_ && search_->isVisible()))
+        return false;
+    const auto* widget = qobject_cast<QWidget*>(object);
+    const bool here = object == static_cast<QObject*>(windowHandle()) ||
+                      (widget != nullptr && widget->window() == this);
+    return here && notices_->closeNewest();
+}
+
+void MainWindow::lock() {
+    if (!context_.signedIn()) return;
+    if (context_.launcher().running() || handedOver() ||
+        QApplication::activeModalWidget() != nullptr) {
+        idle_.start(context_.lockAfterSeconds() * 1000);
+        return;
+    }
+    locked_place_ = place_;
+    if (page_) locked_place_.state = page_->state();
+    locked_user_ = context_.user().id;
+    context_.setStoreSetting("last_login", qstr(context_.user().login));
+    // Locked in any case, also when the store cannot be written.
+    context_.guard(tr("Writing the audit"),
+                   [this] { context_.audit("session.lock", qstr(context_.user().login)); });
+    context_.signOut();
+}
+
+// What is unsaved on the page asks by itself; an attempt goes on, but its owner must not lose sight
+// of it.
+bool MainWindow::maySignOut() {
+    if ((page_ && !page_->mayLeave()) || !mayTakeBack()) return false;
+    return !context_.launcher().running() ||
+           confirm(this, tr("Sign out while your attempt is running?"),
+                   tr("The attempt goes on in its window and is saved under your name. You do not "
+                      "see its result until you sign in again."),
+                   tr("Sign out"), tr("Stay"));
+}
+
+void MainWindow::switchUser() {
+    if (!maySignOut()) return;
+    // Switching keeps nobody's name in the field; signing out proposes the same person again.
+    context_.setStoreSetting("last_login", {});
+    context_.signOut();
+}
+
+}  // namespace placode::ui

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What became of an attempt beside its points: why it does not count, and how far its replay is.
+
+#include <QString>
+#include <QWidget>
+
+#include "ui/shell/app_context.h"
+#include "ui/shell/exam_standing.h"
+
+namespace placode::ui {
+
+/// Complete and sound, but for the proof.
+[[nodiscard]] bool waits_for_replay(const db::AttemptRecord& record);
+
+/// For who reads it: sentences. @param own it is the reader's.
+[[nodiscard]] QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& standing,
+                                      bool own);
+
+/// Follows the replay of this attempt, and has it begun; the window builds the page anew at the
+/// end.
+[[nodiscard]] QWidget* make_replay_bar(AppContext& context, int64_t attempt_id);
+
+}  // namespace placode::ui
