@@ -66,7 +66,14 @@ size_t KeyFrames::bytes() const {
 }
 
 Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes)
-    : recording_(recording), threads_(threads), keys_(key_frame_bytes) {
+    : Replay(recording, std::nullopt, threads, key_frame_bytes) {}
+
+Replay::Replay(const sim::Recording& recording, Task task, int threads)
+    : Replay(recording, std::optional(std::move(task)), threads, 0) {}
+
+Replay::Replay(const sim::Recording& recording, std::optional<Task> task, int threads,
+               size_t key_frame_bytes)
+    : recording_(recording), task_(std::move(task)), threads_(threads), keys_(key_frame_bytes) {
     for (const sim::Event& event : recording.events) {
         if (event.kind == sim::EventKind::kStateHash) hashes_.push_back(event);
         if (event.kind == sim::EventKind::kTuned) tunings_.push_back(event);
@@ -75,7 +82,7 @@ Replay::Replay(const sim::Recording& recording, int threads, size_t key_frame_by
 }
 
 void Replay::build() {
-    Task task = load_task_text(recording_.header.task_json, "recording");
+    Task task = task_ ? *task_ : load_task_text(recording_.header.task_json, "recording");
     task.scene.seed = recording_.header.seed;
     restore_grips(recording_.header, task);
     frame_s_ = task.scene.solver.frame_s;
@@ -83,7 +90,8 @@ void Replay::build() {
     scene_ = std::const_pointer_cast<sim::Scene>(sim::build_operative_field(task.scene));
     state_ = std::make_unique<sim::State>(*scene_, threads_);
     sim::settle(*scene_, *state_, task.settle_s);
-    practice_ = PracticeGuide(steps_for(task, recording_.header.device), *scene_, *state_);
+    if (!task_)
+        practice_ = PracticeGuide(steps_for(task, recording_.header.device), *scene_, *state_);
     frames_per_sample_ =
         std::max<int64_t>(1, std::llround(sim::RecordingHeader{}.sample_s / frame_s_));
     next_hash_ = next_tuning_ = 0;

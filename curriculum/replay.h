@@ -45,6 +45,9 @@ class Replay {
     /// @param key_frame_bytes memory for moments to go back to; 0 = back means from the beginning.
     /// @throws DefinitionError when the recording's task cannot be built any more.
     Replay(const sim::Recording& recording, int threads, size_t key_frame_bytes = 0);
+    /// By this task instead of the one that the recording carries. Does not follow practice():
+    /// whoever asks so has an AttemptFrames.
+    Replay(const sim::Recording& recording, Task task, int threads);
 
     /// One frame, compared with the recorded hash where there is one. False when there is nothing
     /// more to simulate: the recording is over, or differs.
@@ -53,18 +56,24 @@ class Replay {
     void back_to(double time_s);
     [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
     [[nodiscard]] const sim::State& state() const { return *state_; }
+    /// For closing the attempt, which changes it: after that the replay is over.
+    [[nodiscard]] sim::State& last_state() { return *state_; }
     /// Where the steps of a practice task stand, as the person saw them; count == 0: it has none.
     [[nodiscard]] const sim::PracticeGoal& practice() const { return practice_.goal(); }
     /// How far it is the same; complete when step() was false.
     [[nodiscard]] ReplayResult result() const;
 
  private:
+    Replay(const sim::Recording& recording, std::optional<Task> task, int threads,
+           size_t key_frame_bytes);
+
     void build();
     void tune();
     bool compare();
     void follow_practice(std::span<const sim::ToolInput> hands);
 
     const sim::Recording& recording_;
+    std::optional<Task> task_;  // instead of the recording's
     int threads_;
     std::shared_ptr<sim::Scene> scene_;
     std::unique_ptr<sim::State> state_;

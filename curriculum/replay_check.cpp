@@ -3,12 +3,10 @@
 #include "curriculum/replay_check.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "curriculum/attempt_sample.h"
+#include "curriculum/attempt_frames.h"
+#include "curriculum/replay.h"
 #include "sim/core/number_text.h"
-#include "sim/cutting/attempt_progress.h"
-#include "sim/ledger/damage.h"
 
 namespace placode::curriculum {
 namespace {
@@ -66,111 +64,85 @@ bool same(const sim::ToolSpec& a, const sim::ToolSpec& b) {
 
 std::string at(double time_s) { return " at " + sim::fixed_text(time_s, 3) + " s"; }
 
-sim::Recording with_task(const sim::Recording& recording, const Task& published) {
-    sim::Recording own = recording;
-    own.header.task_json = published.json;
-    return own;
-}
-
 }  // namespace
 
-struct ReplayCheck::Impl {
+/// What the attempt writes down again, held against what it wrote down then.
+struct ReplayCheck::Impl final : AttemptBook {
     Impl(const sim::Recording& recorded, const Task& published, int threads)
-        : recording(with_task(recorded, published)),
-          replay(recording, threads),
-          warnings(replay.scene()),
-          practice(steps_for(published, recording.header.device), replay.scene(), replay.state()),
-          tools(replay.scene().tools.size()),
-          frames_per_sample(std::max<int64_t>(
-              1, std::llround(sim::RecordingHeader{}.sample_s / recording.header.frame_s))) {
+        : recording(recorded),
+          replay(recording, published, threads),
+          frames(published, steps_for(published, recording.header.device), replay.scene(),
+                 replay.state(), recording.end.duration_s),
+          tools(replay.scene().tools.size()) {
         for (const Event& event : recording.events)
             if (!of_the_clock(event.kind)) events.push_back(&event);
         look_at_head();
     }
 
-    void differs(const std::string& what, double time_s) {
+    void differs(const std::string& what, double time_s) noexcept {
         if (difference.empty()) difference = what + at(time_s);
     }
 
     void look_at_head() {
         const sim::RecordingHeader& head = recording.header;
         const sim::Scene& scene = replay.scene();
+        if (recording.end.dropped != 0) differs("entries that were lost", 0);
         if (head.frame_s != scene.body.spec().solver.frame_s ||
             head.sample_s != sim::RecordingHeader{}.sample_s)
             differs("frame or sample time", 0);
         if (!same(head.geometry, scene.geometry)) differs("the field", 0);
-        if (recording.end.dropped != 0) differs("entries that were lost", 0);
         if (head.tools.size() != tools ||
             !std::equal(head.tools.begin(), head.tools.end(), scene.tools.begin(),
                         [](const auto& a, const auto& b) { return same(a, b); }))
             differs("the instruments", 0);
     }
 
-    void expect(const Event& event) {
+    void write(const sim::Input&) noexcept override {}  // what is simulated
+    void write(const Event& event) noexcept override {
         if (of_the_clock(event.kind)) return;
         if (next_event >= events.size() || !same(*events[next_event], event))
             differs("event \"" + std::string(sim::event_name(event.kind)) + "\"", event.time_s);
         ++next_event;
     }
-
-    void expect(sim::Sample sample) {
+    void write(const sim::Sample& sample) noexcept override {
         if (next_sample >= recording.samples.size() ||
             !same(recording.samples[next_sample], sample, tools))
             differs("a sample", sample.time_s);
         ++next_sample;
     }
 
-    /// What the attempt wrote down after this frame (AttemptLoop::hand_out).
     void compare_frame() {
         const sim::State& state = replay.state();
         const auto& input = recording.inputs[static_cast<size_t>(state.frame - 1)];
-        const std::span<const sim::ToolInput> hands{input.tools, tools};
-        for (int i = 0; i < state.event_count; ++i) expect(state.events[static_cast<size_t>(i)]);
-        const bool sampled = state.frame % frames_per_sample == 0;
-        warnings.look(state, hands, sampled);
-        for (const Event& event : warnings.events()) expect(event);
-        if (!sampled) return;
-        sim::Sample sample = sample_of(replay.scene(), state, hands);
-        sample.cut_fraction = static_cast<float>(sim::ring_share(state));
-        expect(sample);
-        for (const Event& event : practice.see(state, hands, sample)) expect(event);
+        frames.look(state, {}, {input.tools, tools}, *this);
     }
 
-    /// As AttemptLoop::close(). An attempt that broke off has written none of it.
+    /// An attempt that broke off has written none of its end.
     void compare_end() {
         const ReplayResult states = replay.result();
         if (!states.identical) {
-            if (difference.empty())
-                differs("state", states.first_difference_s < 0 ? 0 : states.first_difference_s);
+            differs("state", std::max(0.0, states.first_difference_s));
             return;
         }
         const double time_s = replay.state().time_s;
         if (next_sample != recording.samples.size()) differs("the number of samples", time_s);
         if (recording.end.reason != sim::EndReason::kInterrupted) {
-            const uint64_t hash = sim::state_hash(replay.state());
-            for (const Event& event : practice.end(time_s)) expect(event);
-            for (const Event& event : warnings.end(time_s)) expect(event);
-            for (const Event& event : sim::reached_events(replay.scene(), replay.state()))
-                expect(event);
-            // The replay is over: nothing else looks at its state any more.
-            auto& state = const_cast<sim::State&>(replay.state());
-            for (const Event& event : sim::closing_events(replay.scene(), state)) expect(event);
-            Event last;
-            last.time_s = time_s;
-            last.kind = EventKind::kStateHash;
-            last.hash = hash;
-            expect(last);
+            frames.close(replay.last_state(), *this);
+            // That this is its hash the replay has just shown.
+            Event hash;
+            hash.time_s = time_s;
+            hash.kind = EventKind::kStateHash;
+            hash.hash = recording.end.final_hash;
+            write(hash);
             if (recording.end.duration_s != time_s) differs("the duration", time_s);
         }
         if (next_event != events.size()) differs("the number of events", time_s);
     }
 
-    sim::Recording recording;
+    const sim::Recording& recording;
     Replay replay;
-    LiveWarnings warnings;
-    PracticeGuide practice;
+    AttemptFrames frames;
     size_t tools;
-    int64_t frames_per_sample;
     std::vector<const Event*> events;
     size_t next_event = 0, next_sample = 0;
     std::string difference;

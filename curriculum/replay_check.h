@@ -8,9 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "curriculum/live_warnings.h"
-#include "curriculum/practice_guide.h"
-#include "curriculum/replay.h"
+#include "curriculum/task.h"
+#include "sim/step/recording.h"
 
 namespace placode::curriculum {
 
