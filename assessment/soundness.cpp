@@ -78,23 +78,30 @@ std::string field_problem(const sim::FieldGeometry& field) {
     return {};
 }
 
+bool hand_is_somewhere(const sim::ToolInput& tool) {
+    return all_within(tool.position_m, kLargestM) && all_within(tool.orientation, 2) &&
+           all_within(std::array{tool.jaw_rad}, 10);
+}
+
 std::string input_problem(const Recording& r) {
     const auto tools = static_cast<int32_t>(r.header.tools.size());
     int64_t before = -1;
     for (const sim::Input& input : r.inputs) {
-        const std::string name = "the input of frame " + std::to_string(input.frame);
+        // An hour has millions of them: words are made for the one that is wrong.
+        const auto wrong = [&](const std::string& what) {
+            return "the input of frame " + std::to_string(input.frame) + " " + what;
+        };
         if (input.frame <= before || (r.end.dropped == 0 && input.frame != before + 1))
-            return name + " follows that of frame " + std::to_string(before);
+            return wrong("follows that of frame " + std::to_string(before));
         before = input.frame;
         if (input.tool_count != tools)
-            return name + " is of " + std::to_string(input.tool_count) + " tools, expected " +
-                   std::to_string(tools);
+            return wrong("is of " + std::to_string(input.tool_count) + " tools, expected " +
+                         std::to_string(tools));
         if (input.substeps < 1 || input.substeps > 1000)
-            return name + " has " + std::to_string(input.substeps) + " substeps";
-        for (const sim::ToolInput& tool : std::span(input.tools, r.header.tools.size()))
-            if (!all_within(tool.position_m, kLargestM) || !all_within(tool.orientation, 2) ||
-                !all_within(std::array{tool.jaw_rad}, 10))
-                return name + " has a hand that lies nowhere";
+            return wrong("has " + std::to_string(input.substeps) + " substeps");
+        const std::span hands(input.tools, r.header.tools.size());
+        if (!std::all_of(hands.begin(), hands.end(), hand_is_somewhere))
+            return wrong("has a hand that lies nowhere");
     }
     return {};
 }
@@ -119,13 +126,14 @@ std::string sample_problem(const Recording& r) {
     double before_s = 0;
     size_t at = 0;
     for (const sim::Sample& sample : r.samples) {
-        const std::string name = "sample " + std::to_string(at++);
+        const auto name = [&] { return "sample " + std::to_string(at); };
         if (!std::isfinite(sample.time_s) || !(sample.time_s > before_s))
-            return name + " is at " + number(sample.time_s) + " s, the one before it at " +
+            return name() + " is at " + number(sample.time_s) + " s, the one before it at " +
                    number(before_s) + " s";
         before_s = sample.time_s;
         if (const std::string bad = sample_values(sample, r.header.tools.size()); !bad.empty())
-            return name + " " + bad;
+            return name() + " " + bad;
+        ++at;
     }
     const double step_s = r.header.sample_s, end_s = r.end.duration_s;
     if (before_s > end_s + step_s)
@@ -143,13 +151,13 @@ std::string event_problem(const Recording& r) {
     const sim::Event* last_hash = nullptr;
     for (size_t i = 0; i < r.events.size(); ++i) {
         const sim::Event& event = r.events[i];
-        const std::string name = "event " + std::to_string(i);
+        const auto name = [&] { return "event " + std::to_string(i); };
         if (!within(event.time_s, 0, r.end.duration_s + 1))
-            return name + " is at " + number(event.time_s) + " s of " + number(r.end.duration_s) +
+            return name() + " is at " + number(event.time_s) + " s of " + number(r.end.duration_s) +
                    " s";
         if (!std::isfinite(event.value) || !std::isfinite(event.value2) ||
             !all_within(event.rest_position_m, kLargestM))
-            return name + " has a value that is no number";
+            return name() + " has a value that is no number";
         if (event.kind == sim::EventKind::kStateHash) last_hash = &event;
     }
     // The attempt's last event is the hash that the end repeats.
