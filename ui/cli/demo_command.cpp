@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
@@ -18,6 +17,7 @@
 #include "db/demonstration.h"
 #include "db/recording_file.h"
 #include "sim/core/counted.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/save_recording.h"
 
 namespace placode::cli {
@@ -51,26 +51,6 @@ struct Options {
     std::string task = "diathermy_ring";
     int attempts = static_cast<int>(kAttempts.size());
     int threads = 2;
-};
-
-std::atomic<bool> cancelled{false};
-void cancel(int) { cancelled = true; }
-
-/// Ctrl-C ends the attempt that runs, and keeps what is complete.
-class CancelOnInterrupt {
- public:
-    CancelOnInterrupt()
-        : interrupt_(std::signal(SIGINT, cancel)), terminate_(std::signal(SIGTERM, cancel)) {}
-    ~CancelOnInterrupt() {
-        std::signal(SIGINT, interrupt_);
-        std::signal(SIGTERM, terminate_);
-    }
-    CancelOnInterrupt(const CancelOnInterrupt&) = delete;
-    CancelOnInterrupt& operator=(const CancelOnInterrupt&) = delete;
-
- private:
-    void (*interrupt_)(int);
-    void (*terminate_)(int);
 };
 
 class ScratchFolder {
@@ -112,11 +92,10 @@ bool is_there(Session& session, const Planned& planned, const std::string& task)
     return false;
 }
 
-void show_progress(const std::string& what, const curriculum::AttemptStatus& status) {
-    if (isatty(STDERR_FILENO) == 0) return;
-    std::cerr << '\r' << what << ": " << fixed(status.time_s, 1) << " s, "
-              << sim::phase_name(status.phase) << ", " << fixed(100 * status.cut_fraction, 0)
-              << " % cut   " << std::flush;
+std::string progress_words(const std::string& what, const curriculum::AttemptStatus& status) {
+    return what + ": " + fixed(status.time_s, 1) + " s, " +
+           std::string(sim::phase_name(status.phase)) + ", " + fixed(100 * status.cut_fraction, 0) +
+           " % cut";
 }
 
 std::string utc_now() {
@@ -145,14 +124,14 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
         curriculum::AttemptRunner runner(task, planned.seed, how, db::create_recording_file(file));
         runner.start();
         while (!runner.finished()) {
-            if (cancelled) runner.request_finish(sim::EndReason::kClosed);
-            show_progress(what, runner.status());
+            if (CancelOn::requested()) runner.request_finish(sim::EndReason::kClosed);
+            show_progress(progress_words(what, runner.status()));
             std::this_thread::sleep_for(std::chrono::milliseconds(100));
         }
         runner.wait();
     }
-    if (isatty(STDERR_FILENO) != 0) std::cerr << '\r' << std::string(79, ' ') << '\r';
-    if (cancelled) return false;
+    clear_progress();
+    if (CancelOn::requested()) return false;
     const auto user = session.store().accounts().find_login(planned.login);
     const SavedAttempt saved = save_recording(session, user->id, file);
     const double wall_s =
@@ -172,7 +151,8 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
 int demo(const Context& context, const Options& options) {
     Session session(context, Missing::kCreate);
     session.need(db::Action::kManageUsers, db::Scope::kOther);
-    const CancelOnInterrupt on_interrupt;
+    // Ends the attempt that runs, and keeps what is complete.
+    const CancelOn on_interrupt{SIGINT, SIGTERM};
     std::vector<std::string> created;
     add_people(session, created);
     Json json{{"store", session.store().url()},
@@ -181,7 +161,7 @@ int demo(const Context& context, const Options& options) {
               {"attempts", Json::array()}};
     int there = 0;
     const auto count = std::min<size_t>(kAttempts.size(), static_cast<size_t>(options.attempts));
-    for (size_t i = 0; i < count && !cancelled; ++i) {
+    for (size_t i = 0; i < count && !CancelOn::requested(); ++i) {
         const Planned& planned = kAttempts[i];
         if (is_there(session, planned, options.task)) {
             ++there;
@@ -193,15 +173,16 @@ int demo(const Context& context, const Options& options) {
                           json);
     }
     json["already_there"] = there;
-    json["cancelled"] = cancelled.load();
+    json["cancelled"] = CancelOn::requested();
     std::string text = "demonstration accounts in " + session.store().url() + ", password \"" +
                        db::kDemonstrationPassword + "\":\n";
     for (const Person& person : kPeople) text += std::string("  ") + person.login + "\n";
     text += sim::counted(json["attempts"].size(), "attempt") + " simulated, " +
             std::to_string(there) + " were there";
-    if (cancelled) text += "; cancelled, what is complete is kept: run it again for the rest";
+    if (CancelOn::requested())
+        text += "; cancelled, what is complete is kept: run it again for the rest";
     print(context, json, text);
-    return cancelled ? 1 : 0;
+    return CancelOn::requested() ? 1 : 0;
 }
 
 }  // namespace

@@ -2,19 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl rescore | scores: old attempts under a new rubric, both scores kept.
 
-#include <unistd.h>
-
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <csignal>
-#include <iostream>
 #include <memory>
 #include <set>
 
 #include "assessment/signal.h"
 #include "db/rescore.h"
 #include "sim/core/counted.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/session.h"
 
 namespace placode::cli {
@@ -25,8 +21,6 @@ struct Options {
     bool dry_run = false;
     int64_t attempt = 0;
 };
-
-std::atomic<bool> stop{false};
 
 bool has_new_score(const db::RescoreOutcome& one, bool dry_run) {
     return one.state == db::RescoreState::kRescored ||
@@ -53,28 +47,27 @@ int rescore(const Context& context, const Options& options) {
     db::RescoreOptions how;
     how.dry_run = options.dry_run;
     if (!options.user.empty()) how.user_id = session.find_user(options.user).id;
-    const bool show = isatty(STDERR_FILENO) != 0;
-    how.progress = [show](size_t done, size_t total) {
-        if (show) std::cerr << "\rrescoring " << done << " of " << total << "   " << std::flush;
-        return !stop.load();
+    how.progress = [](size_t done, size_t total) {
+        show_progress("rescoring " + std::to_string(done) + " of " + std::to_string(total));
+        return !CancelOn::requested();
     };
-    auto* before = std::signal(SIGINT, [](int) { stop = true; });
     std::vector<db::RescoreOutcome> outcomes;
     try {
+        const CancelOn cancel{SIGINT};
         outcomes = db::rescore(session.store(), task, how);
     } catch (const db::StoreError& error) {
         if (error.kind() == db::StoreError::Kind::kConflict) throw InputError(error.what());
         throw;
     }
-    std::signal(SIGINT, before);
-    if (show) std::cerr << '\r' << std::string(40, ' ') << '\r';
+    clear_progress();
+    const bool stopped = CancelOn::requested();
     Json json{{"task", task.id},
               {"rubric", task.rubric.id},
               {"rubric_version", task.rubric.version},
               {"metric_set_version", assessment::kMetricSetVersion},
               {"preprocessing_version", assessment::kPreprocessingVersion},
               {"dry_run", options.dry_run},
-              {"cancelled", stop.load()},
+              {"cancelled", stopped},
               {"attempts", Json::array()}};
     std::vector<std::vector<std::string>> rows{
         {"attempt", "first score", "under this rubric", "difference", "verdict", "state"}};
@@ -121,8 +114,8 @@ int rescore(const Context& context, const Options& options) {
               " a score under " + task.rubric.id + " version " +
               std::to_string(task.rubric.version) + ", " + std::to_string(verdicts) +
               " verdicts differ, largest difference " + fixed(largest, 2) +
-              (stop ? "; cancelled, what is done is kept" : "") + lack_text(lack, lacking));
-    return stop ? 1 : 0;
+              (stopped ? "; cancelled, what is done is kept" : "") + lack_text(lack, lacking));
+    return stopped ? 1 : 0;
 }
 
 int scores(const Context& context, const Options& options) {

@@ -14,6 +14,7 @@
 #include <memory>
 
 #include "curriculum/verification_json.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
@@ -112,19 +113,12 @@ void make_folder(const std::string& folder) {
                          "); choose another place");
 }
 
-/// One line of the terminal, drawn over itself.
-void show_progress(const std::string& words) {
-    constexpr size_t kWidth = 78;
-    std::cerr << '\r' << words << std::string(kWidth - std::min(kWidth, words.size()), ' ')
-              << std::flush;
-}
-
 int solve(const Context& context, const Options& options) {
     const sim::VerificationScene scene = curriculum::load_verification_scene(options.scene);
     const bool show = isatty(STDERR_FILENO) != 0;
     const sim::SolveResult result = curriculum::solve_verification_scene(
         scene, options.scene, show ? show_progress : sim::SolveWatch());
-    if (show) std::cerr << '\r' << std::string(79, ' ') << '\r';
+    clear_progress();
     make_folder(options.out);
     const std::filesystem::path folder = options.out;
     const Json summary = summary_of(scene, result);

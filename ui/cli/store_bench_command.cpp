@@ -17,6 +17,7 @@
 #include "bench/shell_pages.h"
 #include "bench/store_pages.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/progress.h"
 
 namespace placode::cli {
 namespace {
@@ -68,13 +69,12 @@ db::LoadResult fill(const std::string& url, const Options& options, const Folder
     db::LoadOrder order;
     order.users = options.users;
     order.attempts = options.attempts;
-    const bool show = isatty(STDERR_FILENO) != 0;
-    order.progress = [show](int64_t done, int64_t total) {
-        if (show) std::cerr << "\rmultiplying " << done << " of " << total << "   " << std::flush;
+    order.progress = [](int64_t done, int64_t total) {
+        show_progress("multiplying " + std::to_string(done) + " of " + std::to_string(total));
         return true;
     };
     const db::LoadResult load = db::generate_load(url, order);
-    if (show) std::cerr << '\r' << std::string(50, ' ') << '\r';
+    clear_progress();
     return load;
 }
 

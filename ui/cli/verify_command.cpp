@@ -3,21 +3,15 @@
 // placodectl verify: simulates exams and attempts of studies again; they count once the same came
 // out. The shell does it by itself; this is for what was imported, and for the night.
 
-#include <unistd.h>
-
-#include <atomic>
-#include <csignal>
-#include <iostream>
 #include <memory>
 
 #include "sim/core/counted.h"
 #include "ui/cli/cli.h"
+#include "ui/cli/progress.h"
 #include "ui/cli/verify.h"
 
 namespace placode::cli {
 namespace {
-
-std::atomic<bool> stop{false};
 
 struct Options {
     int64_t attempt = 0;  ///< 0 = all that wait.
@@ -37,15 +31,16 @@ int verify_command(const Context& context, const Options& options) {
     std::vector<std::vector<std::string>> rows{{"attempt", "simulated again", "difference"}};
     int differ = 0, left = 0;
     for (const int64_t id : ids) {
-        if (stop) break;
+        if (CancelOn::requested()) break;
         const auto verdict = verify(session, id);
-        const char* const state = !verdict             ? "waiting"
-                                  : verdict->identical ? "identical"
-                                                       : "differs";
+        const char* const state = db::replay_name(!verdict             ? db::ReplayState::kWaiting
+                                                  : verdict->identical ? db::ReplayState::kIdentical
+                                                                       : db::ReplayState::kDiffers);
         const std::string difference =
             verdict ? verdict->difference
-            : stop  ? "stopped"
-                    : "recorded by another build or processor, or of a task that is unknown here";
+            : CancelOn::requested()
+                ? "stopped"
+                : "recorded by another build or processor, or of a task that is unknown here";
         differ += verdict && !verdict->identical ? 1 : 0;
         left += verdict ? 0 : 1;
         json["attempts"].push_back(
@@ -54,27 +49,24 @@ int verify_command(const Context& context, const Options& options) {
     }
     json["differ"] = differ;
     json["waiting"] = left;
-    json["cancelled"] = stop.load();
+    json["cancelled"] = CancelOn::requested();
     print(context, json,
           rows.size() == 1 ? std::string("no attempt waits for being simulated again")
                            : table(rows) + sim::counted(differ, "attempt") + " differ, " +
                                  std::to_string(left) + " still wait");
-    return stop ? 1 : 0;
+    return CancelOn::requested() ? 1 : 0;
 }
 
 }  // namespace
 
 std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id) {
-    const bool show = isatty(STDERR_FILENO) != 0;
-    auto* before = std::signal(SIGINT, [](int) { stop = true; });
+    const CancelOn cancel{SIGINT};
     const auto verdict = db::verify_attempt(session.store(), attempt_id, [&](double share) {
-        if (show)
-            std::cerr << "\rsimulating attempt " << attempt_id
-                      << " again: " << static_cast<int>(100 * share) << " %   " << std::flush;
-        return !stop.load();
+        show_progress("simulating attempt " + std::to_string(attempt_id) +
+                      " again: " + std::to_string(static_cast<int>(100 * share)) + " %");
+        return !CancelOn::requested();
     });
-    std::signal(SIGINT, before);
-    if (show) std::cerr << '\r' << std::string(60, ' ') << '\r';
+    clear_progress();
     return verdict;
 }
 
