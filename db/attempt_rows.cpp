@@ -96,7 +96,9 @@ AttemptConditions conditions_of(int64_t user_id, int64_t group_id, const std::st
 }
 
 std::string is_finished(const std::string& table) {
-    return table + ".void_reason = '' AND " + table + ".replay NOT IN (1, 3) AND " + table +
+    const auto number = [](ReplayState state) { return std::to_string(static_cast<int>(state)); };
+    return table + ".void_reason = '' AND " + table + ".replay NOT IN (" +
+           number(ReplayState::kWaiting) + ", " + number(ReplayState::kDiffers) + ") AND " + table +
            ".study = '' AND " + table + ".end_reason <> " +
            std::to_string(static_cast<int>(sim::EndReason::kInterrupted)) + " AND " + table +
            ".verdict <> " + std::to_string(static_cast<int>(assessment::Verdict::kNotAttempted));

@@ -11,8 +11,8 @@ namespace placode::db {
 std::vector<int64_t> Attempts::waiting_for_replay() {
     connection_.begin_operation("list what is to be replayed in");
     Statement query(connection_,
-                    "SELECT id FROM attempts WHERE replay = 1 ORDER BY started_utc, id");
-    query.run();
+                    "SELECT id FROM attempts WHERE replay = ? ORDER BY started_utc, id");
+    query.run(static_cast<int>(ReplayState::kWaiting));
     std::vector<int64_t> found;
     while (query.next()) found.push_back(query.integer(0));
     return found;

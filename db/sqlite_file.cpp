@@ -142,7 +142,7 @@ std::string mark_of_store(const std::string& path) { return path + ".known"; }
 void mark_store(const std::string& path) noexcept {
     if (path == ":memory:") return;
     const int file =
-        ::open((path + ".known").c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
+        ::open(mark_of_store(path).c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0600);
     if (file < 0) return;  // It is there, or nobody may write here.
     // The name counts; the text is for people.
     [[maybe_unused]] const ssize_t written = ::write(file, kMarkText, std::strlen(kMarkText));

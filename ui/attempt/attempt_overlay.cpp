@@ -68,10 +68,6 @@ Help controls(const Arguments& arguments) {
     return help;
 }
 
-}  // namespace
-
-namespace {
-
 /// What a practice task asks for, with the hints for this device.
 void set_steps(view::OverlayState& overlay, const curriculum::Task& task, const std::string& device,
                const std::string& language) {
