@@ -8,6 +8,7 @@
 #include "assessment/scoring.h"
 #include "curriculum/study.h"
 #include "db/demonstration.h"
+#include "db/recording_file.h"
 #include "db/void_reason.h"
 #include "shell_harness.h"
 #include "ui/shell/study_parts.h"
@@ -32,6 +33,7 @@ class ShellHintsTest : public QObject {
     void switchingTheUserIsNamedAndAsksWhileAnAttemptRuns();
     void aStudySaysTheLimitThatTheWindowShows();
     void whatIsInDoubtIsNotCalledTuned();
+    void whatCannotBeReplayedHereSaysSo();
     void aDemonstrationSaysWhoMaySignIn();
 
  private:
@@ -375,6 +377,35 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
     QVERIFY(shell_->arrives(PageId::kResult));
     QCOMPARE(shell_->text("result_verdict"), QString("Does not count: practice, not verified"));
     shell_->whole("36_result_not_verified");
+    shell_->context().signOut();
+}
+
+void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
+    QVERIFY(shell_->signIn("nina", "quiet river 7"));
+    db::AttemptResult result;
+    result.header.task_id = "touch_targets";
+    result.header.device = "mouse";
+    result.header.build = "placode 0.0 of another kind";
+    result.header.started_utc = "2026-03-02T10:00:00Z";
+    result.end.reason = sim::EndReason::kFinished;
+    result.end.duration_s = 0.001;
+    result.score.verdict = assessment::Verdict::kPassed;
+    result.exam = {"no_course", 1, "final", "Eva", ""};
+    result.recording_file = shell_->path("another.placode").toStdString();
+    const auto sink = db::create_recording_file(result.recording_file);
+    sink->begin(result.header);
+    const sim::Input input;
+    sink->append({&input, 1}, {}, {});
+    sink->finish(result.end);
+    const int64_t id = shell_->context().store().attempts().save(user_, result);
+    QCOMPARE(shell_->context().store().attempts().detail(id).record.replay,
+             db::ReplayState::kWaiting);
+    shell_->window().open({PageId::kResult, id, {}, {}});
+    QVERIFY(shell_->arrives(PageId::kResult));
+    const QString why = shell_->text("void_for_cause");
+    QVERIFY2(why.contains("another version of Placode"), qPrintable(why));
+    QVERIFY(shell_->window().findChild<QWidget*>("replay_progress") == nullptr);
+    shell_->whole("36_result_of_another_build");
     shell_->context().signOut();
 }
 

@@ -101,7 +101,8 @@ class ResultPage : public Page {
             QLabel* why = make_label(why_not_counted(record, exam_, own), "warn");
             why->setObjectName("void_for_cause");
             layout->addWidget(why);
-            if (waits_for_replay(record)) layout->addWidget(make_replay_bar(context_, record.id));
+            if (waits_for_replay(record) && can_be_replayed_here(record))
+                layout->addWidget(make_replay_bar(context_, record.id));
         } else if (record.haptic_grade == "bad") {
             layout->addWidget(make_label(
                 tr("The force device did not work as it must: forces of this attempt may have been "

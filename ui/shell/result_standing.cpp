@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "curriculum/attempt_runner.h"
 #include "db/attempt_counting.h"
 #include "db/void_reason.h"
 #include "reports/words.h"
@@ -27,9 +28,17 @@ bool waits_for_replay(const db::AttemptRecord& record) {
            record.void_reason.empty();
 }
 
+bool can_be_replayed_here(const db::AttemptRecord& record) {
+    return record.build == curriculum::this_build();
+}
+
 QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& standing, bool own) {
     QStringList said;
     const bool exam = !record.exam.course_id.empty();
+    if (waits_for_replay(record) && !can_be_replayed_here(record))
+        return Result::tr(
+            "It was recorded by another version of Placode, or on another kind of processor, and "
+            "can be simulated again only there. Until that is done it does not count.");
     if (waits_for_replay(record))
         return Result::tr(
             "What the hands did is simulated again, behind other work. The attempt gets "

@@ -14,6 +14,9 @@ namespace placode::ui {
 /// Complete and sound, but for the proof.
 [[nodiscard]] bool waits_for_replay(const db::AttemptRecord& record);
 
+/// Whether that can be done here: bits are promised for one build and instruction set.
+[[nodiscard]] bool can_be_replayed_here(const db::AttemptRecord& record);
+
 /// For who reads it: sentences. @param own it is the reader's.
 [[nodiscard]] QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& standing,
                                       bool own);

@@ -4192,6 +4192,10 @@
         <source>To the course</source>
         <translation>Do kursu</translation>
     </message>
+    <message>
+        <source>It was recorded by another version of Placode, or on another kind of processor, and can be simulated again only there. Until that is done it does not count.</source>
+        <translation>Nagrano ją inną wersją Placode lub na procesorze innego rodzaju i tylko tam można ją symulować ponownie. Do tego czasu się nie liczy.</translation>
+    </message>
 </context>
 <context>
     <name>RunningPage</name>
