@@ -42,10 +42,9 @@ MainWindow::MainWindow(AppContext& context) : context_(context) {
     connect(&context.launcher(), &AttemptLauncher::ended, this, &MainWindow::touched);
     attempt_ended_.setSingleShot(true);
     attempt_ended_.setInterval(5000);
-    connect(&context.launcher(), &AttemptLauncher::ended, this, [this] {
-        attempt_ended_.start();
-        last_held_press_.start();
-    });
+    connect(&context.launcher(), &AttemptLauncher::ended, &attempt_ended_,
+            qOverload<>(&QTimer::start));
+    connect(qApp, &QApplication::applicationStateChanged, this, &MainWindow::onCameBack);
     idle_.setSingleShot(true);
     connect(&idle_, &QTimer::timeout, this, &MainWindow::lock);
     qApp->installEventFilter(this);

@@ -76,6 +76,7 @@ class MainWindow : public QMainWindow {
     [[nodiscard]] bool closesNotice(QObject* object, QEvent* event);
     /// Enter that was held to end an attempt is still down when this window is in front again.
     [[nodiscard]] bool isLeftOverKey(QEvent* event);
+    void onCameBack(Qt::ApplicationState state);
     void rememberPlace();
     /// The page that this user left last, if it may still be opened.
     [[nodiscard]] Place lastPlace() const;
@@ -108,8 +109,8 @@ class MainWindow : public QMainWindow {
     std::vector<std::pair<QToolButton*, PageId>> rail_buttons_;
     QPointer<QWidget> search_;
     QTimer idle_;
-    QTimer attempt_ended_;           ///< Runs for a moment after the end of an attempt.
-    QElapsedTimer last_held_press_;  ///< Since a key of that kind, or since the window came back.
+    QTimer attempt_ended_;    ///< Runs for a moment after the end of an attempt.
+    QElapsedTimer held_key_;  ///< Valid: a key may still be down. Since it was heard of last.
     Place locked_place_;
     int64_t locked_user_ = 0;
 };

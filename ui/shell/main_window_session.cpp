@@ -28,8 +28,8 @@ bool holds_a_value(QObject* object) {
 
 bool MainWindow::eventFilter(QObject* object, QEvent* event) {
     switch (event->type()) {
-        case QEvent::WindowActivate:
-            if (object == this) last_held_press_.start();
+        case QEvent::KeyRelease:
+            if (object->isWindowType()) (void)isLeftOverKey(event);
             break;
         case QEvent::KeyPress:
         case QEvent::MouseButtonPress:
@@ -38,7 +38,8 @@ bool MainWindow::eventFilter(QObject* object, QEvent* event) {
         case QEvent::TouchBegin:
             touched();
             // Of the window only: the same press comes again for the widget in it.
-            if (object->isWindowType() && isLeftOverKey(event)) return true;
+            if (event->type() == QEvent::KeyPress && object->isWindowType() && isLeftOverKey(event))
+                return true;
             if (closesNotice(object, event)) return true;
             if (event->type() == QEvent::Wheel && holds_a_value(object)) {
                 event->ignore();  // goes to the page, which scrolls
@@ -56,18 +57,25 @@ void MainWindow::touched() {
         idle_.start(context_.lockAfterSeconds() * 1000);
 }
 
+void MainWindow::onCameBack(Qt::ApplicationState state) {
+    if (state == Qt::ApplicationActive &&
+        (context_.launcher().running() || attempt_ended_.isActive()))
+        held_key_.start();
+}
+
 bool MainWindow::isLeftOverKey(QEvent* event) {
-    if (event->type() != QEvent::KeyPress) return false;
-    if (!attempt_ended_.isActive() && !context_.launcher().running()) return false;
-    const auto* press = static_cast<QKeyEvent*>(event);
-    if (press->key() != Qt::Key_Return && press->key() != Qt::Key_Enter &&
-        press->key() != Qt::Key_Space)
+    if (!held_key_.isValid()) return false;
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (key->key() != Qt::Key_Return && key->key() != Qt::Key_Enter && key->key() != Qt::Key_Space)
         return false;
-    // This window has not seen it go down: only the pace tells that it repeats.
+    // It went down elsewhere: here it only repeats, faster than anybody presses, until it is let
+    // go.
     constexpr qint64 kPauseMs = 600;
-    const bool held = press->isAutoRepeat() ||
-                      (last_held_press_.isValid() && last_held_press_.elapsed() < kPauseMs);
-    last_held_press_.start();
+    const bool held = event->type() == QEvent::KeyPress && held_key_.elapsed() < kPauseMs;
+    if (held)
+        held_key_.start();
+    else if (!key->isAutoRepeat())
+        held_key_.invalidate();
     return held;
 }
 
