@@ -44,7 +44,7 @@ class Hands {
 
  private:
     struct Hand {
-        haptics::Vec3 tip_m, goal_m;
+        haptics::Vec3 tip_m = haptics::Vec3::Zero(), goal_m = haptics::Vec3::Zero();
         double roll_rad = 0, roll_goal_rad = 0, jaw_rad = 0, jaw_goal_rad = 0;
         uint8_t pedals = 0;
         bool engaged = true;
