@@ -5,8 +5,7 @@
 #include <memory>
 
 #include "bench/environment_speed.h"
-#include "environment/expert.h"
-#include "sim/core/random.h"
+#include "environment/policy.h"
 
 namespace placode::bench {
 namespace {
@@ -15,25 +14,18 @@ using environment::Environment;
 
 constexpr int kFrames = 20;
 
-enum class Policy { kNothing, kChance, kExpert };
-constexpr std::pair<Policy, const char*> kPolicies[] = {{Policy::kNothing, "nothing"},
-                                                        {Policy::kChance, "chance"},
-                                                        {Policy::kExpert, "scripted expert"}};
+/// As environment/policy.h names them, and as people read it.
+constexpr std::pair<const char*, const char*> kPolicies[] = {
+    {"nothing", "nothing"}, {"random", "chance"}, {"expert", "scripted expert"}};
 
 /// One attempt; adds what came of it.
-void perform(Environment& environment, Policy policy, uint64_t seed, PolicyRow& row) {
+void perform(Environment& environment, const std::string& name, uint64_t seed, PolicyRow& row) {
     environment.reset(seed);
-    environment::Expert expert(environment, "expert", seed);
-    sim::SplitMix64 random(seed);
+    environment::Policy policy(name, environment, seed);
     std::vector<double> action(environment.tools() * environment::kActionSize, 0.0);
-    for (size_t i = 0; i < environment.tools(); ++i) action[i * environment::kActionSize + 7] = 1;
     environment::StepOutcome outcome;
-    for (int step = 0; !environment.ended(); ++step) {
-        bool done = false;
-        if (policy == Policy::kExpert) done = expert.act(environment, kFrames, action);
-        // Chance holds a wish for a fifth of a second, or it would only tremble.
-        if (policy == Policy::kChance && step % 10 == 0)
-            for (double& number : action) number = random.uniform(-1, 1);
+    while (!environment.ended()) {
+        const bool done = policy.act(environment, kFrames, action);
         outcome = environment.step(action, kFrames, done);
         row.reward += outcome.reward;
     }
@@ -49,16 +41,15 @@ std::vector<PolicyRow> measure_policies(const EnvironmentCase& what, int attempt
                                         const std::function<void(const PolicyRow&)>& measured) {
     std::vector<PolicyRow> rows;
     const auto fields = std::make_shared<environment::FieldCache>();
-    for (const auto& [policy, name] : kPolicies) {
+    for (const auto& [policy, words] : kPolicies) {
         environment::EnvironmentOptions options;
-        options.units = policy == Policy::kExpert ? environment::ActionUnits::kAbsolute
-                                                  : environment::ActionUnits::kNormalised;
+        options.units = environment::policy_units(policy);
         options.scene_changes_json = what.scene_changes_json;
-        if (policy != Policy::kExpert) options.time_limit_s = floor_s;
+        if (policy != std::string_view("expert")) options.time_limit_s = floor_s;
         Environment environment(fields, what.task, options);
         PolicyRow row;
         row.task = what.task;
-        row.policy = name;
+        row.policy = words;
         for (int i = 0; i < attempts; ++i)
             perform(environment, policy, static_cast<uint64_t>(i) + 1, row);
         row.points /= attempts;

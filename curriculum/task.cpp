@@ -185,9 +185,10 @@ double limit_of(const Task& task, double asked_s) noexcept {
 std::vector<TaskStep> steps_for(const Task& task, const std::string& device) {
     const std::string name = device.substr(0, device.find(':'));
     std::vector<TaskStep> steps;
+    // Scripts and the operators of an environment (environment/) have no keys to be hinted at.
     for (const TaskStep& step : task.steps) {
         const auto& only = step.devices;
-        if (only.empty() || name == "script" ||
+        if (only.empty() || name == "script" || name == "environment" ||
             std::find(only.begin(), only.end(), name) != only.end())
             steps.push_back(step);
     }
