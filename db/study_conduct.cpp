@@ -7,11 +7,15 @@
 #include <set>
 
 #include "db/attempt_counting.h"
+#include "db/consent.h"
 #include "db/packing.h"
 #include "db/study_records.h"
 
 namespace placode::db {
 namespace {
+
+/// In the detail of a consent's step, before the ids of the statements.
+constexpr const char* kAgreed = ", agreed: ";
 
 /// What was read on screen, as one text.
 std::string consent_text(const curriculum::Consent& consent, const std::string& language) {
@@ -115,12 +119,28 @@ void record_consent(Store& store, const std::string& study_id, const std::string
     std::string list;
     for (const std::string& each : agreed) list += (list.empty() ? "" : " ") + each;
     step.detail = "consent version " + std::to_string(protocol->consent.version) + ", " + language +
-                  ", text " + checksum_hex(consent_text(protocol->consent, language)) +
-                  ", agreed: " + list +
+                  ", text " + checksum_hex(consent_text(protocol->consent, language)) + kAgreed +
+                  list +
                   (signature.empty() ? "; signed on paper"
                                      : "; signed on screen, " + checksum_hex(signature));
     store.studies().record_step(step);
     if (!signature.empty()) store.records().save_consent_signature(study_id, code, signature);
+}
+
+bool has_agreed(Store& store, const std::string& study_id, const std::string& code,
+                const std::string& statement) {
+    bool usable = false;
+    for (const ParticipantRecord& one : store.studies().participants(study_id))
+        usable = usable || (one.code == code && one.usable());
+    std::string last;  // of the steps in which there is one
+    for (const StepRecord& step : store.studies().steps(study_id))
+        if (step.participant == code && step.state == StepState::kDone && !step.superseded() &&
+            step.detail.find(kAgreed) != std::string::npos)
+            last = step.detail;
+    if (!usable || last.empty()) return false;
+    const size_t from = last.find(kAgreed) + std::string(kAgreed).size();
+    const std::string list = " " + last.substr(from, last.find(';', from) - from) + " ";
+    return list.find(" " + statement + " ") != std::string::npos;
 }
 
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,
