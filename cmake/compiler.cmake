@@ -175,7 +175,7 @@ function(placode_ui_programs)
   target_link_libraries(placode_attempt PUBLIC placode_view placode_db placode_version CLI11::CLI11 PRIVATE PkgConfig::OPENAL)
   placode_precompile(placode_attempt <CLI/CLI.hpp> <nlohmann/json.hpp> <Eigen/Dense>)
   placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
-  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_bench placode_version CLI11::CLI11)
+  placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_batches placode_version CLI11::CLI11)
   # It parses and prints: half of the time to compile it went into optimising that.
   target_compile_options(placodectl PRIVATE $<$<CONFIG:Release>:-O1>)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)

@@ -9,6 +9,7 @@
 
 #include "bench/machine.h"
 #include "bench/speed.h"
+#include "ui/cli/batch.h"
 #include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
@@ -130,6 +131,7 @@ void add_bench_commands(CLI::App& app, Context& context) {
     add_haptics_bench_command(*bench, context);
     add_store_bench_command(*bench, context);
     add_environment_command(*bench, context);
+    add_bench_tasks_command(*bench, context);
 }
 
 }  // namespace placode::cli

@@ -8,6 +8,8 @@
 
 #include "curriculum/definitions.h"
 #include "db/store.h"
+#include "ui/cli/batch.h"
+#include "ui/cli/dataset.h"
 #include "ui/cli/session.h"
 #include "ui/cli/solver_commands.h"
 #include "ui/usage_message.h"
@@ -94,6 +96,8 @@ int main(int argc, char** argv) {
     cli::add_verify_command(app, context);
     cli::add_norms_commands(app, context);
     cli::add_bench_commands(app, context);
+    cli::add_batch_commands(app, context);
+    cli::add_dataset_command(app, context);
     cli::add_demo_commands(app, context);
     try {
         app.parse(argc, argv);

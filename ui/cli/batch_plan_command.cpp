@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// placodectl batch plan: what a batch is to do, as a manifest.
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+#include "batches/plan.h"
+#include "sim/core/counted.h"
+#include "ui/cli/batch.h"
+#include "ui/cli/progress.h"
+#include "ui/cli/seed_list.h"
+#include "ui/cli/session.h"
+#include "ui/version.h"
+
+namespace placode::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string kind, out, recordings, task, seeds, scene_changes;
+    std::vector<std::string> tasks, policies;
+    bool from_store = false, metrics = false, record = false;
+    int threads = 1, shard_size = 20, frames_per_step = 20;
+    double time_limit_s = 0;
+};
+
+/// An option that the kind has no use for is a mistake, not a wish.
+void refuse_useless(const Options& options) {
+    const bool rollouts = options.kind == "rollouts";
+    const std::pair<bool, const char*> useless[] = {
+        {rollouts && (!options.recordings.empty() || options.from_store),
+         "--recordings and --from-store: of rescore and replay"},
+        {!rollouts &&
+             (!options.tasks.empty() || !options.policies.empty() || !options.seeds.empty() ||
+              options.record || options.time_limit_s > 0 || !options.scene_changes.empty()),
+         "--tasks, --policies, --seeds, --time-limit, --scene-changes and --record: of rollouts"},
+        {options.kind == "replay" && options.metrics, "--metrics: of rescore and rollouts"},
+        {options.kind != "replay" && options.threads != 1, "--threads: of replay"},
+        {!options.task.empty() && options.kind == "rollouts", "--task: of rescore and replay"},
+        {!options.task.empty() && options.kind == "replay" && !options.from_store,
+         "--task: of rescore, and of replay with --from-store"},
+    };
+    for (const auto& [wrong, words] : useless)
+        if (wrong)
+            throw InputError("batch plan " + options.kind +
+                             ": found an option of another "
+                             "kind (" +
+                             words + "); leave it out");
+}
+
+/// Recordings out of the store, into the batch's own folder: a node of a cluster needs no access to
+/// the store.
+std::vector<fs::path> out_of_store(const Context& context, const Options& options) {
+    if (options.task.empty())
+        throw InputError("--from-store: expected --task as well, whose attempts are meant");
+    Session session(context, Missing::kRefuse);
+    session.need(db::Action::kSetStandards, db::Scope::kOther);
+    session.need(db::Action::kViewAttempts, db::Scope::kOther);
+    const std::string id = curriculum::load_task(options.task).id;
+    const fs::path folder = fs::path(options.out) / "recordings";
+    fs::create_directories(folder);
+    std::vector<fs::path> files;
+    const auto attempts = session.store().attempts().list(0, id);
+    for (const auto& attempt : attempts) {
+        if (CancelOn::requested()) throw std::runtime_error("batch plan: stopped");
+        show_progress("recording " + std::to_string(files.size() + 1) + " of " +
+                      std::to_string(attempts.size()));
+        char name[48];
+        std::snprintf(name, sizeof name, "attempt-%09lld.placode",
+                      static_cast<long long>(attempt.id));
+        const fs::path part = folder / (std::string(name) + ".part");
+        fs::remove(part);
+        try {
+            session.store().attempts().extract_recording(attempt.id, part.string());
+        } catch (const db::StoreError& error) {
+            if (error.kind() != db::StoreError::Kind::kNotFound) throw;
+            continue;  // It was made without a recording.
+        }
+        fs::rename(part, folder / name);
+        files.push_back(folder / name);
+    }
+    clear_progress();
+    if (files.empty())
+        throw InputError("--from-store: no attempts of " + id + " with a recording in " +
+                         session.store().url());
+    std::sort(files.begin(), files.end());
+    session.store().audit().write(session.actor(), "batch.extract", "task " + id,
+                                  sim::counted(files.size(), "recording") + " for a batch");
+    return files;
+}
+
+std::string scene_changes_of(const Options& options) {
+    if (options.scene_changes.empty()) return {};
+    std::ifstream in(options.scene_changes, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(in), {});
+    if (!in || !Json::parse(text, nullptr, false).is_object())
+        throw InputError("--scene-changes " + options.scene_changes +
+                         ": expected a file with a JSON object, as {\"edge_ring_m\": 0.001}");
+    return text;
+}
+
+batches::Manifest plan_of(const Context& context, const Options& options) {
+    if (options.kind == "rollouts") {
+        if (options.tasks.empty() || options.policies.empty() || options.seeds.empty())
+            throw InputError("batch plan rollouts: expected --tasks, --policies and --seeds");
+        batches::RolloutsOrder order;
+        order.tasks = options.tasks;
+        order.policies = options.policies;
+        order.seeds = seed_list("--seeds", options.seeds);
+        order.frames_per_step = options.frames_per_step;
+        order.time_limit_s = options.time_limit_s;
+        order.scene_changes_json = scene_changes_of(options);
+        order.metrics = options.metrics;
+        order.record = options.record;
+        return batches::plan_rollouts(order);
+    }
+    if (options.recordings.empty() != options.from_store)
+        throw InputError("batch plan " + options.kind +
+                         ": expected one of --recordings FOLDER and --from-store");
+    batches::RecordingsOrder order;
+    order.kind = options.kind;
+    order.recordings = options.from_store ? out_of_store(context, options)
+                                          : batches::recordings_in(options.recordings);
+    order.task = options.kind == "rescore" ? options.task : "";
+    order.metrics = options.metrics;
+    order.threads = options.threads;
+    return batches::plan_recordings(order, options.out);
+}
+
+int plan(const Context& context, const Options& options) {
+    refuse_useless(options);
+    const CancelOn cancel{SIGINT, SIGTERM};
+    batches::Manifest manifest = plan_of(context, options);
+    manifest.build = batches::build_text(ui::version_text());
+    manifest.shard_size = options.shard_size;
+    batches::write_manifest(options.out, manifest);
+    print(context,
+          {{"batch", manifest.seal},
+           {"folder", options.out},
+           {"kind", manifest.kind},
+           {"items", manifest.items.size()},
+           {"shards", manifest.shards()},
+           {"build", manifest.build}},
+          options.out + ": " + sim::counted(manifest.items.size(), "item") + " in " +
+              sim::counted(manifest.shards(), "shard") + "; next: placodectl batch run " +
+              options.out);
+    return 0;
+}
+
+void add_options(CLI::App& command, Options& options) {
+    command
+        .add_option("KIND", options.kind,
+                    "rescore: score recordings again; replay: simulate them again and compare; "
+                    "rollouts: attempts of built-in policies")
+        ->required()
+        ->check(CLI::IsMember({"rescore", "replay", "rollouts"}));
+    command.add_option("--out", options.out, "Folder of the batch")->required();
+    command.add_option("--shard-size", options.shard_size, "Items done in one go")
+        ->check(CLI::Range(1, 100'000))
+        ->capture_default_str();
+    command.add_option("--recordings", options.recordings,
+                       "Rescore, replay: folder with FILE.placode");
+    command.add_flag("--from-store", options.from_store,
+                     "Rescore, replay: the recordings of --task in --store, copied into the batch");
+    command.add_option("--task", options.task,
+                       "Rescore: task id, or FILE.json with the new rubric (default: the program's "
+                       "own of each recording)");
+    command.add_flag("--metrics", options.metrics, "Rescore, rollouts: every metric in the result");
+    command.add_option("--threads", options.threads, "Replay: threads of the physics")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command.add_option("--tasks", options.tasks, "Rollouts: task ids or files, with commas")
+        ->delimiter(',');
+    command
+        .add_option("--policies", options.policies,
+                    "Rollouts: expert, intermediate, novice, nothing, random, with commas")
+        ->delimiter(',');
+    command.add_option("--seeds", options.seeds, "Rollouts: as 1-20,31");
+    command
+        .add_option("--frames-per-step", options.frames_per_step,
+                    "Rollouts: simulated ms between two actions")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command
+        .add_option("--time-limit", options.time_limit_s,
+                    "Rollouts: end earlier than the task would [s]")
+        ->check(CLI::Range(0.1, 3600.0));
+    command.add_option("--scene-changes", options.scene_changes,
+                       "Rollouts: FILE.json that is merged into every scene");
+    command.add_flag("--record", options.record, "Rollouts: keep the recordings");
+}
+
+}  // namespace
+
+void add_batch_plan_command(CLI::App& batch, Context& context) {
+    auto options = std::make_shared<Options>();
+    CLI::App* command =
+        batch.add_subcommand("plan", "Writes the manifest: what, inputs with checksums, shards");
+    add_options(*command, *options);
+    command->callback([&context, options] {
+        context.run = [&context, options] {
+            return of_batch([&] { return plan(context, *options); });
+        };
+    });
+}
+
+}  // namespace placode::cli
