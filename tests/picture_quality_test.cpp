@@ -8,10 +8,12 @@ namespace placode::view {
 namespace {
 
 // Pixels that are computed, relative: what the picture costs, roughly.
-double pixels(const Quality& q) { return q.render_scale * q.render_scale * (1 + q.samples); }
+double pixels(const Quality& q) {
+    return q.render_scale * q.render_scale * (1 + q.samples) * (q.shadows ? 1.2 : 1);
+}
 
 TEST(PictureQuality, EveryStepDownIsCheaperAndTheLastIsPlain) {
-    Quality q{1.25, 4, false};
+    Quality q{1.25, 4, false, true};
     int steps = 0;
     for (Quality before = q; make_simpler(q); before = q, ++steps) {
         EXPECT_LT(pixels(q) + (q.plain ? 0 : 1), pixels(before) + (before.plain ? 0 : 1));
@@ -21,10 +23,11 @@ TEST(PictureQuality, EveryStepDownIsCheaperAndTheLastIsPlain) {
     EXPECT_TRUE(q.plain);
     EXPECT_DOUBLE_EQ(q.render_scale, 0.3);
     EXPECT_EQ(q.samples, 0);
+    EXPECT_FALSE(q.shadows);
 }
 
 TEST(PictureQuality, TheWayUpPassesTheSameStepsBackwards) {
-    Quality q{1.25, 4, false};
+    Quality q{1.25, 4, false, true};
     std::vector<Quality> down{q};
     while (make_simpler(q)) down.push_back(q);
     for (size_t i = down.size() - 1; i-- > 0;) {
@@ -32,6 +35,7 @@ TEST(PictureQuality, TheWayUpPassesTheSameStepsBackwards) {
         EXPECT_DOUBLE_EQ(q.render_scale, down[i].render_scale) << i;
         EXPECT_EQ(q.samples, down[i].samples) << i;
         EXPECT_EQ(q.plain, down[i].plain) << i;
+        EXPECT_EQ(q.shadows, down[i].shadows) << i;
     }
     EXPECT_FALSE(make_richer(q));
 }
@@ -40,7 +44,8 @@ TEST(PictureQuality, ASoftwareRendererStartsLowButNeverAboveWhatIsWanted) {
     EXPECT_DOUBLE_EQ(software_quality({1, 4, false}, 700).render_scale, 0.8);
     EXPECT_DOUBLE_EQ(software_quality({1, 4, false}, 1080).render_scale, 0.6);
     EXPECT_DOUBLE_EQ(software_quality({0.3, 0, true}, 1080).render_scale, 0.3);
-    EXPECT_EQ(software_quality({1, 4, false}, 700).samples, 0);
+    EXPECT_EQ(software_quality({1, 4, false, true}, 700).samples, 0);
+    EXPECT_FALSE(software_quality({1, 4, false, true}, 700).shadows);
 }
 
 TEST(PictureQuality, NoMoreIsGivenBackThanItBeganWith) {
@@ -52,6 +57,7 @@ TEST(PictureQuality, NoMoreIsGivenBackThanItBeganWith) {
     EXPECT_EQ(q.render_scale, 0.8);
     EXPECT_FALSE(q.plain);
     EXPECT_EQ(q.samples, 0);
+    EXPECT_FALSE(no_richer_than({0.8, 0, false, true}, first));
 }
 
 }  // namespace

@@ -144,7 +144,10 @@ view::ViewSettings view_settings(const Arguments& arguments, const std::string& 
     settings.floating = arguments.control && arguments.place.has_value();
     settings.title = "Placode: " + title;
     settings.greeting = view::translated("The field is being prepared ...", arguments.language);
-    if (arguments.headless) settings.quality.samples = 4;  // pictures may take their time
+    if (arguments.headless) {  // pictures may take their time
+        settings.quality.samples = 4;
+        settings.quality.shadows = true;
+    }
     return settings;
 }
 

@@ -5,14 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <map>
 #include <utility>
 
 #include "ui/view/overlay_colours.h"
 #include "ui/view/png.h"
+#include "ui/view/shadow_map.h"
 #include "ui/view/smoke.h"
+#include "ui/view/surroundings.h"
 #include "ui/view/tissue_maps.h"
 #include "ui/view/tissue_mesh.h"
+#include "ui/view/tool_boxes.h"
 #include "ui/view/tool_renderer.h"
+#include "ui/view/wound_map.h"
 
 namespace placode::view {
 
@@ -26,85 +31,17 @@ double seconds_of(Clock::time_point time) {
     return std::chrono::duration<double>(time.time_since_epoch()).count();
 }
 
-// The inside of the uterus: an ellipsoid of gas around the fetal back.
-void build_wall(GlMesh& mesh) {
-    const Vec3 centre(0, 0, 25), half(100, 72, 66);
-    constexpr int kAround = 48, kUp = 24;
-    std::vector<float> vertices;
-    std::vector<unsigned> indices;
-    for (int j = 0; j <= kUp; ++j) {
-        for (int i = 0; i <= kAround; ++i) {
-            const double a = 2 * 3.14159265358979 * i / kAround,
-                         b = 3.14159265358979 * (j / double{kUp} - 0.5);
-            const Vec3 unit(std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b));
-            const Eigen::Vector3f p = (centre + half.cwiseProduct(unit)).cast<float>();
-            const Eigen::Vector3f n = (-unit.cwiseQuotient(half)).normalized().cast<float>();
-            const float row[kTissueVertexFloats] = {p.x(), p.y(), p.z(), n.x(), n.y(), n.z(),
-                                                    p.x(), p.y(), p.z(), 0,     0,     0,
-                                                    0,     37,    0,     0};
-            vertices.insert(vertices.end(), std::begin(row), std::end(row));
-        }
-    }
-    for (unsigned j = 0; j < kUp; ++j) {
-        for (unsigned i = 0; i < kAround; ++i) {
-            const unsigned p = j * (kAround + 1) + i, q = p + kAround + 1;
-            for (const unsigned v : {p, p + 1, q, q, p + 1, q + 1}) indices.push_back(v);
-        }
-    }
-    mesh.create({3, 3, 4, 4, 2});
-    mesh.vertices(vertices.data(), vertices.size(), false);
-    mesh.indices(indices);
-}
-
-// What is seen through an opened sac: the floor of the canal under a film of fluid.
-bool build_floor(const CanalFloor& floor, GlMesh& mesh) {
-    constexpr double kLowest = -0.02, kBelow = 1e-4;  // [m] none there; under what lies on it
-    constexpr float kDepthMm = 1.33F, kHollow = 0.35F, kBodyC = 37;
-    std::vector<float> vertices;
-    std::vector<unsigned> indices;
-    const auto height = [&](int i, int j) {
-        return static_cast<double>(floor.height_m[static_cast<size_t>(j * floor.columns + i)]);
-    };
-    const auto slope = [&](int i, int j, int di, int dj) {
-        const int a = std::clamp(i + di, 0, floor.columns - 1),
-                  b = std::clamp(i - di, 0, floor.columns - 1);
-        const int c = std::clamp(j + dj, 0, floor.rows - 1),
-                  d = std::clamp(j - dj, 0, floor.rows - 1);
-        const double up = std::max(height(a, c), kLowest), down = std::max(height(b, d), kLowest);
-        return (up - down) / (2 * floor.cell_m);
-    };
-    for (int j = 0; j < floor.rows; ++j) {
-        for (int i = 0; i < floor.columns; ++i) {
-            const Vec3 p(floor.x_m + i * floor.cell_m, floor.y_m + j * floor.cell_m,
-                         height(i, j) - kBelow);
-            const Eigen::Vector3f mm = (1000 * p).cast<float>();
-            const Eigen::Vector3f n =
-                Vec3(-slope(i, j, 1, 0), -slope(i, j, 0, 1), 1).normalized().cast<float>();
-            const float row[kTissueVertexFloats] = {mm.x(), mm.y(), mm.z(),  n.x(),    n.y(), n.z(),
-                                                    mm.x(), mm.y(), mm.z(),  kDepthMm, 0,     0,
-                                                    0,      kBodyC, kHollow, 0};
-            vertices.insert(vertices.end(), std::begin(row), std::end(row));
-            if (i + 1 == floor.columns || j + 1 == floor.rows) continue;
-            const std::array<double, 4> corners{height(i, j), height(i + 1, j), height(i, j + 1),
-                                                height(i + 1, j + 1)};
-            if (*std::min_element(corners.begin(), corners.end()) < kLowest) continue;
-            const auto a = static_cast<unsigned>(j * floor.columns + i);
-            const unsigned b = a + static_cast<unsigned>(floor.columns);
-            for (const unsigned v : {a, a + 1, b, b, a + 1, b + 1}) indices.push_back(v);
-        }
-    }
-    if (indices.empty()) return false;
-    mesh.vertices(vertices.data(), vertices.size(), false);
-    mesh.indices(indices);
-    return true;
-}
-
 }  // namespace
 
 struct FetoscopeView::Impl {
     Impl(const ViewField& field, const ViewSettings& s);
     void draw_world(const Snapshot& snapshot, const OverlayState& overlay, int size);
+    void follow(const Snapshot& snapshot);
+    void draw_shadows();
+    void draw_tissue(const Snapshot& snapshot);
+    void draw_parts() const;
     void light(GlProgram& program, const Snapshot& snapshot);
+    [[nodiscard]] Vec3 light_place() const;  // of the brighter side of the fibre ring
     void draw_smoke();
     void draw_depth(const Snapshot& snapshot, const OverlayState& overlay);
     void draw_guide(const Snapshot& snapshot, int size, bool contour);
@@ -115,12 +52,17 @@ struct FetoscopeView::Impl {
     std::unique_ptr<GlContext> context;  // before everything that lives in it
     std::vector<ToolSpec> tools;
     TissueMesh mesh;
+    DrawnMesh skirt;
+    Bed bed;
     TissueMaps maps;
-    GlProgram tissue{"tissue_vertex", "tissue"}, wall{"tissue_vertex", "wall"},
-        tool{"tissue_vertex", "tool"};
+    WoundMap wound;
+    GlTexture wound_texture;
+    std::unique_ptr<ShadowMap> shadow;        // where they are drawn
+    std::map<std::string, GlProgram> tissue;  // by options; made when first needed
+    GlProgram wall{"tissue_vertex", "wall"}, tool{"tissue_vertex", "tool"};
     GlProgram smoke_program{"smoke_vertex", "smoke"}, guide{"guide_vertex", "guide"},
         mask{"screen_vertex", "mask"};
-    GlMesh tissue_gl, skirt_gl, floor_gl, wall_gl, smoke_gl, guide_gl;
+    GlMesh tissue_gl, skirt_gl, floor_gl, bed_gl, wall_gl, smoke_gl, guide_gl;
     ToolRenderer instruments;
     DepthCue depth_cue;
     PostProcess post;
@@ -138,7 +80,7 @@ struct FetoscopeView::Impl {
     double last_time_s = -1;
     Clock::time_point last_picture{};
     unsigned error = 0;
-    bool software = false, has_floor = false, stays_simple = false;
+    bool software = false, stays_simple = false;
 };
 
 namespace {
@@ -157,6 +99,15 @@ void greet(GlContext& context, const std::string& words) {
     context.swap();
 }
 
+const std::vector<int> kTissueLayout{3, 3, 4, 4, 2};
+
+void load(GlMesh& mesh, const DrawnMesh& drawn) {
+    mesh.create(kTissueLayout);
+    if (drawn.indices.empty()) return;
+    mesh.vertices(drawn.vertices.data(), drawn.vertices.size(), false);
+    mesh.indices(drawn.indices);
+}
+
 std::unique_ptr<GlContext> opened(const ViewSettings& s) {
     if (s.offscreen) return open_offscreen({s.width, s.height, false, s.title, {}});
     auto window = open_window({s.width, s.height, s.fullscreen, s.title, s.place, s.floating});
@@ -171,19 +122,18 @@ FetoscopeView::Impl::Impl(const ViewField& field, const ViewSettings& s)
       context(opened(s)),
       tools(field.tools),
       mesh(field),
+      skirt(build_skirt(field)),
+      bed(field),
       maps(bake_maps(field)),
+      wound(field, maps.low_mm, maps.high_mm),
       instruments(field.tools),
       quality(s.quality) {
-    const std::vector<int> layout{3, 3, 4, 4, 2};
-    tissue_gl.create(layout);
-    skirt_gl.create(layout);
-    if (!mesh.skirt_indices().empty()) {
-        skirt_gl.vertices(mesh.skirt_vertices().data(), mesh.skirt_vertices().size(), false);
-        skirt_gl.indices(mesh.skirt_indices());
-    }
-    floor_gl.create(layout);
-    has_floor = build_floor(field.floor, floor_gl);
-    build_wall(wall_gl);
+    tissue_gl.create(kTissueLayout);
+    load(skirt_gl, skirt);
+    load(floor_gl, build_floor(field.floor));
+    load(bed_gl, bed.mesh());
+    load(wall_gl, build_wall());
+    wound_texture.load(WoundMap::kSize, WoundMap::kSize, {}, wound.pixels().data());
     smoke_gl.create({4, 2});
     guide_gl.create({4});
     times.renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
@@ -206,20 +156,20 @@ void FetoscopeView::Impl::observe(const Snapshot& snapshot) {
     lens.update(snapshot, tip, touches);
 }
 
+Vec3 FetoscopeView::Impl::light_place() const {
+    return camera.position_mm + 2.6 * camera.up - 2.0 * camera.right;
+}
+
 void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
     program.use();
     program.set("view_projection", camera.view_projection());
     program.set("eye", camera.position_mm);
     program.set("view_axis", camera.forward);
-    program.set("light_a", Vec3(camera.position_mm + 2.6 * camera.up - 2.0 * camera.right));
+    program.set("light_a", light_place());
     program.set("light_b", Vec3(camera.position_mm - 2.0 * camera.up + 1.5 * camera.right));
     program.set("cone_cos", static_cast<float>(std::cos(camera.half_angle_rad + 0.03)));
     program.set("time_s", static_cast<float>(snapshot.time_s));
-    std::vector<ShadowCapsule> capsules;
-    for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
-        for (const ShadowCapsule& c : shadow_capsules(tools[i], snapshot.tools[i].pose))
-            capsules.push_back(c);
-    }
+    const std::vector<ShadowCapsule> capsules = seen_capsules(snapshot, tools, camera);
     const int count = static_cast<int>(std::min<size_t>(capsules.size(), 6));
     std::array<float, 24> a{}, b{};
     for (int i = 0; i < count; ++i) {
@@ -243,6 +193,8 @@ void FetoscopeView::Impl::light(GlProgram& program, const Snapshot& snapshot) {
 
 void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayState& overlay,
                                      int size) {
+    follow(snapshot);
+    if (quality.shadows) draw_shadows();
     picture.allocate(size, size, GL_RGBA16F, true, quality.samples);
     picture.begin();
     glEnable(GL_DEPTH_TEST);
@@ -260,16 +212,7 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     tool.set("tissue_bounce", Vec3(0.20, 0.082, 0.072));
     instruments.draw(snapshot, tool);
 
-    light(tissue, snapshot);
-    tissue.set("map_low", static_cast<float>(maps.low_mm.x()), static_cast<float>(maps.low_mm.y()));
-    tissue.set("map_high", static_cast<float>(maps.high_mm.x()),
-               static_cast<float>(maps.high_mm.y()));
-    tissue.set("skin_tile", static_cast<float>(kSkinTileMm));
-    if (mesh.update(snapshot)) tissue_gl.indices(mesh.indices());
-    tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
-    tissue_gl.draw(GL_TRIANGLES);
-    skirt_gl.draw(GL_TRIANGLES);
-    if (has_floor) floor_gl.draw(GL_TRIANGLES);
+    draw_tissue(snapshot);
     draw_depth(snapshot, overlay);
 
     light(wall, snapshot);
@@ -280,11 +223,69 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     picture.resolve();
 }
 
+// Everything that moved since the last picture, to where it is drawn from.
+void FetoscopeView::Impl::follow(const Snapshot& snapshot) {
+    mesh.set_fine(!quality.plain);
+    const bool changed = mesh.update(snapshot);
+    if (changed) tissue_gl.indices(mesh.indices());
+    tissue_gl.vertices(mesh.vertices().data(), mesh.vertices().size(), true);
+    if (mesh.cut()) {
+        if (changed) {
+            bed.choose(snapshot);
+            bed_gl.indices(bed.mesh().indices);
+        }
+        bed.follow(snapshot);
+        bed_gl.vertices(bed.mesh().vertices.data(), bed.mesh().vertices.size(), true);
+    }
+    const MapPart part = wound.update(snapshot);
+    if (part.width > 0)
+        wound_texture.replace({part.x, part.y, part.width, part.height}, WoundMap::kSize,
+                              wound.pixels().data());
+}
+
+void FetoscopeView::Impl::draw_parts() const {
+    tissue_gl.draw(GL_TRIANGLES);
+    skirt_gl.draw(GL_TRIANGLES);
+    floor_gl.draw(GL_TRIANGLES);
+    if (mesh.cut()) bed_gl.draw(GL_TRIANGLES);
+}
+
+void FetoscopeView::Impl::draw_shadows() {
+    constexpr double kWider = 0.06;  // the light stands beside the lens
+    if (!shadow) shadow = std::make_unique<ShadowMap>();
+    Camera lamp = camera;
+    lamp.position_mm = light_place();
+    lamp.half_angle_rad += kWider;
+    shadow->begin(lamp);
+    draw_parts();
+    shadow->end();
+}
+
+void FetoscopeView::Impl::draw_tissue(const Snapshot& snapshot) {
+    const std::string options = quality.plain ? "PLAIN" : quality.shadows ? "SHADOWED" : "";
+    GlProgram& program =
+        tissue.try_emplace(options, "tissue_vertex", "tissue", options).first->second;
+    light(program, snapshot);
+    program.set("map_low", static_cast<float>(maps.low_mm.x()),
+                static_cast<float>(maps.low_mm.y()));
+    program.set("map_high", static_cast<float>(maps.high_mm.x()),
+                static_cast<float>(maps.high_mm.y()));
+    program.set("skin_tile", static_cast<float>(kSkinTileMm));
+    program.set("wound_map", 4);
+    wound_texture.bind(4);
+    if (quality.shadows) {
+        program.set("light_map", 5);
+        program.set("light_projection", shadow->projection());
+        shadow->bind(5);
+    }
+    draw_parts();
+}
+
 // Onto field and back beyond it; feet are looked for even where only steps need them.
 void FetoscopeView::Impl::draw_depth(const Snapshot& snapshot, const OverlayState& overlay) {
     if (!overlay.depth_aid && overlay.practice.steps.empty()) return;
     const DrawnTissue parts[] = {{mesh.vertices(), mesh.indices()},
-                                 {mesh.skirt_vertices(), mesh.skirt_indices()}};
+                                 {skirt.vertices, skirt.indices}};
     depth_cue.update(snapshot, tools, parts);
     if (!overlay.depth_aid) return;
     light(depth_cue.program(), snapshot);
@@ -417,6 +418,8 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     s.output.allocate(width, height, GL_RGBA8, false);
     post.output = s.output.framebuffer();
     post.plain = s.quality.plain;
+    post.smooth = s.quality.samples == 0 && !s.software;
+    if (s.quality.samples == 0 && s.software) post.edges = tool_boxes(snapshot, s.tools, s.camera);
     s.post.run(s.picture.texture(), size, post);
     s.times.render_scale = s.quality.render_scale;
     s.times.samples = s.quality.samples;

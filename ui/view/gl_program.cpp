@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/gl_program.h"
 
+#include <cstddef>
+#include <sstream>
 #include <utility>
 
 namespace placode::view {
@@ -9,11 +11,12 @@ namespace placode::view {
 using namespace sim;
 namespace {
 
-GLuint compile(GLenum kind, std::string_view name, std::string_view option = {}) {
+GLuint compile(GLenum kind, std::string_view name, const std::string& options = {}) {
     const std::string_view body = shader_text(name);
     if (body.empty()) throw ViewError("no embedded shader \"" + std::string(name) + "\"");
     std::string source = "#version 330 core\n";
-    if (!option.empty()) source += "#define " + std::string(option) + '\n';
+    std::istringstream words(options);
+    for (std::string option; words >> option;) source += "#define " + option + '\n';
     if (kind == GL_FRAGMENT_SHADER) source += shader_text("shared");
     source += body;
     const GLuint shader = glCreateShader(kind);
@@ -35,9 +38,10 @@ GLuint compile(GLenum kind, std::string_view name, std::string_view option = {})
 
 }  // namespace
 
-GlProgram::GlProgram(std::string_view vertex, std::string_view fragment, std::string_view option) {
+GlProgram::GlProgram(std::string_view vertex, std::string_view fragment,
+                     const std::string& options) {
     const GLuint v = compile(GL_VERTEX_SHADER, vertex);
-    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment, option);
+    const GLuint f = compile(GL_FRAGMENT_SHADER, fragment, options);
     program_ = glCreateProgram();
     glAttachShader(program_, v);
     glAttachShader(program_, f);
@@ -106,6 +110,16 @@ void GlTexture::load(int width, int height, const Format& format, const void* pi
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
                     format.mipmap ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     if (format.mipmap) glGenerateMipmap(GL_TEXTURE_2D);
+}
+
+void GlTexture::replace(const Part& part, int width, const uint8_t* pixels) const {
+    glBindTexture(GL_TEXTURE_2D, id_);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, width);
+    glTexSubImage2D(GL_TEXTURE_2D, 0, part.x, part.y, part.width, part.height, GL_RGBA,
+                    GL_UNSIGNED_BYTE,
+                    pixels + 4 * (static_cast<ptrdiff_t>(part.y) * width + part.x));
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
 void GlTexture::bind(int unit) const {

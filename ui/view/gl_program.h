@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdint>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -30,8 +31,8 @@ using Mat4f = Eigen::Matrix4f;
 class GlProgram {
  public:
     /// Names of embedded shaders; `shared.glsl` is put before the fragment shader, and before that
-    /// a line `#define OPTION` where an option is named. Throws ViewError with the driver's log.
-    GlProgram(std::string_view vertex, std::string_view fragment, std::string_view option = {});
+    /// a line `#define OPTION` for each word of `options`. Throws ViewError with the driver's log.
+    GlProgram(std::string_view vertex, std::string_view fragment, const std::string& options = {});
     ~GlProgram();
     GlProgram(const GlProgram&) = delete;
     GlProgram& operator=(const GlProgram&) = delete;
@@ -65,6 +66,11 @@ class GlTexture {
     };
     /// (Re)allocates and fills; `pixels` may be null.
     void load(int width, int height, const Format& format, const void* pixels);
+    /// Writes a part of what load() allocated, as bytes; `pixels` and `width` are of the whole.
+    struct Part {
+        int x = 0, y = 0, width = 0, height = 0;
+    };
+    void replace(const Part& part, int width, const uint8_t* pixels) const;
     void bind(int unit) const;
     [[nodiscard]] GLuint id() const { return id_; }
 

@@ -21,6 +21,10 @@ const double* step_of(double scale) {
 }  // namespace
 
 bool make_simpler(Quality& quality) {
+    if (quality.shadows) {
+        quality.shadows = false;
+        return true;
+    }
     if (quality.samples > 0) {
         quality.samples = 0;
         return true;
@@ -42,19 +46,23 @@ bool make_richer(Quality& quality) {
         quality.render_scale = *(at + 1);
         return true;
     }
-    if (quality.samples >= kMostSamples) return false;
-    quality.samples = kMostSamples;
-    return true;
+    if (quality.samples < kMostSamples) {
+        quality.samples = kMostSamples;
+        return true;
+    }
+    if (quality.shadows) return false;
+    return quality.shadows = true;
 }
 
 bool no_richer_than(const Quality& quality, const Quality& most) {
     return quality.render_scale <= most.render_scale + 1e-6 && quality.samples <= most.samples &&
-           (quality.plain || !most.plain);
+           (quality.plain || !most.plain) && (!quality.shadows || most.shadows);
 }
 
 Quality software_quality(Quality wanted, int height_px) {
     constexpr int kLargePx = 800;  // of a window, from which on fewer pixels are computed
     wanted.samples = 0;
+    wanted.shadows = false;
     wanted.render_scale = std::min(wanted.render_scale, height_px > kLargePx ? kPlainScale : 0.8);
     return wanted;
 }

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How much is computed per picture, and the order in which things are left out where pictures are
-// slow: first smooth edges, then pixels, then what lens and camera add, then pixels again.
+// slow: first shadows of tissue, then smooth edges, then pixels, then what lens and camera add and
+// the finest of a wound, then pixels again.
 
 namespace placode::view {
 
@@ -10,6 +11,7 @@ struct Quality {
     double render_scale = 1;  ///< Pixels computed per pixel shown, along each side.
     int samples = 0;          ///< Multisampling.
     bool plain = false;       ///< No bloom, grain or coloured rim; lens and film at render scale.
+    bool shadows = false;     ///< Of tissue on tissue.
 };
 
 /// One step simpler. False when it is as simple as it gets.

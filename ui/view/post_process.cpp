@@ -33,10 +33,7 @@ Circle picture_circle(int width, int height) {
 PostProcess::PostProcess()
     : bright_("screen_vertex", "bright"),
       meter_("screen_vertex", "meter"),
-      blur_("screen_vertex", "blur"),
-      compose_("screen_vertex", "compose"),
-      compose_wet_("screen_vertex", "compose", "WET"),
-      compose_plain_("screen_vertex", "compose", "PLAIN") {
+      blur_("screen_vertex", "blur") {
     for (GlTarget& e : exposure_) {
         e.allocate(1, 1, GL_RGBA16F, false);
         e.begin();
@@ -60,19 +57,12 @@ void PostProcess::run(const GlTexture& picture, int size, const PostSettings& se
         small.width = small.height = size;
         small.circle = {0.5 * size, 0.5 * size, 0.5 * size};
         small.output = plain_.framebuffer();
-        compose(picture, small);
+        compose(picture, size, small);
         stretch(settings);
         return;
     }
     bloom(size).texture().bind(1);
-    // Nothing but the surround lies beyond the circle.
-    const Circle& c = settings.circle;
-    const auto low = [&](double middle) { return static_cast<int>(std::floor(middle - c.radius)); };
-    const int side = static_cast<int>(std::ceil(2 * c.radius)) + 1;
-    glEnable(GL_SCISSOR_TEST);
-    glScissor(low(c.x), low(c.y), side, side);
-    compose(picture, settings);
-    glDisable(GL_SCISSOR_TEST);
+    compose(picture, size, settings);
 }
 
 void PostProcess::meter(const GlTexture& picture, int size, double dt_s) {
@@ -120,17 +110,41 @@ const GlTarget& PostProcess::bloom(int size) {
     return *from;
 }
 
-void PostProcess::compose(const GlTexture& picture, const PostSettings& settings) {
+void PostProcess::compose(const GlTexture& picture, int size, const PostSettings& settings) {
+    const bool wet = !settings.plain && lies_on(settings.lens);
+    const std::string options = settings.plain ? "PLAIN" : wet ? "WET" : "";
+    const Circle& c = settings.circle;
+    const auto scissor = [&](const PictureBox& box) {
+        const auto at = [&](double middle, double share) { return middle + share * c.radius; };
+        const int x = static_cast<int>(std::floor(at(c.x, box.low.x()))),
+                  y = static_cast<int>(std::floor(at(c.y, box.low.y())));
+        glScissor(x, y, static_cast<int>(std::ceil(at(c.x, box.high.x()))) - x + 1,
+                  static_cast<int>(std::ceil(at(c.y, box.high.y()))) - y + 1);
+    };
+    glEnable(GL_SCISSOR_TEST);
+    // Nothing but the surround lies beyond the circle.
+    scissor({Vec2(-1, -1), Vec2(1, 1)});
+    compose_with(options + (settings.smooth ? " SMOOTH" : ""), picture, size, settings);
+    // Fog and droplets blur more than steps show, and cost too much to be computed twice.
+    for (const PictureBox& box : wet ? std::vector<PictureBox>() : settings.edges) {
+        scissor(box);
+        compose_with(options + " SMOOTH", picture, size, settings);
+    }
+    glDisable(GL_SCISSOR_TEST);
+}
+
+void PostProcess::compose_with(const std::string& options, const GlTexture& picture, int size,
+                               const PostSettings& settings) {
     glBindFramebuffer(GL_FRAMEBUFFER, settings.output);
     glViewport(0, 0, settings.width, settings.height);
     picture.bind(0);
     exposure_[static_cast<size_t>(current_)].texture().bind(2);
-    GlProgram& program = settings.plain           ? compose_plain_
-                         : lies_on(settings.lens) ? compose_wet_
-                                                  : compose_;
+    GlProgram& program =
+        compose_.try_emplace(options, "screen_vertex", "compose", options).first->second;
     program.use();
     program.set("picture", 0);
     program.set("bloom", 1);
+    program.set("texel", 1.0F / static_cast<float>(size), 1.0F / static_cast<float>(size));
     program.set("exposure_map", 2);
     program.set("window_px", static_cast<float>(settings.width),
                 static_cast<float>(settings.height));

@@ -221,6 +221,14 @@ std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_W
             {at(collar + 0.4 * radius), at(1000 * spec.length_m), radius}};
 }
 
+bool is_drawn(const std::vector<ToolSpec>& tools, size_t i, const Snapshot& snapshot) {
+    if (tools[i].kind == ToolKind::kScope) return false;
+    const bool shares = std::count_if(tools.begin(), tools.end(), [&](const ToolSpec& s) {
+                            return s.hand == tools[i].hand;
+                        }) > 1;
+    return !shares || snapshot.tools[i].engaged != 0;
+}
+
 ToolRenderer::ToolRenderer(const std::vector<ToolSpec>& tools) : specs_(tools) {
     specs_.resize(std::min(specs_.size(), size_t{kMaxTools}));
     for (size_t i = 0; i < specs_.size(); ++i) {
@@ -234,12 +242,7 @@ void ToolRenderer::draw(const Snapshot& snapshot, GlProgram& program) {
     for (size_t i = 0; i < shapes_.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
         const ToolSnapshot& tool = snapshot.tools[i];
         const ToolModel& shape = shapes_[i];
-        if (shape.indices.empty()) continue;
-        // What waits outside for its turn at the port is not in the picture.
-        const bool shares = std::count_if(specs_.begin(), specs_.end(), [&](const ToolSpec& s) {
-                                return s.hand == specs_[i].hand;
-                            }) > 1;
-        if (shares && tool.engaged == 0) continue;
+        if (shape.indices.empty() || !is_drawn(specs_, i, snapshot)) continue;
         const Eigen::Matrix3f turn = tool.pose.q.toRotationMatrix().cast<float>();
         const Vector3f origin = (1000 * tool.pose.p).cast<float>();
         staging_.clear();

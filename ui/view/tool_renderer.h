@@ -34,6 +34,10 @@ struct ShadowCapsule {
 [[nodiscard]] std::vector<ShadowCapsule> shadow_capsules(const sim::ToolSpec& spec,
                                                          const sim::Pose& X_WT);
 
+/// Whether instrument `i` is drawn: no scope, and not what waits outside for its turn at the port.
+[[nodiscard]] bool is_drawn(const std::vector<sim::ToolSpec>& tools, size_t i,
+                            const sim::Snapshot& snapshot);
+
 class ToolRenderer {
  public:
     explicit ToolRenderer(const std::vector<sim::ToolSpec>& tools);

@@ -1,6 +1,7 @@
 // From the linear picture to what the camera's monitor shows: lens, haze, bloom, curve, sensor.
-// Three programs of one text, for a software renderer computes every branch of a shader for every
-// pixel: a clean lens; WET, with what can lie on the lens; PLAIN, the least that is needed.
+// Programs of one text, for a software renderer computes every branch of a shader for every pixel: a
+// clean lens; WET, with what can lie on the lens; PLAIN, the least that is needed; each also SMOOTH,
+// with softened steps at edges.
 in vec2 v_uv;
 uniform sampler2D picture;
 uniform sampler2D bloom;
@@ -29,6 +30,29 @@ vec3 film(vec3 x) { return clamp((x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59
 vec3 encode(vec3 c) { return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, step(0.0031308, c)); }
 float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233)) + noise_seed) * 43758.5453); }
 
+#ifdef SMOOTH
+uniform vec2 texel;
+
+float tone(vec3 c) { return c.g / (c.g + 0.4); }
+// Looks for an edge and blends along it. Source: T. Lottes 2011, "FXAA".
+vec3 smoothed(vec2 at) {
+    vec2 h = 0.5 * texel;
+    vec3 c = texture(picture, at).rgb;
+    float nw = tone(texture(picture, at + vec2(-h.x, h.y)).rgb), ne = tone(texture(picture, at + h).rgb);
+    float sw = tone(texture(picture, at - h).rgb), se = tone(texture(picture, at + vec2(h.x, -h.y)).rgb);
+    float m = tone(c);
+    float low = min(m, min(min(nw, ne), min(sw, se))), high = max(m, max(max(nw, ne), max(sw, se)));
+    vec2 along = vec2(sw + se - nw - ne, nw + sw - ne - se);
+    float weak = max(0.03125 * (nw + ne + sw + se), 1.0 / 128.0);
+    along *= 1.0 / (min(abs(along.x), abs(along.y)) + weak);
+    along = clamp(along, -2.5, 2.5) * texel;
+    vec3 blended = 0.5 * (texture(picture, at - 0.5 * along).rgb + texture(picture, at + 0.5 * along).rgb);
+    return mix(c, blended, step(max(0.04, 0.12 * high), high - low));
+}
+#else
+vec3 smoothed(vec2 at) { return texture(picture, at).rgb; }
+#endif
+
 void main() {
     vec2 px = v_uv * window_px;
     vec2 p = (px - circle_centre) / circle_radius;
@@ -49,8 +73,8 @@ void main() {
     }
 #endif
     vec2 u = undistort(seen);
-#ifdef PLAIN
-    vec3 c = texture(picture, 0.5 + 0.5 * u).rgb;
+#if defined(PLAIN) || defined(SMOOTH)
+    vec3 c = smoothed(0.5 + 0.5 * u);
 #else
     // The colours part by about one pixel at the rim.
     vec2 shift = p * r * (1.0 / circle_radius);

@@ -1,0 +1,2 @@
+// Depth only: how far the light reaches.
+void main() {}

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/view/tool_boxes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace placode::view {
+
+using namespace sim;
+
+std::optional<Vec2> place_in_picture(const Camera& camera, const Vec3& mm) {
+    const Eigen::Vector4f clip = camera.view_projection() * mm.cast<float>().homogeneous();
+    if (clip.w() <= 0.1F) return std::nullopt;
+    const Vec2 seen = (clip.head<2>() / clip.w()).cast<double>();
+    // The lens of compose.glsl, the other way round: r (1 + k1 r^2 + k2 r^4) = kRim |seen|.
+    constexpr double k1 = 0.20, k2 = 0.03, rim = 1 + k1 + k2;
+    const double wanted = rim * seen.norm();
+    double r = std::min(wanted, 2.0);
+    for (int i = 0; i < 8; ++i) {
+        const double r2 = r * r;
+        r -= (r * (1 + k1 * r2 + k2 * r2 * r2) - wanted) / (1 + 3 * k1 * r2 + 5 * k2 * r2 * r2);
+    }
+    return seen.norm() > 1e-9 ? Vec2(seen.normalized() * r) : Vec2(Vec2::Zero());
+}
+
+std::vector<ShadowCapsule> seen_capsules(const Snapshot& snapshot,
+                                         const std::vector<ToolSpec>& tools, const Camera& camera) {
+    constexpr int kSteps = 12;
+    constexpr double kBeside = 1.35;
+    std::vector<ShadowCapsule> seen;
+    for (size_t i = 0; i < tools.size() && i < static_cast<size_t>(snapshot.tool_count); ++i) {
+        if (!is_drawn(tools, i, snapshot)) continue;
+        for (const ShadowCapsule& c : shadow_capsules(tools[i], snapshot.tools[i].pose)) {
+            bool near = false;
+            for (int k = 0; k <= kSteps && !near; ++k) {
+                const auto place = place_in_picture(camera, c.a + k / double{kSteps} * (c.b - c.a));
+                near = place && place->norm() < kBeside;
+            }
+            if (near) seen.push_back(c);
+        }
+    }
+    return seen;
+}
+
+namespace {
+
+// A capsule's axis in the picture, from its one end to the other; gaps where it is behind the lens.
+struct Seen {
+    Vec2 at;
+    double half = 0;  // width there
+};
+
+std::vector<std::optional<Seen>> walk(const ShadowCapsule& c, const Camera& camera) {
+    constexpr int kSteps = 64;
+    constexpr double kBorder = 0.015, kFootMm = 1.8;
+    const double focal = 1 / std::tan(camera.half_angle_rad);
+    std::vector<std::optional<Seen>> way;
+    for (int k = 0; k <= kSteps; ++k) {
+        const Vec3 at = c.a + k / double{kSteps} * (c.b - c.a);
+        const auto place = place_in_picture(camera, at);
+        // Jaws and the foot of a hook stand off the axis.
+        const double near = std::max(2.0, (at - camera.position_mm).norm());
+        way.emplace_back();
+        if (place)
+            way.back() = Seen{*place, std::max(2.5 * c.radius, kFootMm) * focal / near + kBorder};
+    }
+    return way;
+}
+
+}  // namespace
+
+// Pieces of a shaft, because one box around a slanting shaft is mostly empty.
+std::vector<PictureBox> tool_boxes(const Snapshot& snapshot, const std::vector<ToolSpec>& tools,
+                                   const Camera& camera) {
+    constexpr double kPiece = 0.25;  // of the picture's radius
+    std::vector<PictureBox> boxes;
+    for (const ShadowCapsule& c : seen_capsules(snapshot, tools, camera)) {
+        const auto way = walk(c, camera);
+        Vec2 start = Vec2::Zero();  // of the last box
+        bool open = false;          // it may grow
+        for (size_t k = 0; k + 1 < way.size(); ++k) {
+            const auto &a = way[k], &b = way[k + 1];
+            if (!a || !b || std::min(a->at.norm() - a->half, b->at.norm() - b->half) > 1) {
+                open = false;
+                continue;
+            }
+            if (!open) {
+                boxes.push_back({Vec2(1, 1), Vec2(-1, -1)});
+                start = a->at;
+            }
+            PictureBox& box = boxes.back();
+            for (const Seen& end : {*a, *b}) {
+                const Vec2 half(end.half, end.half), low(-1, -1), high(1, 1);
+                box.low = box.low.cwiseMin(end.at - half).cwiseMax(low);
+                box.high = box.high.cwiseMax(end.at + half).cwiseMin(high);
+            }
+            open = (b->at - start).norm() < kPiece;
+        }
+    }
+    return boxes;
+}
+
+}  // namespace placode::view
