@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "batches/merge.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "batches/batch_error.h"
@@ -51,6 +52,13 @@ std::string ranges_text(const std::vector<int>& numbers) {
     return text;
 }
 
+std::vector<int> BatchStatus::to_do() const {
+    std::vector<int> all = missing;
+    all.insert(all.end(), damaged_shards.begin(), damaged_shards.end());
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 BatchStatus batch_status(const fs::path& folder, const Manifest& manifest) {
     BatchStatus status;
     status.shards = manifest.shards();
@@ -58,7 +66,10 @@ BatchStatus batch_status(const fs::path& folder, const Manifest& manifest) {
         const Shard shard = read_shard(folder, manifest, number);
         if (shard.state == ShardState::kMissing) status.missing.push_back(number);
         if (shard.state == ShardState::kDone) ++status.done;
-        if (shard.state == ShardState::kDamaged) status.damaged.push_back(shard.problem);
+        if (shard.state == ShardState::kDamaged) {
+            status.damaged.push_back(shard.problem);
+            status.damaged_shards.push_back(number);
+        }
         if (shard.state == ShardState::kOfAnother) status.of_another.push_back(shard.problem);
     }
     return status;

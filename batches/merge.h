@@ -16,6 +16,10 @@ struct BatchStatus {
     int shards = 0, done = 0;
     std::vector<int> missing;
     std::vector<std::string> damaged, of_another;  ///< What is wrong with which file.
+    std::vector<int> damaged_shards;
+
+    /// Missing or damaged, in their order.
+    [[nodiscard]] std::vector<int> to_do() const;
 };
 
 /// Verifies the checksum of every shard.

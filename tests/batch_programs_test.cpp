@@ -247,6 +247,11 @@ TEST_F(BatchPrograms, TheScriptsDoTheShards) {
     EXPECT_EQ(shell("env SLURM_ARRAY_TASK_ID=5 bash slurm.sh").status, 0);
     EXPECT_TRUE(fs::exists(file("p/shards/000005.jsonl")));
     EXPECT_EQ(shards_done("p"), 1);
+    // Again, it asks for what is left.
+    EXPECT_THAT(batch("script p --runner slurm").out, HasSubstr("#SBATCH --array=0-4,6-7\n"));
+    const Outcome done = batch("script a --runner slurm");
+    EXPECT_EQ(done.status, 2);
+    EXPECT_THAT(done.err, HasSubstr("every shard is done"));
     write_text(file("parallel.sh"), batch("script p --runner parallel --jobs 2").out);
     EXPECT_EQ(shell("bash -n parallel.sh").status, 0);
     if (shell("sh -c 'parallel --version | grep -q GNU'").status != 0)

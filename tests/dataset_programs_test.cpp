@@ -51,6 +51,48 @@ Episode episode(const std::string& policy_name, uint64_t seed, const char* task 
     return made;
 }
 
+/// Four people with two attempts each; the second did not agree to give data away.
+std::vector<std::string> fill_study(db::Store& store, const std::string& scratch_file) {
+    std::vector<std::string> codes;
+    const curriculum::StudyProtocol protocol = curriculum::load_study("face_content_validity");
+    std::string text = protocol.json;
+    const size_t at = text.find("\"id\": \"data\",");
+    EXPECT_NE(at, std::string::npos);
+    text.insert(at, "\"required\": false, ");
+    db::DefinitionRecord study;
+    study.kind = "study";
+    study.id = "face_content_validity";
+    study.version = protocol.version;
+    study.json = text;
+    store.definitions().publish(study);
+    const int64_t anybody =
+        store.accounts().create({"anna", "Anna Nowak", "correct horse", 1, true});
+    for (int i = 0; i < 4; ++i) {
+        codes.push_back(store.studies().new_participant("face_content_validity"));
+        std::vector<std::string> agreed{"read", "voluntary"};
+        if (i != 1) agreed.emplace_back("data");
+        db::record_consent(store, "face_content_validity", codes.back(), "en", agreed);
+        for (int attempt = 0; attempt < 2; ++attempt) {
+            db::AttemptResult result;
+            Episode made = episode("random", static_cast<uint64_t>(10 * i + attempt + 1));
+            made.recording.header.demonstration = false;
+            made.recording.header.started_utc = "2026-11-21T10:05:00.000Z";
+            result.header = made.recording.header;
+            result.end = made.recording.end;
+            result.recording_file = scratch_file;
+            batches::write_recording(made.recording, result.recording_file);
+            result.study = {"face_content_validity", codes.back()};
+            db::StepRecord step;
+            step.study_id = "face_content_validity";
+            step.participant = codes.back();
+            step.step = "procedure_" + std::to_string(attempt + 1);
+            step.attempt_id = store.attempts().save(anybody, result);
+            store.studies().record_step(step);
+        }
+    }
+    return codes;
+}
+
 class DatasetPrograms : public Programs {
  protected:
     void SetUp() override {
@@ -131,42 +173,7 @@ TEST_F(DatasetPrograms, OnlyThoseWhoAgreedAreInAStudysDataSet) {
         db::StoreOptions options;
         options.cheap_passwords = true;
         const auto opened = db::open_store("sqlite:" + store, options);
-        const curriculum::StudyProtocol protocol = curriculum::load_study("face_content_validity");
-        std::string text = protocol.json;
-        const size_t at = text.find("\"id\": \"data\",");
-        ASSERT_NE(at, std::string::npos);
-        text.insert(at, "\"required\": false, ");
-        db::DefinitionRecord study;
-        study.kind = "study";
-        study.id = "face_content_validity";
-        study.version = protocol.version;
-        study.json = text;
-        opened->definitions().publish(study);
-        const int64_t anybody =
-            opened->accounts().create({"anna", "Anna Nowak", "correct horse", 1, true});
-        for (int i = 0; i < 4; ++i) {
-            codes.push_back(opened->studies().new_participant("face_content_validity"));
-            std::vector<std::string> agreed{"read", "voluntary"};
-            if (i != 1) agreed.emplace_back("data");
-            db::record_consent(*opened, "face_content_validity", codes.back(), "en", agreed);
-            for (int attempt = 0; attempt < 2; ++attempt) {
-                db::AttemptResult result;
-                Episode made = episode("random", static_cast<uint64_t>(10 * i + attempt + 1));
-                made.recording.header.demonstration = false;
-                made.recording.header.started_utc = "2026-11-21T10:05:00.000Z";
-                result.header = made.recording.header;
-                result.end = made.recording.end;
-                result.recording_file = file("in/s.placode");
-                batches::write_recording(made.recording, result.recording_file);
-                result.study = {"face_content_validity", codes.back()};
-                db::StepRecord step;
-                step.study_id = "face_content_validity";
-                step.participant = codes.back();
-                step.step = "procedure_" + std::to_string(attempt + 1);
-                step.attempt_id = opened->attempts().save(anybody, result);
-                opened->studies().record_step(step);
-            }
-        }
+        codes = fill_study(*opened, file("in/s.placode"));
         opened->studies().withdraw("face_content_validity", codes[3], db::WithdrawalMode::kStop,
                                    "asked us to");
         EXPECT_TRUE(db::has_agreed(*opened, "face_content_validity", codes[0], "data"));

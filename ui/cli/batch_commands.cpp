@@ -165,8 +165,9 @@ int merge(const Context& context, const Options& options) {
 
 int script(const Context& context, const Options& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
-    const std::string text = batches::runner_script(options.runner, manifest, options.folder,
-                                                    this_program(), options.jobs);
+    const std::string text = batches::runner_script(
+        options.runner, manifest, options.folder, this_program(), options.jobs,
+        batches::batch_status(options.folder, manifest).to_do());
     print(context, {{"runner", options.runner}, {"script", text}}, text);
     return 0;
 }
