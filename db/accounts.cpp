@@ -68,6 +68,7 @@ int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
               "INSERT INTO persons (account_id, login, login_key, display_name) VALUES (?, ?, ?, "
               "?)")
         .run(id, user.login, key, user.display_name);
+    context_.made("user", id);
     context_.append_audit("user.create", user_object(id), "roles " + std::to_string(user.roles));
     return id;
 }
@@ -131,16 +132,17 @@ SignIn Accounts::sign_in(const std::string& login, const std::string& password) 
     }
     const UserRecord user = context_.need_user(id);
     UnitOfWork work(connection_);
+    context_.touch("user", id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(key);
     if (user.active && !context_.options.cheap_passwords && password_needs_rehash(hash))
         Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?")
             .run(hash_password(password, false), id);
-    context_.append_audit_as(user.login, user.active ? "sign_in" : "sign_in.deactivated",
+    context_.append_audit_as(user_object(id), user.active ? "sign_in" : "sign_in.deactivated",
                              user_object(id), "");
     work.commit();
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
     if (!user.demonstration) mark_store_of(connection_);
-    context_.actor.name = user.login;
+    context_.actor.name = user_object(id);
     return {SignInOutcome::kOk, user, 0};
 }
 
@@ -151,6 +153,7 @@ void Accounts::set_password(int64_t user_id, const std::string& password, bool g
         connection_.fail(Kind::kRefused, *problem);
     const std::string hash = hash_password(password, context_.options.cheap_passwords);
     UnitOfWork work(connection_);
+    context_.touch("user", user_id);
     Statement(connection_, "UPDATE accounts SET password_hash = ?, password_given = ? WHERE id = ?")
         .run(hash, given, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
@@ -180,6 +183,7 @@ void Accounts::set_active(int64_t user_id, bool active) {
     connection_.lock_table("accounts");
     const UserRecord user = context_.need_user(user_id);
     if (!active) need_another_administrator(user);
+    context_.touch("user", user_id);
     Statement(connection_, "UPDATE accounts SET active = ? WHERE id = ?").run(active, user_id);
     context_.append_audit(active ? "user.activate" : "user.deactivate", user_object(user_id), "");
     work.commit();
@@ -193,6 +197,7 @@ void Accounts::set_roles(int64_t user_id, Roles roles) {
     const UserRecord user = context_.need_user(user_id);
     if (user.roles == roles) return;
     if (user.active && !has_role(roles, Role::kAdministrator)) need_another_administrator(user);
+    context_.touch("user", user_id);
     Statement(connection_, "UPDATE accounts SET roles = ? WHERE id = ?").run(int{roles}, user_id);
     context_.append_audit("user.roles", user_object(user_id),
                           "roles " + std::to_string(user.roles) + " -> " + std::to_string(roles));

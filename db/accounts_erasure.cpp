@@ -12,6 +12,18 @@ namespace placode::db {
 
 using Kind = StoreError::Kind;
 
+namespace {
+
+std::vector<int64_t> ids_of(Connection& connection, const char* sql, int64_t user_id) {
+    Statement query(connection, sql);
+    query.run(user_id);
+    std::vector<int64_t> ids;
+    while (query.next()) ids.push_back(query.integer(0));
+    return ids;
+}
+
+}  // namespace
+
 void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
     connection_.begin_operation("ask for erasure in");
     UnitOfWork work(connection_);
@@ -19,6 +31,7 @@ void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
     Statement there(connection_, "SELECT account_id FROM erasure_requests WHERE account_id = ?");
     if (there.run(user_id).next())
         connection_.fail(Kind::kConflict, "erasure was asked for already");
+    context_.touch("user", user_id);
     Statement(connection_,
               "INSERT INTO erasure_requests (account_id, reason, asked_utc, done_utc) VALUES (?, "
               "?, ?, '')")
@@ -46,16 +59,18 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
     connection_.lock_table("accounts");
     const UserRecord user = context_.need_user(user_id);
     need_another_administrator(user);
-    if (with_attempts) {
-        std::vector<int64_t> attempts;
-        {
-            Statement query(connection_,
-                            "SELECT id FROM attempts WHERE account_id = ? AND study = ''");
-            query.run(user_id);
-            while (query.next()) attempts.push_back(query.integer(0));
-        }
-        for (const int64_t id : attempts) context_.delete_attempt(id);
-    }
+    if (with_attempts)
+        for (const int64_t id :
+             ids_of(connection_, "SELECT id FROM attempts WHERE account_id = ? AND study = ''",
+                    user_id))
+            context_.delete_attempt(id);
+    context_.touch("user", user_id);
+    for (const int64_t id :
+         ids_of(connection_, "SELECT group_id FROM group_members WHERE account_id = ?", user_id))
+        context_.touch("group", id);
+    for (const int64_t id :
+         ids_of(connection_, "SELECT id FROM course_assignments WHERE account_id = ?", user_id))
+        context_.touch("assignment", id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
         .run(login_key(user.login));
     for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",

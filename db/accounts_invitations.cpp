@@ -39,6 +39,7 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
     insert.run(checksum_hex(code), int{invitation.roles}, OrNull{invitation.group_id},
                invitation.note, context_.actor.name, utc_now(), invitation.expires_utc);
     const int64_t id = insert.returned_id();
+    context_.made("invitation", id);
     context_.append_audit("user.invite", "invitation " + std::to_string(id),
                           "roles " + std::to_string(invitation.roles));
     work.commit();
@@ -57,6 +58,7 @@ std::vector<InvitationRecord> Accounts::invitations() {
                          query.integer("group_id"), query.text("note"), query.text("invited_by"),
                          query.text("made_utc"), query.text("expires_utc"),
                          query.text("used_utc")});
+    context_.show_names(found, &InvitationRecord::invited_by);
     return found;
 }
 
@@ -88,12 +90,14 @@ int64_t Accounts::accept_invitation(const std::string& code, const NewUser& user
         connection_.fail(Kind::kRefused,
                          "the invitation ended on " + expires + "; ask for another one");
     const int64_t user_id = insert_user(invited, hash);
+    context_.touch("invitation", id);
+    if (group != 0) context_.touch("group", group);
     if (group != 0)
         Statement(connection_,
                   "INSERT INTO group_members (group_id, account_id, teaches) VALUES (?, ?, 0)")
             .run(group, user_id);
     Statement(connection_, "UPDATE invitations SET used_utc = ? WHERE id = ?").run(utc_now(), id);
-    context_.append_audit_as(invited.login, "user.invited", user_object(user_id),
+    context_.append_audit_as(user_object(user_id), "user.invited", user_object(user_id),
                              "invitation " + std::to_string(id));
     work.commit();
     return user_id;

@@ -41,6 +41,7 @@ void Accounts::set_pin(int64_t user_id, const std::string& pin) {
     const std::string hash =
         pin.empty() ? std::string() : hash_password(pin, context_.options.cheap_passwords);
     UnitOfWork work(connection_);
+    context_.touch("user", user_id);
     Statement(connection_, "DELETE FROM account_pins WHERE account_id = ?").run(user_id);
     if (!pin.empty())
         Statement(connection_,
@@ -75,6 +76,7 @@ SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
     }
     if (!verify_password(hash, pin)) {
         UnitOfWork work(connection_);
+        context_.touch("user", user_id);
         Statement(connection_, "DELETE FROM account_pins WHERE account_id = ? AND failures >= ?")
             .run(user_id, kPinTries);
         context_.append_audit_as("unknown", "sign_in.wrong_pin", user_object(user_id), "");
@@ -85,11 +87,12 @@ SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
     UnitOfWork work(connection_);
     Statement(connection_, "UPDATE account_pins SET failures = 0 WHERE account_id = ?")
         .run(user_id);
-    context_.append_audit_as(user.login, user.active ? "sign_in.pin" : "sign_in.deactivated",
+    context_.append_audit_as(user_object(user_id),
+                             user.active ? "sign_in.pin" : "sign_in.deactivated",
                              user_object(user_id), "");
     work.commit();
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
-    context_.actor.name = user.login;
+    context_.actor.name = user_object(user_id);
     return {SignInOutcome::kOk, user, 0};
 }
 

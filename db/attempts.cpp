@@ -10,9 +10,11 @@
 #include "assessment/signal.h"
 #include "db/attempt_counting.h"
 #include "db/attempt_rows.h"
+#include "db/audit_check.h"
 #include "db/haptic_verdict.h"
 #include "db/packing.h"
 #include "db/recording_chunks.h"
+#include "db/recording_seal.h"
 #include "db/store_context.h"
 #include "sim/core/event.h"
 
@@ -49,8 +51,28 @@ std::optional<int64_t> same_recording(Connection& connection, const AttemptResul
     return std::nullopt;
 }
 
-int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptResult& result,
+/// What may count for a person, a study or a norm. A demonstration does not pretend to.
+bool needs_signature(const AttemptResult& result) {
+    if (result.end.reason == sim::EndReason::kInterrupted)
+        return false;  // broke off before its end
+    return !result.header.demonstration || !result.exam.course_id.empty() ||
+           !result.study.study.empty();
+}
+
+/// "" when a computer of this store signed the recording; else the fingerprint of who did, or
+/// kNobody.
+std::string unknown_signer(StoreContext& context, const std::string& recording_file) {
+    const RecordingSeal seal = recording_seal(recording_file);
+    if (seal.signature != RecordingSignature::kRight) return kNobody;
+    if (seal.station == context.station.public_key()) return {};
+    return trusted_stations(context).contains(seal.station) ? "" : fingerprint(seal.station);
+}
+
+int64_t insert_attempt(StoreContext& context, int64_t user_id, const AttemptResult& result,
                        const HapticVerdict& haptics, const std::string& void_reason) {
+    Connection& connection = context.connection;
+    const std::string proctor =
+        result.exam.proctor.empty() ? std::string() : context.kept_name(result.exam.proctor);
     Statement insert(
         connection,
         "INSERT INTO attempts (account_id, task_id, task_version, started_utc, "
@@ -61,18 +83,18 @@ int64_t insert_attempt(Connection& connection, int64_t user_id, const AttemptRes
         "study, participant) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
         "?, ?, ?) RETURNING id");
-    insert.run(
-        user_id, result.header.task_id, result.header.task_version,
-        result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
-        result.end.duration_s, result.header.device, std::to_string(result.header.seed),
-        result.header.build, static_cast<int>(result.end.reason),
-        std::to_string(result.end.final_hash), result.end.dropped, result.header.demonstration,
-        result.score.points, static_cast<int>(result.score.verdict), result.score.rubric_id,
-        result.score.rubric_version, result.metrics.version, assessment::kPreprocessingVersion,
-        result.exam.course_id, result.exam.course_version, result.exam.stage_id,
-        result.exam.proctor, result.exam.device_certificate, haptics.certificate, haptics.grade,
-        void_reason, static_cast<int>(replay_asked(result, void_reason)), result.study.study,
-        result.study.participant);
+    insert.run(user_id, result.header.task_id, result.header.task_version,
+               result.header.started_utc.empty() ? utc_now() : result.header.started_utc, utc_now(),
+               result.end.duration_s, result.header.device, std::to_string(result.header.seed),
+               result.header.build, static_cast<int>(result.end.reason),
+               std::to_string(result.end.final_hash), result.end.dropped,
+               result.header.demonstration, result.score.points,
+               static_cast<int>(result.score.verdict), result.score.rubric_id,
+               result.score.rubric_version, result.metrics.version,
+               assessment::kPreprocessingVersion, result.exam.course_id, result.exam.course_version,
+               result.exam.stage_id, proctor, result.exam.device_certificate, haptics.certificate,
+               haptics.grade, void_reason, static_cast<int>(replay_asked(result, void_reason)),
+               result.study.study, result.study.participant);
     return insert.returned_id();
 }
 
@@ -131,11 +153,15 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     if (const UserRecord user = context_.need_user(user_id);
         !result.exam.course_id.empty() && result.header.demonstration && !user.demonstration)
         voids.push_back({VoidCause::kScript, 0, 0, result.header.device});
+    if (!checksum.empty() && needs_signature(result))
+        if (const std::string who = unknown_signer(context_, result.recording_file); !who.empty())
+            voids.push_back({VoidCause::kUnsigned, 0, 0, who});
     if (const auto same =
             checksum.empty() ? std::nullopt : same_recording(connection_, result, checksum))
         voids.push_back({VoidCause::kSameRecording, 0, 0, std::to_string(*same)});
     const std::string void_reason = void_text(voids);
-    const int64_t id = insert_attempt(connection_, user_id, result, haptics, void_reason);
+    const int64_t id = insert_attempt(context_, user_id, result, haptics, void_reason);
+    context_.made("attempt", id);
     insert_lists(connection_, id, result);
     if (!result.recording_file.empty())
         Statement(
@@ -163,6 +189,7 @@ std::vector<AttemptRecord> Attempts::list(int64_t user_id, const std::string& ta
     query.run_list(where.values);
     std::vector<AttemptRecord> found;
     while (query.next()) found.push_back(read_attempt(query));
+    show_proctors(context_, found);
     return found;
 }
 
@@ -174,6 +201,8 @@ AttemptDetail Attempts::detail(int64_t id) {
     if (!head.next())
         connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
     detail.record = read_attempt(head);
+    (void)head.next();  // its end, before the next question
+    show_proctors(context_, {&detail.record, 1});
     detail.metrics.version = detail.record.metric_set_version;
     Statement metric(connection_,
                      "SELECT metric_id, value FROM attempt_metrics WHERE attempt_id = ? ORDER BY "

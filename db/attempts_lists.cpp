@@ -31,6 +31,7 @@ AttemptPage Attempts::page(const AttemptFilter& filter) {
                                      "t.started_utc" + direction + ", t.id" + direction);
     query.run_list(values);
     while (query.next()) page.rows.push_back(read_attempt(query));
+    show_proctors(context_, page.rows);
     return page;
 }
 

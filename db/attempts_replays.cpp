@@ -31,6 +31,7 @@ void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::stri
     for (VoidReason& reason : void_reasons(query.text("void_reason")))
         if (reason.cause != VoidCause::kReplayDiffers) voids.push_back(std::move(reason));
     if (state == ReplayState::kDiffers) voids.push_back({VoidCause::kReplayDiffers, 0, 0, note});
+    context_.touch("attempt", attempt_id);
     Statement(connection_,
               "UPDATE attempts SET replay = ?, replayed_utc = ?, void_reason = ? WHERE id = ?")
         .run(static_cast<int>(state), utc_now(), void_text(voids), attempt_id);

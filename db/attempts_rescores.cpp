@@ -17,6 +17,7 @@ int64_t Attempts::save_rescore(const RescoreRecord& rescore) {
     if (!there.run(rescore.attempt_id).next())
         connection_.fail(Kind::kNotFound,
                          "there is no attempt " + std::to_string(rescore.attempt_id));
+    context_.touch("attempt", rescore.attempt_id);
     const assessment::Score& score = rescore.score;
     Statement insert(connection_,
                      "INSERT INTO attempt_scores (attempt_id, points, verdict, rubric_id, "
@@ -69,6 +70,7 @@ std::vector<RescoreRecord> Attempts::rescores(int64_t attempt_id) {
         reason.run(record.id);
         while (reason.next()) record.score.reasons.push_back(read_reason(reason));
     }
+    context_.show_names(found, &RescoreRecord::scored_by);
     return found;
 }
 

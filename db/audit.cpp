@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/audit.h"
 
+#include "db/audit_check.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -20,7 +21,7 @@ void Audit::write(const std::string& actor, const std::string& action, const std
                   const std::string& detail) {
     connection_.begin_operation("write the audit trail of");
     UnitOfWork work(connection_);
-    context_.append_audit_as(actor, action, object, detail);
+    context_.append_audit_as(context_.kept_name(actor), action, object, detail);
     work.commit();
 }
 
@@ -32,25 +33,52 @@ std::vector<AuditRecord> Audit::trail(int limit) {
     query.run(limit);
     std::vector<AuditRecord> trail;
     while (query.next()) trail.push_back(read_audit(query));
+    context_.show_names(trail, &AuditRecord::actor);
     return trail;
 }
 
-void Audit::check_chain(std::vector<std::string>& problems) {
+std::vector<StationRecord> Audit::stations() {
+    connection_.begin_operation("list the stations of");
+    const std::set<std::string> trusted = trusted_stations(context_);
+    const std::string own = context_.station.public_key_if_any();
     Statement query(connection_,
-                    "SELECT id, at_utc, actor, action, object, detail, chain FROM audit ORDER BY "
-                    "id");
+                    "SELECT station, COUNT(*) AS entries, MIN(at_utc) AS first_utc, MAX(at_utc) AS "
+                    "last_utc FROM audit WHERE station <> '' GROUP BY station ORDER BY MIN(id)");
     query.run();
-    std::string previous;
+    std::vector<StationRecord> found;
     while (query.next()) {
-        const AuditRecord row = read_audit(query);
-        const std::string chain = query.text("chain");
-        if (chain != audit_chain(previous, row)) {
-            problems.push_back("audit: entry " + std::to_string(row.id) +
-                               " or the one before it was changed or removed");
-            return;
-        }
-        previous = chain;
+        StationRecord record;
+        record.public_key = query.text("station");
+        record.entries = query.integer("entries");
+        record.first_utc = query.text("first_utc");
+        record.last_utc = query.text("last_utc");
+        record.own = record.public_key == own;
+        record.trusted = trusted.contains(record.public_key);
+        found.push_back(std::move(record));
     }
+    return found;
 }
+
+std::string Audit::own_station() { return context_.station.public_key(); }
+
+void Audit::trust_station(const std::string& station) {
+    std::string key;
+    for (const StationRecord& each : stations())
+        if (fingerprint(each.public_key) == station) key = each.public_key;
+    if (key.empty() && is_public_key(station)) key = station;
+    if (key.empty())
+        connection_.fail(StoreError::Kind::kNotFound,
+                         "no station \"" + station +
+                             "\" has written here; `placodectl station list` shows those that "
+                             "have, and `placodectl station key` at the other computer its key");
+    if (trusted_stations(context_).contains(key))
+        connection_.fail(StoreError::Kind::kConflict, "the station is trusted already");
+    connection_.begin_operation("trust a station in");
+    UnitOfWork work(connection_);
+    context_.append_audit("station.trust", "station " + fingerprint(key), key);
+    work.commit();
+}
+
+void Audit::check_chain(std::vector<std::string>& problems) { check_trail(context_, problems); }
 
 }  // namespace placode::db

@@ -14,6 +14,14 @@ namespace placode::db {
 class Connection;
 struct StoreContext;
 
+/// A computer that signs its entries (db/station.h).
+struct StationRecord {
+    std::string public_key, first_utc, last_utc;
+    int64_t entries = 0;
+    bool own = false;      ///< The computer that this program runs on.
+    bool trusted = false;  ///< It began the store, is this one, or was vouched for.
+};
+
 /// `store.audit().write()`. Every change is one transaction and in the audit trail.
 class Audit {
  public:
@@ -23,7 +31,15 @@ class Audit {
     void write(const std::string& actor, const std::string& action, const std::string& object,
                const std::string& detail);
     [[nodiscard]] std::vector<AuditRecord> trail(int limit);  ///< Newest first.
-    /// Adds the first entry that does not fit the one before it to `problems`, for Store::check().
+    /// Who has written into the trail, in the order of their first entries.
+    [[nodiscard]] std::vector<StationRecord> stations();
+    /// Public key of this computer, made where there is none yet; "" where there can be none.
+    [[nodiscard]] std::string own_station();
+    /// From now on what the station has signed and signs is right. @param station the fingerprint
+    /// (db/signature.h) of one that has written here, or the public key of any. Throws kNotFound
+    /// for what is neither, kConflict for one that is trusted.
+    void trust_station(const std::string& station);
+    /// Adds what does not fit (db/audit_check.h) to `problems`, for Store::check().
     void check_chain(std::vector<std::string>& problems);
 
  private:

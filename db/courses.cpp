@@ -57,6 +57,7 @@ int64_t Courses::assign(const AssignmentRecord& assignment) {
                      "group_id, starts_utc, due_utc, assigned_by, assigned_utc, ended_utc) VALUES "
                      "(?, ?, ?, ?, ?, ?, ?, ?, '') RETURNING id");
     const int64_t id = bind_target(insert, assignment, context_.actor.name).returned_id();
+    context_.made("assignment", id);
     context_.append_audit(
         "course.assign",
         assignment.user_id != 0 ? "user " + std::to_string(assignment.user_id)
@@ -72,6 +73,7 @@ void Courses::end_assignment(int64_t id) {
     Statement query(connection_, "SELECT ended_utc FROM course_assignments WHERE id = ?");
     if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such assignment");
     if (!query.text(0).empty()) connection_.fail(Kind::kConflict, "it ended at " + query.text(0));
+    context_.touch("assignment", id);
     Statement(connection_, "UPDATE course_assignments SET ended_utc = ? WHERE id = ?")
         .run(utc_now(), id);
     context_.append_audit("course.unassign", "assignment " + std::to_string(id), "");
@@ -97,6 +99,7 @@ std::vector<AssignmentRecord> Courses::assignments(int64_t user_id) {
                          query.integer("for_user"), query.integer("for_group"),
                          query.text("starts_utc"), query.text("due_utc"), query.text("assigned_by"),
                          query.text("assigned_utc"), query.text("ended_utc")});
+    context_.show_names(found, &AssignmentRecord::assigned_by);
     return found;
 }
 
@@ -108,6 +111,7 @@ void Courses::grant_attempts(const GrantRecord& grant) {
     if (grant.reason.empty()) connection_.fail(Kind::kRefused, "a grant needs a reason");
     UnitOfWork work(connection_);
     (void)context_.need_user(grant.user_id);
+    context_.touch("user", grant.user_id);
     Statement(connection_,
               "INSERT INTO course_grants (account_id, course_id, stage_id, attempts, reason, "
               "granted_by, granted_utc) VALUES (?, ?, ?, ?, ?, ?, ?)")
@@ -131,6 +135,7 @@ std::vector<GrantRecord> Courses::grants(int64_t user_id) {
                          query.text("stage_id"), static_cast<int>(query.integer("attempts")),
                          query.text("reason"), query.text("granted_by"),
                          query.text("granted_utc")});
+    context_.show_names(found, &GrantRecord::granted_by);
     return found;
 }
 
@@ -168,6 +173,7 @@ CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& 
         checksum_hex(std::to_string(user_id) + "\x1f" + course_id + "\x1f" +
                      std::to_string(course_version) + "\x1f" + mastered_utc + "\x1f" + now)
             .substr(0, 16);
+    context_.touch("user", user_id);
     Statement(connection_,
               "INSERT INTO certificates (account_id, course_id, course_version, mastered_utc, "
               "issued_utc, issued_by, code) VALUES (?, ?, ?, ?, ?, ?, ?)")
@@ -187,6 +193,7 @@ std::vector<CertificateRecord> Courses::certificates(int64_t user_id) {
     query.run(static_cast<int>(user_id != 0), user_id);
     std::vector<CertificateRecord> found;
     while (query.next()) found.push_back(read_certificate(query));
+    context_.show_names(found, &CertificateRecord::issued_by);
     return found;
 }
 

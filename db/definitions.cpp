@@ -57,7 +57,8 @@ void check_content(const DefinitionRecord& definition) {
 }
 
 /// What stands in clear is sealed; what was sealed for an earlier key stays as it is.
-void seal_signatures(Connection& connection, const DefinitionRecord& definition) {
+void seal_signatures(StoreContext& context, const DefinitionRecord& definition) {
+    Connection& connection = context.connection;
     const std::string key = seal_of(definition.json).public_key;
     std::vector<std::pair<std::string, std::string>> clear;
     Statement query(connection, "SELECT code, path FROM consent_signatures WHERE study_id = ?");
@@ -65,10 +66,12 @@ void seal_signatures(Connection& connection, const DefinitionRecord& definition)
     while (query.next())
         if (!is_sealed(query.text("path")))
             clear.emplace_back(query.text("code"), query.text("path"));
-    for (const auto& [code, path] : clear)
+    for (const auto& [code, path] : clear) {
+        context.touch("participant", {definition.id, code});
         Statement(connection,
                   "UPDATE consent_signatures SET path = ? WHERE study_id = ? AND code = ?")
             .run(sealed(path, key), definition.id, code);
+    }
 }
 
 }  // namespace
@@ -111,8 +114,11 @@ void Definitions::publish(const DefinitionRecord& definition) {
         randombytes_buf(&seed, sizeof seed);
         Statement(connection_, "INSERT INTO study_allocations (study_id, seed) VALUES (?, ?)")
             .run(definition.id, std::to_string(seed));
+        context_.made("allocation", {definition.id});
     }
-    if (definition.kind == "consent_seal") seal_signatures(connection_, definition);
+    if (definition.kind == "consent_seal") seal_signatures(context_, definition);
+    context_.made("definition",
+                  {definition.kind, definition.id, std::to_string(definition.version)});
     context_.append_audit(definition.kind + ".publish",
                           definition.id + " version " + std::to_string(definition.version),
                           definition.reason);
@@ -131,6 +137,7 @@ std::vector<DefinitionRecord> Definitions::list(const std::string& kind) {
     query.run(kind);
     std::vector<DefinitionRecord> found;
     while (query.next()) found.push_back(read_definition(query));
+    context_.show_names(found, &DefinitionRecord::published_by);
     return found;
 }
 

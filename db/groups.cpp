@@ -24,6 +24,7 @@ int64_t Groups::create(const std::string& name) {
                      "RETURNING id");
     insert.run(name, key, utc_now());
     const int64_t id = insert.returned_id();
+    context_.made("group", id);
     context_.append_audit("group.create", "group " + std::to_string(id), name);
     work.commit();
     return id;
@@ -34,6 +35,7 @@ void Groups::set_role(int64_t group_id, int64_t user_id, GroupRole role) {
     UnitOfWork work(connection_);
     context_.need_group(group_id);
     (void)context_.need_user(user_id);
+    context_.touch("group", group_id);
     Statement(connection_, "DELETE FROM group_members WHERE group_id = ? AND account_id = ?")
         .run(group_id, user_id);
     if (role != GroupRole::kNone)

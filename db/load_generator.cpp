@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "curriculum/utc_time.h"
-#include "db/sql_connection.h"
 #include "db/store.h"
+#include "db/store_context.h"
 #include "sim/core/random.h"
 
 namespace placode::db {
@@ -125,7 +125,9 @@ void add_lists(Connection& connection, LoadResult& result) {
 
 LoadResult generate_load(const std::string& store_url, const LoadOrder& order) {
     (void)open_store(store_url);  // Creates and migrates.
-    Connection connection(parse_store_url(store_url));
+    StoreContext context(parse_store_url(store_url), {});
+    context.actor.name = "placodectl bench store";
+    Connection& connection = context.connection;
     connection.begin_operation("multiply attempts in");
     LoadResult result;
     UnitOfWork work(connection);
@@ -142,6 +144,7 @@ LoadResult generate_load(const std::string& store_url, const LoadOrder& order) {
     }
     add_lists(connection, result);
     result.rows += result.attempts;
+    context.seal_the_unsealed();  // people and groups; copies of attempts are nobody's
     work.commit();
     // A server does this by itself after a while; the measurement must not wait for it.
     connection.execute(connection.is_sqlite() ? "ANALYZE" : "VACUUM ANALYZE");

@@ -34,6 +34,8 @@ CentreKey Norms::centre_key(const std::string& centre) {
               "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
               "?, ?)")
         .run(pair.public_key, centre, context_.actor.name, utc_now());
+    context_.made("centre key", 1);
+    context_.made("centre", {pair.public_key});
     context_.append_audit("norms.key", centre, fingerprint(pair.public_key));
     work.commit();
     return {centre, pair.public_key, pair.secret_key};
@@ -46,6 +48,7 @@ void Norms::trust_centre(const std::string& public_key, const std::string& centr
               "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
               "?, ?)")
         .run(public_key, centre, context_.actor.name, utc_now());
+    context_.made("centre", {public_key});
     context_.append_audit("norms.trust", centre, fingerprint(public_key));
     work.commit();
 }
@@ -78,6 +81,7 @@ int64_t Norms::save(const curriculum::SignedNorms& norms) {
     insert.run(pack.task_id, pack.centre, norms.content, norms.signature, norms.public_key,
                context_.actor.name, utc_now());
     const int64_t id = insert.returned_id();
+    context_.made("norm pack", id);
     context_.append_audit("norms.keep", "norm pack " + std::to_string(id),
                           pack.task_id + " of " + pack.centre);
     work.commit();
@@ -101,6 +105,7 @@ std::vector<NormPackRecord> Norms::list(const std::string& task_id) {
         record.added_utc = query.text("added_utc");
         found.push_back(std::move(record));
     }
+    context_.show_names(found, &NormPackRecord::added_by);
     return found;
 }
 
@@ -110,6 +115,11 @@ void Norms::use(int64_t id) {
     Statement query(connection_, "SELECT task_id FROM norm_packs WHERE id = ?");
     if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such norm pack");
     const std::string task = query.text(0);
+    std::vector<int64_t> packs;
+    Statement of_task(connection_, "SELECT id FROM norm_packs WHERE task_id = ?");
+    of_task.run(task);
+    while (of_task.next()) packs.push_back(of_task.integer(0));
+    for (const int64_t each : packs) context_.touch("norm pack", each);
     Statement(connection_,
               "UPDATE norm_packs SET in_use = CASE WHEN id = ? THEN 1 ELSE 0 END WHERE "
               "task_id = ?")

@@ -7,6 +7,8 @@
 #include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
+#include "db/recording_seal.h"
+#include "db/station.h"
 
 namespace placode::db {
 namespace {
@@ -29,12 +31,25 @@ SqlitePointer open_to_write(const std::string& path) {
 void add_haptic_certificate(const std::string& path, const std::string& json) {
     const SqlitePointer database = open_to_write(path);
     sqlite3_exec(database.get(), "PRAGMA synchronous = EXTRA", nullptr, nullptr, nullptr);
-    RawStatement insert(database.get(), "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
-    int code = insert.prepared();
-    if (code == SQLITE_OK)
-        code = insert.bind(kKey).bind(json).bind(checksum_hex(std::string(kKey) + json)).step();
-    if (code != SQLITE_DONE)
-        fail_sqlite(code, kWrite, path, "a recording takes one certificate, at its end");
+    const char* const advice = "a recording takes one certificate, at its end";
+    int code = sqlite3_exec(database.get(), "BEGIN IMMEDIATE", nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, advice);
+    // Only what this computer signed is signed again: nothing else becomes sound by an addition.
+    Station station;
+    const RecordingSeal seal = recording_seal(database.get());
+    const bool ours =
+        seal.signature == RecordingSignature::kRight && seal.station == station.public_key_if_any();
+    {
+        RawStatement insert(database.get(),
+                            "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
+        code = insert.prepared();
+        if (code == SQLITE_OK)
+            code = insert.bind(kKey).bind(json).bind(checksum_hex(std::string(kKey) + json)).step();
+        if (code != SQLITE_DONE) fail_sqlite(code, kWrite, path, advice);
+    }
+    code = ours ? sign_recording(database.get()) : SQLITE_OK;
+    if (code == SQLITE_OK) code = sqlite3_exec(database.get(), "COMMIT", nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK) fail_sqlite(code, kWrite, path, advice);
 }
 
 std::string haptic_certificate(const std::string& path) {

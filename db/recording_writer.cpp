@@ -17,6 +17,7 @@
 #include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
+#include "db/recording_seal.h"
 
 namespace placode::db {
 namespace {
@@ -115,7 +116,11 @@ class FileSink final : public sim::RecordingSink {
     }
 
     void finish(const sim::RecordingEnd& end) override {
-        transact([&] { put_meta("end", end_to_json(end)); });
+        transact([&] {
+            put_meta("end", end_to_json(end));
+            if (const int code = sign_recording(database_.get()); code != SQLITE_OK)
+                fail_sqlite(code, kWrite, path_, kAdvice);
+        });
     }
 
  private:

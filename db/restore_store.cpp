@@ -11,6 +11,7 @@
 #include "db/durable_file.h"
 #include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
+#include "db/station.h"
 #include "db/store.h"
 #include "db/store_url.h"
 
@@ -107,6 +108,10 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
         prove(fresh, backup_path, operation, actor);
+        // The backup's trail ends earlier, and that is right. Before the exchange: a kill in
+        // between leaves a computer that remembers nothing, never one that suspects.
+        Station(target).forget();
+        Station(parse_store_url("sqlite:" + fresh)).forget();
         // 2. It takes the place of the old store, which is kept. prove() has closed it: it is one
         // file.
         if (fs::exists(target.path)) {

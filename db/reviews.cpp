@@ -27,6 +27,7 @@ int64_t Reviews::add_comment(const CommentRecord& comment) {
     if (comment.time_s < 0 && comment.text.empty())
         connection_.fail(Kind::kRefused, "a remark needs a text or a time");
     (void)context_.need_user(comment.author_id);
+    context_.touch("attempt", comment.attempt_id);
     Statement insert(connection_,
                      "INSERT INTO attempt_comments (attempt_id, author_id, time_s, comment, "
                      "at_utc, removed_utc) VALUES (?, ?, ?, ?, ?, '') RETURNING id");
@@ -42,6 +43,12 @@ int64_t Reviews::add_comment(const CommentRecord& comment) {
 void Reviews::set_comment_removed(int64_t id, bool removed) {
     connection_.begin_operation("remove a remark from");
     UnitOfWork work(connection_);
+    int64_t attempt_id = 0;
+    {
+        Statement of(connection_, "SELECT attempt_id FROM attempt_comments WHERE id = ?");
+        if (of.run(id).next()) attempt_id = of.integer(0);
+    }
+    if (attempt_id != 0) context_.touch("attempt", attempt_id);
     Statement update(connection_, "UPDATE attempt_comments SET removed_utc = ? WHERE id = ?");
     update.run(removed ? utc_now() : std::string(), id);
     if (update.affected() == 0)
@@ -91,6 +98,7 @@ int64_t Reviews::save_rating(const RatingRecord& rating) {
                      "questionnaire_id = ?");
     if (before.run(rating.attempt_id, rating.rater_id, rating.questionnaire_id).next())
         connection_.fail(Kind::kConflict, "this rater has rated the attempt already");
+    context_.touch("attempt", rating.attempt_id);
     Statement insert(connection_,
                      "INSERT INTO attempt_ratings (attempt_id, rater_id, questionnaire_id, "
                      "questionnaire_version, blinded, rated_utc) VALUES (?, ?, ?, ?, ?, ?) "

@@ -62,6 +62,11 @@ bool signature_is_right(const std::string& text, const std::string& signature,
            crypto_sign_verify_detached(mark.data(), bytes_in(text), text.size(), open.data()) == 0;
 }
 
+bool is_public_key(const std::string& text) {
+    std::array<unsigned char, crypto_sign_PUBLICKEYBYTES> open{};
+    return bytes_of(text, open);
+}
+
 std::string fingerprint(const std::string& public_key) {
     const std::string digits = checksum_hex(public_key).substr(0, 16);
     return digits.substr(0, 4) + " " + digits.substr(4, 4) + " " + digits.substr(8, 4) + " " +

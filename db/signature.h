@@ -20,6 +20,9 @@ struct KeyPair {
 [[nodiscard]] bool signature_is_right(const std::string& text, const std::string& signature,
                                       const std::string& public_key);
 
+/// Whether the text can be one: as many hexadecimal digits.
+[[nodiscard]] bool is_public_key(const std::string& text);
+
 /// The first 16 digits in groups of four, to be read out over the telephone.
 [[nodiscard]] std::string fingerprint(const std::string& public_key);
 

@@ -145,11 +145,18 @@ void Connection::begin_transaction() {
     // is refused at its first write when another one has written meanwhile.
     execute(is_sqlite() ? "BEGIN IMMEDIATE" : "BEGIN");
     in_transaction_ = true;
+    if (begun_) begun_();
 }
 
 void Connection::commit_transaction() {
+    if (committing_) committing_();
     execute("COMMIT");
     in_transaction_ = false;
+}
+
+void Connection::watch_transactions(std::function<void()> begun, std::function<void()> committing) {
+    begun_ = std::move(begun);
+    committing_ = std::move(committing);
 }
 
 void Connection::roll_back() noexcept {

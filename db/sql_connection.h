@@ -7,6 +7,7 @@
 #include <QSqlError>
 #include <QSqlQuery>
 #include <QVariant>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,9 @@ class Connection {
     void begin_operation(const std::string& operation);
     void begin_transaction();
     void commit_transaction();
-    void roll_back() noexcept;             ///< Does nothing outside a transaction.
+    void roll_back() noexcept;  ///< Does nothing outside a transaction.
+    /// Called when a transaction began, and before it is committed, within it.
+    void watch_transactions(std::function<void()> begun, std::function<void()> committing);
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
     /// Keeps other writers away from a table until the transaction ends. SQLite has done so
     /// already.
@@ -51,6 +54,7 @@ class Connection {
     QSqlDatabase database_;
     std::string operation_ = "open";
     bool in_transaction_ = false;
+    std::function<void()> begun_, committing_;
 };
 
 /// A reference: 0 is bound as NULL.

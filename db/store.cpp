@@ -66,6 +66,25 @@ void need_accounts(StoreContext& context) {
                                 "with `placodectl user add LOGIN --begin-anew`");
 }
 
+/// After an update: a store from before there were seals gets them once.
+void seal_what_was_there(StoreContext& context) {
+    const auto sealed = [&context] {
+        return Statement(context.connection,
+                         "SELECT id FROM audit WHERE seals <> '' OR station <> '' ORDER BY id "
+                         "DESC LIMIT 1")
+            .run()
+            .next();
+    };
+    const auto empty = [&context] {
+        return !Statement(context.connection, "SELECT id FROM audit LIMIT 1").run().next();
+    };
+    if (empty() || sealed()) return;
+    UnitOfWork work(context.connection);
+    context.connection.lock_table("audit");
+    if (!sealed()) context.seal_the_unsealed();
+    work.commit();
+}
+
 /// The tables of this program, in a store that may be new or older.
 void bring_up_to_date(StoreContext& context) {
     Connection& connection = context.connection;
@@ -81,6 +100,7 @@ void bring_up_to_date(StoreContext& context) {
                                 "); restore a backup with `placodectl restore FILE`");
         keep_checked_copy(connection, connection.url().path + ".before-update-" + file_stamp());
     });
+    seal_what_was_there(context);
 }
 
 }  // namespace
@@ -100,7 +120,7 @@ Store::Store(std::unique_ptr<StoreContext> context)
 
 Store::~Store() = default;
 
-void Store::act_as(const std::string& actor) { context_->actor.name = actor; }
+void Store::act_as(const std::string& actor) { context_->actor.name = context_->kept_name(actor); }
 
 std::string Store::url() const { return context_->connection.url().shown; }
 

@@ -3,40 +3,21 @@
 #include "db/store_context.h"
 
 #include <QDateTime>
+#include <charconv>
+#include <string_view>
 
-#include "db/packing.h"
+#include "db/password.h"
 
 namespace placode::db {
 
 using Kind = StoreError::Kind;
 
-StoreContext::StoreContext(const StoreUrl& url, const StoreOptions& set)
-    : connection(url), options(set) {}
-
 int64_t StoreContext::now_ms() const {
     return options.now_ms ? options.now_ms() : QDateTime::currentMSecsSinceEpoch();
 }
 
-void StoreContext::append_audit(const std::string& action, const std::string& object,
-                                const std::string& detail) {
-    append_audit_as(actor.name, action, object, detail);
-}
-
-void StoreContext::append_audit_as(const std::string& name, const std::string& action,
-                                   const std::string& object, const std::string& detail) {
-    connection.lock_table("audit");
-    std::string previous;
-    Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
-    last.run();
-    if (last.next()) previous = last.text(0);
-    const AuditRecord row{0, utc_now(), name, action, object, detail};
-    Statement(connection,
-              "INSERT INTO audit (at_utc, actor, action, object, detail, chain) VALUES (?, ?, ?, "
-              "?, ?, ?)")
-        .run(row.at_utc, row.actor, row.action, row.object, row.detail, audit_chain(previous, row));
-}
-
 void StoreContext::delete_attempt(int64_t id) {
+    touch("attempt", id);
     const std::string scores =
         " WHERE score_id IN (SELECT id FROM attempt_scores WHERE attempt_id "
         "= ?)";
@@ -47,6 +28,22 @@ void StoreContext::delete_attempt(int64_t id) {
         Statement(connection, std::string("DELETE FROM ") + table + " WHERE attempt_id = ?")
             .run(id);
     Statement(connection, "DELETE FROM attempts WHERE id = ?").run(id);
+}
+
+std::string StoreContext::kept_name(const std::string& login) {
+    Statement query(connection, "SELECT account_id FROM persons WHERE login_key = ?");
+    return query.run(login_key(login)).next() ? user_object(query.integer(0)) : login;
+}
+
+std::string StoreContext::shown_name(const std::string& kept) {
+    constexpr std::string_view kUser = "user ";
+    int64_t id = 0;
+    const char* const end = kept.data() + kept.size();
+    if (!kept.starts_with(kUser) ||
+        std::from_chars(kept.data() + kUser.size(), end, id).ptr != end || id <= 0)
+        return kept;
+    Statement query(connection, "SELECT login FROM persons WHERE account_id = ?");
+    return query.run(id).next() ? query.text(0) : kept;
 }
 
 UserRecord StoreContext::need_user(int64_t id) {
@@ -64,12 +61,18 @@ void StoreContext::need_group(int64_t id) {
 
 std::optional<DefinitionRecord> StoreContext::find_definition(const std::string& kind,
                                                               const std::string& id, int version) {
-    Statement query(connection, definition_columns() +
-                                    "WHERE kind = ? AND id = ? AND (? = 0 OR version = ?) ORDER "
-                                    "BY version DESC LIMIT 1");
-    query.run(kind, id, version, version);
-    if (!query.next()) return std::nullopt;
-    return read_definition(query);
+    std::vector<DefinitionRecord> found;
+    {
+        Statement query(connection,
+                        definition_columns() +
+                            "WHERE kind = ? AND id = ? AND (? = 0 OR version = ?) ORDER "
+                            "BY version DESC LIMIT 1");
+        query.run(kind, id, version, version);
+        if (!query.next()) return std::nullopt;
+        found.push_back(read_definition(query));
+    }
+    show_names(found, &DefinitionRecord::published_by);
+    return found.front();
 }
 
 const std::string& user_columns() {
@@ -108,15 +111,6 @@ DefinitionRecord read_definition(const Statement& row) {
             row.text("reason"),
             row.text("published_by"),
             row.text("published_utc")};
-}
-
-std::string audit_chain(const std::string& previous, const AuditRecord& entry) {
-    // Unit separators, so that no two different rows give the same text.
-    std::string text = previous;
-    for (const std::string* part :
-         {&entry.at_utc, &entry.actor, &entry.action, &entry.object, &entry.detail})
-        text += '\x1f' + *part;
-    return checksum_hex(text);
 }
 
 std::string user_object(int64_t id) { return "user " + std::to_string(id); }

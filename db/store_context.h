@@ -5,27 +5,43 @@
 // look up. Only db/*.cpp include this.
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "db/records.h"
+#include "db/seals.h"
 #include "db/sql_connection.h"
+#include "db/station.h"
 #include "db/store_options.h"
 
 namespace placode::db {
 
-/// Who acts. The audit trail writes the name.
+/// Who acts, as the store keeps it: "user 12" for an account, whose name is nowhere but in the
+/// table `persons` and goes with it; else the name of a program.
 struct Actor {
     std::string name = "unknown";
+};
+
+/// An entry of the trail with what proves it.
+struct TrailEntry {
+    AuditRecord record;
+    std::string seals, station;
 };
 
 struct StoreContext {
     /// Opens the connection; the tables are open_store()'s matter.
     StoreContext(const StoreUrl& url, const StoreOptions& options);
+    ~StoreContext();  ///< The station remembers how far the trail went.
+    StoreContext(const StoreContext&) = delete;
+    StoreContext& operator=(const StoreContext&) = delete;
 
     Connection connection;
     StoreOptions options;
     Actor actor;
+    Station station;
 
     [[nodiscard]] int64_t now_ms() const;
 
@@ -35,7 +51,28 @@ struct StoreContext {
                       const std::string& detail);
     void append_audit_as(const std::string& name, const std::string& action,
                          const std::string& object, const std::string& detail);
+    /// The object is about to change, or may: called before the first change, and its seals before
+    /// and after are written with the transaction (db/seals.h).
+    void touch(const std::string& kind, const std::vector<std::string>& key);
+    void touch(const std::string& kind, int64_t id) { touch(kind, {std::to_string(id)}); }
+    /// The object was made in this transaction.
+    void made(const std::string& kind, const std::vector<std::string>& key);
+    void made(const std::string& kind, int64_t id) { made(kind, {std::to_string(id)}); }
+    /// For a store from before there were seals, and rows that were copied in: seals what has none.
+    void seal_the_unsealed();
     void delete_attempt(int64_t id);  ///< With all that hangs on it.
+
+    /// A log-in as the store keeps it; what is none stays.
+    [[nodiscard]] std::string kept_name(const std::string& login);
+    /// What was kept, for people: the log-in, "user 12" once that account was erased, and a name
+    /// that an earlier version wrote out.
+    [[nodiscard]] std::string shown_name(const std::string& kept);
+    /// The same for rows that were read: PostgreSQL gives one answer at a time, so never within
+    /// one.
+    template <class Row>
+    void show_names(std::vector<Row>& rows, std::string Row::*name) {
+        for (Row& row : rows) row.*name = shown_name(row.*name);
+    }
 
     // --- looked up by several parts; need_...() throws kNotFound
     [[nodiscard]] UserRecord need_user(int64_t id);
@@ -54,7 +91,23 @@ struct StoreContext {
     [[nodiscard]] bool is_locked(const std::string& study_id, const std::string& code);
     /// Throws kRefused while the record is locked.
     void need_unlocked(const std::string& study_id, const std::string& code);
+
+ private:
+    void write_trail();
+    void write_entry(TrailEntry entry, std::string& previous);
+    void remember_trail() noexcept;
+
+    // Of the transaction that is under way.
+    std::vector<AuditRecord> entries_;
+    std::map<SealedObject, std::string> touched_;  ///< With the seal before.
+    std::optional<Station::Head> written_;         ///< The newest entry of this program.
 };
+
+/// Most attempts have none.
+inline void show_proctors(StoreContext& context, std::span<AttemptRecord> attempts) {
+    for (AttemptRecord& each : attempts)
+        if (!each.exam.proctor.empty()) each.exam.proctor = context.shown_name(each.exam.proctor);
+}
 
 /// SELECT ... FROM accounts a JOIN persons p ..., for read_user().
 [[nodiscard]] const std::string& user_columns();
@@ -65,7 +118,9 @@ struct StoreContext {
 [[nodiscard]] DefinitionRecord read_definition(const Statement& row);
 
 /// The chain of an audit entry after the one whose chain is `previous`.
-[[nodiscard]] std::string audit_chain(const std::string& previous, const AuditRecord& entry);
+[[nodiscard]] std::string audit_chain(const std::string& previous, const TrailEntry& entry);
+/// What a station signs of an entry.
+[[nodiscard]] std::string signed_text(const std::string& chain);
 
 /// How the audit trail names an account: "user 12". No name: the trail is kept longer than the
 /// person may be.

@@ -66,6 +66,7 @@ std::string Studies::new_participant(const std::string& study_id, bool demonstra
               "INSERT INTO participant_states (study_id, code, protocol_version, arm, "
               "demonstration) VALUES (?, ?, ?, ?, ?)")
         .run(study_id, code, version, arm, demonstration);
+    context_.made("participant", {study_id, code});
     context_.append_audit("study.participant", study_id + " " + code,
                           version == 0 ? "" : "protocol version " + std::to_string(version));
     work.commit();
@@ -82,6 +83,7 @@ void Studies::set_participant_device(const std::string& study_id, const std::str
                      "SELECT device FROM participant_devices WHERE study_id = ? AND code = ?");
     const std::string old = before.run(study_id, code).next() ? before.text(0) : std::string();
     if (old == device) return;
+    context_.touch("participant", {study_id, code});
     Statement(connection_,
               "INSERT INTO participant_devices (study_id, code, device, chosen_by, chosen_utc) "
               "VALUES (?, ?, ?, ?, ?) ON CONFLICT (study_id, code) DO UPDATE SET device = "

@@ -46,6 +46,7 @@ int64_t Studies::save_answers(const AnswerRecord& answers) {
     connection_.begin_operation("save answers in");
     UnitOfWork work(connection_);
     context_.need_active_participant(answers.study_id, answers.participant, "");
+    context_.touch("participant", {answers.study_id, answers.participant});
     Statement insert(
         connection_,
         "INSERT INTO answers (study_id, participant, questionnaire_id, "

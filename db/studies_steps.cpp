@@ -17,6 +17,8 @@ constexpr std::array<const char*, 3> kStates{"started", "done", "skipped"};
 }  // namespace
 
 int64_t Studies::insert_step(const StepRecord& step) {
+    context_.touch("participant", {step.study_id, step.participant});
+    if (step.attempt_id != 0) context_.touch("attempt", step.attempt_id);
     Statement insert(connection_,
                      "INSERT INTO study_steps (study_id, code, visit, step, state, attempt_id, "
                      "answer_id, detail, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?) RETURNING id");
@@ -82,6 +84,7 @@ std::vector<StepRecord> Studies::steps(const std::string& study_id) {
         step.superseded_utc = query.text("superseded_utc");
         found.push_back(std::move(step));
     }
+    context_.show_names(found, &StepRecord::superseded_by);
     return found;
 }
 

@@ -67,6 +67,7 @@ void Studies::withdraw(const std::string& study_id, const std::string& code, Wit
                                        : before == "stop" && mode == WithdrawalMode::kErase;
     if (!before.empty() && !less)
         connection_.fail(Kind::kConflict, "the participant has withdrawn already (" + before + ")");
+    context_.touch("participant", {study_id, code});
     if (before.empty())
         Statement(connection_,
                   "INSERT INTO withdrawals (study_id, code, mode, reason, withdrawn_by, "

@@ -79,6 +79,7 @@ std::string StudyRecords::checksum_of(const std::string& study_id, const std::st
 
 void StudyRecords::insert_event(RecordEvent event) {
     event.at_utc = utc_now();
+    context_.touch("participant", {event.study_id, event.code});
     Statement(connection_,
               "INSERT INTO record_events (study_id, code, event, remark, checksum, by_login, "
               "by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
@@ -127,7 +128,7 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
     if (const auto found = all.find(code); found != all.end() && found->second.signature)
         connection_.fail(Kind::kConflict,
                          "it is signed already, by " + found->second.signature->name);
-    RecordEvent event = event_of(study_id, code, RecordEventKind::kSigned, who.user->login);
+    RecordEvent event = event_of(study_id, code, RecordEventKind::kSigned, context_.actor.name);
     event.name = who.user->display_name;
     event.remark = meaning;
     event.checksum = checksum_of(study_id, code);
@@ -170,6 +171,8 @@ std::vector<RecordEvent> StudyRecords::events(const std::string& study_id) {
         event.at_utc = query.text("at_utc");
         found.push_back(std::move(event));
     }
+    context_.show_names(found, &RecordEvent::login);
+    context_.show_names(found, &RecordEvent::name);
     return found;
 }
 

@@ -67,6 +67,7 @@ void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculu
             record.answers[item] = answer;
     }
     need_valid(record);
+    context_.touch("participant", {record.study_id, record.participant});
     const std::string table = entry == 1 ? "answer_items" : "second_entry_items";
     Statement(connection_, "DELETE FROM " + table + " WHERE answer_id = ?").run(answer_id);
     Statement insert(connection_,
@@ -103,6 +104,7 @@ std::vector<Correction> StudyRecords::corrections(const std::string& study_id) {
                          static_cast<int>(query.integer("entry")), query.text("item"),
                          query.text("old_answer"), query.text("new_answer"), query.text("reason"),
                          query.text("corrected_by"), query.text("at_utc")});
+    context_.show_names(found, &Correction::corrected_by);
     return found;
 }
 
@@ -116,6 +118,7 @@ void StudyRecords::save_second_entry(const SecondEntry& entry) {
         connection_.fail(Kind::kConflict, "these answers have a second entry, by " + there.text(0));
     record.answers = entry.answers;
     need_valid(record);
+    context_.touch("participant", {record.study_id, record.participant});
     Statement(connection_,
               "INSERT INTO second_entries (answer_id, entered_by, at_utc) VALUES (?, ?, ?)")
         .run(entry.answer_id, context_.actor.name, utc_now());
@@ -143,6 +146,7 @@ std::vector<SecondEntry> StudyRecords::second_entries(const std::string& study_i
         if (const std::string item = query.text("item"); !item.empty())
             found.back().answers[item] = query.text("answer");
     }
+    context_.show_names(found, &SecondEntry::entered_by);
     return found;
 }
 
@@ -157,6 +161,7 @@ void StudyRecords::save_consent_signature(const std::string& study_id, const std
     if (there.run(study_id, code).next())
         connection_.fail(Kind::kConflict, "the consent was signed at " + there.text(0));
     const auto seal = context_.find_definition("consent_seal", study_id, 0);
+    context_.touch("participant", {study_id, code});
     Statement(connection_,
               "INSERT INTO consent_signatures (study_id, code, path, at_utc) VALUES (?, ?, ?, ?)")
         .run(study_id, code, seal ? sealed(path, seal_of(seal->json).public_key) : path, utc_now());

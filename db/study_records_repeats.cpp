@@ -33,6 +33,7 @@ void StudyRecords::repeat_step(const std::string& study_id, const std::string& c
         connection_.fail(Kind::kRefused,
                          "there is no attempt of this step that counts; only a "
                          "procedure that was done is done again");
+    context_.touch("participant", {study_id, code});
     for (const int64_t id : ids)
         Statement(connection_,
                   "INSERT INTO superseded_steps (step_id, reason, superseded_by, superseded_utc) "
@@ -52,6 +53,7 @@ void StudyRecords::note_step(const std::string& study_id, const std::string& cod
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     context_.need_unlocked(study_id, code);
+    context_.touch("participant", {study_id, code});
     Statement(connection_,
               "INSERT INTO step_notes (study_id, code, visit, step, note, noted_by, at_utc) VALUES "
               "(?, ?, ?, ?, ?, ?, ?)")
@@ -71,6 +73,7 @@ std::vector<StepNote> StudyRecords::step_notes(const std::string& study_id) {
         found.push_back({query.integer("id"), study_id, query.text("code"),
                          static_cast<int>(query.integer("visit")), query.text("step"),
                          query.text("note"), query.text("noted_by"), query.text("at_utc")});
+    context_.show_names(found, &StepNote::noted_by);
     return found;
 }
 

@@ -33,6 +33,8 @@ constexpr std::array kDoubts{
           ""},
     Doubt{VoidCause::kReplayDiffers, "Practice, not verified: simulated again it differs, ", ""},
     Doubt{VoidCause::kScript, "Practice, not verified: operated by ", ""},
+    Doubt{VoidCause::kUnsigned, "Practice, not verified: the recording is signed by ",
+          ", not by a computer of this store"},
 };
 constexpr Sentence kEarly{"ended after ", " s, before the least duration of ", " s"};
 
@@ -112,6 +114,7 @@ std::string text_of(const VoidReason& reason) {
         case VoidCause::kSameRecording:
         case VoidCause::kReplayDiffers:
         case VoidCause::kScript:
+        case VoidCause::kUnsigned:
             return doubt_text(reason);
     }
     return {};

@@ -23,8 +23,11 @@ enum class VoidCause : uint8_t {
     kUnsound,        ///< What scoring needs is missing or out of range; `text` says what.
     kSameRecording,  ///< Another attempt holds this recording; `text` has its number.
     kReplayDiffers,  ///< Simulated again it gave something else; `text` says where.
-    kScript          ///< An exam of a person that a script performed; `text` names it.
+    kScript,         ///< An exam of a person that a script performed; `text` names it.
+    kUnsigned        ///< No computer of the centre signed the recording; `text` says which, or "".
 };
+
+inline constexpr const char* kNobody = "nobody";  ///< Of kUnsigned.
 
 /// True for what makes an attempt "practice, not verified": neither the machine nor the person's
 /// skill is the reason, what was recorded is.

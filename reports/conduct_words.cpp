@@ -83,6 +83,12 @@ QString doubt_words(const db::VoidReason& reason) {
             return say("Practice, not verified: attempt %1 is the same recording");
         case db::VoidCause::kReplayDiffers:
             return say("Practice, not verified: simulated again it differs (%1)");
+        case db::VoidCause::kUnsigned:
+            return reason.text == db::kNobody
+                       ? say("Practice, not verified: no computer signed the recording, or it was "
+                             "changed")
+                       : say("Practice, not verified: the computer %1 recorded it, which no "
+                             "administrator has vouched for");
         default:
             return say("Practice, not verified: operated by %1");
     }
@@ -113,6 +119,7 @@ QString void_reason_words(const db::VoidReason& reason) {
         case db::VoidCause::kSameRecording:
         case db::VoidCause::kReplayDiffers:
         case db::VoidCause::kScript:
+        case db::VoidCause::kUnsigned:
             return doubt_words(reason);
     }
     return {};

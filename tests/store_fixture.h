@@ -77,6 +77,7 @@ class RawConnection {
     }
     [[nodiscard]] bool is_open() const { return open_; }
     bool run(const std::string& sql) {
+        ++edits();
         QSqlQuery query(connection_);
         const bool done = query.exec(QString::fromStdString(sql));
         if (!done) problem_ = query.lastError().text().toStdString();
@@ -89,6 +90,12 @@ class RawConnection {
         return query.value(0).toString().toStdString();
     }
     [[nodiscard]] const std::string& problem() const { return problem_; }
+    [[nodiscard]] QSqlDatabase& handle() { return connection_; }
+    /// How often any test of this program went past the store.
+    static int& edits() {
+        static int count = 0;
+        return count;
+    }
 
  private:
     QString name_;
@@ -242,6 +249,9 @@ class EngineTest : public testing::TestWithParam<const char*> {
  protected:
     void SetUp() override {
         options.cheap_passwords = true;
+        edits_before_ = RawConnection::edits();
+        // Never the key of whoever runs the tests.
+        ::setenv("PLACODE_STATION_KEY", folder.file("station.key").c_str(), 1);
         if (!is_sqlite()) {
             PostgresqlServer& server = World::get().server();
             if (server.missing()) GTEST_SKIP() << server.problem();
@@ -249,6 +259,16 @@ class EngineTest : public testing::TestWithParam<const char*> {
             database = server.new_database();
         }
         ready();
+    }
+    /// Whatever a test did through the store, its trail and its seals fit what is in it.
+    void TearDown() override {
+        const bool there = is_sqlite() ? fs::exists(folder.file("placode.db")) : !database.empty();
+        if (IsSkipped() || HasFailure() || !there || RawConnection::edits() != edits_before_)
+            return;
+        db::StoreOptions plain;
+        plain.cheap_passwords = true;
+        for (const std::string& problem : db::open_store(url(), plain)->check())
+            EXPECT_EQ(problem.find("seals:") == 0 || problem.find("audit:") == 0, false) << problem;
     }
     /// The rest of SetUp, where the engine is there.
     virtual void ready() {}
@@ -267,6 +287,9 @@ class EngineTest : public testing::TestWithParam<const char*> {
     TemporaryFolder folder;
     std::string database;
     db::StoreOptions options;
+
+ private:
+    int edits_before_ = 0;
 };
 
 inline std::string engine_name(const testing::TestParamInfo<const char*>& info) {

@@ -45,6 +45,7 @@ void add_export_command(CLI::App& app, Context& context);
 void add_study_commands(CLI::App& app, Context& context);
 void add_course_commands(CLI::App& app, Context& context);
 void add_group_commands(CLI::App& app, Context& context);
+void add_station_commands(CLI::App& app, Context& context);
 void add_standard_commands(CLI::App& app, Context& context);
 void add_rescore_commands(CLI::App& app, Context& context);
 void add_verify_command(CLI::App& app, Context& context);

@@ -91,13 +91,14 @@ int main(int argc, char** argv) {
     cli::add_people_commands(app, context);
     cli::add_course_commands(app, context);
     cli::add_group_commands(app, context);
+    cli::add_station_commands(app, context);
     cli::add_standard_commands(app, context);
     cli::add_rescore_commands(app, context);
     cli::add_verify_command(app, context);
     cli::add_norms_commands(app, context);
-    cli::add_bench_commands(app, context);
     cli::add_batch_commands(app, context);
     cli::add_dataset_command(app, context);
+    cli::add_bench_commands(app, context);
     cli::add_demo_commands(app, context);
     try {
         app.parse(argc, argv);

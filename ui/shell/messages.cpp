@@ -289,14 +289,30 @@ Problem health_problem(const QString& line) {
     problem.detail = line;
     static const QRegularExpression kAttempt("the recording of attempt (\\d+) is damaged");
     static const QRegularExpression kAudit("audit: entry (\\d+)");
+    static const QRegularExpression kSeal("^seals: (.*?)( was .*| more objects)$");
     if (const auto attempt = kAttempt.match(line); attempt.hasMatch()) {
         problem.title =
             Messages::tr("The recording of attempt %1 is damaged.").arg(attempt.captured(1));
         problem.way_out =
             Messages::tr("Its score stays; it cannot be watched. A backup may hold it whole.");
+    } else if (line.contains("which no other one trusts")) {
+        problem.title = Messages::tr("A computer that nobody has vouched for wrote into the store.");
+        problem.way_out = Messages::tr(
+            "If it is one of yours, an administrator vouches for it with `placodectl station "
+            "trust`. If not, ask who had access.");
     } else if (const auto entry = kAudit.match(line); entry.hasMatch()) {
         problem.title = Messages::tr("The audit list was changed from outside, near entry %1.")
                             .arg(entry.captured(1));
+        problem.way_out = Messages::tr(
+            "Ask who had access to the file or the server, and compare "
+            "with a backup.");
+    } else if (line.contains("this computer wrote entry")) {
+        problem.title = Messages::tr("The end of the audit list is missing.");
+        problem.way_out = Messages::tr(
+            "It was cut off, or an older copy was put in the store's place by hand. Compare with a "
+            "backup.");
+    } else if (const auto sealed = kSeal.match(line); sealed.hasMatch()) {
+        problem.title = Messages::tr("Data was changed from outside: %1.").arg(sealed.captured(1));
         problem.way_out = Messages::tr(
             "Ask who had access to the file or the server, and compare "
             "with a backup.");

@@ -427,6 +427,14 @@
 <context>
     <name>AuditWords</name>
     <message>
+        <source>trusted a station</source>
+        <translation>uznano stanowisko za zaufane</translation>
+    </message>
+    <message>
+        <source>sealed what was there</source>
+        <translation>opieczętowano zastane dane</translation>
+    </message>
+    <message>
         <source>simulated an attempt again, with the same outcome</source>
         <translation>zasymulowano próbę ponownie, z tym samym wynikiem</translation>
     </message>
@@ -1605,8 +1613,8 @@
         <translation>wynik [punkty na 100]</translation>
     </message>
     <message>
-        <source>pass at %1</source>
-        <translation>zaliczenie od %1</translation>
+        <source>pass mark of the task: %1</source>
+        <translation>próg zaliczenia zadania: %1</translation>
     </message>
     <message>
         <source>novices</source>
@@ -3066,6 +3074,19 @@
 </context>
 <context>
     <name>Parts</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n punkt</numerusform>
+            <numerusform>%n punkty</numerusform>
+            <numerusform>%n punktów</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <comment>with a tenth</comment>
+        <translation>%1 punktu</translation>
+    </message>
     <message>
         <source>DEMONSTRATION</source>
         <translation>DEMONSTRACJA</translation>
@@ -3405,8 +3426,8 @@
         <translation>Powód</translation>
     </message>
     <message>
-        <source>Reason; "not given" is one</source>
-        <translation>Powód; „nie podano” też wystarczy</translation>
+        <source>Reason, or: not given</source>
+        <translation>Powód albo: nie podano</translation>
     </message>
     <message>
         <source>Withdraw</source>
@@ -4095,14 +4116,6 @@
     <message>
         <source>The rubric of this task judges nothing that belongs here.</source>
         <translation>Kryteria tego zadania nie oceniają nic, co by tu należało.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n punkt</numerusform>
-            <numerusform>%n punkty</numerusform>
-            <numerusform>%n punktów</numerusform>
-        </translation>
     </message>
     <message numerus="yes">
         <source>before: mean of the last %n attempt(s)</source>
@@ -5073,6 +5086,18 @@
 <context>
     <name>TodayPage</name>
     <message>
+        <source>Newest attempts of trainees</source>
+        <translation>Najnowsze próby uczestników szkolenia</translation>
+    </message>
+    <message>
+        <source>All attempts</source>
+        <translation>Wszystkie próby</translation>
+    </message>
+    <message>
+        <source>Enter or double click opens the result.</source>
+        <translation>Enter lub dwukrotne kliknięcie otwiera wynik.</translation>
+    </message>
+    <message>
         <source>Good to see you, %1.</source>
         <translation>Dzień dobry, %1.</translation>
     </message>
@@ -5782,14 +5807,6 @@
     <message>
         <source>Arrow keys choose, Enter opens, Escape closes.</source>
         <translation>Strzałki wybierają, Enter otwiera, Escape zamyka.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n punkt</numerusform>
-            <numerusform>%n punkty</numerusform>
-            <numerusform>%n punktów</numerusform>
-        </translation>
     </message>
     <message>
         <source>manual</source>
@@ -7763,22 +7780,6 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>One of the two was kept without a recording: measures can be compared, watching both needs two recordings.</source>
         <translation>Jedna z prób została zapisana bez nagrania: pomiary można porównać, obejrzenie obu wymaga dwóch nagrań.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n punkt</numerusform>
-            <numerusform>%n punkty</numerusform>
-            <numerusform>%n punktów</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 · %n point(s)</source>
-        <translation>
-            <numerusform>%1 · %2 · %n pkt</numerusform>
-            <numerusform>%1 · %2 · %n pkt</numerusform>
-            <numerusform>%1 · %2 · %n pkt</numerusform>
-        </translation>
-    </message>
     <message>
         <source>One of the two does not count: its measures stand here without a verdict on which is better.</source>
         <translation>Jedna z prób się nie liczy: jej miary stoją tu bez oceny, która jest lepsza.</translation>
@@ -7953,9 +7954,17 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <source>No help, no planned line, no read-outs but the time</source>
         <translation>Bez pomocy, bez planowanej linii, bez wskaźników poza czasem</translation>
     </message>
+    <message numerus="yes">
+        <source>%n fixed case(s), one after the other, then from the first</source>
+        <translation>
+            <numerusform>%n stały przypadek</numerusform>
+            <numerusform>%n stałe przypadki, jeden po drugim, potem od pierwszego</numerusform>
+            <numerusform>%n stałych przypadków, jeden po drugim, potem od pierwszego</numerusform>
+        </translation>
+    </message>
     <message>
-        <source>fixed cases, one after the other: %1</source>
-        <translation>ustalone przypadki, jeden po drugim: %1</translation>
+        <source>one fixed case</source>
+        <translation>jeden stały przypadek</translation>
     </message>
     <message>
         <source>a proctor confirms that the exam may begin</source>
@@ -8777,6 +8786,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Ćwiczenie, niezweryfikowane: ponowna symulacja dała inny wynik (%1)</translation>
     </message>
     <message>
+        <source>Practice, not verified: no computer signed the recording, or it was changed</source>
+        <translation>Ćwiczenie, niezweryfikowane: nagrania nie podpisał żaden komputer albo je zmieniono</translation>
+    </message>
+    <message>
+        <source>Practice, not verified: the computer %1 recorded it, which no administrator has vouched for</source>
+        <translation>Ćwiczenie, niezweryfikowane: nagrał je komputer %1, za który nie ręczył żaden administrator</translation>
+    </message>
+    <message>
         <source>Practice, not verified: operated by %1</source>
         <translation>Ćwiczenie, niezweryfikowane: operował %1</translation>
     </message>
@@ -9172,6 +9189,26 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Its score stays; it cannot be watched. A backup may hold it whole.</source>
         <translation>Wynik pozostaje; próby nie można obejrzeć. Kopia zapasowa może zawierać cały zapis.</translation>
+    </message>
+    <message>
+        <source>A computer that nobody has vouched for wrote into the store.</source>
+        <translation>Do magazynu danych pisał komputer, za który nikt nie ręczył.</translation>
+    </message>
+    <message>
+        <source>If it is one of yours, an administrator vouches for it with `placodectl station trust`. If not, ask who had access.</source>
+        <translation>Jeśli to wasz komputer, administrator ręczy za niego poleceniem `placodectl station trust`. Jeśli nie, zapytaj, kto miał dostęp.</translation>
+    </message>
+    <message>
+        <source>The end of the audit list is missing.</source>
+        <translation>Brakuje końca dziennika zdarzeń.</translation>
+    </message>
+    <message>
+        <source>It was cut off, or an older copy was put in the store's place by hand. Compare with a backup.</source>
+        <translation>Został odcięty albo ktoś ręcznie podłożył starszą kopię magazynu danych. Porównaj z kopią zapasową.</translation>
+    </message>
+    <message>
+        <source>Data was changed from outside: %1.</source>
+        <translation>Dane zmieniono z zewnątrz: %1.</translation>
     </message>
     <message>
         <source>The audit list was changed from outside, near entry %1.</source>
@@ -9765,8 +9802,12 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Do zdania trzeba jeszcze osiągnąć próg z rzędu: %1 razy.</translation>
     </message>
     <message>
-        <source>Next: the exam again, with another case if there is one.</source>
-        <translation>Dalej: egzamin jeszcze raz, z innym przypadkiem, jeśli taki jest.</translation>
+        <source>The next attempt at this exam has another case.</source>
+        <translation>Następna próba tego egzaminu to inny przypadek.</translation>
+    </message>
+    <message>
+        <source>The next attempt at this exam has the same case.</source>
+        <translation>Następna próba tego egzaminu to ten sam przypadek.</translation>
     </message>
     <message>
         <source>The attempt counts.</source>

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/recording_seal.h"
+
+#include <sqlite3.h>
+
+#include <sstream>
+
+#include "db/packing.h"
+#include "db/raw_sqlite.h"
+#include "db/recording_chunks.h"
+#include "db/station.h"
+#include "db/store_error.h"
+
+namespace placode::db {
+namespace {
+
+constexpr const char* kKey = "station";
+const std::string kRead = "read the signature of the recording";
+
+void add_text(std::string& all, const std::string& text) {
+    all += std::to_string(text.size()) + ":" + text + ";";
+}
+
+/// What is signed. The chunks' bytes are in it by their checksums, which every reader compares.
+/// Empty when the file cannot be read.
+std::string signed_text_of(sqlite3* database) {
+    std::string all;
+    RawStatement meta(database, "SELECT key, value FROM meta WHERE key <> 'station' ORDER BY key");
+    RawStatement chunks(database, "SELECT kind, first, count, checksum FROM chunks ORDER BY id");
+    if (meta.prepared() != SQLITE_OK || chunks.prepared() != SQLITE_OK) return {};
+    int code = meta.step();
+    for (; code == SQLITE_ROW; code = meta.step())
+        for (int i = 0; i < 2; ++i) add_text(all, meta.text(i));
+    all += '\n';
+    if (code != SQLITE_DONE) return {};
+    for (code = chunks.step(); code == SQLITE_ROW; code = chunks.step()) {
+        add_text(all, chunks.text(0));
+        for (int i = 1; i < 3; ++i) add_text(all, std::to_string(chunks.integer(i)));
+        add_text(all, chunks.text(3));
+    }
+    if (code != SQLITE_DONE) return {};
+    return "placode recording 1\n" + checksum_hex(all);
+}
+
+}  // namespace
+
+int sign_recording(sqlite3* database) {
+    Station station;
+    const std::string text = signed_text_of(database);
+    if (text.empty() || station.public_key().empty()) return SQLITE_OK;
+    const std::string value = station.public_key() + " " + station.sign(text);
+    int code =
+        sqlite3_exec(database, "DELETE FROM meta WHERE key = 'station'", nullptr, nullptr, nullptr);
+    if (code != SQLITE_OK) return code;
+    RawStatement insert(database, "INSERT INTO meta (key, value, checksum) VALUES (?, ?, ?)");
+    if (insert.prepared() != SQLITE_OK) return insert.prepared();
+    code = insert.bind(kKey).bind(value).bind(checksum_hex(kKey + value)).step();
+    return code == SQLITE_DONE ? SQLITE_OK : code;
+}
+
+RecordingSeal recording_seal(sqlite3* database) {
+    RawStatement query(database, "SELECT value FROM meta WHERE key = 'station'");
+    if (query.prepared() != SQLITE_OK || query.step() != SQLITE_ROW) return {};
+    std::istringstream words(query.text(0));
+    RecordingSeal seal{RecordingSignature::kWrong, {}};
+    std::string signature;
+    words >> seal.station >> signature;
+    const std::string text = signed_text_of(database);
+    if (!text.empty() && signature_is_right(text, signature, seal.station))
+        seal.signature = RecordingSignature::kRight;
+    return seal;
+}
+
+RecordingSeal recording_seal(const std::string& path) {
+    const ForeignDatabase database(path);
+    if (database.code() != SQLITE_OK)
+        fail_sqlite(database.code(), kRead, path, "check that it is there");
+    sqlite3_busy_timeout(database.get(), 5000);
+    if (const std::string other = database.other_schema({kMetaTable, kChunksTable}); !other.empty())
+        throw StoreError(StoreError::Kind::kDamaged,
+                         kRead + " " + path + ": it is no recording, it holds " + other);
+    return recording_seal(database.get());
+}
+
+}  // namespace placode::db

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a computer keeps outside of a store to prove what it wrote: a key that signs, and how far
+// the store's audit trail went. The key file (Ed25519, mode 0600) is $PLACODE_STATION_KEY, else
+// placode/station.key in the user's data folder. It is made at its first use and is in no backup.
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "db/signature.h"
+#include "db/store_url.h"
+
+namespace placode::db {
+
+class Station {
+ public:
+    Station();  ///< The key alone, for recordings.
+    explicit Station(const StoreUrl& url);
+
+    /// Hexadecimal; "" where there can be no key: a folder that is not writable.
+    /// Throws kDamaged for a file that holds none.
+    [[nodiscard]] const std::string& public_key();
+    /// As it is on the disk, without making one.
+    [[nodiscard]] std::string public_key_if_any();
+    [[nodiscard]] std::string sign(const std::string& text);  ///< "" without a key.
+
+    /// The last entry that was written here into the store at this address.
+    struct Head {
+        int64_t entry = 0;
+        std::string chain;
+    };
+    [[nodiscard]] std::optional<Head> head() const;
+    /// Does nothing where nothing can be written: the trail itself is in the store.
+    void remember(const Head& head) const noexcept;
+    /// Another store is at the address from now on, on purpose.
+    void forget() const noexcept;
+
+ private:
+    [[nodiscard]] bool read_key();
+    void make_key();
+
+    std::string key_path_, head_path_;  ///< A store in memory has no head.
+    KeyPair keys_;
+    bool tried_ = false;
+};
+
+}  // namespace placode::db
