@@ -419,7 +419,9 @@ void FetoscopeView::draw(const Snapshot& snapshot, const OverlayState& overlay) 
     post.output = s.output.framebuffer();
     post.plain = s.quality.plain;
     post.smooth = s.quality.samples == 0 && !s.software;
-    if (s.quality.samples == 0 && s.software) post.edges = tool_boxes(snapshot, s.tools, s.camera);
+    constexpr double kWorthIt = 0.5;  // of Quality::render_scale; below it every pixel is a step
+    if (s.quality.samples == 0 && s.software && s.quality.render_scale > kWorthIt)
+        post.edges = tool_boxes(snapshot, s.tools, s.camera);
     s.post.run(s.picture.texture(), size, post);
     s.times.render_scale = s.quality.render_scale;
     s.times.samples = s.quality.samples;

@@ -33,21 +33,26 @@ float hash(vec2 p) { return fract(sin(dot(p, vec2(12.9898, 78.233)) + noise_seed
 #ifdef SMOOTH
 uniform vec2 texel;
 
-float tone(vec3 c) { return c.g / (c.g + 0.4); }
-// Looks for an edge and blends along it. Source: T. Lottes 2011, "FXAA".
+float tone(vec4 c) { return c.g / (c.g + 0.4); }
+// Looks for an edge and blends along it, where an instrument (alpha 0) meets what is behind it:
+// highlights of the wet surface stay the points that they are. Source: T. Lottes 2011, "FXAA".
 vec3 smoothed(vec2 at) {
     vec2 h = 0.5 * texel;
-    vec3 c = texture(picture, at).rgb;
-    float nw = tone(texture(picture, at + vec2(-h.x, h.y)).rgb), ne = tone(texture(picture, at + h).rgb);
-    float sw = tone(texture(picture, at - h).rgb), se = tone(texture(picture, at + vec2(h.x, -h.y)).rgb);
-    float m = tone(c);
+    vec4 c = texture(picture, at);
+    vec4 c_nw = texture(picture, at + vec2(-h.x, h.y)), c_ne = texture(picture, at + h);
+    vec4 c_sw = texture(picture, at - h), c_se = texture(picture, at + vec2(h.x, -h.y));
+    float nw = tone(c_nw), ne = tone(c_ne), sw = tone(c_sw), se = tone(c_se), m = tone(c);
+    float share = 0.25 * (c_nw.a + c_ne.a + c_sw.a + c_se.a);
     float low = min(m, min(min(nw, ne), min(sw, se))), high = max(m, max(max(nw, ne), max(sw, se)));
     vec2 along = vec2(sw + se - nw - ne, nw + sw - ne - se);
     float weak = max(0.03125 * (nw + ne + sw + se), 1.0 / 128.0);
     along *= 1.0 / (min(abs(along.x), abs(along.y)) + weak);
-    along = clamp(along, -2.5, 2.5) * texel;
-    vec3 blended = 0.5 * (texture(picture, at - 0.5 * along).rgb + texture(picture, at + 0.5 * along).rgb);
-    return mix(c, blended, step(max(0.04, 0.12 * high), high - low));
+    along = clamp(along, -8.0, 8.0) * texel;
+    vec4 near = 0.5 * (texture(picture, at - along / 6.0) + texture(picture, at + along / 6.0));
+    vec4 far = 0.5 * near + 0.25 * (texture(picture, at - 0.5 * along) + texture(picture, at + 0.5 * along));
+    float t = tone(far);
+    vec4 blended = t < low || t > high ? near : far;
+    return mix(c, blended, step(0.02, share) * step(share, 0.98)).rgb;
 }
 #else
 vec3 smoothed(vec2 at) { return texture(picture, at).rgb; }

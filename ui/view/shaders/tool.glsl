@@ -49,5 +49,5 @@ void main() {
     }
     float tip = smoothstep(3.0, 0.0, v_rest.y) * step(v_rest.x, 0.5);
     result += energised * tip * tip * glow * (0.07 + 0.05 * sin(time_s * 173.0));
-    colour = vec4(result, 1.0);
+    colour = vec4(result, 0.0);  // alpha tells the edges of instruments, see compose.glsl
 }
