@@ -52,7 +52,7 @@ void add_pass_line(QCustomPlot& plot, double pass_points, double last, const Cha
     auto* text = new QCPItemText(&plot);
     text->position->setCoords(last + 0.5, pass_points);
     text->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
-    text->setText(figure_word("pass at %1").arg(number(pass_points, 0)));
+    text->setText(figure_word("pass mark of the task: %1").arg(number(pass_points, 0)));
     text->setColor(colour(style.good));
     QFont font;
     font.setPixelSize(static_cast<int>(style.font_px));

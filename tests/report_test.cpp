@@ -113,7 +113,7 @@ TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
     const QString text = QString::fromUtf8(process.readAllStandardOutput());
     for (const char* expected :
          {"Failed", "61.5 of 100", "DEMONSTRATION", "4 o'clock", "critical", "Zofia \u0141ucka",
-          "abcdef", "score [points of 100]", "pass at 70"}) {
+          "abcdef", "score [points of 100]", "pass mark of the task: 70"}) {
         EXPECT_TRUE(text.contains(QString::fromUtf8(expected))) << expected << "\nnot in\n"
                                                                 << text.toStdString();
     }

@@ -11,6 +11,7 @@
 #include <QSqlQuery>
 
 #include "shell_harness.h"
+#include "ui/shell/parts.h"
 
 namespace placode::ui {
 
@@ -119,7 +120,7 @@ void ShellAttemptTest::expertFinishesAndSeesWhy() {
     QCOMPARE(all[0].end, sim::EndReason::kFinished);
     QVERIFY(all[0].demonstration);
     expert_points_ = all[0].points;
-    QVERIFY(shell.text("result_points").contains(QString::number(expert_points_, 'f', 0)));
+    QVERIFY(shell.text("result_points").contains(format_points(expert_points_)));
     QVERIFY(shell.find<QTableWidget>("metrics")->rowCount() > 10);
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QWidget>("incision") != nullptr; }, 30000));
     shell.shot("21_result_expert");

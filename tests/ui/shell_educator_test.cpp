@@ -29,6 +29,7 @@ class ShellEducatorTest : public QObject {
     void cleanupTestCase() { shell_.reset(); }
 
     void aCohortOfNobodyCanBeLookedAt();
+    void todayShowsTheNewestAttemptsOfTrainees();
     void cohortShowsWhoIsStuckAndWhoRegressed();
     void cohortLeadsToTheAttemptsAndIsExported();
     void standardComesFromTwoGroups();
@@ -96,6 +97,27 @@ void ShellEducatorTest::aCohortOfNobodyCanBeLookedAt() {
     QVERIFY(only_help != nullptr);
     QTest::mouseClick(only_help, Qt::LeftButton);  // Crashed: there is no table to filter.
     QVERIFY(!only_help->isEnabled());
+}
+
+void ShellEducatorTest::todayShowsTheNewestAttemptsOfTrainees() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_today"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    auto* table = shell.find<QTableWidget>("today_newest");
+    QVERIFY(table != nullptr);
+    QCOMPARE(table->rowCount(), 5);
+    // All of its rows are in sight, without a bar to scroll.
+    QVERIFY(table->viewport()->rect().contains(
+        table->visualItemRect(table->item(4, 0)).adjusted(2, 2, -2, -2)));
+    shell.shot("29_today_educator");
+    QVERIFY(shell.click("today_all_attempts"));
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    QVERIFY(shell.click("rail_today"));
+    QVERIFY(shell.arrives(PageId::kToday));
+    table = shell.find<QTableWidget>("today_newest");
+    Q_EMIT table->cellActivated(0, 0);
+    QVERIFY(shell.arrives(PageId::kResult));
+    QCOMPARE(shell.text("result_points"), QString("41 points"));  // of 6 March, the newest day
 }
 
 void ShellEducatorTest::cohortShowsWhoIsStuckAndWhoRegressed() {

@@ -16,6 +16,7 @@
 #include "haptics/device.h"
 #include "reports/words.h"
 #include "shell_harness.h"
+#include "ui/shell/parts.h"
 
 namespace placode::ui {
 
@@ -388,16 +389,18 @@ void ShellFlowTest::countedNounsHaveTheirPlurals() {
     QCOMPARE(english - polish, QSet<QString>());
     QCOMPARE(polish - english, QSet<QString>());
     AppContext& context = shell_->context();
-    const auto points = [](int n) {
-        return QCoreApplication::translate("ResultPage", "%n point(s)", nullptr, n);
-    };
+    const auto points = [](double n) { return points_words(n); };
     QCOMPARE(points(1), QString("1 point"));
     QCOMPARE(points(0), QString("0 points"));
     QCOMPARE(points(22), QString("22 points"));
+    // 70 beside "not yet" would be a riddle.
+    QCOMPARE(points(69.6), QString("69.6 points"));
+    QCOMPARE(points(69.98), QString("70 points"));
     context.setLanguage("pl");
     QCOMPARE(points(1), QString("1 punkt"));
     QCOMPARE(points(22), QString("22 punkty"));
     QCOMPARE(points(12), QString("12 punktów"));
+    QCOMPARE(points(1.5), QString("1,5 punktu"));
     QCOMPARE(points(100), QString("100 punktów"));
     QCOMPARE(reports::void_words("The computer was too slow: 1 pictures a second, 20 are needed"),
              QString("Komputer był za wolny: 1 obraz na sekundę, potrzeba 20"));

@@ -54,6 +54,7 @@ class ShellStudyTest : public QObject {
     /// Every text of a table is to be read as it stands there.
     [[nodiscard]] static bool nothingIsCut(const QTableWidget* table);
     /// Starts the attempt of the step that is shown and ends it after that time [s].
+    void noKeyBegins(const QString& name);
     void perform(double time_s = 0.5);
     /// Clicks as soon as the button is there: a step that was recorded leads on a moment later.
     [[nodiscard]] bool press(const QString& name) {
@@ -241,9 +242,27 @@ bool ShellStudyTest::nothingIsCut(const QTableWidget* table) {
     return true;
 }
 
+/// The Enter that ended the attempt before may still be held, or pressed once more.
+void ShellStudyTest::noKeyBegins(const QString& name) {
+    ShellHarness& shell = *shell_;
+    QTest::qWait(50);
+    QWidget* button = shell.find<QPushButton>(name);
+    QVERIFY(button != nullptr);
+    QWidget* focus = shell.window().focusWidget();
+    QVERIFY(focus != button);
+    for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter, Qt::Key_Space}) {
+        if (focus != nullptr) QTest::keyClick(focus, key);
+        QTest::keyClick(&shell.window(), key);
+    }
+    QTest::qWait(50);
+    QVERIFY(!shell.context().launcher().running());
+    QCOMPARE(shell.window().current(), PageId::kStudyRun);
+}
+
 void ShellStudyTest::perform(double time_s) {
     ShellHarness& shell = *shell_;
     QVERIFY2(shell.find<QComboBox>("device") == nullptr, "a participant chooses no device");
+    noKeyBegins("start_attempt");
     QVERIFY(press("start_attempt"));
     QVERIFY(shell.arrives(PageId::kRunning));
     QVERIFY(!shell.find<QToolButton>("rail_studies")->isVisible());

@@ -253,10 +253,11 @@ void ShellTrainingTest::anExamThatIsLeftUsesUpItsAttempt() {
     // Nobody is asked whether it is kept: the case was seen.
     ::kill(static_cast<pid_t>(shell.context().launcher().processId()), SIGKILL);
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
-    QVERIFY2(shell.text("void_for_cause")
-                 .contains("It uses up one of the 4 attempts at this exam; left: 3. Next: the exam "
-                           "again"),
-             qPrintable(shell.text("void_for_cause")));
+    QVERIFY2(
+        shell.text("void_for_cause")
+            .contains("It uses up one of the 4 attempts at this exam; left: 3. The next attempt "
+                      "at this exam has another case."),
+        qPrintable(shell.text("void_for_cause")));
     QVERIFY2(shell.text("result_verdict").startsWith("No score: left after"),
              qPrintable(shell.text("result_verdict")));
     QCOMPARE(attempts().size(), size_t{3});

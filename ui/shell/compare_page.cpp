@@ -110,8 +110,8 @@ class ComparePage : public Page {
         if (!db::counts(each))
             return tr("%1 · %2 · does not count")
                 .arg(qstr(each.user_name), format_when(each.started_utc));
-        return ComparePage::tr("%1 · %2 · %n point(s)", nullptr, whole_points(each.points))
-            .arg(qstr(each.user_name), format_when(each.started_utc));
+        return tr("%1 · %2 · %3 pts")
+            .arg(qstr(each.user_name), format_when(each.started_utc), format_points(each.points));
     }
 
     /// The person's own best one: what one could do already.
@@ -156,10 +156,8 @@ class ComparePage : public Page {
         layout->setSpacing(kSpace8);
         auto* line = new QHBoxLayout;
         const bool scored = db::counts(half.detail.record);
-        QLabel* points =
-            make_label(scored ? tr("%n point(s)", nullptr, whole_points(half.detail.record.points))
-                              : QStringLiteral("–"),
-                       "title");
+        QLabel* points = make_label(
+            scored ? points_words(half.detail.record.points) : QStringLiteral("–"), "title");
         points->setObjectName(QString("compare_points_%1").arg(i));
         line->addWidget(points);
         line->addWidget(

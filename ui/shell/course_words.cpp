@@ -48,7 +48,10 @@ QString stage_rule_words(const curriculum::CourseStage& stage) {
 QString exam_words(const curriculum::ExamRule& exam) {
     QStringList parts;
     parts << CourseWords::tr("No help, no planned line, no read-outs but the time")
-          << CourseWords::tr("fixed cases, one after the other: %1").arg(exam.seeds.size());
+          << (exam.seeds.size() == 1
+                  ? CourseWords::tr("one fixed case")
+                  : CourseWords::tr("%n fixed case(s), one after the other, then from the first",
+                                    nullptr, static_cast<int>(exam.seeds.size())));
     parts << CourseWords::tr("leaving uses up an attempt");
     if (exam.proctor) parts << CourseWords::tr("a proctor confirms that the exam may begin");
     if (exam.haptic_certificate)

@@ -60,8 +60,9 @@ QString next_words(AppContext& context, const db::CourseStanding& standing,
                 return ExamStandingWords::tr(
                            "To pass, the benchmark is still to be met in a row: %1 times.")
                     .arg(stage.consecutive - own.streak);
-            return ExamStandingWords::tr(
-                "Next: the exam again, with another case if there is one.");
+            return stage.exam.seeds.size() > 1
+                       ? ExamStandingWords::tr("The next attempt at this exam has another case.")
+                       : ExamStandingWords::tr("The next attempt at this exam has the same case.");
     }
 }
 

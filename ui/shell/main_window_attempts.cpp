@@ -11,7 +11,8 @@ namespace placode::ui {
 
 Place MainWindow::placeOf(const AttemptOrder& order) {
     if (order.study.isEmpty()) return {PageId::kTask, 0, order.task, {}};
-    return {PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
+    return {
+        PageId::kStudyRun, 0, order.participant, {{"study", order.study}, {"after_attempt", true}}};
 }
 
 bool MainWindow::isMine(const AttemptOrder& order) const {
@@ -91,10 +92,9 @@ void MainWindow::saveAttempt(const AttemptEnding& ending) {
             context_.verifyAttempts();
             const AttemptOrder& order = ending.order;
             // A participant is led on; scores are not shown during a study.
-            const Place result =
-                order.study.isEmpty()
-                    ? Place{PageId::kResult, saved->attempt_id, {}, {}}
-                    : Place{PageId::kStudyRun, 0, order.participant, {{"study", order.study}}};
+            const Place result = order.study.isEmpty()
+                                     ? Place{PageId::kResult, saved->attempt_id, {}, {}}
+                                     : placeOf(order);
             if (!isMine(order)) {
                 if (waiting) showPlace(home());
                 return;

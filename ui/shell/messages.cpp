@@ -296,7 +296,8 @@ Problem health_problem(const QString& line) {
         problem.way_out =
             Messages::tr("Its score stays; it cannot be watched. A backup may hold it whole.");
     } else if (line.contains("which no other one trusts")) {
-        problem.title = Messages::tr("A computer that nobody has vouched for wrote into the store.");
+        problem.title =
+            Messages::tr("A computer that nobody has vouched for wrote into the store.");
         problem.way_out = Messages::tr(
             "If it is one of yours, an administrator vouches for it with `placodectl station "
             "trust`. If not, ask who had access.");

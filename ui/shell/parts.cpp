@@ -230,6 +230,9 @@ QVBoxLayout* make_column(QWidget* page, int width) {
     return column;
 }
 
+/// To the tenth that is shown.
+static bool is_whole(double points) { return std::lround(points * 10) % 10 == 0; }
+
 QString format_number(double value, int decimals) {
     // What rounds to nothing has no sign: "-0.0" reads like a loss.
     const double half = 0.5 * std::pow(10.0, -decimals);
@@ -260,7 +263,12 @@ QString format_clock(const QString& utc) {
     return QLocale().toString(when, today ? "HH:mm" : "d MMM HH:mm");
 }
 
-QString format_points(double points) { return format_number(points, 0); }
+QString format_points(double points) { return format_number(points, is_whole(points) ? 0 : 1); }
+
+QString points_words(double points) {
+    return is_whole(points) ? Parts::tr("%n point(s)", nullptr, whole_points(points))
+                            : Parts::tr("%1 points", "with a tenth").arg(format_points(points));
+}
 
 int whole_points(double points) { return QString::number(points, 'f', 0).toInt(); }
 

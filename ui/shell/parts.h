@@ -63,7 +63,8 @@ void fit_columns(QTableWidget* table, int stretch);
 [[nodiscard]] QString format_duration(double seconds);      ///< "1:05", "34 s"
 [[nodiscard]] QString format_when(const std::string& utc);  ///< Local date and time.
 [[nodiscard]] QString format_clock(const QString& utc);     ///< Local time only.
-[[nodiscard]] QString format_points(double points);         ///< "84"
+[[nodiscard]] QString format_points(double points);         ///< "84", "69.6"
+[[nodiscard]] QString points_words(double points);          ///< "84 points", "69.6 points"
 [[nodiscard]] int whole_points(double points);              ///< The number that it shows.
 [[nodiscard]] QString verdict_word(const db::AttemptRecord& attempt);
 [[nodiscard]] const char* verdict_tone(const db::AttemptRecord& attempt);

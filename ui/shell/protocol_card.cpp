@@ -302,7 +302,9 @@ class ProtocolCard : public QFrame {
         reason_ = new QLineEdit;
         reason_->setObjectName("withdraw_reason");
         reason_->setAccessibleName(tr("Reason"));
-        reason_->setPlaceholderText(tr("Reason; \"not given\" is one"));
+        reason_->setPlaceholderText(tr("Reason, or: not given"));
+        reason_->setMinimumWidth(
+            reason_->fontMetrics().horizontalAdvance(reason_->placeholderText()) + 2 * kSpace16);
         row->addWidget(reason_);
         button(row, tr("Withdraw"), "danger", "close", "withdraw", [this] { withdraw(); });
         return row;

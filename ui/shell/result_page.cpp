@@ -117,8 +117,7 @@ class ResultPage : public Page {
         const db::AttemptRecord& record = data_.detail.record;
         auto* line = new QHBoxLayout;
         line->setSpacing(kSpace12);
-        QLabel* points =
-            make_label(tr("%n point(s)", nullptr, whole_points(record.points)), "display");
+        QLabel* points = make_label(points_words(record.points), "display");
         points->setObjectName("result_points");
         points->setWordWrap(false);
         line->addWidget(points);

@@ -154,8 +154,7 @@ void SearchBox::readAttempts() {
                 QString& title = titles[each.task_id];
                 if (title.isEmpty()) title = task_title(context_, each.task_id);
                 QStringList facts{format_when(each.started_utc), verdict_word(each),
-                                  tr("%n point(s)", nullptr, whole_points(each.points)),
-                                  tr("attempt %1").arg(each.id)};
+                                  points_words(each.points), tr("attempt %1").arg(each.id)};
                 if (everybody) facts.prepend(qstr(each.user_name));
                 all_.push_back(findable(Findable::Kind::kAttempt, title, facts.join(" · "),
                                         {PageId::kResult, each.id, {}, {}}));

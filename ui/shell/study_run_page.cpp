@@ -29,7 +29,8 @@ class StudyRunPage : public Page {
     StudyRunPage(AppContext& context, const Place& place)
         : Page(context),
           code_(place.text),
-          study_(place.state.value("study").toString().toStdString()) {
+          study_(place.state.value("study").toString().toStdString()),
+          after_attempt_(place.state.value("after_attempt").toBool()) {
         context.require(db::Action::kRunQuestionnaire);
         for (const db::Progress& each : db::study_progress(context.store(), study_))
             if (each.participant.code == code_.toStdString()) progress_ = each;
@@ -76,10 +77,14 @@ class StudyRunPage : public Page {
     [[nodiscard]] QVariantMap state() const override { return {{"study", qstr(study_)}}; }
 
  protected:
-    /// Enter goes on: whoever submitted a questionnaire by keys has no other focus.
+    /// Enter goes on: whoever submitted a questionnaire by keys has no other focus. Not after an
+    /// attempt, whose end is a held Enter, and never to begin one: that is a click, or Tab and
+    /// Enter.
     void showEvent(QShowEvent* event) override {
         Page::showEvent(event);
-        if (!event->spontaneous() && main_ != nullptr) main_->setFocus(Qt::OtherFocusReason);
+        if (event->spontaneous()) return;
+        QWidget* first = main_ != nullptr ? static_cast<QWidget*>(main_) : this;
+        first->setFocus(Qt::OtherFocusReason);
     }
 
  private:
@@ -158,6 +163,7 @@ class StudyRunPage : public Page {
         button->setObjectName(name);
         connect(button, &QPushButton::clicked, this, work);
         layout->addWidget(button, 0, Qt::AlignRight);
+        if (after_attempt_ || button->objectName() == "start_attempt") return button;
         main_ = button;
         setFocusProxy(button);  // the window hands the focus of the page before to this one
         return button;
@@ -368,6 +374,7 @@ class StudyRunPage : public Page {
 
     QString code_;
     std::string study_;
+    bool after_attempt_ = false;  ///< One has just ended, perhaps by a key that is still held.
     curriculum::StudyProtocol protocol_;
     db::Progress progress_;
     QPushButton* main_ = nullptr;  ///< What leads on from this step.

@@ -8,6 +8,7 @@
 #include "db/standards.h"
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/day_text.h"
+#include "ui/shell/newest_attempts_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -22,7 +23,12 @@ class TodayPage : public Page {
         QVBoxLayout* column = make_column(this);
         const QString name = qstr(context.user().display_name);
         column->addWidget(make_label(tr("Good to see you, %1.").arg(name), "display"));
+        // Who teaches and does not train looks at others first.
+        const bool trains = !training_.attempts.empty();
+        QFrame* newest = make_newest_attempts_card(context, this);
+        if (newest != nullptr && !trains) column->addWidget(newest);
         column->addWidget(nextCard());
+        if (newest != nullptr && trains) column->addWidget(newest);
         addRemarks(column);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);

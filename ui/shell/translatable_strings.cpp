@@ -264,7 +264,7 @@ namespace {
     QT_TRANSLATE_NOOP("Figure", "beside it"),
     QT_TRANSLATE_NOOP("Figure", "attempt"),
     QT_TRANSLATE_NOOP("Figure", "score [points of 100]"),
-    QT_TRANSLATE_NOOP("Figure", "pass at %1"),
+    QT_TRANSLATE_NOOP("Figure", "pass mark of the task: %1"),
     QT_TRANSLATE_NOOP("Figure", "thick: mean of all"),
     QT_TRANSLATE_NOOP("Figure", "thin: each person"),
     QT_TRANSLATE_NOOP("Figure", "CUSUM of attempts not passed"),

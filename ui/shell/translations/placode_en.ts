@@ -34,13 +34,6 @@
 <context>
     <name>ResultPage</name>
     <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>before: mean of the last %n attempt(s)</source>
         <translation>
             <numerusform>before: the last attempt</numerusform>
@@ -52,33 +45,6 @@
         <translation>
             <numerusform>Own band: your last attempt before this one; the dot is this attempt.</numerusform>
             <numerusform>Own band: mean and standard deviation of your last %n attempts before this one; the dot is this attempt.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>placode::ui::SearchBox</name>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>ComparePage</name>
-    <message numerus="yes">
-        <source>%n point(s)</source>
-        <translation>
-            <numerusform>%n point</numerusform>
-            <numerusform>%n points</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 · %2 · %n point(s)</source>
-        <translation>
-            <numerusform>%1 · %2 · %n point</numerusform>
-            <numerusform>%1 · %2 · %n points</numerusform>
         </translation>
     </message>
 </context>
@@ -114,6 +80,13 @@
 </context>
 <context>
     <name>CourseWords</name>
+    <message numerus="yes">
+        <source>%n fixed case(s), one after the other, then from the first</source>
+        <translation>
+            <numerusform>%n fixed case</numerusform>
+            <numerusform>%n fixed cases, one after the other, then from the first</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>Benchmark %n point(s), once</source>
         <translation>
@@ -160,6 +133,16 @@
         <translation>
             <numerusform>%n new remark from your educator</numerusform>
             <numerusform>%n new remarks from your educator</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>Parts</name>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
         </translation>
     </message>
 </context>

@@ -7625,6 +7625,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>ComparePage</name>
     <message>
+        <source>%1 · %2 · %3 pts</source>
+        <translation>%1 · %2 · %3 pkt</translation>
+    </message>
+    <message>
         <source>Compare</source>
         <translation>Porównaj</translation>
     </message>
