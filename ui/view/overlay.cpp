@@ -337,8 +337,8 @@ void Overlay::help() {
     }
     if (state_->help_waits)
         paint_->text(0.5 * width_, line + 0.9 * unit_,
-                     say("The clock stands still. Any key or button goes on."), TextSize::kSmall,
-                     kText, Align::kCentre);
+                     say("The clock stands still. Space, Enter or a click goes on."),
+                     TextSize::kSmall, kText, Align::kCentre);
 }
 
 }  // namespace placode::view

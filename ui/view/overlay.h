@@ -142,6 +142,7 @@ class Overlay {
     // overlay_depth.cpp: gauge beside the tips, what is below the surface.
     void depth();
     [[nodiscard]] sim::Vec2 gauge_foot(int tool, const sim::Vec2& tip_px);
+    void height(int tool, double gap_mm);
     void depth_gauge(int tool, double gap_mm);
     void buried(int tool);
     [[nodiscard]] double gap_mm(int tool) const;

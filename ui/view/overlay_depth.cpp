@@ -75,8 +75,19 @@ void Overlay::depth() {
             continue;
         }
         const double gap = gap_mm(i);
-        if (state_->depth_aid && i != shown && gap < kGaugeMm) depth_gauge(i, gap);
+        if (!state_->depth_aid || i == shown) continue;
+        if (gap < kGaugeMm)
+            depth_gauge(i, gap);
+        else if (tips_->feet[static_cast<size_t>(i)].found)
+            height(i, gap);
     }
+}
+
+/// High above the field a number is enough: how far down there still is to go.
+void Overlay::height(int tool, double gap) {
+    Vec2 tip;
+    if (!place_of(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p, tip)) return;
+    label(beside(tool, tip) + Vec2(0, 1.2 * unit_), number(gap, 0) + " mm", kMuted, Align::kCentre);
 }
 
 /// Where the gauge stands: beside the tip, away from its shaft, and over no ring and no label.

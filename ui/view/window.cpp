@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 
 #include "ui/view/gl_context.h"
@@ -90,6 +91,13 @@ void put_on_screen(GLFWwindow* window, int width, int height) {
 
 /// After the window was moved or sized no motion is the hand's for so long [s].
 constexpr double kSettlesS = 0.15;
+/// Nor in so many polls: the first pictures of a new size may take longer than that, and what
+/// happened meanwhile is told after them.
+constexpr int kSettlesPolls = 3;
+/// As much motion in one report may be the pointer's that is pushed into a window which shrinks: it
+/// waits until the window would have told. Careful work is a few counts a report.
+constexpr double kQuickCounts = 40;
+constexpr double kQuickWaitsS = 0.03;
 
 class GlfwWindow final : public GlContext {
  public:
@@ -165,6 +173,8 @@ class GlfwWindow final : public GlContext {
 
     void poll(WindowInput& input) override {
         glfwPollEvents();
+        take_quick_motion();
+        unsettled_polls_ = std::max(0, unsettled_polls_ - 1);
         const auto button = [&](int b) {
             return state_.focused && glfwGetMouseButton(window_, b) == GLFW_PRESS;
         };
@@ -242,19 +252,36 @@ class GlfwWindow final : public GlContext {
             happened({.kind = WindowEvent::Kind::kKey, .key = name, .down = action == GLFW_PRESS});
         }
     }
-    // The pointer is kept inside a window that shrinks, in jumps that follow one another.
+    // The pointer is kept inside a window that shrinks, in jumps that follow one another; the first
+    // is often told before the new size is.
     void on_place() {
         has_last_ = false;
         placed_s_ = glfwGetTime();
+        unsettled_polls_ = kSettlesPolls;
+        quick_x_ = quick_y_ = 0;
     }
     void on_motion(double x, double y) {
-        if (has_last_ && captured_ && glfwGetTime() > placed_s_ + kSettlesS) {
-            state_.mouse_x += x - last_x_;
-            state_.mouse_y += y - last_y_;
+        const double now = glfwGetTime();
+        if (has_last_ && captured_ && unsettled_polls_ == 0 && now > placed_s_ + kSettlesS) {
+            const double dx = x - last_x_, dy = y - last_y_;
+            if (std::max(std::abs(dx), std::abs(dy)) < kQuickCounts) {
+                state_.mouse_x += dx;
+                state_.mouse_y += dy;
+            } else {
+                if (quick_x_ == 0 && quick_y_ == 0) quick_s_ = now;
+                quick_x_ += dx;
+                quick_y_ += dy;
+            }
         }
         last_x_ = x;
         last_y_ = y;
         has_last_ = true;
+    }
+    /// What waited is the hand's: the window has not moved meanwhile.
+    void take_quick_motion() {
+        if ((quick_x_ == 0 && quick_y_ == 0) || glfwGetTime() < quick_s_ + kQuickWaitsS) return;
+        state_.mouse_x += std::exchange(quick_x_, 0);
+        state_.mouse_y += std::exchange(quick_y_, 0);
     }
     // A key that is let go while another window has the focus is never reported: pedals must stop.
     void on_focus(bool focused) {
@@ -290,7 +317,9 @@ class GlfwWindow final : public GlContext {
     WindowEvents events_;
     double last_x_ = 0, last_y_ = 0;
     bool has_last_ = false, captured_ = false;
-    double placed_s_ = -1;  ///< When the window was moved or sized last.
+    double placed_s_ = -1;                            ///< When the window was moved or sized last.
+    int unsettled_polls_ = 0;                         ///< Polls until motion is a hand's again.
+    double quick_x_ = 0, quick_y_ = 0, quick_s_ = 0;  ///< Motion that waits, and since when.
 };
 
 }  // namespace
