@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kOrder{"sim",         "haptics",   "assessment", "curriculum",
-                                      "environment", "db",        "reports",    "bench",
-                                      "batches",     "ui",        "interface",  "python"};
+const std::vector<std::string> kOrder{"sim",         "haptics", "assessment", "curriculum",
+                                      "environment", "db",      "reports",    "bench",
+                                      "batches",     "ui",      "interface",  "python"};
 
 struct Include {
     std::string file, folder, target;
