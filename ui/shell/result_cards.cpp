@@ -128,7 +128,9 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
     const bool scored = db::counts(data.detail.record);
     QLabel* heading = make_label(!scored           ? Result::tr("What was noticed (not scored)")
                                  : reasons.empty() ? Result::tr("No points were lost")
-                                                   : Result::tr("What cost most"),
+                                 : reasons.front().critical
+                                     ? Result::tr("What failed the attempt, then what cost most")
+                                     : Result::tr("What cost most"),
                                  "heading");
     heading->setObjectName("reasons_heading");
     layout->addWidget(heading);

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 
+#include "db/attempt_counting.h"
 #include "ui/shell/manual.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
@@ -153,8 +154,10 @@ void SearchBox::readAttempts() {
             for (const db::AttemptRecord& each : *attempts) {
                 QString& title = titles[each.task_id];
                 if (title.isEmpty()) title = task_title(context_, each.task_id);
+                // Points only where there are any: those of an attempt that was left are no score.
                 QStringList facts{format_when(each.started_utc), verdict_word(each),
-                                  points_words(each.points), tr("attempt %1").arg(each.id)};
+                                  db::counts(each) ? points_words(each.points) : QString("–"),
+                                  tr("attempt %1").arg(each.id)};
                 if (everybody) facts.prepend(qstr(each.user_name));
                 all_.push_back(findable(Findable::Kind::kAttempt, title, facts.join(" · "),
                                         {PageId::kResult, each.id, {}, {}}));

@@ -3846,6 +3846,10 @@
         <translation>Bez straty punktów</translation>
     </message>
     <message>
+        <source>What failed the attempt, then what cost most</source>
+        <translation>Co przesądziło o wyniku, potem co kosztowało najwięcej</translation>
+    </message>
+    <message>
         <source>What cost most</source>
         <translation>Co kosztowało najwięcej</translation>
     </message>
