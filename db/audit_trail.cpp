@@ -14,6 +14,11 @@ namespace {
 
 constexpr size_t kSealsOfAnEntry = 1000;
 
+std::string last_chain(Connection& connection) {
+    Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
+    return last.run().next() ? last.text(0) : std::string();
+}
+
 }  // namespace
 
 StoreContext::StoreContext(const StoreUrl& url, const StoreOptions& set)
@@ -41,6 +46,9 @@ void StoreContext::append_audit_as(const std::string& name, const std::string& a
 void StoreContext::touch(const std::string& kind, const std::vector<std::string>& key) {
     SealedObject object{kind, key};
     if (touched_.contains(object)) return;
+    // Until the commit: another computer that changes another row of the same object meanwhile
+    // would make both seals wrong.
+    connection.lock_table("audit");
     std::string before = seal_of(connection, object);
     touched_.emplace(std::move(object), std::move(before));
 }
@@ -50,19 +58,16 @@ void StoreContext::made(const std::string& kind, const std::vector<std::string>&
 }
 
 void StoreContext::write_trail() {
+    if (entries_.empty() && touched_.empty()) return;
+    connection.lock_table("audit");
     SealChanges seals;
     for (const auto& [object, before] : touched_) {
         std::string after = seal_of(connection, object);
         if (after != before) seals[object] = {before, std::move(after)};
     }
     if (entries_.empty() && seals.empty()) return;
-    connection.lock_table("audit");
     if (entries_.empty()) append_audit("store.seal", "", "");
-    std::string previous;
-    {
-        Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
-        if (last.run().next()) previous = last.text(0);
-    }
+    std::string previous = last_chain(connection);
     for (size_t i = 0; i < entries_.size(); ++i)
         write_entry({entries_[i], i + 1 == entries_.size() ? seals_text(seals) : "", {}}, previous);
     entries_.clear();
@@ -91,16 +96,12 @@ void StoreContext::seal_the_unsealed() {
             for (const auto& [object, seal] : seals_of_text(query.text(0))) known[object] = seal;
     }
     SealChanges fresh;
+    std::string previous = last_chain(connection);
     const auto write = [&] {
         if (fresh.empty()) return;
-        append_audit_as("placode", "store.seal", std::to_string(fresh.size()) + " objects", "");
-        std::string previous;
-        {
-            Statement last(connection, "SELECT chain FROM audit ORDER BY id DESC LIMIT 1");
-            if (last.run().next()) previous = last.text(0);
-        }
-        write_entry({entries_.back(), seals_text(fresh), {}}, previous);
-        entries_.pop_back();
+        const std::string objects = std::to_string(fresh.size()) + " objects";
+        write_entry({{0, utc_now(), "placode", "store.seal", objects, ""}, seals_text(fresh), {}},
+                    previous);
         fresh.clear();
     };
     for (const auto& [object, seal] : all_seals(connection)) {

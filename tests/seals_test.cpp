@@ -13,6 +13,7 @@
 #include <QSqlRecord>
 #include <QVariant>
 #include <set>
+#include <thread>
 
 #include "curriculum/questionnaire.h"
 #include "db/packing.h"
@@ -372,6 +373,25 @@ TEST_P(SealsTest, AnOlderStoreIsSealedOnceWhenItIsUpdated) {
     ASSERT_TRUE(
         pen.run("UPDATE attempts SET points = 100 WHERE id = " + std::to_string(attempt_id)));
     EXPECT_THAT(found(), HasSubstr("attempt " + std::to_string(attempt_id) + " was changed"));
+}
+
+TEST_P(SealsTest, TwoComputersChangeOneObjectAtOnce) {
+    constexpr int kEach = 15;
+    const auto remark = [&] {
+        const auto own = open();  // a connection of this thread
+        for (int i = 0; i < kEach; ++i) {
+            db::CommentRecord comment;
+            comment.attempt_id = attempt_id;
+            comment.author_id = bert;
+            comment.text = "remark " + std::to_string(i);
+            own->reviews().add_comment(comment);
+        }
+    };
+    std::thread other(remark);
+    remark();
+    other.join();
+    EXPECT_EQ(store->reviews().comments(attempt_id).size(), size_t{1 + 2 * kEach});
+    EXPECT_EQ(all_of(store->check()), "");
 }
 
 TEST_P(SealsTest, AfterErasureNoNameIsLeftAnywhere) {
