@@ -19,6 +19,11 @@ using Bytes = std::vector<std::byte>;
 /// Throws StoreError(kDamaged) when the content is not exactly `size` bytes of good zstd.
 [[nodiscard]] Bytes decompress(std::span<const std::byte> packed, size_t size);
 
+/// Appends a text of any content, so that no two lists of texts give the same whole.
+inline void add_text(std::string& all, const std::string& text) {
+    all += std::to_string(text.size()) + ":" + text + ";";
+}
+
 /// BLAKE2b-256, hexadecimal.
 [[nodiscard]] std::string checksum_hex(std::span<const std::byte> bytes);
 [[nodiscard]] std::string checksum_hex(const std::string& text);

@@ -4,7 +4,6 @@
 // store keeps the file byte for byte, and so keeps the certificate with every attempt.
 
 #include "db/packing.h"
-#include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
 #include "db/recording_file.h"
 #include "db/recording_seal.h"
@@ -53,13 +52,7 @@ void add_haptic_certificate(const std::string& path, const std::string& json) {
 }
 
 std::string haptic_certificate(const std::string& path) {
-    const ForeignDatabase database(path);
-    if (database.code() != SQLITE_OK)
-        fail_sqlite(database.code(), kRead, path, "check that it is there");
-    sqlite3_busy_timeout(database.get(), 5000);
-    if (const std::string other = database.other_schema({kMetaTable, kChunksTable}); !other.empty())
-        throw StoreError(StoreError::Kind::kDamaged,
-                         kRead + " " + path + ": it is no recording, it holds " + other);
+    const ForeignDatabase database = open_recording(path, kRead);
     RawStatement query(database.get(), "SELECT value, checksum FROM meta WHERE key = ?");
     int code = query.prepared();
     if (code == SQLITE_OK) code = query.bind(kKey).step();

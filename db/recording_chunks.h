@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "db/packing.h"
+#include "db/raw_sqlite.h"
 #include "sim/step/recording.h"
 
 namespace placode::db {
@@ -43,6 +44,10 @@ void decode_chunk(std::span<const std::byte> packed, size_t count, std::vector<s
 /// Throw StoreError(kDamaged) naming the key.
 [[nodiscard]] sim::RecordingHeader header_from_json(const std::string& json);
 [[nodiscard]] sim::RecordingEnd end_from_json(const std::string& json);
+
+/// A recording file, to ask for a line of its `meta`. Throws StoreError, which begins with
+/// `operation`, for what is no recording.
+[[nodiscard]] ForeignDatabase open_recording(const std::string& path, const std::string& operation);
 
 /// Rolls back what a killed writer left half done, so that the bytes of the file are the recording.
 /// Does nothing for a file that is no recording. Never throws.

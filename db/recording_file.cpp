@@ -253,6 +253,17 @@ sim::Recording read_recording_file(const std::string& path) {
     return std::move(result.recording);
 }
 
+ForeignDatabase open_recording(const std::string& path, const std::string& operation) {
+    ForeignDatabase database(path);
+    if (database.code() != SQLITE_OK)
+        fail_sqlite(database.code(), operation, path, "check that it is there");
+    sqlite3_busy_timeout(database.get(), 5000);
+    if (const std::string other = database.other_schema({kMetaTable, kChunksTable}); !other.empty())
+        throw StoreError(StoreError::Kind::kDamaged,
+                         operation + " " + path + ": it is no recording, it holds " + other);
+    return database;
+}
+
 void settle_recording_file(const std::string& path) noexcept {
     try {
         (void)FileReader(path);

@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "db/packing.h"
-#include "db/raw_sqlite.h"
 #include "db/recording_chunks.h"
 #include "db/station.h"
 #include "db/store_error.h"
@@ -17,10 +16,6 @@ namespace {
 
 constexpr const char* kKey = "station";
 const std::string kRead = "read the signature of the recording";
-
-void add_text(std::string& all, const std::string& text) {
-    all += std::to_string(text.size()) + ":" + text + ";";
-}
 
 /// What is signed. The chunks' bytes are in it by their checksums, which every reader compares.
 /// Empty when the file cannot be read.
@@ -73,13 +68,7 @@ RecordingSeal recording_seal(sqlite3* database) {
 }
 
 RecordingSeal recording_seal(const std::string& path) {
-    const ForeignDatabase database(path);
-    if (database.code() != SQLITE_OK)
-        fail_sqlite(database.code(), kRead, path, "check that it is there");
-    sqlite3_busy_timeout(database.get(), 5000);
-    if (const std::string other = database.other_schema({kMetaTable, kChunksTable}); !other.empty())
-        throw StoreError(StoreError::Kind::kDamaged,
-                         kRead + " " + path + ": it is no recording, it holds " + other);
+    const ForeignDatabase database = open_recording(path, kRead);
     return recording_seal(database.get());
 }
 

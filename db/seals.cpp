@@ -54,12 +54,8 @@ std::string rows_of(const SealPart& part, bool of_one) {
                                     : keys + ", " + order);
 }
 
-/// Values of any content, one after the other, without a way to read two as one.
 void add_row(std::string& rows, const Statement& query, size_t first) {
-    for (int i = static_cast<int>(first); i < query.columns(); ++i) {
-        const std::string value = query.text(i);
-        rows += std::to_string(value.size()) + ":" + value + ";";
-    }
+    for (int i = static_cast<int>(first); i < query.columns(); ++i) add_text(rows, query.text(i));
     rows += '\n';
 }
 

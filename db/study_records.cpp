@@ -18,11 +18,6 @@ using Kind = StoreError::Kind;
 
 constexpr std::array<const char*, 3> kEvents{"locked", "signed", "unlocked"};
 
-/// Texts of any content, one after the other, without a way to read two as one.
-void add_text(std::string& all, const std::string& text) {
-    all += std::to_string(text.size()) + ":" + text + ";";
-}
-
 RecordEvent event_of(const std::string& study_id, const std::string& code, RecordEventKind kind,
                      const std::string& login) {
     RecordEvent event;
