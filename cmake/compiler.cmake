@@ -26,6 +26,12 @@ if(PLACODE_SANITIZER)
   add_link_options(-fsanitize=${PLACODE_SANITIZER})
 endif()
 
+# mold links the 220 tests in a fraction of the time that GNU ld takes.
+find_program(MOLD_PROGRAM mold)
+if(MOLD_PROGRAM)
+  add_link_options(-fuse-ld=mold)
+endif()
+
 # Without any optimisation the solver takes some 30 times longer, and the suite hours.
 set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1 -D_GLIBCXX_ASSERTIONS")
 
@@ -42,6 +48,13 @@ function(placode_precompile target)
     target_compile_options(${target} PRIVATE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
       -Wno-stringop-overread)
   endif()
+endfunction()
+
+# For what arranges, parses and prints: half of the time to compile it went into optimising it.
+function(placode_optimise_little)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endforeach()
 endfunction()
 
 # placode_library(NAME FOLDERS f... LINK l... PRECOMPILE h...): one static library from every .cpp
@@ -176,7 +189,6 @@ function(placode_ui_programs)
   placode_precompile(placode_attempt <CLI/CLI.hpp> <nlohmann/json.hpp> <Eigen/Dense>)
   placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
   placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_batches placode_version CLI11::CLI11)
-  # It parses and prints: half of the time to compile it went into optimising that.
-  target_compile_options(placodectl PRIVATE $<$<CONFIG:Release>:-O1>)
+  placode_optimise_little(placode_shell placodectl)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)
 endfunction()

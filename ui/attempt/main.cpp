@@ -3,15 +3,13 @@
 // placode-sim: one attempt in a process of its own. Exit status: 0 done, 1 ran and failed, 2 bad
 // input or usage.
 
-#include <atomic>
-#include <chrono>
-#include <csignal>
 #include <cstdio>
 #include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "curriculum/attempt_runner.h"
 #include "curriculum/preset.h"
+#include "curriculum/utc_time.h"
 #include "db/recording_file.h"
 #include "db/store.h"
 #include "haptics/device.h"
@@ -23,20 +21,6 @@
 
 namespace placode::ui {
 namespace {
-
-// All that a signal handler may touch.
-std::atomic<bool> g_stop{false};
-std::atomic<bool> g_finish{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 int list_devices(bool json) {
     const auto devices = haptics::list_devices(haptics::Station::of_this_computer());
@@ -112,7 +96,7 @@ int run_attempt(const Arguments& arguments, StatusLine& status) {
     options.fast = arguments.fast;
     options.duration_s = arguments.duration_s;
     options.demonstration = arguments.demonstration;
-    options.started_utc = utc_now();
+    options.started_utc = curriculum::utc_text(std::time(nullptr));
     options.window = &input;
     options.mode = arguments.mode;
     options.wait_for_motion = !arguments.headless;
@@ -159,18 +143,6 @@ int run(int argc, char** argv) {
 }
 
 }  // namespace
-
-bool stop_requested() noexcept { return g_stop.load(std::memory_order_relaxed); }
-
-bool finish_requested() noexcept { return g_finish.load(std::memory_order_relaxed); }
-
-void catch_stop_signals() {
-    const auto handler = [](int) { g_stop.store(true, std::memory_order_relaxed); };
-    std::signal(SIGINT, handler);
-    std::signal(SIGTERM, handler);
-    std::signal(SIGUSR1, [](int) { g_finish.store(true, std::memory_order_relaxed); });
-    std::signal(SIGPIPE, SIG_IGN);  // the shell may go away; the attempt is recorded all the same
-}
 
 }  // namespace placode::ui
 

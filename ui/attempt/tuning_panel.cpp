@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "curriculum/utc_time.h"
 #include "sim/core/number_text.h"
 #include "ui/view/strings.h"
 
@@ -27,15 +28,6 @@ constexpr std::array<const char*, sim::kTissueCount> kTissues{
     "Skin", "Thin skin", "Subcutis", "Muscle", "Junctional zone", "Placode", "Gel", "Dura"};
 
 std::string number(double value, int digits) { return sim::fixed_text(value, digits); }
-
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm parts{};
-    gmtime_r(&now, &parts);
-    char text[32];
-    std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &parts);
-    return text;
-}
 
 }  // namespace
 
@@ -212,7 +204,8 @@ void TuningPanel::save() {
     preset.name = name_;
     preset.preset_of = scene_id_;
     preset.author = setup_.author;
-    preset.saved_utc = setup_.saved_utc.empty() ? utc_now() : setup_.saved_utc;
+    preset.saved_utc =
+        setup_.saved_utc.empty() ? curriculum::utc_text(std::time(nullptr)) : setup_.saved_utc;
     for (int i = 0; i < sim::kTissueCount; ++i) {
         const auto tissue = static_cast<Tissue>(i);
         for (int p = 0; sim::tunes_tissue(static_cast<TuneParameter>(p)); ++p) {

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "bench/environment_speed.h"
+#include "curriculum/utc_time.h"
 #include "ui/cli/solver_commands.h"
 
 namespace placode::cli {
@@ -104,21 +105,12 @@ std::string markdown(const std::vector<std::vector<std::string>>& rows) {
     return text;
 }
 
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm day{};
-    ::gmtime_r(&now, &day);
-    char text[16];
-    std::strftime(text, sizeof text, "%Y-%m-%d", &day);
-    return text;
-}
-
 std::string where(const Json& machine) {
     return machine["processor"].get<std::string>() + ", " +
            std::to_string(machine["logical_cores"].get<int>()) + " logical cores, kernels " +
            machine["kernel_target"].get<std::string>() + ", " +
-           machine["compiler"].get<std::string>() + ", " + today() + ", load before " +
-           fixed(machine["load_average_1min_before"].get<double>(), 1);
+           machine["compiler"].get<std::string>() + ", " + curriculum::utc_day(std::time(nullptr)) +
+           ", load before " + fixed(machine["load_average_1min_before"].get<double>(), 1);
 }
 
 using Rows = std::vector<std::vector<std::string>>;
