@@ -19,6 +19,7 @@
 #include "ui/cli/batch.h"
 #include "ui/cli/dataset.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/scratch_folder.h"
 #include "ui/cli/session.h"
 #include "ui/version.h"
 
@@ -38,25 +39,6 @@ struct Chosen {
     std::vector<reports::Demonstration> demonstrations;
     std::string origin, consent;
     int left_out = 0;
-};
-
-/// A folder that is gone when the command is.
-class Workplace {
- public:
-    Workplace() {
-        std::string name = (fs::temp_directory_path() / "placode-dataset-XXXXXX").string();
-        if (::mkdtemp(name.data()) == nullptr)
-            throw std::runtime_error("dataset: no temporary folder can be made in " +
-                                     fs::temp_directory_path().string());
-        path = name;
-    }
-    ~Workplace() {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    Workplace(const Workplace&) = delete;
-    Workplace& operator=(const Workplace&) = delete;
-    fs::path path;
 };
 
 /// Points as of now, by the program's own task where it has it, else by the recording's.
@@ -159,11 +141,11 @@ int dataset(const Context& context, const Options& options) {
     how.software = std::string("Placode ") + ui::version_text();
     how.reader_file = (curriculum::data_folder() / "datasets" / "read_dataset.py").string();
     const CancelOn cancel{SIGINT, SIGTERM};
-    const Workplace workplace;
+    const ScratchFolder workplace;
     std::unique_ptr<Session> session;
     if (!options.study.empty()) session = std::make_unique<Session>(context, Missing::kRefuse);
     const Chosen chosen =
-        session ? from_study(*session, options, workplace.path) : from_folder(options);
+        session ? from_study(*session, options, workplace.path()) : from_folder(options);
     if (chosen.demonstrations.empty())
         throw InputError(
             "dataset: no attempt may be given away: " + sim::counted(chosen.left_out, "attempt") +

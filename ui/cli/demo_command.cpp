@@ -3,22 +3,23 @@
 // placodectl demo: people and attempts to look at. Every attempt is really simulated, by a scripted
 // operator, and recorded; everything is marked as demonstration. A second run adds what is missing.
 
-#include <unistd.h>
-
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <thread>
 
 #include "curriculum/attempt_runner.h"
+#include "curriculum/utc_time.h"
 #include "db/demonstration.h"
 #include "db/recording_file.h"
 #include "sim/core/counted.h"
 #include "ui/cli/progress.h"
 #include "ui/cli/save_recording.h"
+#include "ui/cli/scratch_folder.h"
 
 namespace placode::cli {
 namespace {
@@ -53,26 +54,6 @@ struct Options {
     int threads = 2;
 };
 
-class ScratchFolder {
- public:
-    ScratchFolder() {
-        path_ = (fs::temp_directory_path() / "placode-demo-XXXXXX").string();
-        if (::mkdtemp(path_.data()) == nullptr)
-            throw std::runtime_error("cannot make a temporary folder in " +
-                                     fs::temp_directory_path().string());
-    }
-    ~ScratchFolder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-    [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
-
- private:
-    std::string path_;
-};
-
 /// Creates those who are missing; never changes an account that is there.
 void add_people(Session& session, std::vector<std::string>& created) {
     for (const Person& person : kPeople) {
@@ -98,15 +79,6 @@ std::string progress_words(const std::string& what, const curriculum::AttemptSta
            " % cut";
 }
 
-std::string utc_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%S.000Z", &utc);
-    return text.data();
-}
-
 /// Simulates, records, scores and saves one attempt. Returns false when it was cancelled.
 bool run_attempt(Session& session, const Planned& planned, const Options& options,
                  const std::string& what, Json& json) {
@@ -118,7 +90,7 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
     how.threads = options.threads;
     how.fast = true;
     how.demonstration = true;
-    how.started_utc = utc_now();
+    how.started_utc = curriculum::utc_text(std::time(nullptr));
     const auto start = std::chrono::steady_clock::now();
     {
         curriculum::AttemptRunner runner(task, planned.seed, how, db::create_recording_file(file));

@@ -18,6 +18,7 @@
 #include "bench/store_pages.h"
 #include "ui/cli/cli.h"
 #include "ui/cli/progress.h"
+#include "ui/cli/scratch_folder.h"
 
 namespace placode::cli {
 namespace {
@@ -36,26 +37,7 @@ struct Options {
     bool quick = false, no_shell = false;
 };
 
-class Folder {
- public:
-    Folder() {
-        path_ = (fs::temp_directory_path() / "placode-bench-XXXXXX").string();
-        if (::mkdtemp(path_.data()) == nullptr)
-            throw std::runtime_error("cannot make a temporary folder");
-    }
-    ~Folder() {
-        std::error_code ignored;
-        fs::remove_all(path_, ignored);
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    [[nodiscard]] const std::string& path() const { return path_; }
-
- private:
-    std::string path_;
-};
-
-db::LoadResult fill(const std::string& url, const Options& options, const Folder& folder) {
+db::LoadResult fill(const std::string& url, const Options& options, const ScratchFolder& folder) {
     {
         const auto store = db::open_store(url);
         store->act_as("bench store");
@@ -130,7 +112,7 @@ int run(const Context& context, Options options) {
         options.runs = 3;
         options.simulate_s = std::min(options.simulate_s, 1.0);
     }
-    const Folder folder;
+    const ScratchFolder folder;
     const std::string url =
         context.store_url.empty() ? "sqlite:" + folder.path() + "/bench.db" : context.store_url;
     const auto start = Clock::now();
