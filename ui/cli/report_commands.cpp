@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// placodectl report attempt | trainee | cohort | certificate | study
+// placodectl report attempt | seal | trainee | cohort | certificate | study
 
 #include <unistd.h>
 
@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "db/attempt_counting.h"
+#include "db/attempt_seal.h"
 #include "reports/cohort_report.h"
 #include "reports/export.h"
 #include "reports/report.h"
@@ -16,6 +17,8 @@
 #include "sim/core/counted.h"
 #include "sim/core/near_word.h"
 #include "ui/cli/people.h"
+#include "ui/cli/scratch_folder.h"
+#include "ui/cli/write_file.h"
 
 namespace placode::cli {
 namespace {
@@ -24,22 +27,46 @@ using db::Action;
 using db::Scope;
 
 struct Options {
-    std::string out, id, figures, user, language = "en";
+    std::string out, id, figures, user, recording, language = "en";
 };
 
-int report_attempt(const Context& context, const Options& options) {
+/// The attempt of that number, which the person may see.
+db::AttemptDetail need_attempt(Session& session, const std::string& number) {
     int64_t id = 0;
-    const char* end = options.id.data() + options.id.size();
-    const auto [rest, error] = std::from_chars(options.id.data(), end, id);
+    const char* end = number.data() + number.size();
+    const auto [rest, error] = std::from_chars(number.data(), end, id);
     if (error != std::errc{} || rest != end)
-        throw InputError("report attempt: found \"" + options.id +
+        throw InputError("report: found \"" + number +
                          "\"; expected the number of an attempt, see `placodectl attempts`");
-    Session session(context, Missing::kRefuse);
-    const db::AttemptDetail attempt = session.store().attempts().detail(id);
+    db::AttemptDetail attempt = session.store().attempts().detail(id);
     const bool own = session.user() && session.user()->id == attempt.record.user_id;
     const bool study = !attempt.record.study.study.empty() &&
                        session.may(Action::kRunQuestionnaire, Scope::kOther);
     if (!study) session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
+    return attempt;
+}
+
+int report_seal(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const int64_t id = need_attempt(session, options.id).record.id;
+    const ScratchFolder scratch;
+    const std::string file =
+        options.recording.empty() ? scratch.file("attempt.placode") : options.recording;
+    session.store().attempts().extract_recording(id, file);
+    const std::string seal = db::attempt_seal(session.store(), id, file, now_utc());
+    write_file(options.out, seal);
+    session.store().audit().write(session.actor(), "report.seal", "attempt " + options.id,
+                                  options.out);
+    print(context, {{"attempt", id}, {"path", options.out}, {"recording", options.recording}},
+          seal + "wrote " + options.out +
+              (options.recording.empty() ? std::string() : " and " + options.recording));
+    return 0;
+}
+
+int report_attempt(const Context& context, const Options& options) {
+    Session session(context, Missing::kRefuse);
+    const db::AttemptDetail attempt = need_attempt(session, options.id);
+    const int64_t id = attempt.record.id;
     const auto recording = reports::recordings_of(session.store())(id);
     if (!recording)
         throw InputError("report attempt: found " + options.id +
@@ -168,6 +195,16 @@ void add_report_commands(CLI::App& app, Context& context) {
     attempt->add_option("--out", options->out, "FILE.pdf")->required();
     attempt->callback([&context, options] {
         context.run = [&context, options] { return report_attempt(context, *options); };
+    });
+    CLI::App* seal = report->add_subcommand(
+        "seal",
+        "What this centre states about an attempt, signed; examples/check_seal.py checks it");
+    seal->add_option("ID", options->id, "Number, see `placodectl attempts`")->required();
+    seal->add_option("--out", options->out, "FILE.txt")->required();
+    seal->add_option("--recording", options->recording,
+                     "Writes the recording as well, FILE.placode, so that both can be checked");
+    seal->callback([&context, options] {
+        context.run = [&context, options] { return report_seal(context, *options); };
     });
     const auto command = [&](const char* name, const char* help, const char* id, auto work) {
         CLI::App* added = report->add_subcommand(name, help);
