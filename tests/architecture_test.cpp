@@ -76,6 +76,38 @@ int rank_of(const std::string& folder) {
     return -1;
 }
 
+/// The fields of sim::State, from the list that its hash and its copies go by.
+std::set<std::string> fields_of_the_state() {
+    std::ifstream in(root() / "sim/world/state.h");
+    const std::string text(std::istreambuf_iterator<char>(in), {});
+    static const std::regex list_regex(R"(auto& \[([^\]]*)\] = s;)"), name_regex(R"(\w+)");
+    std::smatch match;
+    if (!std::regex_search(text, match, list_regex)) return {};
+    const std::string list = match[1];
+    std::set<std::string> fields;
+    for (std::sregex_iterator name(list.begin(), list.end(), name_regex), end; name != end; ++name)
+        fields.insert(name->str());
+    return fields;
+}
+
+/// `state.heat` in a room's files: the field, and where it is named first.
+std::map<std::string, std::string> fields_touched_in(const std::string& room) {
+    static const std::regex use_regex(R"(\bstate_?(?:\.|->)(\w+))");
+    const std::set<std::string> fields = fields_of_the_state();
+    std::map<std::string, std::string> touched;
+    for (const auto& entry : fs::directory_iterator(root() / "sim" / room)) {
+        std::ifstream in(entry.path());
+        std::string line;
+        for (int number = 1; std::getline(in, line); ++number)
+            for (std::sregex_iterator use(line.begin(), line.end(), use_regex), end; use != end;
+                 ++use)
+                if (fields.contains((*use)[1]))
+                    touched.try_emplace((*use)[1],
+                                        entry.path().string() + ":" + std::to_string(number));
+    }
+    return touched;
+}
+
 }  // namespace
 
 TEST(Architecture, FilesIncludeOnlyFromTheirOwnFolderAndEarlierOnes) {
@@ -109,6 +141,41 @@ TEST(Architecture, RoomsOfThePhysicsIncludeOnlyThemselvesAndEarlierOnes) {
             << include.file << " includes " << include.target;
     }
     EXPECT_GT(checked, 200);
+}
+
+// A line in contact/ sees the whole State, as the step hands it on; what it may touch stands here.
+// Heat never moves a tool, contact never cuts, the ledger only looks and writes its own.
+TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
+    const std::map<std::string, std::string> may{
+        {"contact",
+         "frame substeps body sleep surface self_contact tools tool_side pieces held_by colour "
+         "friction flags workers scratch"},
+        {"cutting",
+         "frame time_s substeps body sleep surface self_contact sac heat tools grasps scissors "
+         "release resection pieces splits slides slides_refused held_by progress removed_m3 "
+         "vapour_rate_m3_s separation flood over_stretch over_stretch_pause_s gone_by_heat "
+         "stretch_count stretch_reported flags scratch"},
+        {"ledger",
+         "frame time_s substeps phase body surface heat tools grasps release pieces progress "
+         "over_stretch over_stretch_pause_s gone_by_heat tether_known dose_reported "
+         "overheat_pause_s burn_pause_s idle_s placode_now_c placode_peak_c placode_peak_cem43_min "
+         "placode_burned_m3 last_substeps events event_count flags scratch"},
+        {"verify", "body surface tools flags scratch"},
+        {"anatomy", ""},
+        {"mesh_io", ""}};
+    ASSERT_GT(fields_of_the_state().size(), 40U);
+    for (const auto& [room, list] : may) {
+        std::istringstream words(list);
+        const std::set<std::string> fields{std::istream_iterator<std::string>(words), {}};
+        const auto touched = fields_touched_in(room);
+        for (const auto& [field, where] : touched)
+            EXPECT_TRUE(fields.contains(field))
+                << where << ": " << room << "/ touches state." << field
+                << ", which is not its own; hand it over as an argument, or say here why";
+        for (const std::string& field : fields)
+            EXPECT_TRUE(touched.contains(field))
+                << room << "/ does not touch state." << field << " any more: take it off the list";
+    }
 }
 
 TEST(Architecture, ThirdPartyHeadersStayInTheirFolder) {
