@@ -29,19 +29,29 @@ struct GoBack {
     double time_s = 0;
 };
 
+/// Below this share of the speed asked for the picture says so.
+constexpr double kNearlyAsAsked = 0.9;
 constexpr size_t kKeyFrameBytes = size_t{400}
                                   << 20;  // moments to go back to, where somebody watches
 
 /// What stands at the foot of the picture, in the user's language.
-std::string foot_text(const ReplayWish& wish, double target_s, bool at_end, bool polish) {
+/// @param pace reached where that is less than was asked for [simulated s/s]; 0 = as asked for.
+std::string foot_text(const ReplayWish& wish, double pace, double target_s, bool at_end,
+                      bool polish) {
     static constexpr const char* kEnglish[]{"as operated", "from above", "from the left",
                                             "from the feet", "near the tip"};
     static constexpr const char* kPolish[]{"jak podczas próby", "z góry", "z lewej",
                                            "od strony stóp", "blisko końcówki"};
     const auto camera = static_cast<size_t>(wish.camera);
-    char speed[32];
+    char speed[64];
     std::snprintf(speed, sizeof speed, "%gx", wish.speed);
     std::string text = speed;
+    if (pace > 0 && target_s < 0 && !at_end && !wish.paused) {
+        std::snprintf(speed, sizeof speed,
+                      polish ? " (ten komputer nadąża za %.1fx)" : " (this computer reaches %.1fx)",
+                      pace);
+        text += speed;
+    }
     text += "   ";
     text += polish ? kPolish[camera] : kEnglish[camera];
     if (target_s >= 0)
@@ -118,13 +128,13 @@ class Watcher {
     }
 
     void tell(bool now = false) {
+        const double wall = Seconds(Clock::now() - pace_from_).count();
+        if (wall > 0.5) {
+            pace_ = std::max(0.0, (last_.time_s - pace_from_s_) / wall);
+            pace_from_ = Clock::now();
+            pace_from_s_ = last_.time_s;
+        }
         if (arguments_.control) {
-            const double wall = Seconds(Clock::now() - pace_from_).count();
-            if (wall > 0.5) {
-                pace_ = std::max(0.0, (last_.time_s - pace_from_s_) / wall);
-                pace_from_ = Clock::now();
-                pace_from_s_ = last_.time_s;
-            }
             status_.set_replay({wish_.paused, wish_.speed, pace_, target_s_,
                                 camera_name(wish_.camera), wish_.problem});
         }
@@ -173,8 +183,9 @@ class Watcher {
             view_->observe(snapshot_);
             return;
         }
-        overlay_.notice =
-            foot_text(wish_, target_s_, at_end_, arguments_.language == std::string("pl"));
+        const bool behind = paced_ && pace_ < kNearlyAsAsked * wish_.speed;
+        overlay_.notice = foot_text(wish_, behind ? pace_ : 0, target_s_, at_end_,
+                                    arguments_.language == std::string("pl"));
         view_->draw(snapshot_, overlay_);
     }
 
