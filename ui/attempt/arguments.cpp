@@ -26,8 +26,8 @@ bool number(std::string_view text, T& value) {
 void read_size(const std::string& text, Arguments& arguments) {
     const size_t x = text.find('x');
     if (x == std::string::npos || !number(std::string_view(text).substr(0, x), arguments.width) ||
-        !number(std::string_view(text).substr(x + 1), arguments.height) || arguments.width < 160 ||
-        arguments.height < 120 || arguments.width > 7680 || arguments.height > 4320) {
+        !number(std::string_view(text).substr(x + 1), arguments.height) ||
+        !is_window_size(arguments.width, arguments.height)) {
         throw UsageError("--size: found \"" + text +
                          "\", expected WxH from 160x120 to 7680x4320, e.g. 1280x800");
     }
@@ -205,6 +205,7 @@ Arguments parse_arguments(int argc, char** argv, bool& exit_now) {
     if (aids) read_aids(*aids, arguments);
     if (!camera.empty()) (void)camera_named(camera, arguments.wish.camera);
     if (!size.empty()) read_size(size, arguments);
+    arguments.size_given = !size.empty();
     if (!position.empty()) read_position(position, arguments);
     if (!screenshots.empty()) read_screenshots(screenshots, arguments);
     if (arguments.author.empty()) {

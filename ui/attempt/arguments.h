@@ -28,6 +28,7 @@ struct Arguments {
     int threads = 2;
     uint64_t seed = 1;
     int width = 1280, height = 800;
+    bool size_given = false;  ///< By --size; else a window takes the size of the last one.
     std::optional<std::pair<int, int>> place;  ///< Of the window on the desktop [px].
     int scope_angle_deg = -1;                  ///< -1 = as the task says.
     bool headless = false, fast = false, status = false, demonstration = false;
@@ -45,6 +46,11 @@ struct Arguments {
     bool control = false;       ///< Replay: obey lines on standard input, stay at the end.
     ReplayWish wish;            ///< Replay: camera, speed and the moment to start with.
 };
+
+/// What a window or a picture may measure [px].
+[[nodiscard]] constexpr bool is_window_size(int width, int height) {
+    return width >= 160 && height >= 120 && width <= 7680 && height <= 4320;
+}
 
 /// Throws UsageError. Prints help or version itself and then sets `exit_now`.
 [[nodiscard]] Arguments parse_arguments(int argc, char** argv, bool& exit_now);

@@ -170,7 +170,8 @@ std::vector<std::string> AttemptControls::warnings(Question question) const {
         lines.push_back(say("A procedure that is broken off has to be done again from the start."));
     if (!study && !exam && question != Question::kFinish)
         lines.push_back(
-            say("An attempt that is left is kept as interrupted and counts for nothing."));
+            say(begun ? "An attempt that is left is kept as interrupted and counts for nothing."
+                      : "The attempt has not begun yet: nothing is kept."));
     return lines;
 }
 

@@ -4,18 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <numbers>
 #include <string_view>
+#include <system_error>
 
 #include "ui/attempt/sound.h"
+#include "ui/attempt/user_settings.h"
 
 namespace placode::ui {
 
 namespace {
 
+constexpr const char* kSoundFile = "sound";
 constexpr double kTwoPi = 2 * std::numbers::pi;
 constexpr double kAlarmPauseS = 1.5;   // the same alarm no more often
 constexpr double kFullHissM3S = 2e-9;  // a 12 W cut boils about 2 mm3/s
@@ -75,16 +76,6 @@ std::vector<float> beeps(std::initializer_list<std::pair<double, double>> notes,
     return out;
 }
 
-std::filesystem::path settings_file() {
-    const char* set = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const std::filesystem::path folder =
-        set != nullptr && *set != '\0'
-            ? std::filesystem::path(set)
-            : std::filesystem::path(home != nullptr ? home : ".") / ".config";
-    return folder / "placode" / "sound";
-}
-
 }  // namespace
 
 std::vector<float> synthesise(Tone tone) {
@@ -113,7 +104,7 @@ std::vector<float> synthesise(Alarm alarm) {
 
 SoundSettings load_sound_settings() {
     SoundSettings settings;
-    std::ifstream in(settings_file());
+    std::ifstream in(settings_file(kSoundFile));
     in.imbue(std::locale::classic());
     std::string word;
     while (in >> word) {
@@ -127,8 +118,8 @@ SoundSettings load_sound_settings() {
 
 void save_sound_settings(const SoundSettings& settings) {
     std::error_code error;
-    std::filesystem::create_directories(settings_file().parent_path(), error);
-    std::ofstream out(settings_file());
+    std::filesystem::create_directories(settings_file(kSoundFile).parent_path(), error);
+    std::ofstream out(settings_file(kSoundFile));
     out.imbue(std::locale::classic());
     out << "volume " << settings.volume << "\nmuted " << (settings.muted ? 1 : 0) << '\n';
 }

@@ -15,6 +15,7 @@
 #include "ui/attempt/sessions.h"
 #include "ui/attempt/sound.h"
 #include "ui/attempt/tuning_panel.h"
+#include "ui/attempt/user_settings.h"
 #include "ui/view/fetoscope_view.h"
 
 namespace placode::ui {
@@ -83,7 +84,8 @@ class WindowSession {
           sound_(sound_settings(arguments)),
           scripted_(is_script(arguments)),
           one_hand_(has_window_hands(arguments) || arguments.device == "spacemouse"),
-          read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help) {}
+          read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help),
+          remember_size_(!arguments.size_given && !arguments.fullscreen) {}
 
     void run() {
         view_.poll(totals_);
@@ -112,6 +114,10 @@ class WindowSession {
         overlay_.holding = 0;
         overlay_.notice = "Finished";
         picture(runner_.status());
+        if (remember_size_) {
+            const auto [width, height] = view_.window_size();
+            save_window_size({width, height});
+        }
     }
 
  private:
@@ -265,7 +271,7 @@ class WindowSession {
     SoundScore score_;
     sim::WindowInput totals_;
     bool scripted_ = false, one_hand_ = false, read_on_ = false, lens_told_ = false;
-    bool screenshot_asked_ = false, paused_ = false;
+    bool screenshot_asked_ = false, paused_ = false, remember_size_ = false;
     std::string notice_;
     Clock::time_point notice_until_{};
 };
@@ -274,7 +280,12 @@ class WindowSession {
 
 void run_in_window(curriculum::AttemptRunner& runner, sim::Latest<sim::WindowInput>& input,
                    const Arguments& arguments, StatusLine& status) {
-    WindowSession(runner, input, arguments, status).run();
+    Arguments sized = arguments;
+    if (const auto last = load_window_size(); last && !arguments.size_given) {
+        sized.width = last->width;
+        sized.height = last->height;
+    }
+    WindowSession(runner, input, sized, status).run();
 }
 
 }  // namespace placode::ui

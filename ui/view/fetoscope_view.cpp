@@ -478,6 +478,7 @@ int FetoscopeView::tuning_item_under_pointer() const {
 }
 int FetoscopeView::width() const { return impl_->context->width(); }
 int FetoscopeView::height() const { return impl_->context->height(); }
+std::pair<int, int> FetoscopeView::window_size() const { return impl_->context->window_size(); }
 unsigned FetoscopeView::gl_error() { return std::exchange(impl_->error, 0U); }
 
 std::vector<uint8_t> FetoscopeView::pixels() {

@@ -73,6 +73,8 @@ class FetoscopeView {
     void save_png(const std::string& path);
     [[nodiscard]] int width() const;
     [[nodiscard]] int height() const;
+    /// Of the window, as the desktop measures it.
+    [[nodiscard]] std::pair<int, int> window_size() const;
     /// First OpenGL error since the last call, 0 = none.
     [[nodiscard]] unsigned gl_error();
 

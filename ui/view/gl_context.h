@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "ui/view/window_event.h"
 
@@ -26,6 +27,8 @@ class GlContext {
     [[nodiscard]] virtual int height() const = 0;  ///< Of the framebuffer [px].
     /// Several pictures off-screen: what is drawn next, on this thread, goes into this one. Throws
     /// ViewError, e.g. while another thread holds it.
+    /// Of the window, as the desktop measures it; of the framebuffer where there is no window.
+    [[nodiscard]] virtual std::pair<int, int> window_size() const { return {width(), height()}; }
     virtual void make_current() {}
     /// Another thread may take it.
     virtual void let_go() noexcept {}

@@ -166,6 +166,11 @@ class GlfwWindow final : public GlContext {
 
     [[nodiscard]] int width() const override { return framebuffer().first; }
     [[nodiscard]] int height() const override { return framebuffer().second; }
+    [[nodiscard]] std::pair<int, int> window_size() const override {
+        int w = 0, h = 0;
+        glfwGetWindowSize(window_, &w, &h);
+        return {w, h};
+    }
     void swap() override { glfwSwapBuffers(window_); }
     [[nodiscard]] bool close_requested() const override {
         return glfwWindowShouldClose(window_) == GLFW_TRUE;

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/attempt/user_settings.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace placode::ui {
+namespace {
+
+class UserSettingsTest : public testing::Test {
+ protected:
+    void SetUp() override {
+        std::string name = std::filesystem::temp_directory_path() / "placode-settings-XXXXXX";
+        ASSERT_NE(::mkdtemp(name.data()), nullptr);
+        folder_ = name;
+        ::setenv("XDG_CONFIG_HOME", folder_.c_str(), 1);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void write(const std::string& text) const {
+        std::filesystem::create_directories(folder_ / "placode");
+        std::ofstream(folder_ / "placode" / "window") << text;
+    }
+    std::filesystem::path folder_;
+};
+
+TEST_F(UserSettingsTest, AWindowComesBackInItsSize) {
+    EXPECT_FALSE(load_window_size());
+    save_window_size({1011, 707});
+    const auto size = load_window_size();
+    ASSERT_TRUE(size);
+    EXPECT_EQ(size->width, 1011);
+    EXPECT_EQ(size->height, 707);
+}
+
+TEST_F(UserSettingsTest, WhatIsNoSizeIsForgotten) {
+    for (const char* text : {"", "wide", "1280", "1280 x 800", "0 0", "-1280 -800", "99999 99999",
+                             "1e9 1e9", "1280 nan"}) {
+        write(text);
+        EXPECT_FALSE(load_window_size()) << '"' << text << '"';
+    }
+    save_window_size({900, 600});
+    save_window_size({1, 1});  // a window that is being closed
+    ASSERT_TRUE(load_window_size());
+    EXPECT_EQ(load_window_size()->width, 900);
+}
+
+TEST_F(UserSettingsTest, AFolderThatCannotBeWrittenCostsOnlyTheMemory) {
+    std::ofstream(folder_ / "placode") << "a file where the folder should be";
+    EXPECT_NO_THROW(save_window_size({900, 600}));
+    EXPECT_FALSE(load_window_size());
+}
+
+}  // namespace
+}  // namespace placode::ui
