@@ -10,6 +10,7 @@
 #include <QSqlDatabase>
 #include <QSqlQuery>
 
+#include "db/recording_file.h"
 #include "shell_harness.h"
 #include "ui/shell/parts.h"
 
@@ -33,6 +34,7 @@ class ShellAttemptTest : public QObject {
     void historyHoldsBothAndOpensThem();
     void killedSimulatorIsOfferedAndStoredAsInterrupted();
     void leftoverIsOfferedAfterARestart();
+    void whatRecordedNothingIsNoLeftover();
     void recordingStaysWhenTheStoreIsLocked();
     void abortedAttemptCountsAsInterrupted();
     void unknownDeviceComesBackWithTheReason();
@@ -223,6 +225,31 @@ void ShellAttemptTest::leftoverIsOfferedAfterARestart() {
     QVERIFY(shell.click("recover_delete_0"));
     QVERIFY(QTest::qWaitFor([&] { return recordings().isEmpty(); }, 5000));
     QCOMPARE(attempts().size(), size_t{3});
+}
+
+void ShellAttemptTest::whatRecordedNothingIsNoLeftover() {
+    QDir().mkpath(shell_->context().recordingsFolder());
+    const QString folder = shell_->context().recordingsFolder();
+    const auto write = [&](const QString& name, int frames) {
+        const auto sink = db::create_recording_file((folder + "/" + name).toStdString());
+        sim::RecordingHeader header;
+        header.task_id = "diathermy_ring_small";
+        sink->begin(header);
+        if (frames > 0) sink->append(std::vector<sim::Input>(static_cast<size_t>(frames)), {}, {});
+        sink->finish({sim::EndReason::kClosed, frames / 1000.0, 1, 0});
+    };
+    write("empty.placode", 0);
+    write("short.placode", 200);
+    for (const Depth depth : {Depth::kLength, Depth::kWhole}) {
+        const auto found = find_leftovers(folder, depth);
+        QCOMPARE(found.size(), size_t{1});
+        QVERIFY(found[0].recording_file.endsWith("short.placode"));
+        QCOMPARE(recordings(), QStringList{"short.placode"});
+        write("empty.placode", 0);
+    }
+    QFile::remove(folder + "/empty.placode");
+    remove_recording(folder + "/short.placode");
+    QVERIFY(recordings().isEmpty());
 }
 
 void ShellAttemptTest::theTimeToTheLockBeginsWhenTheAttemptEnds() {

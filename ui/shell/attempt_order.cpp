@@ -149,11 +149,15 @@ std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
         }
         // A damaged file is shown with its reason instead of hiding all the others.
         try {
-            if (depth == Depth::kLength) {
-                const db::RecordingSummary summary = db::recording_summary(path);
-                fill_in(leftover, summary.header, summary.end);
-            } else {
+            const db::RecordingSummary summary = db::recording_summary(path);
+            fill_in(leftover, summary.header, summary.end);
+            // Whole: a length of nothing may also be damage, which is for people to judge.
+            if (depth == Depth::kWhole || summary.end.duration_s <= 0) {
                 const db::RecoveredRecording recovered = db::recover_recording_file(path);
+                if (recovered.recording.inputs.empty() && recovered.damage.empty()) {
+                    remove_recording(leftover.recording_file);
+                    continue;
+                }
                 leftover.damage = QString::fromStdString(recovered.damage);
                 fill_in(leftover, recovered.recording.header, recovered.recording.end);
             }

@@ -66,7 +66,7 @@ void write_order(AttemptOrder& order, const QString& folder);
 /// damaged and takes seconds.
 enum class Depth : uint8_t { kLength, kWhole };
 /// Recordings in `folder` that nobody writes to, oldest first. @param saved those that are being
-/// saved now: they are no leftovers.
+/// saved now: they are no leftovers. One in which nothing was recorded is removed on the way.
 [[nodiscard]] std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
                                                    const std::set<QString>& saved = {});
 

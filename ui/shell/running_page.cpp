@@ -188,14 +188,24 @@ class RunningPage : public Page {
         connect(abort_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
             if (ask(launcher, window(),
                     study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
-                    study()  ? tr("What was done so far is kept and does not count; the procedure "
-                                   "has to be done again from the beginning.")
-                    : exam() ? tr("This is an exam: leaving uses up this attempt.")
-                             : tr("It is kept as interrupted and does not count for the course."),
-                    study() ? tr("Break off") : tr("Abort")))
+                    whatLeavingMeans(), study() ? tr("Break off") : tr("Abort")))
                 launcher.abort();
         });
         return row;
+    }
+
+    /// Before the first motion nothing is recorded, and nothing is used up.
+    [[nodiscard]] QString whatLeavingMeans() const {
+        const bool begun = context_.launcher().status().time_s > 0;
+        if (study())
+            return begun ? tr("What was done so far is kept and does not count; the procedure has "
+                              "to be done again from the beginning.")
+                         : tr("The procedure has not begun yet: nothing is kept.");
+        if (exam())
+            return begun ? tr("This is an exam: leaving uses up this attempt.")
+                         : tr("The exam has not begun yet: leaving uses up nothing.");
+        return begun ? tr("It is kept as interrupted and does not count for the course.")
+                     : tr("The attempt has not begun yet: nothing is kept.");
     }
 
     /// One click in another window than the operation's ends nothing: it asks, and says what is

@@ -78,6 +78,8 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"This procedure then is over for good.", "Ten zabieg zakończy się wtedy na dobre."},
     {"An attempt that is left is kept as interrupted and counts for nothing.",
      "Opuszczona próba zostaje zapisana jako przerwana i nie liczy się."},
+    {"The attempt has not begun yet: nothing is kept.",
+     "Próba jeszcze się nie zaczęła: nic nie zostanie zapisane."},
     {"No tuning in a study", "W badaniu nie ma strojenia"},
     {"No help in an exam", "Podczas egzaminu nie ma pomocy"},
     {"This computer is too slow: the attempt will not count. Close other programs, or make the "

@@ -4333,6 +4333,18 @@
         <translation>To, co zrobiono, jest zachowane i nie liczy się; zabieg trzeba wykonać od początku.</translation>
     </message>
     <message>
+        <source>The procedure has not begun yet: nothing is kept.</source>
+        <translation>Zabieg jeszcze się nie zaczął: nic nie zostanie zapisane.</translation>
+    </message>
+    <message>
+        <source>The exam has not begun yet: leaving uses up nothing.</source>
+        <translation>Egzamin jeszcze się nie zaczął: wyjście niczego nie zużywa.</translation>
+    </message>
+    <message>
+        <source>The attempt has not begun yet: nothing is kept.</source>
+        <translation>Próba jeszcze się nie zaczęła: nic nie zostanie zapisane.</translation>
+    </message>
+    <message>
         <source>The procedure ends here for good, after %1. You cannot go on with it.</source>
         <translation>Zabieg kończy się tu na dobre, po %1. Nie można go kontynuować.</translation>
     </message>
