@@ -13,6 +13,7 @@
 #include "db/attempt_counting.h"
 #include "reports/text.h"
 #include "ui/shell/dialog_frame.h"
+#include "ui/shell/table_width.h"
 
 namespace placode::ui {
 namespace {
@@ -172,6 +173,7 @@ void fit_columns(QTableWidget* table, int stretch) {
         if (first != nullptr && (first->textAlignment() & Qt::AlignRight) != 0)
             table->horizontalHeaderItem(c)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
+    keep_within_later(table, stretch);
 }
 
 bool confirm(QWidget* parent, const QString& title, const QString& text, const QString& verb,

@@ -167,7 +167,6 @@ class StudiesPage : public Page {
                            make_number_cell(sd ? format_number(*sd, 2) : "–", sd.value_or(0)));
         }
         fit_columns(table, 1);
-        keep_within(table, {.stretch = 1});
         table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         table->setFixedHeight(table->rowCount() * kTouchTarget + 46);
         layout->addWidget(table);
@@ -210,6 +209,7 @@ class StudiesPage : public Page {
             ++row;
         }
         fit_columns(table, 4);
+        keep_within(table, {.stretch = 4, .drop = {2}});
         table->setSortingEnabled(true);
         table->setMinimumHeight(std::min<int>(8, row + 1) * kTouchTarget + 10);
         layout->addWidget(table);

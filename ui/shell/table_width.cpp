@@ -16,6 +16,7 @@
 namespace placode::ui {
 namespace {
 
+constexpr int kRowsLooked = 20;  ///< For buttons.
 constexpr int kLeastColumn = 52, kTitleLines = 3, kTitlePadding = 20;
 constexpr int kCellPadding = 28;                    ///< Of the style sheet and of Qt [px].
 constexpr int kTitlePx = 12, kTitleLine = 17;       ///< Letters and lines of a title [px].
@@ -35,16 +36,33 @@ int widest_allowed(std::vector<int> wanted, int room) {
 
 class WidthKeeper : public QObject {
  public:
-    WidthKeeper(QTableWidget* table, TableFit fit)
-        : QObject(table), table_(table), fit_(std::move(fit)) {
+    explicit WidthKeeper(QTableWidget* table) : QObject(table), table_(table) {
         setObjectName("width_keeper");
         table->viewport()->installEventFilter(this);
+        later_.setSingleShot(true);
+        connect(&later_, &QTimer::timeout, this, [this] { learn(plain_); });
+    }
+    static WidthKeeper& of(QTableWidget* table) {
+        QObject* known = table->findChild<QObject*>("width_keeper", Qt::FindDirectChildrenOnly);
+        auto* keeper = dynamic_cast<WidthKeeper*>(known);
+        return keeper != nullptr ? *keeper : *new WidthKeeper(table);
+    }
+    /// With what the page asks for next, or without anything special when it asks for nothing.
+    void learnLater(int stretch) {
+        plain_ = {.stretch = stretch};
+        wanted_.clear();
+        later_.start(0);
     }
     /// Takes the widths of now as those that are wanted.
-    void learn() {
+    void learn(const TableFit& fit) {
+        later_.stop();
+        fit_ = fit;
         wanted_.clear();
+        buttons_.clear();
         for (int c = 0; c < table_->columnCount(); ++c) {
             table_->setColumnHidden(c, false);
+            for (int row = 0; row < table_->rowCount() && row < kRowsLooked; ++row)
+                if (table_->cellWidget(row, c) != nullptr) buttons_.insert(c);
             wanted_.push_back(c == fit_.stretch ? fit_.least_px : table_->columnWidth(c));
         }
         for (int row = 0; row < table_->rowCount(); ++row)
@@ -61,6 +79,7 @@ class WidthKeeper : public QObject {
         return QObject::eventFilter(watched, event);
     }
     void apply() {
+        if (std::ssize(wanted_) != table_->columnCount()) return;
         const int room = table_->viewport()->width();
         int needed = std::accumulate(wanted_.begin(), wanted_.end(), 0);
         std::set<int> left_out;
@@ -70,19 +89,26 @@ class WidthKeeper : public QObject {
             left_out.insert(c);
         }
         std::vector<int> shown;
+        int fixed = 0;
         for (int c = 0; c < table_->columnCount(); ++c) {
             const bool out = left_out.contains(c);
             if (table_->isColumnHidden(c) != out) table_->setColumnHidden(c, out);
-            if (!out && c != fit_.stretch) shown.push_back(wanted_[static_cast<size_t>(c)]);
+            if (out || c == fit_.stretch) continue;
+            if (buttons_.contains(c))
+                fixed += wanted_[static_cast<size_t>(c)];
+            else
+                shown.push_back(wanted_[static_cast<size_t>(c)]);
         }
-        const int most = widest_allowed(shown, room - fit_.keep_px);
+        const int most = widest_allowed(shown, room - fit_.keep_px - fixed);
         for (int c = 0; c < table_->columnCount(); ++c)
-            if (c != fit_.stretch && !left_out.contains(c))
+            if (c != fit_.stretch && !left_out.contains(c) && !buttons_.contains(c))
                 table_->setColumnWidth(c, std::min(most, wanted_[static_cast<size_t>(c)]));
     }
     QTableWidget* table_;
-    TableFit fit_;
+    TableFit fit_, plain_;
+    QTimer later_;
     std::vector<int> wanted_;
+    std::set<int> buttons_;  ///< Columns of buttons keep their width: half a button says nothing.
 };
 
 /// Keeps every row as high as the widest of its texts needs.
@@ -219,11 +245,10 @@ void wrap_titles(QTableWidget* table) {
 
 void wrap_rows(QTableWidget* table, int shown) { new RowWrapper(table, shown); }
 
-void keep_within(QTableWidget* table, const TableFit& fit) {
-    QObject* known = table->findChild<QObject*>("width_keeper", Qt::FindDirectChildrenOnly);
-    auto* keeper = dynamic_cast<WidthKeeper*>(known);
-    if (keeper == nullptr) keeper = new WidthKeeper(table, fit);
-    keeper->learn();
+void keep_within(QTableWidget* table, const TableFit& fit) { WidthKeeper::of(table).learn(fit); }
+
+void keep_within_later(QTableWidget* table, int stretch) {
+    WidthKeeper::of(table).learnLater(stretch);
 }
 
 }  // namespace placode::ui
