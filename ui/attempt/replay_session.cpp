@@ -47,8 +47,7 @@ std::string foot_text(const ReplayWish& wish, double pace, double target_s, bool
     std::snprintf(speed, sizeof speed, "%gx", wish.speed);
     std::string text = speed;
     if (pace > 0 && target_s < 0 && !at_end && !wish.paused) {
-        std::snprintf(speed, sizeof speed,
-                      polish ? " (ten komputer nadąża za %.1fx)" : " (this computer reaches %.1fx)",
+        std::snprintf(speed, sizeof speed, polish ? " (komputer: %.1fx)" : " (computer: %.1fx)",
                       pace);
         text += speed;
     }
