@@ -8,6 +8,7 @@ set -euo pipefail
 cd "$(dirname "$0")"
 . scripts/prepare.sh
 placode_prepare release all
+built_s=$SECONDS
 export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
 
 log=build/release/test.log
@@ -20,6 +21,7 @@ status=0
 "${run[@]}" 2>&1 | tee "$log" || status=$?
 total=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#' "$log" || true)
 passed=$(grep -cE '^ *[0-9]+/[0-9]+ Test +#.* Passed ' "$log" || true)
+echo "built in $built_s s, tested in $((SECONDS - built_s)) s"
 echo "$passed passed, $((total - passed)) failed"
 [ "$total" -gt 0 ] || { echo "test.sh: no test ran" >&2; exit 1; }
 exit "$status"
