@@ -127,7 +127,11 @@ int tasks(const Context& context, const Options& options) {
         return enter(context, options);
     } catch (const batches::Stopped&) {
         clear_progress();
-        throw std::runtime_error("bench tasks: stopped; the same command goes on where it was");
+        // Recordings that are made stay; what was compared so far is kept nowhere.
+        const bool entering = options.verify.empty() && options.board.empty();
+        throw std::runtime_error(entering
+                                     ? "bench tasks: stopped; the same command goes on where it was"
+                                     : "bench tasks: stopped; the same command begins again");
     }
 }
 
