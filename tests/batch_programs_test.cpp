@@ -108,6 +108,30 @@ TEST_F(BatchPrograms, KilledTwiceItGoesOnAndTheResultIsTheSameBitForBit) {
     EXPECT_EQ(fs::last_write_time(done), written) << "a shard that was done was done again";
 }
 
+TEST_F(BatchPrograms, WhatShardsTookForecastsALargerBatch) {
+    ASSERT_EQ(plan("small").status, 0);
+    const Outcome early = batch("forecast small");
+    EXPECT_EQ(early.status, 2);
+    EXPECT_THAT(early.err, HasSubstr("no shard was done and timed here yet"));
+    ASSERT_EQ(batch("run small --jobs 1").status, 0);
+    const Outcome found = ctl("--json batch forecast small --items 800 --workers 1,4");
+    ASSERT_EQ(found.status, 0) << found.err;
+    const auto json = nlohmann::json::parse(found.out);
+    EXPECT_EQ(json["measured_shards"], 8);
+    EXPECT_EQ(json["check"]["workers"], 1);
+    const double one = json["workers"][0]["mean_s"], four = json["workers"][1]["mean_s"];
+    EXPECT_NEAR(one / four, 4, 0.2);
+    // One worker does shard after shard: what they took and nothing else but the runner's polling.
+    const double measured = json["check"]["measured_s"], forecast = json["check"]["forecast_s"];
+    EXPECT_LE(forecast, measured * 1.05);
+    EXPECT_GE(forecast, measured * 0.5);
+    EXPECT_EQ(batch("forecast small --items 0").status, 2);
+    EXPECT_EQ(batch("forecast small --lost 95").status, 2);
+    // The result knows nothing of it.
+    EXPECT_EQ(batch("merge small").status, 0);
+    EXPECT_EQ(read_text(file("small/result.jsonl")).find("wall_s"), std::string::npos);
+}
+
 TEST_F(BatchPrograms, ADamagedShardIsFoundAndDoneAgain) {
     const std::string reference = whole("a");
     const std::string path = file("a/shards/000003.jsonl");

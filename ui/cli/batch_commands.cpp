@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // placodectl batch run | work | status | merge | script
 
+#include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <thread>
 
+#include "batches/costs.h"
 #include "batches/merge.h"
 #include "batches/runner.h"
 #include "batches/script.h"
@@ -44,9 +47,13 @@ int run(const Context& context, const Options& options) {
     order.go_on = go_on;
     order.progress = [](int done, int of) { show_progress(of_all(done, of) + " done"); };
     const CancelOn cancel{SIGINT, SIGTERM};
+    const auto start = std::chrono::steady_clock::now();
     const batches::RunOutcome outcome = batches::run_batch(manifest, order);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     clear_progress();
     const int done = outcome.done_before + outcome.done;
+    if (outcome.done == manifest.shards())
+        batches::keep_run_cost(options.folder, {order.jobs, took.count()});
     Json json{{"batch", manifest.seal},
               {"shards", manifest.shards()},
               {"done_before", outcome.done_before},
@@ -69,12 +76,20 @@ int run(const Context& context, const Options& options) {
 
 /// One shard; false when it had been done before.
 bool do_one(const batches::Manifest& manifest, const Options& options, int shard) {
-    return batches::do_shard(options.folder, manifest, shard,
-                             batches::build_text(ui::version_text()), go_on,
-                             [&](size_t done, size_t of) {
-                                 show_progress("shard " + std::to_string(shard) + ": " +
-                                               std::to_string(done) + " of " + std::to_string(of));
-                             });
+    const auto start = std::chrono::steady_clock::now();
+    const bool fresh =
+        batches::do_shard(options.folder, manifest, shard, batches::build_text(ui::version_text()),
+                          go_on, [&](size_t done, size_t of) {
+                              show_progress("shard " + std::to_string(shard) + ": " +
+                                            std::to_string(done) + " of " + std::to_string(of));
+                          });
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+    const auto [first, behind] = manifest.range(shard);
+    // A worker for one shard costs its start as well.
+    const double wall_s = options.shard >= 0 ? batches::seconds_of_this_process() : 0;
+    if (fresh)
+        batches::keep_cost(options.folder, {shard, behind - first, std::max(wall_s, took.count())});
+    return fresh;
 }
 
 /// Free shards one after the other, until none is left.
@@ -193,6 +208,7 @@ void add_batch_commands(CLI::App& app, Context& context) {
         "batch", "Much work in shards, here or on a cluster: rescoring, replays, rollouts");
     batch->require_subcommand(1);
     add_batch_plan_command(*batch, context);
+    add_batch_forecast_command(*batch, context);
     auto options = std::make_shared<Options>();
     add(*batch, context, options, "run",
         "Does what is missing, by worker processes on this computer", run)
