@@ -538,6 +538,17 @@ TEST_F(OverlayRimTest, ASingleHandHasOneBarOfForce) {
     EXPECT_GT(count(changed(both, draw(overlay))), 200) << "a hand that is not there has none";
 }
 
+// Pushed through the surface it meets no force: "0 mN" looked like success.
+TEST_F(OverlayRimTest, ANeedleBelowTheSurfaceIsSaidToBeStuckInsteadOfFree) {
+    OverlayState overlay;
+    const auto free = draw(overlay);
+    field_.snapshot.tools[0].buried_m = 0.003F;
+    field_.snapshot.tools[0].buried_length_m = 0.0033F;
+    const auto stuck = draw(overlay);
+    EXPECT_GT(count(changed(free, stuck)), 30) << "in the line of the force";
+    EXPECT_NE(translated("stuck", "pl"), "stuck");
+}
+
 TEST_F(OverlayRimTest, TheBarIsOfTheInstrumentInHandAndTabLeadsBack) {
     OverlayState overlay;
     overlay.practice.device = placode::haptics::HintDevice::kMouse;
