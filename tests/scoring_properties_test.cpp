@@ -9,6 +9,7 @@
 
 #include "assessment/loci.h"
 #include "assessment/scoring.h"
+#include "assessment/themes.h"
 #include "assessment/tissue_metrics.h"
 #include "curriculum/definitions.h"
 #include "tests/generated_attempts.h"
@@ -235,6 +236,20 @@ TEST_P(ScoringProperties, PointsFollowTheMetricWithoutCliffs) {
     }
 }
 
+/// A slope can be as steep as a cliff: what is hardly there costs little.
+TEST_P(ScoringProperties, ATraceOfABurnCostsLittle) {
+    const sim::Recording recording = done(task, 1);
+    const auto lost = [&](double percent) {
+        MetricSet metrics = assessment::compute_metrics(recording);
+        std::erase_if(metrics.values,
+                      [](const auto& one) { return one.id == "placode_burned_percent"; });
+        metrics.values.push_back({"placode_burned_percent", percent});
+        return 100 - assessment::score_attempt(task.rubric, metrics, recording).points;
+    };
+    EXPECT_LE(lost(0.1), 5);
+    EXPECT_LE(lost(0.2), 2 * lost(0.1) + kNoReason + 1e-9) << "in proportion from the beginning";
+}
+
 TEST_P(ScoringProperties, WhatDecidesInTheatreDecidesThePass) {
     const auto spoiled = [&](auto spoil) {
         sim::Recording recording = done(task, 1);
@@ -296,6 +311,22 @@ TEST_P(ScoringProperties, TornStretchedAndBuriedTissueCosts) {
     EXPECT_GE(lost(sim::EventKind::kTorn, 5.9e-9, 7), 1);
     EXPECT_GE(lost(sim::EventKind::kStretchSum, 5e-8, 7), 1);
     EXPECT_GE(lost(sim::EventKind::kBuried, 2, -1), 2);
+}
+
+/// "Gentle with tissue, no points lost" is not said over 2 mm3 that tore, nor over a tip in tissue.
+TEST_P(ScoringProperties, WhoTearsOrBuriesIsNotCalledGentle) {
+    const auto judged = [&](sim::EventKind kind, double value) {
+        sim::Recording recording = done(task, 1);
+        if (value > 0) AttemptMaker::put(recording, kind, 12, value, 0.002, 0.004, 0.003);
+        for (const auto& each :
+             assessment::judge_themes(task.rubric, score_of(task, recording).reasons, {}))
+            if (each.theme == assessment::Theme::kTissue) return each.judgement;
+        return assessment::ThemeResult::Judgement::kNeither;
+    };
+    using Judgement = assessment::ThemeResult::Judgement;
+    EXPECT_EQ(judged(sim::EventKind::kTorn, 0), Judgement::kStrength);
+    EXPECT_NE(judged(sim::EventKind::kTorn, 2e-9), Judgement::kStrength);
+    EXPECT_NE(judged(sim::EventKind::kBuried, 1), Judgement::kStrength);
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, ScoringProperties,
