@@ -40,9 +40,9 @@ struct Field : test::CutField {
         for (int i = 1; i <= frames; ++i)
             run(from + static_cast<double>(i) / frames * (to - from), jaw, 1);
     }
-    /// Takes hold in the middle and draws it out of the field.
-    void draw_out(double height_m = 0.040) {
-        const Vec3 away(0, 0, 0.010), touch(0, 0, 0.0001), out(0, 0, height_m);
+    /// Takes hold in the middle, or beside it, and draws it out of the field.
+    void draw_out(double height_m = 0.040, double x_m = 0) {
+        const Vec3 away(x_m, 0, 0.010), touch(x_m, 0, 0.0001), out(x_m, 0, height_m);
         move(away, touch, 0.6);
         const double closed = 0.5 * grip_angle(scene.tools[0]);
         for (double jaw = 0.6; jaw > closed; jaw -= 0.01) run(touch, jaw, 1);
@@ -112,6 +112,29 @@ TEST(Reached, TornAndBurnedTissueIsNotTakenOut) {
     EXPECT_EQ(closing[1].kind, EventKind::kMarkedLost);
     EXPECT_NEAR(closing[1].value2, torn / marked, 1e-6);
     EXPECT_NEAR(closing[0].value2 + closing[1].value2, snapshot.resected_fraction, 1e-6);
+}
+
+// The largest number that a single piece told missed what left together with it, or after it.
+TEST(Reached, PiecesThatLeaveTogetherOrOneAfterTheOtherAddUp) {
+    double patch = 0;
+    for (const bool together : {true, false}) {
+        Field field;
+        if (patch == 0)
+            for (int t = 0; t < field.scene.body.tet_count(); ++t)
+                if (in_patch(rest_centroid(field.scene, t)))
+                    patch += static_cast<double>(field.scene.body.volume_m3()[t]);
+        field.cut_out([](const Vec3& p) { return in_patch(p) && p.x() < 0; });
+        field.cut_out(in_patch);
+        field.run(Vec3(0, 0, 0.01), 0.6, 200);
+        field.draw_out(0.040, together ? 0 : -0.0011);
+        EXPECT_EQ(field.state.pieces.out, together ? 2 : 1);
+        if (!together) field.draw_out(0.040, 0.0011);
+        ASSERT_EQ(field.state.pieces.out, 2);
+        const double share = taken_out_share(field.scene, field.state);
+        EXPECT_NEAR(share, patch / field.scene.marked_volume_m3, 1e-6);
+        EXPECT_EQ(field.last(EventKind::kTakenOut).value2, static_cast<float>(share));
+        EXPECT_EQ(reached_events(field.scene, field.state).at(0).value2, static_cast<float>(share));
+    }
 }
 
 TEST(Reached, WhereNothingIsMarkedThereIsNoShare) {
