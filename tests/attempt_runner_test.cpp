@@ -13,6 +13,7 @@
 #include <thread>
 
 #include "assessment/metrics.h"
+#include "assessment/scoring.h"
 #include "assessment/tissue_metrics.h"
 #include "tests/attempt_fixture.h"
 
@@ -266,6 +267,31 @@ TEST(AttemptRunner, LeavesBeforeAnyMotion) {
     runner.wait();
     EXPECT_EQ(runner.end().reason, sim::EndReason::kInterrupted);
     EXPECT_EQ(runner.end().duration_s, 0);
+}
+
+// As the simulator itself records it: a hand that does nothing, in tissue that has settled.
+TEST(AttemptRunner, AHandThatDoesNothingHasNotAttemptedTheTask) {
+    for (const char* id : {"familiarisation", "diathermy_ring_small"}) {
+        const Task task = test::changed_task(id, {{"edge_ring_m", "0.0012"},
+                                                  {"edge_placode_m", "0.0016"},
+                                                  {"edge_outer_m", "0.003"},
+                                                  {"settle_s", "0.02"}});
+        sim::Latest<sim::WindowInput> window;
+        window.publish({});
+        AttemptOptions options;
+        options.device = "mouse";
+        options.window = &window;
+        options.fast = true;
+        options.duration_s = 1.5;
+        auto recording = std::make_shared<sim::Recording>();
+        AttemptRunner runner(task, 3, options, std::make_unique<test::MemorySink>(recording));
+        runner.start();
+        runner.wait();
+        const assessment::Score score = assessment::score_attempt(
+            task.rubric, assessment::compute_metrics(*recording), *recording);
+        EXPECT_EQ(score.verdict, assessment::Verdict::kNotAttempted) << id;
+        EXPECT_EQ(score.points, 0) << id;
+    }
 }
 
 TEST(AttemptRunner, AnUnknownDeviceIsRefusedBeforeTheSceneIsBuilt) {
