@@ -131,14 +131,13 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
         const auto found = row.values.find(id);
         return found == row.values.end() ? std::string() : found->second;
     };
-    // What does not count is neither passed nor failed; where nothing was done it was opened.
+    // What does not count is neither passed nor failed, and what is to be done again not completed.
     const bool passed = row.counts && value("verdict") == "Passed";
     QJsonObject object =
         statement(data, form, row,
-                  value("verdict") == "Not attempted" ? "launched"
-                  : !row.counts                       ? "terminated"
-                  : passed                            ? "passed"
-                                                      : "failed",
+                  !row.counts ? "terminated"
+                  : passed    ? "passed"
+                              : "failed",
                   form.name + "|" + row.participant + "|" + std::to_string(row.instance));
     object["object"] = QJsonObject{
         {"objectType", "Activity"},
@@ -150,7 +149,7 @@ QJsonObject attempted(const Dataset& data, const Form& form, const Row& row) {
         extensions[address(data, "metric/" + id)] = text(each);
     const double points = value("points").empty() ? 0 : std::stod(value("points"));
     QJsonObject result{
-        {"completion", value("end") == "finished"},
+        {"completion", value("end") == "finished" && value("not_done").empty()},
         {"duration", duration(value("duration_s").empty() ? "0" : value("duration_s"))},
         {"score", QJsonObject{{"scaled", points / 100}, {"raw", points}, {"min", 0}, {"max", 100}}},
         {"extensions", extensions}};

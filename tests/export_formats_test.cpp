@@ -334,6 +334,55 @@ TEST_F(Export, XapiStatementsHaveOneActorAndStableIds) {
     EXPECT_EQ(first[0]["id"], second[0]["id"]) << "a store can tell that it has it already";
 }
 
+TEST_F(Export, AProcedureThatWasEndedTooEarlyIsFinishedInNoFormat) {
+    const auto save = [&](assessment::Verdict verdict, const std::string& not_done) {
+        db::AttemptResult early;
+        early.header.task_id = "diathermy_ring";
+        early.header.started_utc = "2026-11-21T11:05:00.000Z";
+        early.score.verdict = verdict;
+        early.end = {sim::EndReason::kFinished, 2.5, 7, 0};
+        db::StepRecord step;
+        step.study_id = "s1";
+        step.participant = codes[1];
+        step.step = "procedure_1";
+        step.state = db::StepState::kStarted;
+        step.detail = not_done;
+        step.attempt_id = store->attempts().save(store->accounts().find_login("anna")->id, early);
+        store->studies().record_step(step);
+    };
+    const std::string why = "ended after 2 s, before the least duration of 60 s";
+    save(assessment::Verdict::kPassed, why);
+    save(assessment::Verdict::kNotAttempted, why);
+    const auto made = source();
+    const reports::Form* attempts = made.data.form("attempts");
+    ASSERT_NE(attempts, nullptr);
+    int early = 0;
+    for (const reports::Row& row : attempts->rows) {
+        if (row.participant != codes[1]) continue;
+        ++early;
+        EXPECT_FALSE(row.counts) << "no analysis uses it";
+        EXPECT_EQ(row.values.at("counts"), "0");
+        EXPECT_EQ(row.values.at("not_done"), why);
+    }
+    EXPECT_EQ(early, 2);
+    for (const auto& format : reports::export_formats())  // each is read back and compared
+        EXPECT_FALSE(export_dataset(made, format.name, out(format.name)).empty()) << format.name;
+    const auto statements =
+        QJsonDocument::fromJson(QByteArray::fromStdString(read_text(out("xapi/s1_xapi.json"))))
+            .array();
+    for (const QJsonValue& entry : statements) {
+        const QString verb = entry["verb"]["id"].toString();
+        for (const char* forbidden : {"launched", "abandoned", "waived", "satisfied"})
+            EXPECT_FALSE(verb.endsWith(forbidden)) << "belongs to the learning system";
+        if (entry["result"]["duration"] != "PT2.50S") continue;
+        --early;
+        EXPECT_FALSE(verb.endsWith("passed") || verb.endsWith("failed")) << verb.toStdString();
+        EXPECT_FALSE(entry["result"]["completion"].toBool()) << "it is to be done again";
+        EXPECT_FALSE(entry["result"].toObject().contains("success"));
+    }
+    EXPECT_EQ(early, 0) << "both are told";
+}
+
 TEST_F(Export, MotionBidsHasHeaderlessMotionAndOneChannelRowAColumn) {
     write("motion-bids");
     const std::string subject = "sub-P001" + codes[0].substr(5);
