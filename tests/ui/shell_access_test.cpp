@@ -4,6 +4,7 @@
 // readers, no traps for the keyboard, and room at twice the scale.
 
 #include <QAbstractSpinBox>
+#include <QFrame>
 #include <cmath>
 
 #include "shell_harness.h"
@@ -58,6 +59,7 @@ class ShellAccessTest : public QObject {
     void initTestCase();
     void cleanupTestCase() { shell_.reset(); }
     void textStandsOutInBothThemes();
+    void whatIsWrongIsFramedUnlikeTheFocus();
     void everythingIsNamedAndLargeEnough();
     void tabGoesThroughThePageAndOutAgain();
 
@@ -98,6 +100,32 @@ void ShellAccessTest::textStandsOutInBothThemes() {
                                                                    .arg(contrast(text, ground))));
         // The edge of a field: WCAG 1.4.11.
         QVERIFY2(contrast(t.field, t.raised) >= 3, qPrintable(t.field.name()));
+    }
+}
+
+// A missing answer in the colour of the focus looked like the question to go on with.
+void ShellAccessTest::whatIsWrongIsFramedUnlikeTheFocus() {
+    for (const ThemeKind theme : {ThemeKind::kDark, ThemeKind::kLight}) {
+        shell_->context().setTheme(theme);
+        const Tokens& t = tokens(theme);
+        const int apart = std::abs(t.critical.hue() - t.accent.hue());
+        QVERIFY(std::min(apart, 360 - apart) > 90);
+        QWidget page;
+        auto* card = new QFrame(&page);
+        card->setProperty("role", "card");
+        auto* field = new QLineEdit(&page);
+        field->move(0, 100);
+        for (QWidget* wrong : {static_cast<QWidget*>(card), static_cast<QWidget*>(field)}) {
+            wrong->setProperty("tone", "critical");
+            wrong->resize(200, 60);
+        }
+        page.resize(220, 180);
+        const QImage seen = page.grab().toImage();
+        for (const QWidget* wrong : {static_cast<QWidget*>(card), static_cast<QWidget*>(field)}) {
+            const QColor frame = seen.pixelColor(wrong->x() + 100, wrong->y());
+            QVERIFY2(frame == t.critical, qPrintable(frame.name() + " is not the colour of what "
+                                                                    "is wrong"));
+        }
     }
 }
 
