@@ -60,12 +60,14 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
         hands_[i].scope = kind == sim::ToolKind::kScope;
         hands_[i].others_in_port = others_in_port(config.tools, i);
         hands_[i].out = (hands_[i].others_in_port & ((1U << i) - 1)) != 0;
-        hands_[i].jaw_open_rad =
-            (kind == sim::ToolKind::kScissors ? kBladeOpening : kGrasperOpening) *
-            config.tools[i].jaw_open_rad;
-        if (kind == sim::ToolKind::kGrasper) {
-            hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
-        }
+        const bool scissors = kind == sim::ToolKind::kScissors;
+        const bool grasper = kind == sim::ToolKind::kGrasper;
+        if (scissors || grasper)
+            hands_[i].jaw_open_rad =
+                (scissors ? kBladeOpening : kGrasperOpening) * config.tools[i].jaw_open_rad;
+        if (grasper) hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);
+        // Open from the start: jaws that open by themselves would start the clock.
+        hands_[i].jaw_rad = std::max(hands_[i].jaw_open_rad, hands_[i].jaw_least_rad);
         hands_[i].energy = kind == sim::ToolKind::kNeedle || kind == sim::ToolKind::kHook;
         if (!hands_[i].scope && !found) {
             active_ = i;

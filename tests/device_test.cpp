@@ -200,6 +200,41 @@ TEST(Mouse, TabGoesFromHandToHandAndNeverToTheScope) {
     EXPECT_EQ(hand_after(std::span(tools).subspan(1, 1), 1), -1);
 }
 
+// Nor does the clock of an attempt start by itself: it waits for the first motion of a hand.
+TEST(Mouse, NothingMovesBeforeThePersonDoes) {
+    for (const char* name : {"mouse", "keyboard", "gamepad"})
+        for (const sim::ToolKind kind :
+             {sim::ToolKind::kNeedle, sim::ToolKind::kHook, sim::ToolKind::kGrasper,
+              sim::ToolKind::kScissors, sim::ToolKind::kProbe}) {
+            sim::Latest<sim::WindowInput> window;
+            sim::WindowInput input;
+            input.gamepad = true;
+            DeviceConfig config;
+            config.name = name;
+            config.window = &window;
+            config.tools.resize(2);
+            config.tools[0].kind = kind;
+            config.tools[1].kind = sim::ToolKind::kScope;
+            const auto device = open_device(config);
+            std::vector<DeviceState> first(2), states(2);
+            for (int tick = 1; tick <= 1000; ++tick) {
+                window.publish(input);
+                device->read(tick * int64_t{1'000'000}, states);
+                if (tick == 1) first = states;
+                for (size_t i = 0; i < 2; ++i) {
+                    ASSERT_EQ(states[i].position_m, first[i].position_m)
+                        << name << ", tool " << static_cast<int>(kind);
+                    ASSERT_EQ(states[i].jaw_rad, first[i].jaw_rad)
+                        << name << ", tool " << static_cast<int>(kind);
+                    ASSERT_EQ(states[i].roll_rad, first[i].roll_rad)
+                        << name << ", tool " << static_cast<int>(kind);
+                    ASSERT_EQ(states[i].engaged, first[i].engaged)
+                        << name << ", tool " << static_cast<int>(kind);
+                }
+            }
+        }
+}
+
 TEST(Mouse, KeepsJawsClosedOverTabUntilTheNextPress) {
     sim::Latest<sim::WindowInput> window;
     sim::WindowInput input;
