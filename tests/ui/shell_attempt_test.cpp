@@ -7,6 +7,9 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 
@@ -19,6 +22,17 @@ namespace placode::ui {
 namespace {
 /// For what a busy machine with two cores does slowly; a full ring takes it a minute or more.
 constexpr int kPatienceMs = 240000;
+
+/// The last status line of a simulator, as far as it has said one.
+QJsonObject last_status(QProcess& simulator) {
+    QJsonObject last;
+    while (simulator.canReadLine()) {
+        const QJsonObject line = QJsonDocument::fromJson(simulator.readLine()).object();
+        if (line.contains("t_s")) last = line;
+    }
+    return last;
+}
+
 }  // namespace
 
 class ShellAttemptTest : public QObject {
@@ -40,6 +54,7 @@ class ShellAttemptTest : public QObject {
     void unknownDeviceComesBackWithTheReason();
     void educatorSeesAllOfThem();
     void theTimeToTheLockBeginsWhenTheAttemptEnds();
+    void theClockOfAWindowWaitsForTheFirstMotion();
 
  private:
     /// From the course to a running attempt.
@@ -343,6 +358,33 @@ void ShellAttemptTest::educatorSeesAllOfThem() {
     // Another person's attempt: it can be read and printed, not repeated.
     QVERIFY(shell.find<QPushButton>("report_pdf") != nullptr);
     QVERIFY(shell.find<QPushButton>("again") == nullptr);
+}
+
+// It began with the window: whoever looked at the picture first had lost the time for it.
+void ShellAttemptTest::theClockOfAWindowWaitsForTheFirstMotion() {
+    if (qEnvironmentVariableIsEmpty("DISPLAY")) QSKIP("no display to open a window on");
+    QProcess simulator;
+    simulator.start(PLACODE_BIN_DIR "/placode-sim",
+                    {"--task", "touch_targets", "--device", "keyboard", "--size", "320x240",
+                     "--mute", "--status"});
+    QJsonObject status;
+    const auto look = [&] {
+        if (const QJsonObject now = last_status(simulator); !now.isEmpty()) status = now;
+        return status["waiting"].toBool() || status["t_s"].toDouble() > 0 ||
+               simulator.state() == QProcess::NotRunning;
+    };
+    QVERIFY(QTest::qWaitFor(look, kPatienceMs));
+    if (simulator.state() == QProcess::NotRunning)
+        QSKIP(simulator.readAllStandardError().constData());  // no OpenGL
+    QTest::qWait(2000);  // time in which a clock that does not wait would go on
+    (void)look();
+    QCOMPARE(status["t_s"].toDouble(), 0.0);
+    QVERIFY(status["waiting"].toBool());
+    simulator.terminate();
+    QVERIFY(simulator.waitForFinished(kPatienceMs));
+    (void)look();
+    QCOMPARE(status["end"].toString(), QString("interrupted"));
+    QCOMPARE(status["t_s"].toDouble(), 0.0);
 }
 
 }  // namespace placode::ui

@@ -12,6 +12,7 @@
 #include "shell_harness.h"
 #include "ui/shell/ledger_view.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/replay_place.h"
 
 namespace placode::ui {
 
@@ -53,6 +54,10 @@ class ShellReviewTest : public QObject {
     [[nodiscard]] std::vector<db::AttemptRecord> attempts() {
         return shell_->context().store().attempts().list(0);
     }
+    /// Notes what the simulator is called with, and calls it.
+    void noteArguments();
+    /// Where the window of the last replay was told to stand.
+    [[nodiscard]] QRect placeOfReplay() const;
 
     std::unique_ptr<ShellHarness> shell_;
 };
@@ -61,9 +66,37 @@ void ShellReviewTest::initTestCase() {
     QVERIFY2(QFileInfo(PLACODE_BIN_DIR "/placode-sim").isExecutable(),
              "build placode-sim first: this test starts the real simulator");
     shell_ = std::make_unique<ShellHarness>();
+    noteArguments();
+    if (QTest::currentTestFailed()) return;
     QVERIFY(shell_->setUpWithDemonstration());
     QVERIFY(shell_->signIn("demo.trainee", "placode-demo"));
     attempt("script:novice", 14);
+}
+
+void ShellReviewTest::noteArguments() {
+    QFile before(shell_->path("simulator.sh"));
+    QVERIFY(before.open(QIODevice::WriteOnly));
+    before.write(QString("#!/bin/sh\necho \"$@\" >> '%1'\nexec '%2' \"$@\"\n")
+                     .arg(shell_->path("arguments.txt"), shell_->simulator)
+                     .toUtf8());
+    before.close();
+    QVERIFY(before.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+    shell_->simulator = before.fileName();
+    shell_->start();
+}
+
+QRect ShellReviewTest::placeOfReplay() const {
+    QFile file(shell_->path("arguments.txt"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    const QStringList calls = QString::fromUtf8(file.readAll()).trimmed().split('\n');
+    const QStringList words = calls.last().split(' ');
+    const auto pair = [&](const char* name, char between) {
+        const qsizetype at = words.indexOf(name);
+        return at < 0 ? QStringList{} : words.value(at + 1).split(between);
+    };
+    const QStringList at = pair("--position", ','), size = pair("--size", 'x');
+    if (at.size() != 2 || size.size() != 2) return {};
+    return {at[0].toInt(), at[1].toInt(), size[0].toInt(), size[1].toInt()};
 }
 
 void ShellReviewTest::attempt(const QString& device, double seconds) {
@@ -193,6 +226,15 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
         [&] { return shell.find<QPushButton>("replay_play")->text() == "Pause"; }, kPatienceMs));
     QCOMPARE(shell.find<QPushButton>("replay_play")->property("icon_name").toString(),
              QString("pause"));
+    // Its window stands clear of what it is steered by, where the screen has room for both.
+    const QWidget* steer = shell.find<QPushButton>("replay_play")->parentWidget();
+    const QRect wanted = replay_place(*steer);
+    QCOMPARE(placeOfReplay(), wanted);
+    for (const char* name : {"replay_play", "replay_back", "replay_on", "replay_close"}) {
+        const auto* button = shell.find<QPushButton>(name);
+        const QRect there(button->mapToGlobal(QPoint(0, 0)), button->size());
+        QVERIFY2(!there.intersects(placeOfReplay()), name);
+    }
     shell.shot("45_watch_begins");
     QVERIFY(QTest::qWaitFor([&] { return ledger() != nullptr; }, 30000));
     auto* speed = shell.find<QComboBox>("replay_speed");
