@@ -229,6 +229,9 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
     // Its window stands clear of what it is steered by, where the screen has room for both.
     const QWidget* steer = shell.find<QPushButton>("replay_play")->parentWidget();
     const QRect wanted = replay_place(*steer);
+    // The simulator is called by a script that notes its arguments first: it takes its time.
+    QVERIFY2(QTest::qWaitFor([&] { return placeOfReplay().isValid(); }, 20000),
+             "the replay was told no place");
     QCOMPARE(placeOfReplay(), wanted);
     for (const char* name : {"replay_play", "replay_back", "replay_on", "replay_close"}) {
         const auto* button = shell.find<QPushButton>(name);
