@@ -149,10 +149,14 @@ std::vector<Leftover> find_leftovers(const QString& folder, Depth depth,
         }
         // A damaged file is shown with its reason instead of hiding all the others.
         try {
-            const db::RecordingSummary summary = db::recording_summary(path);
-            fill_in(leftover, summary.header, summary.end);
-            // Whole: a length of nothing may also be damage, which is for people to judge.
-            if (depth == Depth::kWhole || summary.end.duration_s <= 0) {
+            bool whole = depth == Depth::kWhole;
+            if (!whole) {
+                const db::RecordingSummary summary = db::recording_summary(path);
+                fill_in(leftover, summary.header, summary.end);
+                // A length of nothing may also be damage, which is for people to judge.
+                whole = summary.end.duration_s <= 0;
+            }
+            if (whole) {
                 const db::RecoveredRecording recovered = db::recover_recording_file(path);
                 if (recovered.recording.inputs.empty() && recovered.damage.empty()) {
                     remove_recording(leftover.recording_file);
