@@ -91,7 +91,8 @@ TEST_F(Install, TheDesktopFindsItsFiles) {
     for (const char* path :
          {"share/icons/hicolor/scalable/apps/placode.svg", "lib/udev/rules.d/70-placode.rules",
           "share/metainfo/org.placode.Placode.metainfo.xml", "share/doc/placode/copyright",
-          "lib/systemd/user/placode-backup.timer", "lib/systemd/user/placode-backup.service"})
+          "share/doc/placode/examples/check_seal.py", "lib/systemd/user/placode-backup.timer",
+          "lib/systemd/user/placode-backup.service"})
         EXPECT_TRUE(fs::exists(there(path))) << path;
     EXPECT_THAT(read_text(there("lib/systemd/user/placode-backup.service")),
                 HasSubstr("ExecStart=/usr/lib/placode/scheduled-backup"));

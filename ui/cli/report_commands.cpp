@@ -30,13 +30,14 @@ struct Options {
     std::string out, id, figures, user, recording, language = "en";
 };
 
-/// The attempt of that number, which the person may see.
-db::AttemptDetail need_attempt(Session& session, const std::string& number) {
+/// The attempt of that number, which the person may see. @param command for what is wrong with it.
+db::AttemptDetail need_attempt(Session& session, const std::string& command,
+                               const std::string& number) {
     int64_t id = 0;
     const char* end = number.data() + number.size();
     const auto [rest, error] = std::from_chars(number.data(), end, id);
     if (error != std::errc{} || rest != end)
-        throw InputError("report: found \"" + number +
+        throw InputError(command + ": found \"" + number +
                          "\"; expected the number of an attempt, see `placodectl attempts`");
     db::AttemptDetail attempt = session.store().attempts().detail(id);
     const bool own = session.user() && session.user()->id == attempt.record.user_id;
@@ -48,7 +49,7 @@ db::AttemptDetail need_attempt(Session& session, const std::string& number) {
 
 int report_seal(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
-    const int64_t id = need_attempt(session, options.id).record.id;
+    const int64_t id = need_attempt(session, "report seal", options.id).record.id;
     const ScratchFolder scratch;
     const std::string file =
         options.recording.empty() ? scratch.file("attempt.placode") : options.recording;
@@ -65,7 +66,7 @@ int report_seal(const Context& context, const Options& options) {
 
 int report_attempt(const Context& context, const Options& options) {
     Session session(context, Missing::kRefuse);
-    const db::AttemptDetail attempt = need_attempt(session, options.id);
+    const db::AttemptDetail attempt = need_attempt(session, "report attempt", options.id);
     const int64_t id = attempt.record.id;
     const auto recording = reports::recordings_of(session.store())(id);
     if (!recording)
