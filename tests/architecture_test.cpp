@@ -143,8 +143,8 @@ TEST(Architecture, RoomsOfThePhysicsIncludeOnlyThemselvesAndEarlierOnes) {
     EXPECT_GT(checked, 200);
 }
 
-// A line in contact/ sees the whole State, as the step hands it on; what it may touch stands here.
-// Heat never moves a tool, contact never cuts, the ledger only looks and writes its own.
+// A line in contact/ sees the whole State, as the step hands it on; what it may read or write
+// stands here. By the words `state.x`: a reference that goes under another name is not seen.
 TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
     const std::map<std::string, std::string> may{
         {"contact",

@@ -38,6 +38,15 @@ Task quick_task() {
                                                        {"settle_s", "0.02"}});
 }
 
+/// A mouse that nobody moves until the window says so.
+AttemptOptions still_mouse(sim::Latest<sim::WindowInput>& window) {
+    window.publish({});
+    AttemptOptions options;
+    options.device = "mouse";
+    options.window = &window;
+    return options;
+}
+
 AttemptOptions fast(double duration_s, int threads = 1) {
     AttemptOptions options;
     options.device = "script:expert";
@@ -185,11 +194,8 @@ void until(Look look) {
 TEST(AttemptRunner, TheClockStartsWithTheFirstMotionAndStandsInAPause) {
     sim::Latest<sim::WindowInput> window;
     sim::WindowInput input;
-    window.publish(input);
-    AttemptOptions options;
-    options.device = "mouse";
+    AttemptOptions options = still_mouse(window);
     options.threads = 1;
-    options.window = &window;
     options.wait_for_motion = true;
     options.mode = AttemptMode::kStudy;
     auto recording = std::make_shared<sim::Recording>();
@@ -255,10 +261,7 @@ TEST(AttemptRunner, EveryWishOfTheTuningPanelArrivesWhileTimeStandsStill) {
 
 TEST(AttemptRunner, LeavesBeforeAnyMotion) {
     sim::Latest<sim::WindowInput> window;
-    window.publish({});
-    AttemptOptions options;
-    options.device = "mouse";
-    options.window = &window;
+    AttemptOptions options = still_mouse(window);
     options.wait_for_motion = true;
     AttemptRunner runner(quick_task(), 3, options, nullptr);
     runner.start();
@@ -277,10 +280,7 @@ TEST(AttemptRunner, AHandThatDoesNothingHasNotAttemptedTheTask) {
                                                   {"edge_outer_m", "0.003"},
                                                   {"settle_s", "0.02"}});
         sim::Latest<sim::WindowInput> window;
-        window.publish({});
-        AttemptOptions options;
-        options.device = "mouse";
-        options.window = &window;
+        AttemptOptions options = still_mouse(window);
         options.fast = true;
         options.duration_s = 1.5;
         auto recording = std::make_shared<sim::Recording>();
