@@ -29,7 +29,7 @@ struct Rule {
 // pseudonyms and therefore sees no names but the own one. An educator sees the attempts of the
 // whole centre, and acts (assigns, judges, certifies) on the own groups and on people without a
 // group.
-constexpr std::array<Rule, 17> kRules{{
+constexpr std::array<Rule, 24> kRules{{
     {Action::kPerformAttempt, kEverybody, kNobody, kNobody, "perform an attempt",
      "everybody, in their own name"},
     {Action::kViewAttempts, kEverybody, kEducator, kEducator, "see other people's attempts",
@@ -63,6 +63,18 @@ constexpr std::array<Rule, 17> kRules{{
      "the person"},
     {Action::kErase, kNobody, kAdministrator, kAdministrator, "erase a person",
      "an administrator, not the person,"},
+    {Action::kUseStore, kEverybody, kEverybody, kEverybody, "use the store without signing in",
+     "everybody who has signed in"},
+    {Action::kSetPassword, kEverybody, kAdministrator, kAdministrator,
+     "set another person's password", "the person or an administrator"},
+    {Action::kSetPin, kEverybody, kNobody, kNobody, "choose another person's PIN", "the person"},
+    {Action::kSaveAttempt, kEverybody, kAdministrator, kAdministrator,
+     "save another person's attempt", "the person or an administrator"},
+    {Action::kRemark, kEverybody, kEducator, kNobody, "remark on this person's attempts",
+     "the person, or an educator of the group,"},
+    {Action::kReplay, kNobody, kNobody, kNobody, "say what simulating an attempt again gave",
+     "only the program itself"},
+    {Action::kActAs, kEverybody, kNobody, kNobody, "act in another person's name", "the person"},
 }};
 
 const Rule* rule_of(Action action) noexcept {

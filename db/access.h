@@ -26,7 +26,14 @@ enum class Action : uint8_t {
     kSetStandards,      ///< Benchmarks, norm packs, rescoring under a new rubric.
     kExportPersonalData,
     kRequestErasure,
-    kErase,  ///< Carry out a request for erasure.
+    kErase,        ///< Carry out a request for erasure.
+    kUseStore,     ///< What everybody may who has signed in, such as to read what is published.
+    kSetPassword,  ///< Of an account; also take its PIN away.
+    kSetPin,       ///< Choose a PIN.
+    kSaveAttempt,  ///< Also one that a crash left over.
+    kRemark,       ///< On an attempt.
+    kReplay,       ///< Keep what simulating an attempt again gave.
+    kActAs,        ///< Sign a remark, a rating, an entry of the audit trail.
 };
 
 /// Whose data it is: the own, that of somebody within one's group (or in no group at all), or that

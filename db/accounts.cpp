@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Accounts, passwords and the wait after wrong ones.
+// Accounts: made, changed, looked up.
 
 #include "db/accounts.h"
 
-#include <algorithm>
-
-#include "db/audit.h"
 #include "db/password.h"
 #include "db/sqlite_file.h"
 #include "db/store_context.h"
@@ -15,21 +12,6 @@ namespace placode::db {
 namespace {
 
 using Kind = StoreError::Kind;
-
-constexpr int kFreeTries = 5;
-constexpr int kFirstWaitS = 5;
-constexpr int kLongestWaitS = 900;
-constexpr int64_t kForgetMs = int64_t{24} * 3600 * 1000;
-
-int wait_s(int64_t failures) {
-    if (failures < kFreeTries) return 0;
-    const auto doublings = std::min<int64_t>(failures - kFreeTries, 10);
-    return std::min(kLongestWaitS, kFirstWaitS << doublings);
-}
-
-void mark_store_of(const Connection& connection) {
-    if (connection.is_sqlite()) mark_store(connection.url().path);
-}
 
 }  // namespace
 
@@ -45,12 +27,16 @@ std::string Accounts::check_new_user(const NewUser& user) {
 }
 
 int64_t Accounts::create(const NewUser& user) {
+    // Whoever comes to a store without accounts makes the first one: an administrator.
+    const bool first = context_.actor.kind == Actor::Kind::kNobody &&
+                       has_role(user.roles, Role::kAdministrator) && !any();
     connection_.begin_operation("create the user \"" + user.login + "\" in");
+    if (!first) context_.need(Action::kManageUsers);
     const std::string hash = check_new_user(user);
     UnitOfWork work(connection_);
     const int64_t id = insert_user(user, hash);
     work.commit();
-    if (!user.demonstration) mark_store_of(connection_);
+    if (!user.demonstration && connection_.is_sqlite()) mark_store(connection_.url().path);
     return id;
 }
 
@@ -73,81 +59,9 @@ int64_t Accounts::insert_user(const NewUser& user, const std::string& hash) {
     return id;
 }
 
-int Accounts::wait_before_sign_in(const std::string& key) {
-    const int64_t now = context_.now_ms();
-    Statement query(connection_,
-                    "SELECT failures, last_ms FROM sign_in_failures WHERE login_key = ?");
-    query.run(key);
-    if (!query.next()) return 0;
-    const int64_t wait_ms = int64_t{1000} * wait_s(query.integer("failures"));
-    const int64_t since = now - query.integer("last_ms");
-    if (since < 0 && wait_ms > 0) {
-        // A try in the future: the clock was set back. The wait begins now, or it would last until
-        // the clock is there again, which may be years.
-        Statement(connection_, "UPDATE sign_in_failures SET last_ms = ? WHERE login_key = ?")
-            .run(now, key);
-        return static_cast<int>(wait_ms / 1000);
-    }
-    return since < wait_ms ? static_cast<int>((wait_ms - since + 999) / 1000) : 0;
-}
-
-SignIn Accounts::sign_in(const std::string& login, const std::string& password) {
-    connection_.begin_operation("sign in to");
-    const std::string key = login_key(login);
-    int64_t id = 0;
-    std::string hash;
-    {
-        // The try is counted before the password is looked at, so that tries in parallel count too.
-        UnitOfWork work(connection_);
-        if (const int wait = wait_before_sign_in(key); wait > 0) {
-            work.commit();
-            return {SignInOutcome::kThrottled, std::nullopt, wait};
-        }
-        const int64_t now = context_.now_ms();
-        Statement(connection_, "DELETE FROM sign_in_failures WHERE last_ms < ?")
-            .run(now - kForgetMs);
-        Statement(connection_,
-                  "INSERT INTO sign_in_failures (login_key, failures, last_ms) VALUES (?, 1, ?) ON "
-                  "CONFLICT (login_key) DO UPDATE SET failures = sign_in_failures.failures + 1, "
-                  "last_ms = excluded.last_ms")
-            .run(key, now);
-        Statement account(connection_,
-                          "SELECT a.id, a.password_hash FROM accounts a JOIN persons p ON "
-                          "p.account_id = a.id WHERE p.login_key = ?");
-        account.run(key);
-        if (account.next()) {
-            id = account.integer("id");
-            hash = account.text("password_hash");
-        }
-        work.commit();
-    }
-    if (id == 0) {
-        // The same work as for a real account, so that time does not tell which logins exist.
-        (void)hash_password(password, context_.options.cheap_passwords);
-        return {};
-    }
-    if (!verify_password(hash, password)) {
-        Audit(context_).write("unknown", "sign_in.wrong_password", user_object(id), "");
-        return {};
-    }
-    const UserRecord user = context_.need_user(id);
-    UnitOfWork work(connection_);
-    context_.touch("user", id);
-    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(key);
-    if (user.active && !context_.options.cheap_passwords && password_needs_rehash(hash))
-        Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?")
-            .run(hash_password(password, false), id);
-    context_.append_audit_as(user_object(id), user.active ? "sign_in" : "sign_in.deactivated",
-                             user_object(id), "");
-    work.commit();
-    if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
-    if (!user.demonstration) mark_store_of(connection_);
-    context_.actor.name = user_object(id);
-    return {SignInOutcome::kOk, user, 0};
-}
-
 void Accounts::set_password(int64_t user_id, const std::string& password, bool given) {
     connection_.begin_operation("set a password in");
+    context_.need_for(Action::kSetPassword, user_id);
     const UserRecord user = context_.need_user(user_id);
     if (const auto problem = password_problem(user.login, password))
         connection_.fail(Kind::kRefused, *problem);
@@ -179,6 +93,7 @@ void Accounts::need_another_administrator(const UserRecord& user) {
 
 void Accounts::set_active(int64_t user_id, bool active) {
     connection_.begin_operation(active ? "activate a user in" : "deactivate a user in");
+    context_.need_for(Action::kManageUsers, user_id);
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
     const UserRecord user = context_.need_user(user_id);
@@ -191,6 +106,7 @@ void Accounts::set_active(int64_t user_id, bool active) {
 
 void Accounts::set_roles(int64_t user_id, Roles roles) {
     connection_.begin_operation("change the roles of a user in");
+    context_.need_for(Action::kManageUsers, user_id);
     if (roles == 0) connection_.fail(Kind::kRefused, "the user has no role");
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
@@ -206,6 +122,7 @@ void Accounts::set_roles(int64_t user_id, Roles roles) {
 
 std::vector<UserRecord> Accounts::list() {
     connection_.begin_operation("list the users of");
+    context_.need(Action::kViewPersonalData);
     Statement query(connection_, user_columns() + "ORDER BY p.login_key");
     query.run();
     std::vector<UserRecord> users;
@@ -215,6 +132,7 @@ std::vector<UserRecord> Accounts::list() {
 
 std::optional<UserRecord> Accounts::find(int64_t id) {
     connection_.begin_operation("look up a user in");
+    if (!context_.is_self(id)) context_.need_for(Action::kViewPersonalData, id);
     Statement query(connection_, user_columns() + "WHERE a.id = ?");
     query.run(id);
     if (!query.next()) return std::nullopt;
@@ -223,10 +141,31 @@ std::optional<UserRecord> Accounts::find(int64_t id) {
 
 std::optional<UserRecord> Accounts::find_login(const std::string& login) {
     connection_.begin_operation("look up a user in");
-    Statement query(connection_, user_columns() + "WHERE p.login_key = ?");
-    query.run(login_key(login));
-    if (!query.next()) return std::nullopt;
-    return read_user(query);
+    std::optional<UserRecord> found;
+    {
+        Statement query(connection_, user_columns() + "WHERE p.login_key = ?");
+        if (query.run(login_key(login)).next()) found = read_user(query);
+    }
+    // What is not there is refused alike: who may not see names does not learn which there are.
+    context_.need_for(Action::kViewPersonalData, found ? found->id : 0);
+    return found;
+}
+
+std::optional<UserRecord> Accounts::find_staff(const std::string& login_or_name) {
+    connection_.begin_operation("look up an educator in");
+    context_.need(Action::kUseStore);
+    Statement query(connection_,
+                    user_columns() +
+                        "WHERE a.active = 1 AND (p.login_key = ? OR p.display_name = ?) ORDER BY "
+                        "CASE WHEN p.login_key = ? THEN 0 ELSE 1 END, p.login_key");
+    const std::string key = login_key(login_or_name);
+    query.run(key, login_or_name, key);
+    while (query.next()) {
+        UserRecord user = read_user(query);
+        if (has_role(user.roles, Role::kEducator) || has_role(user.roles, Role::kAdministrator))
+            return user;
+    }
+    return std::nullopt;
 }
 
 }  // namespace placode::db

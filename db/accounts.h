@@ -34,10 +34,14 @@ class Accounts {
  public:
     explicit Accounts(StoreContext& context);
 
-    int64_t create(const NewUser& user);  ///< Throws kConflict, kRefused (weak password).
+    /// Throws kConflict, kRefused (weak password). Nobody may make the first one, an administrator.
+    int64_t create(const NewUser& user);
     /// After 5 wrong passwords in a row the login has to wait: 5 s, then twice as long each time,
     /// at most 15 min. What is not an account waits and takes as long as what is one.
+    /// From then on the store works for this account, with its rights.
     SignIn sign_in(const std::string& login, const std::string& password);
+    /// As sign_in(), for somebody who is present and confirms something: who acts stays.
+    SignIn confirm(const std::string& login, const std::string& password);
     /// @param given somebody else chose it.
     void set_password(int64_t user_id, const std::string& password, bool given = false);
     /// Throws kRefused when it would leave no active administrator.
@@ -45,14 +49,25 @@ class Accounts {
     /// Throws kRefused for no role at all, and as set_active().
     void set_roles(int64_t user_id, Roles roles);
     [[nodiscard]] std::vector<UserRecord> list();  ///< By login.
+    /// The own account also when it is closed.
     [[nodiscard]] std::optional<UserRecord> find(int64_t id);
     [[nodiscard]] std::optional<UserRecord> find_login(const std::string& login);
+    /// An active educator or administrator, by login or else by name: everybody who has signed in
+    /// may know who they are.
+    [[nodiscard]] std::optional<UserRecord> find_staff(const std::string& login_or_name);
+
+    // accounts_sign_in.cpp: what may be asked before anybody has signed in
+    [[nodiscard]] bool any();  ///< Whether there is an account.
+    /// Whether this login has an account that is not closed.
+    [[nodiscard]] bool may_sign_in(const std::string& login);
+    /// Everybody, in a store that was made to be looked at (db/demonstration.h); else nobody.
+    [[nodiscard]] std::vector<UserRecord> demonstrators();
 
     // accounts_pin.cpp
     /// Four to twelve digits for a quick return at a shared station; empty = none any more. Throws
     /// kRefused for a PIN that is too easy. A new password takes the PIN away.
     void set_pin(int64_t user_id, const std::string& pin);
-    [[nodiscard]] bool has_pin(int64_t user_id);
+    [[nodiscard]] bool has_pin(int64_t user_id);  ///< Also before anybody has signed in.
     /// As sign_in(), by PIN. After 3 wrong ones in a row the PIN is gone and the password needed.
     SignIn unlock(int64_t user_id, const std::string& pin);
 
@@ -66,6 +81,7 @@ class Accounts {
 
     // accounts_erasure.cpp
     void request_erasure(int64_t user_id, const std::string& reason);
+    /// For who may not manage accounts: the own one.
     [[nodiscard]] std::vector<ErasureRecord> erasure_requests();
     /// Removes who the account is: name, login, password, PIN, groups, assignments; it can never be
     /// signed in to again. Attempts stay without a name, or go as well. Throws kRefused for the
@@ -74,6 +90,8 @@ class Accounts {
 
  private:
     [[nodiscard]] int wait_before_sign_in(const std::string& key);
+    /// By which login it is throttled, and its outcome in the audit trail; who acts stays.
+    SignIn check_password(const std::string& login, const std::string& password);
     void need_another_administrator(const UserRecord& user);
     /// Inside a transaction, everything checked.
     int64_t insert_user(const NewUser& user, const std::string& hash);

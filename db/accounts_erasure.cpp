@@ -26,6 +26,7 @@ std::vector<int64_t> ids_of(Connection& connection, const char* sql, int64_t use
 
 void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
     connection_.begin_operation("ask for erasure in");
+    context_.need_for(Action::kRequestErasure, user_id);
     UnitOfWork work(connection_);
     (void)context_.need_user(user_id);
     Statement there(connection_, "SELECT account_id FROM erasure_requests WHERE account_id = ?");
@@ -42,19 +43,23 @@ void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
 
 std::vector<ErasureRecord> Accounts::erasure_requests() {
     connection_.begin_operation("list requests for erasure of");
+    const bool all = context_.may(Action::kManageUsers);
+    if (!all) context_.need(Action::kUseStore);
     Statement query(connection_,
                     "SELECT account_id, reason, asked_utc, done_utc FROM erasure_requests ORDER BY "
                     "asked_utc, account_id");
     query.run();
     std::vector<ErasureRecord> found;
     while (query.next())
-        found.push_back({query.integer("account_id"), query.text("reason"), query.text("asked_utc"),
-                         query.text("done_utc")});
+        if (all || context_.is_self(query.integer("account_id")))
+            found.push_back({query.integer("account_id"), query.text("reason"),
+                             query.text("asked_utc"), query.text("done_utc")});
     return found;
 }
 
 void Accounts::erase(int64_t user_id, bool with_attempts) {
     connection_.begin_operation("erase a person in");
+    context_.need_for(Action::kErase, user_id);
     UnitOfWork work(connection_);
     connection_.lock_table("accounts");
     const UserRecord user = context_.need_user(user_id);

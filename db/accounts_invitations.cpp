@@ -24,6 +24,7 @@ std::string new_code() {
 
 std::string Accounts::invite(const InvitationRecord& invitation) {
     connection_.begin_operation("invite somebody to");
+    context_.need(Action::kManageUsers);
     if (invitation.roles == 0) connection_.fail(Kind::kRefused, "the invitation has no role");
     if (!curriculum::utc_seconds(invitation.expires_utc))
         connection_.fail(Kind::kRefused, "found the date \"" + invitation.expires_utc +
@@ -48,6 +49,7 @@ std::string Accounts::invite(const InvitationRecord& invitation) {
 
 std::vector<InvitationRecord> Accounts::invitations() {
     connection_.begin_operation("list invitations of");
+    context_.need(Action::kManageUsers);
     Statement query(connection_,
                     "SELECT id, roles, COALESCE(group_id, 0) AS group_id, note, invited_by, "
                     "made_utc, expires_utc, used_utc FROM invitations ORDER BY id");

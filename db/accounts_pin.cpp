@@ -34,6 +34,7 @@ std::string pin_problem(const std::string& pin) {
 
 void Accounts::set_pin(int64_t user_id, const std::string& pin) {
     connection_.begin_operation("set a PIN in");
+    context_.need_for(pin.empty() ? Action::kSetPassword : Action::kSetPin, user_id);
     (void)context_.need_user(user_id);
     if (!pin.empty())
         if (const std::string problem = pin_problem(pin); !problem.empty())
@@ -92,7 +93,7 @@ SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
                              user_object(user_id), "");
     work.commit();
     if (!user.active) return {SignInOutcome::kDeactivated, std::nullopt, 0};
-    context_.actor.name = user_object(user_id);
+    context_.become(user_id);
     return {SignInOutcome::kOk, user, 0};
 }
 

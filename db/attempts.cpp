@@ -131,6 +131,11 @@ Attempts::Attempts(StoreContext& context) : context_(context), connection_(conte
 
 int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
     connection_.begin_operation("save an attempt in");
+    // Of a study it belongs to the participant, whoever was signed in when it began.
+    if (result.study.study.empty())
+        context_.need_for(Action::kSaveAttempt, user_id);
+    else
+        context_.need(Action::kRunQuestionnaire);
     Bytes packed;
     std::string checksum;
     size_t size = 0;
@@ -183,6 +188,8 @@ int64_t Attempts::save(int64_t user_id, const AttemptResult& result) {
 
 std::vector<AttemptRecord> Attempts::list(int64_t user_id, const std::string& task_id) {
     connection_.begin_operation("list the attempts of");
+    user_id == 0 ? context_.need(Action::kViewAttempts)
+                 : context_.need_for(Action::kViewAttempts, user_id);
     const AttemptConditions where = conditions_of(
         user_id, 0, task_id, user_id == 0 ? OfStudies::kTakenIn : OfStudies::kLeftOut);
     Statement query(connection_, attempt_columns() + where.sql + " ORDER BY t.started_utc, t.id");
@@ -195,6 +202,7 @@ std::vector<AttemptRecord> Attempts::list(int64_t user_id, const std::string& ta
 
 AttemptDetail Attempts::detail(int64_t id) {
     connection_.begin_operation("read an attempt from");
+    context_.need_sight_of_attempt(id);
     AttemptDetail detail;
     Statement head(connection_, attempt_columns() + "WHERE t.id = ?");
     head.run(id);
@@ -231,9 +239,17 @@ AttemptDetail Attempts::detail(int64_t id) {
     return detail;
 }
 
+AttemptOwner Attempts::owner_of(int64_t id) {
+    connection_.begin_operation("look up an attempt in");
+    context_.need(Action::kUseStore);
+    if (const auto owner = context_.owner_of_attempt(id)) return *owner;
+    connection_.fail(Kind::kNotFound, "there is no attempt " + std::to_string(id));
+}
+
 void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
     connection_.begin_operation("extract the recording of attempt " + std::to_string(attempt_id) +
                                 " from");
+    context_.need_sight_of_attempt(attempt_id);
     Statement query(connection_,
                     "SELECT size_bytes, checksum, content FROM recordings WHERE attempt_id = ?");
     query.run(attempt_id);
@@ -262,6 +278,7 @@ void Attempts::extract_recording(int64_t attempt_id, const std::string& path) {
 
 std::optional<int64_t> Attempts::find_recording(const std::string& recording_file) {
     connection_.begin_operation("look for a recording in");
+    context_.need(Action::kUseStore);
     settle_recording_file(recording_file);
     const std::string checksum = checksum_hex(read_bytes(connection_, recording_file));
     Statement query(connection_,
@@ -272,6 +289,7 @@ std::optional<int64_t> Attempts::find_recording(const std::string& recording_fil
 }
 
 void Attempts::check_recordings(std::vector<std::string>& problems) {
+    context_.need(Action::kBackup);
     std::vector<int64_t> ids;
     Statement list(connection_, "SELECT attempt_id FROM recordings ORDER BY attempt_id");
     list.run();

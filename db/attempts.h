@@ -15,6 +15,12 @@ namespace placode::db {
 class Connection;
 struct StoreContext;
 
+/// Whose an attempt is.
+struct AttemptOwner {
+    int64_t user_id = 0;  ///< 0 = of a study: it belongs to a participant's code.
+    StudyContext study;
+};
+
 /// `store.attempts().list()`. Every change is one transaction and in the audit trail.
 class Attempts {
  public:
@@ -26,7 +32,8 @@ class Attempts {
     /// Oldest first; user_id 0 = everybody's and those of studies; task_id empty = all. A person's
     /// own never hold what a participant did while that person was signed in.
     [[nodiscard]] std::vector<AttemptRecord> list(int64_t user_id, const std::string& task_id = {});
-    [[nodiscard]] AttemptDetail detail(int64_t id);  ///< Throws kNotFound.
+    [[nodiscard]] AttemptDetail detail(int64_t id);   ///< Throws kNotFound.
+    [[nodiscard]] AttemptOwner owner_of(int64_t id);  ///< Throws kNotFound.
     /// Writes the recording file of an attempt to `path`.
     void extract_recording(int64_t attempt_id, const std::string& path);
     /// The attempt that holds exactly this recording file, if any: a file left over from a crash
@@ -34,7 +41,8 @@ class Attempts {
     [[nodiscard]] std::optional<int64_t> find_recording(const std::string& recording_file);
     /// Exams and attempts of studies that are still to be simulated again, oldest first.
     [[nodiscard]] std::vector<int64_t> waiting_for_replay();
-    /// What simulating again gave. One that differs is void from then on; `note` says where.
+    /// What simulating again gave. One that differs is void from then on; `note` says where. Only a
+    /// program says so, never an account.
     void set_replay(int64_t attempt_id, ReplayState state, const std::string& note);
     /// Adds what is damaged to `problems`, for Store::check().
     void check_recordings(std::vector<std::string>& problems);

@@ -10,6 +10,8 @@ namespace placode::db {
 
 AttemptPage Attempts::page(const AttemptFilter& filter) {
     connection_.begin_operation("list attempts of");
+    filter.user_id == 0 ? context_.need(Action::kViewAttempts)
+                        : context_.need_for(Action::kViewAttempts, filter.user_id);
     const bool everybody = filter.user_id == 0 && filter.group_id == 0;
     const AttemptConditions where =
         conditions_of(filter.user_id, filter.group_id, filter.task_id,
@@ -37,6 +39,7 @@ AttemptPage Attempts::page(const AttemptFilter& filter) {
 
 std::vector<AttemptPoint> Attempts::points(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("read scores from");
+    context_.need(Action::kViewAttempts);
     const AttemptConditions where = conditions_of(0, group_id, task_id);
     Statement query(connection_,
                     "SELECT t.account_id, t.id, t.task_id, t.started_utc, t.points, t.verdict FROM "
@@ -54,6 +57,7 @@ std::vector<AttemptPoint> Attempts::points(int64_t group_id, const std::string& 
 
 std::vector<std::string> Attempts::tasks() {
     connection_.begin_operation("list tasks of");
+    context_.need(Action::kViewAttempts);
     // From one name to the next over the index: SELECT DISTINCT reads every attempt.
     Statement next(connection_,
                    "SELECT MIN(task_id) FROM attempts WHERE task_id > ? AND study = ''");

@@ -10,6 +10,7 @@ namespace placode::db {
 
 std::vector<int64_t> Attempts::waiting_for_replay() {
     connection_.begin_operation("list what is to be replayed in");
+    context_.need(Action::kUseStore);
     Statement query(connection_,
                     "SELECT id FROM attempts WHERE replay = ? ORDER BY started_utc, id");
     query.run(static_cast<int>(ReplayState::kWaiting));
@@ -20,6 +21,7 @@ std::vector<int64_t> Attempts::waiting_for_replay() {
 
 void Attempts::set_replay(int64_t attempt_id, ReplayState state, const std::string& note) {
     connection_.begin_operation("keep the replay of attempt " + std::to_string(attempt_id) + " in");
+    context_.need(Action::kReplay);
     UnitOfWork work(connection_);
     Statement query(connection_, "SELECT void_reason FROM attempts WHERE id = ?");
     query.run(attempt_id);

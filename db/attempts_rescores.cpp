@@ -12,6 +12,7 @@ using Kind = StoreError::Kind;
 
 int64_t Attempts::save_rescore(const RescoreRecord& rescore) {
     connection_.begin_operation("save a further score in");
+    context_.need(Action::kSetStandards);
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT id FROM attempts WHERE id = ?");
     if (!there.run(rescore.attempt_id).next())
@@ -36,6 +37,7 @@ int64_t Attempts::save_rescore(const RescoreRecord& rescore) {
 
 std::vector<RescoreRecord> Attempts::rescores(int64_t attempt_id) {
     connection_.begin_operation("list the further scores of");
+    context_.need_sight_of_attempt(attempt_id);
     Statement query(connection_,
                     "SELECT id, points, verdict, rubric_id, rubric_version, metric_set_version, "
                     "preprocessing_version, scored_utc, scored_by FROM attempt_scores WHERE "

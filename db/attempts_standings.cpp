@@ -144,6 +144,7 @@ class Closer {
 
 std::vector<TaskStanding> Attempts::standings(int64_t group_id, const std::string& task_id) {
     connection_.begin_operation("sum up attempts of");
+    context_.need(Action::kViewAttempts);
     std::vector<TaskStanding> found =
         read_standings(connection_, conditions_of(0, group_id, task_id));
     Closer closer(connection_);
@@ -152,6 +153,8 @@ std::vector<TaskStanding> Attempts::standings(int64_t group_id, const std::strin
 }
 
 std::vector<RecentMean> Attempts::recent_means(const std::string& task_id, int last) {
+    connection_.begin_operation("read scores from");
+    context_.need(Action::kViewAttempts);
     // Before the question: PostgreSQL answers one at a time.
     std::map<int64_t, std::string> names;
     for (const UserRecord& user : Accounts(context_).list()) names[user.id] = user.display_name;

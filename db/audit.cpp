@@ -20,13 +20,18 @@ Audit::Audit(StoreContext& context) : context_(context), connection_(context.con
 void Audit::write(const std::string& actor, const std::string& action, const std::string& object,
                   const std::string& detail) {
     connection_.begin_operation("write the audit trail of");
+    context_.need(Action::kUseStore);
+    const std::string name = context_.kept_name(actor);
+    if (context_.actor.kind != Actor::Kind::kProgram && name != context_.actor.name)
+        context_.refuse(Action::kActAs);
     UnitOfWork work(connection_);
-    context_.append_audit_as(context_.kept_name(actor), action, object, detail);
+    context_.append_audit_as(name, action, object, detail);
     work.commit();
 }
 
 std::vector<AuditRecord> Audit::trail(int limit) {
     connection_.begin_operation("read the audit trail of");
+    context_.need(Action::kViewAudit);
     Statement query(connection_,
                     "SELECT id, at_utc, actor, action, object, detail FROM audit ORDER BY id DESC "
                     "LIMIT ?");
@@ -37,8 +42,24 @@ std::vector<AuditRecord> Audit::trail(int limit) {
     return trail;
 }
 
+std::optional<AuditRecord> Audit::first() {
+    connection_.begin_operation("read the beginning of the audit trail of");
+    context_.need(Action::kUseStore);
+    std::vector<AuditRecord> found;
+    {
+        Statement query(connection_,
+                        "SELECT id, at_utc, actor, action, object, detail FROM audit ORDER BY id "
+                        "LIMIT 1");
+        if (query.run().next()) found.push_back(read_audit(query));
+    }
+    if (found.empty()) return std::nullopt;
+    context_.show_names(found, &AuditRecord::actor);
+    return found.front();
+}
+
 std::vector<StationRecord> Audit::stations() {
     connection_.begin_operation("list the stations of");
+    context_.need(Action::kViewAudit);
     const std::set<std::string> trusted = trusted_stations(context_);
     const std::string own = context_.station.public_key_if_any();
     Statement query(connection_,
@@ -59,9 +80,15 @@ std::vector<StationRecord> Audit::stations() {
     return found;
 }
 
-std::string Audit::own_station() { return context_.station.public_key(); }
+std::string Audit::own_station() {
+    connection_.begin_operation("read the key of this computer for");
+    context_.need(Action::kUseStore);
+    return context_.station.public_key();
+}
 
 void Audit::trust_station(const std::string& station) {
+    connection_.begin_operation("trust a station in");
+    context_.need(Action::kManageUsers);
     std::string key;
     for (const StationRecord& each : stations())
         if (fingerprint(each.public_key) == station) key = each.public_key;
@@ -79,6 +106,9 @@ void Audit::trust_station(const std::string& station) {
     work.commit();
 }
 
-void Audit::check_chain(std::vector<std::string>& problems) { check_trail(context_, problems); }
+void Audit::check_chain(std::vector<std::string>& problems) {
+    context_.need(Action::kBackup);
+    check_trail(context_, problems);
+}
 
 }  // namespace placode::db

@@ -4,6 +4,7 @@
 // Part of Store: the audit trail. Every change of the store writes its entry itself, in its own
 // transaction; an entry's chain says that none before it was changed.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,10 +28,12 @@ class Audit {
  public:
     explicit Audit(StoreContext& context);
 
-    /// What is no change of the store, such as an export.
+    /// What is no change of the store, such as an export. An account writes in its own name only.
     void write(const std::string& actor, const std::string& action, const std::string& object,
                const std::string& detail);
     [[nodiscard]] std::vector<AuditRecord> trail(int limit);  ///< Newest first.
+    /// The making of the store, which tells it from every other one; nullopt in an empty one.
+    [[nodiscard]] std::optional<AuditRecord> first();
     /// Who has written into the trail, in the order of their first entries.
     [[nodiscard]] std::vector<StationRecord> stations();
     /// Public key of this computer, made where there is none yet; "" where there can be none.

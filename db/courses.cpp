@@ -34,6 +34,8 @@ Courses::Courses(StoreContext& context) : context_(context), connection_(context
 
 int64_t Courses::assign(const AssignmentRecord& assignment) {
     connection_.begin_operation("assign the course \"" + assignment.course_id + "\" in");
+    assignment.group_id != 0 ? context_.need_for_group(Action::kAssignCourses, assignment.group_id)
+                             : context_.need_for(Action::kAssignCourses, assignment.user_id);
     check_dates(connection_, assignment);
     if ((assignment.user_id == 0) == (assignment.group_id == 0))
         connection_.fail(Kind::kRefused, "a course is assigned to a person or to a group");
@@ -69,6 +71,16 @@ int64_t Courses::assign(const AssignmentRecord& assignment) {
 
 void Courses::end_assignment(int64_t id) {
     connection_.begin_operation("end the assignment " + std::to_string(id) + " in");
+    int64_t user = 0, group = 0;
+    {
+        Statement target(connection_,
+                         "SELECT COALESCE(account_id, 0) AS for_user, COALESCE(group_id, 0) AS "
+                         "for_group FROM course_assignments WHERE id = ?");
+        if (target.run(id).next())
+            user = target.integer("for_user"), group = target.integer("for_group");
+    }
+    group != 0 ? context_.need_for_group(Action::kAssignCourses, group)
+               : context_.need_for(Action::kAssignCourses, user);
     UnitOfWork work(connection_);
     Statement query(connection_, "SELECT ended_utc FROM course_assignments WHERE id = ?");
     if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such assignment");
@@ -82,6 +94,8 @@ void Courses::end_assignment(int64_t id) {
 
 std::vector<AssignmentRecord> Courses::assignments(int64_t user_id) {
     connection_.begin_operation("list assignments of");
+    user_id == 0 ? context_.need(Action::kViewAttempts)
+                 : context_.need_for(Action::kViewAttempts, user_id);
     // Open-ended ones last.
     Statement query(
         connection_,
@@ -105,6 +119,7 @@ std::vector<AssignmentRecord> Courses::assignments(int64_t user_id) {
 
 void Courses::grant_attempts(const GrantRecord& grant) {
     connection_.begin_operation("grant attempts in");
+    context_.need_for(Action::kAssignCourses, grant.user_id);
     if (grant.attempts < 1 || grant.attempts > 1000)
         connection_.fail(Kind::kRefused,
                          "found " + std::to_string(grant.attempts) + "; expected 1 to 1000");
@@ -125,6 +140,7 @@ void Courses::grant_attempts(const GrantRecord& grant) {
 
 std::vector<GrantRecord> Courses::grants(int64_t user_id) {
     connection_.begin_operation("list granted attempts of");
+    context_.need_for(Action::kViewAttempts, user_id);
     Statement query(connection_,
                     "SELECT account_id, course_id, stage_id, attempts, reason, granted_by, "
                     "granted_utc FROM course_grants WHERE account_id = ? ORDER BY id");
@@ -157,6 +173,7 @@ CertificateRecord read_certificate(const Statement& row) {
 CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& course_id,
                                             int course_version, const std::string& mastered_utc) {
     connection_.begin_operation("issue a certificate in");
+    context_.need_for(Action::kIssueCertificate, user_id);
     UnitOfWork work(connection_);
     (void)context_.need_user(user_id);
     const auto find = [&]() -> std::optional<CertificateRecord> {
@@ -188,6 +205,8 @@ CertificateRecord Courses::save_certificate(int64_t user_id, const std::string& 
 
 std::vector<CertificateRecord> Courses::certificates(int64_t user_id) {
     connection_.begin_operation("list the certificates of");
+    user_id == 0 ? context_.need(Action::kViewAttempts)
+                 : context_.need_for(Action::kViewAttempts, user_id);
     Statement query(connection_,
                     std::string(kCertificateColumns) + "WHERE ? = 0 OR account_id = ? ORDER BY id");
     query.run(static_cast<int>(user_id != 0), user_id);

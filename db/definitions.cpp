@@ -7,6 +7,8 @@
 #include <array>
 
 #include "curriculum/course.h"
+#include "curriculum/definitions.h"
+#include "curriculum/questionnaire.h"
 #include "curriculum/standard.h"
 #include "curriculum/study.h"
 #include "curriculum/task.h"
@@ -56,6 +58,23 @@ void check_content(const DefinitionRecord& definition) {
                                               std::to_string(definition.version));
 }
 
+/// The text that the program brings along: whoever uses it first has the store keep it.
+bool is_shipped(const DefinitionRecord& definition) {
+    const bool task = definition.kind == "task", course = definition.kind == "course";
+    if (!task && !course && definition.kind != "questionnaire") return false;
+    const auto ids = curriculum::list_definitions(definition.kind + "s");
+    if (std::find(ids.begin(), ids.end(), definition.id) == ids.end()) return false;
+    return definition.json == (task     ? curriculum::load_task(definition.id).json
+                               : course ? curriculum::load_course(definition.id).json
+                                        : curriculum::load_questionnaire(definition.id).json);
+}
+
+Action action_of(const std::string& kind) {
+    if (kind == "course") return Action::kManageCourses;
+    const bool judges = kind == "rubric" || kind == "standard" || kind == "task";
+    return judges ? Action::kSetStandards : Action::kRunQuestionnaire;
+}
+
 /// What stands in clear is sealed; what was sealed for an earlier key stays as it is.
 void seal_signatures(StoreContext& context, const DefinitionRecord& definition) {
     Connection& connection = context.connection;
@@ -83,6 +102,9 @@ void Definitions::publish(const DefinitionRecord& definition) {
     const std::string name =
         definition.kind + " " + definition.id + " version " + std::to_string(definition.version);
     connection_.begin_operation("publish " + name + " in");
+    context_.need(Action::kUseStore);
+    const Action action = action_of(definition.kind);
+    if (!context_.may(action) && !is_shipped(definition)) context_.refuse(action);
     if (std::find(kKinds.begin(), kKinds.end(), definition.kind) == kKinds.end())
         connection_.fail(Kind::kRefused,
                          "only questionnaires, studies, courses, tasks, rubrics, standards and "
@@ -128,11 +150,13 @@ void Definitions::publish(const DefinitionRecord& definition) {
 std::optional<DefinitionRecord> Definitions::find(const std::string& kind, const std::string& id,
                                                   int version) {
     connection_.begin_operation("read the " + kind + " " + id + " from");
+    context_.need(Action::kUseStore);
     return context_.find_definition(kind, id, version);
 }
 
 std::vector<DefinitionRecord> Definitions::list(const std::string& kind) {
     connection_.begin_operation("list published definitions of");
+    context_.need(Action::kUseStore);
     Statement query(connection_, definition_columns() + "WHERE kind = ? ORDER BY id, version");
     query.run(kind);
     std::vector<DefinitionRecord> found;

@@ -13,6 +13,7 @@ Groups::Groups(StoreContext& context) : context_(context), connection_(context.c
 
 int64_t Groups::create(const std::string& name) {
     connection_.begin_operation("create the group \"" + name + "\" in");
+    context_.need(Action::kManageGroups, Scope::kGroup);  // It has no educator yet.
     const std::string key = login_key(name);
     if (key.empty()) connection_.fail(Kind::kRefused, "the name is empty");
     UnitOfWork work(connection_);
@@ -32,6 +33,9 @@ int64_t Groups::create(const std::string& name) {
 
 void Groups::set_role(int64_t group_id, int64_t user_id, GroupRole role) {
     connection_.begin_operation("change the group " + std::to_string(group_id) + " in");
+    context_.need_for_group(Action::kManageGroups, group_id);
+    // Nobody draws people of other groups into the own one.
+    context_.need_for(Action::kManageGroups, user_id);
     UnitOfWork work(connection_);
     context_.need_group(group_id);
     (void)context_.need_user(user_id);
@@ -52,6 +56,8 @@ void Groups::set_role(int64_t group_id, int64_t user_id, GroupRole role) {
 
 std::vector<GroupRecord> Groups::list() {
     connection_.begin_operation("list the groups of");
+    const bool all = context_.may(Action::kManageGroups, Scope::kGroup);
+    if (!all) context_.need(Action::kUseStore);
     Statement query(connection_,
                     "SELECT g.id, g.name, g.created_utc, m.account_id, m.teaches FROM "
                     "training_groups g LEFT JOIN group_members m ON m.group_id = g.id ORDER BY "
@@ -60,9 +66,11 @@ std::vector<GroupRecord> Groups::list() {
     std::vector<GroupRecord> found;
     while (query.next()) {
         const int64_t id = query.integer("id");
+        const int64_t member = query.integer("account_id");
+        if (!all && !context_.is_self(member)) continue;
         if (found.empty() || found.back().id != id)
             found.push_back({id, query.text("name"), query.text("created_utc"), {}, {}});
-        if (const int64_t member = query.integer("account_id"); member != 0)
+        if (member != 0)
             (query.integer("teaches") != 0 ? found.back().educators : found.back().members)
                 .push_back(member);
     }
@@ -71,12 +79,9 @@ std::vector<GroupRecord> Groups::list() {
 
 bool Groups::in_reach(int64_t actor, int64_t subject) {
     connection_.begin_operation("look up groups in");
-    Statement any(connection_, "SELECT COUNT(*) FROM group_members WHERE account_id = ?");
-    if (any.run(subject).next() && any.integer(0) == 0) return true;
-    Statement shared(connection_,
-                     "SELECT COUNT(*) FROM group_members a JOIN group_members b ON b.group_id = "
-                     "a.group_id WHERE a.account_id = ? AND a.teaches = 1 AND b.account_id = ?");
-    return shared.run(actor, subject).next() && shared.integer(0) > 0;
+    context_.is_self(actor) ? context_.need(Action::kUseStore)
+                            : context_.need(Action::kManageGroups, Scope::kGroup);
+    return context_.in_reach(actor, subject);
 }
 
 }  // namespace placode::db

@@ -21,7 +21,8 @@ class Groups {
 
     int64_t create(const std::string& name);  ///< Throws kConflict, kRefused.
     void set_role(int64_t group_id, int64_t user_id, GroupRole role);
-    [[nodiscard]] std::vector<GroupRecord> list();  ///< By name.
+    /// By name. For who keeps no groups: those that they are in themselves, without the others.
+    [[nodiscard]] std::vector<GroupRecord> list();
     /// True when `subject` is in no group, or in one where `actor` is educator.
     [[nodiscard]] bool in_reach(int64_t actor, int64_t subject);
 

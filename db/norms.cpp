@@ -18,6 +18,7 @@ Norms::Norms(StoreContext& context) : context_(context), connection_(context.con
 
 CentreKey Norms::centre_key(const std::string& centre) {
     connection_.begin_operation("read the centre's key from");
+    context_.need(Action::kSetStandards);
     UnitOfWork work(connection_);
     connection_.lock_table("centre_key");
     Statement query(connection_, "SELECT centre, public_key, secret_key FROM centre_key");
@@ -41,8 +42,16 @@ CentreKey Norms::centre_key(const std::string& centre) {
     return {centre, pair.public_key, pair.secret_key};
 }
 
+std::string Norms::centre_name() {
+    connection_.begin_operation("read the centre's name from");
+    context_.need(Action::kUseStore);
+    Statement query(connection_, "SELECT centre FROM centre_key");
+    return query.run().next() ? query.text(0) : std::string();
+}
+
 void Norms::trust_centre(const std::string& public_key, const std::string& centre) {
     connection_.begin_operation("trust a centre in");
+    context_.need(Action::kSetStandards);
     UnitOfWork work(connection_);
     Statement(connection_,
               "INSERT INTO trusted_centres (public_key, centre, added_by, added_utc) VALUES (?, ?, "
@@ -55,6 +64,7 @@ void Norms::trust_centre(const std::string& public_key, const std::string& centr
 
 std::map<std::string, std::string> Norms::trusted_centres() {
     connection_.begin_operation("list trusted centres of");
+    context_.need(Action::kSetStandards);
     Statement query(connection_, "SELECT public_key, centre FROM trusted_centres");
     query.run();
     std::map<std::string, std::string> found;
@@ -64,6 +74,7 @@ std::map<std::string, std::string> Norms::trusted_centres() {
 
 int64_t Norms::save(const curriculum::SignedNorms& norms) {
     connection_.begin_operation("keep a norm pack in");
+    context_.need(Action::kSetStandards);
     const curriculum::NormPack pack = curriculum::load_norm_pack(norms.content, "norm pack");
     if (!signature_is_right(norms.content, norms.signature, norms.public_key))
         connection_.fail(Kind::kRefused,
@@ -90,6 +101,7 @@ int64_t Norms::save(const curriculum::SignedNorms& norms) {
 
 std::vector<NormPackRecord> Norms::list(const std::string& task_id) {
     connection_.begin_operation("list norm packs of");
+    context_.need(Action::kUseStore);
     Statement query(connection_,
                     "SELECT id, content, signature, public_key, in_use, added_by, added_utc FROM "
                     "norm_packs WHERE ? = '' OR task_id = ? ORDER BY id");
@@ -111,6 +123,7 @@ std::vector<NormPackRecord> Norms::list(const std::string& task_id) {
 
 void Norms::use(int64_t id) {
     connection_.begin_operation("use the norm pack " + std::to_string(id) + " in");
+    context_.need(Action::kSetStandards);
     UnitOfWork work(connection_);
     Statement query(connection_, "SELECT task_id FROM norm_packs WHERE id = ?");
     if (!query.run(id).next()) connection_.fail(Kind::kNotFound, "there is no such norm pack");
@@ -130,6 +143,7 @@ void Norms::use(int64_t id) {
 
 std::vector<MeasuredAttempt> Norms::measured_attempts(int64_t user_id, const std::string& task_id) {
     std::vector<MeasuredAttempt> found;
+    // Which asks whether they may be seen.
     for (AttemptRecord& record : Attempts(context_).list(user_id, task_id)) {
         if (!record.study.study.empty()) continue;
         MeasuredAttempt measured;

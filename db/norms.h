@@ -27,6 +27,8 @@ class Norms {
                                                                  const std::string& task_id);
     /// Made on first use under this name. Throws kRefused when it has to be made without a name.
     CentreKey centre_key(const std::string& centre);
+    /// What this centre calls itself; empty while it has no key. No secret.
+    [[nodiscard]] std::string centre_name();
     void trust_centre(const std::string& public_key, const std::string& centre);
     /// Name by public key.
     [[nodiscard]] std::map<std::string, std::string> trusted_centres();

@@ -15,6 +15,8 @@ Reviews::Reviews(StoreContext& context) : context_(context), connection_(context
 
 int64_t Reviews::add_comment(const CommentRecord& comment) {
     connection_.begin_operation("remark on attempt " + std::to_string(comment.attempt_id) + " in");
+    context_.need_for_attempt(Action::kRemark, comment.attempt_id);
+    context_.need_for(Action::kActAs, comment.author_id);
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT duration_s FROM attempts WHERE id = ?");
     if (!there.run(comment.attempt_id).next())
@@ -42,12 +44,17 @@ int64_t Reviews::add_comment(const CommentRecord& comment) {
 
 void Reviews::set_comment_removed(int64_t id, bool removed) {
     connection_.begin_operation("remove a remark from");
-    UnitOfWork work(connection_);
-    int64_t attempt_id = 0;
+    int64_t attempt_id = 0, author_id = 0;
     {
-        Statement of(connection_, "SELECT attempt_id FROM attempt_comments WHERE id = ?");
-        if (of.run(id).next()) attempt_id = of.integer(0);
+        Statement of(connection_,
+                     "SELECT attempt_id, author_id FROM attempt_comments WHERE id = ?");
+        if (of.run(id).next())
+            attempt_id = of.integer("attempt_id"), author_id = of.integer("author_id");
     }
+    // One's own, or as who judges the attempt.
+    context_.is_self(author_id) ? context_.need(Action::kUseStore)
+                                : context_.need_for_attempt(Action::kReviewAttempts, attempt_id);
+    UnitOfWork work(connection_);
     if (attempt_id != 0) context_.touch("attempt", attempt_id);
     Statement update(connection_, "UPDATE attempt_comments SET removed_utc = ? WHERE id = ?");
     update.run(removed ? utc_now() : std::string(), id);
@@ -60,6 +67,7 @@ void Reviews::set_comment_removed(int64_t id, bool removed) {
 
 std::vector<CommentRecord> Reviews::comments(int64_t attempt_id) {
     connection_.begin_operation("read the remarks of");
+    context_.need_sight_of_attempt(attempt_id);
     Statement query(
         connection_,
         "SELECT c.id, c.attempt_id, c.author_id, COALESCE(p.display_name, '') AS "
@@ -85,6 +93,8 @@ std::vector<CommentRecord> Reviews::comments(int64_t attempt_id) {
 int64_t Reviews::save_rating(const RatingRecord& rating) {
     connection_.begin_operation("save a rating of attempt " + std::to_string(rating.attempt_id) +
                                 " in");
+    context_.need_for_attempt(Action::kReviewAttempts, rating.attempt_id);
+    context_.need_for(Action::kActAs, rating.rater_id);
     UnitOfWork work(connection_);
     Statement there(connection_, "SELECT account_id, study FROM attempts WHERE id = ?");
     if (!there.run(rating.attempt_id).next())
@@ -119,6 +129,7 @@ int64_t Reviews::save_rating(const RatingRecord& rating) {
 
 std::vector<RatingRecord> Reviews::ratings(const std::string& questionnaire_id) {
     connection_.begin_operation("read the ratings of");
+    context_.need_any({Action::kViewAttempts, Action::kExportStudy});
     std::vector<RatingRecord> found;
     std::map<int64_t, size_t> place;
     Statement query(connection_,

@@ -120,13 +120,28 @@ Store::Store(std::unique_ptr<StoreContext> context)
 
 Store::~Store() = default;
 
-void Store::act_as(const std::string& actor) { context_->actor.name = context_->kept_name(actor); }
+void Store::act_as(const std::string& actor) {
+    context_->connection.begin_operation("name the program in");
+    if (context_->actor.kind != Actor::Kind::kProgram) context_->refuse(Action::kActAs);
+    context_->actor.name = context_->kept_name(actor);
+}
+
+void Store::act_for(int64_t account_id) {
+    context_->connection.begin_operation("act for an account in");
+    const Actor& actor = context_->actor;
+    if (actor.kind != Actor::Kind::kProgram && !context_->is_self(account_id))
+        context_->refuse(Action::kActAs);
+    context_->become(account_id);
+}
+
+void Store::sign_out() { context_->actor = {"unknown", Actor::Kind::kNobody, 0}; }
 
 std::string Store::url() const { return context_->connection.url().shown; }
 
 std::vector<std::string> Store::check() {
     Connection& connection = context_->connection;
     connection.begin_operation("check");
+    context_->need(Action::kBackup);
     std::vector<std::string> problems;
     if (connection.is_sqlite()) {
         const std::string problem = sqlite_integrity_problem(connection);
@@ -149,6 +164,7 @@ std::vector<std::string> Store::check() {
 void Store::backup(const std::string& path) {
     Connection& connection = context_->connection;
     connection.begin_operation("back up");
+    context_->need(Action::kBackup);
     if (!connection.is_sqlite())
         connection.fail(StoreError::Kind::kRefused,
                         "a PostgreSQL store is backed up on its server, with pg_dump");

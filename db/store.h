@@ -27,6 +27,13 @@ namespace placode::db {
 struct StoreContext;
 
 /// One open store. What it can do lies in its parts, each in a header of its name.
+///
+/// It works for somebody, and every method of every part asks the table of db/access.h whether
+/// that one may, and throws kRefused. A store that was just opened works for the program that
+/// opened it, which may all. From there its rights only become fewer: act_for() and a sign-in make
+/// it an account's, sign_out() nobody's, and only signing in leads on from nobody. What an account
+/// may is looked up at every call: roles that were taken away, and an account that was closed,
+/// count at once. Who owns the file, or the database, needs no store to read it (SECURITY.md).
 class Store final {
  public:
     /// For open_store().
@@ -35,9 +42,17 @@ class Store final {
     Store(const Store&) = delete;
     Store& operator=(const Store&) = delete;
 
-    /// Every change is written into the audit trail in its own transaction, under this name. A
-    /// successful sign-in sets it to the login. Before: "unknown".
+    /// The name of the program, under which its changes are written into the audit trail, each in
+    /// the transaction of the change. At first: "unknown". Throws kRefused once the store works for
+    /// an account or for nobody.
     void act_as(const std::string& actor);
+    /// From now on for this account, as if it had signed in, because the program knows that it has:
+    /// for a second store of the same session. Throws kRefused unless it works for the program, or
+    /// for this account already.
+    void act_for(int64_t account_id);
+    /// From now on for nobody: who may sign in, take up an invitation and, where there is no
+    /// account, make the first administrator.
+    void sign_out();
 
     [[nodiscard]] Accounts& accounts() noexcept { return accounts_; }
     [[nodiscard]] Attempts& attempts() noexcept { return attempts_; }

@@ -5,12 +5,15 @@
 // look up. Only db/*.cpp include this.
 
 #include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "db/access.h"
+#include "db/attempts.h"
 #include "db/records.h"
 #include "db/seals.h"
 #include "db/sql_connection.h"
@@ -19,10 +22,15 @@
 
 namespace placode::db {
 
-/// Who acts, as the store keeps it: "user 12" for an account, whose name is nowhere but in the
-/// table `persons` and goes with it; else the name of a program.
+/// For whom the store works (db/store.h).
 struct Actor {
+    enum class Kind : uint8_t { kProgram, kNobody, kAccount };
+
+    /// As the store keeps it: "user 12" for an account, whose name is nowhere but in the table
+    /// `persons` and goes with it; else the name of a program.
     std::string name = "unknown";
+    Kind kind = Kind::kProgram;
+    int64_t account = 0;  ///< kAccount: which.
 };
 
 /// An entry of the trail with what proves it.
@@ -74,9 +82,32 @@ struct StoreContext {
         for (Row& row : rows) row.*name = shown_name(row.*name);
     }
 
+    // --- whether who acts may, by the table of db/access.cpp: store_rights.cpp. need_...() throws
+    // kRefused. Called at the head of every method, after begin_operation() and before the first
+    // question: PostgreSQL gives one answer at a time.
+    void become(int64_t account_id);  ///< Who acts from now on.
+    [[nodiscard]] bool is_self(int64_t account_id) const noexcept;
+    /// Of an account that is closed: none.
+    [[nodiscard]] Roles roles_of_actor();
+    [[nodiscard]] bool may(Action action, Scope scope = Scope::kOther);
+    void need(Action action, Scope scope = Scope::kOther);
+    /// One of them, on anybody's data.
+    void need_any(std::initializer_list<Action> actions);
+    void need_for(Action action, int64_t user_id);  ///< On data of this person.
+    void need_for_group(Action action, int64_t group_id);
+    /// On what belongs to who made the attempt. One of a study is nobody's: kGroup. One that is not
+    /// there is left to the method, which says so.
+    void need_for_attempt(Action action, int64_t attempt_id);
+    void need_sight_of_attempt(int64_t attempt_id);
+    /// True when `subject` is in no group, or in one where `of` is educator.
+    [[nodiscard]] bool in_reach(int64_t of, int64_t subject);
+    [[noreturn]] void refuse(Action action) const;
+
     // --- looked up by several parts; need_...() throws kNotFound
     [[nodiscard]] UserRecord need_user(int64_t id);
     void need_group(int64_t id);
+    /// Whose attempt it is; account 0 where it is a study's. nullopt: it is not there.
+    [[nodiscard]] std::optional<AttemptOwner> owner_of_attempt(int64_t id);
     /// version 0 = the newest.
     [[nodiscard]] std::optional<DefinitionRecord> find_definition(const std::string& kind,
                                                                   const std::string& id,

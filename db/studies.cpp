@@ -33,6 +33,7 @@ Studies::Studies(StoreContext& context) : context_(context), connection_(context
 
 std::vector<std::string> Studies::ids() {
     connection_.begin_operation("list studies of");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy, Action::kViewAudit});
     Statement query(connection_,
                     "SELECT DISTINCT study_id FROM participants UNION SELECT DISTINCT id FROM "
                     "definitions WHERE kind = 'study' ORDER BY 1");
@@ -44,6 +45,7 @@ std::vector<std::string> Studies::ids() {
 
 std::string Studies::new_participant(const std::string& study_id, bool demonstration) {
     connection_.begin_operation("add a participant to the study \"" + study_id + "\" in");
+    context_.need(Action::kRunQuestionnaire);
     if (study_id.empty()) connection_.fail(Kind::kRefused, "the study has no id");
     UnitOfWork work(connection_);
     connection_.lock_table("participants");
@@ -76,6 +78,7 @@ std::string Studies::new_participant(const std::string& study_id, bool demonstra
 void Studies::set_participant_device(const std::string& study_id, const std::string& code,
                                      const std::string& device) {
     connection_.begin_operation("choose the device of " + code + " in");
+    context_.need(Action::kRunQuestionnaire);
     if (device.empty()) connection_.fail(Kind::kRefused, "no device is named");
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
@@ -96,6 +99,7 @@ void Studies::set_participant_device(const std::string& study_id, const std::str
 
 std::vector<ParticipantRecord> Studies::participants(const std::string& study_id) {
     connection_.begin_operation("read participants from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(
         connection_,
         "SELECT p.code, p.number, p.created_utc, COALESCE(s.protocol_version, 0) AS "

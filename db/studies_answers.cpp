@@ -44,6 +44,7 @@ AnswerRecord read_answers(const Statement& row) {
 
 int64_t Studies::save_answers(const AnswerRecord& answers) {
     connection_.begin_operation("save answers in");
+    context_.need(Action::kRunQuestionnaire);
     UnitOfWork work(connection_);
     context_.need_active_participant(answers.study_id, answers.participant, "");
     context_.touch("participant", {answers.study_id, answers.participant});
@@ -75,6 +76,7 @@ int64_t Studies::save_answers(const AnswerRecord& answers) {
 
 std::vector<AnswerRecord> Studies::answers(const std::string& study_id) {
     connection_.begin_operation("read answers from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(
         connection_,
         "SELECT a.id, a.study_id, a.participant, a.questionnaire_id, "

@@ -36,6 +36,7 @@ int64_t Studies::insert_step(const StepRecord& step) {
 
 int64_t Studies::record_step(const StepRecord& step) {
     connection_.begin_operation("record the step \"" + step.step + "\" in");
+    context_.need(Action::kRunQuestionnaire);
     if (step.step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
     UnitOfWork work(connection_);
     context_.need_active_participant(step.study_id, step.participant, step.step);
@@ -57,6 +58,8 @@ int64_t Studies::record_step(const StepRecord& step) {
 
 std::vector<StepRecord> Studies::steps(const std::string& study_id) {
     connection_.begin_operation("read the steps of a study from");
+    // They say which attempt is whose code, which who sees all attempts sees anyway.
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy, Action::kViewAttempts});
     Statement query(connection_,
                     "SELECT s.id, s.code, s.visit, s.step, s.state, s.attempt_id, s.answer_id, "
                     "s.detail, s.at_utc, COALESCE(u.reason, '') AS superseded_reason, "

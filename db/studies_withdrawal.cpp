@@ -53,6 +53,7 @@ void Studies::erase_participant(const std::string& study_id, const std::string& 
 void Studies::withdraw(const std::string& study_id, const std::string& code, WithdrawalMode mode,
                        const std::string& reason) {
     connection_.begin_operation("withdraw " + code + " from the study \"" + study_id + "\" in");
+    context_.need(Action::kRunQuestionnaire);
     if (reason.empty())
         connection_.fail(Kind::kRefused, "a withdrawal needs a reason; \"not given\" is one");
     UnitOfWork work(connection_);

@@ -80,14 +80,15 @@ void StudyRecords::insert_event(RecordEvent event) {
               "by_name, at_utc) VALUES (?, ?, ?, ?, ?, ?, ?, ?)")
         .run(event.study_id, event.code, kEvents[static_cast<size_t>(event.kind)], event.remark,
              event.checksum, event.login, event.name, event.at_utc);
-    context_.append_audit(
-        std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
+    context_.append_audit_as(
+        event.login, std::string("study.record.") + kEvents[static_cast<size_t>(event.kind)],
         event.study_id + " " + event.code,
         event.remark + (event.remark.empty() ? "" : "; ") + "record " + event.checksum);
 }
 
 void StudyRecords::lock(const std::string& study_id, const std::string& code) {
     connection_.begin_operation("lock the record of " + code + " in");
+    context_.need(Action::kRunQuestionnaire);
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
     if (context_.is_locked(study_id, code))
@@ -103,14 +104,13 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
                         const std::string& meaning) {
     const std::string operation = "sign the record of " + code + " in";
     connection_.begin_operation(operation);
+    context_.need(Action::kRunQuestionnaire);
     if (meaning.empty())
         connection_.fail(Kind::kRefused, "a signature needs its meaning, such as \"reviewed\"");
     // As every sign-in: counted, and slowed down after wrong ones.
-    const std::string before = context_.actor.name;
-    const SignIn who = Accounts(context_).sign_in(login, password);
+    const SignIn who = Accounts(context_).confirm(login, password);
     connection_.begin_operation(operation);
     if (who.outcome != SignInOutcome::kOk) {
-        context_.actor.name = before;
         connection_.fail(Kind::kRefused, who.outcome == SignInOutcome::kThrottled
                                              ? "too many wrong passwords; try again in " +
                                                    std::to_string(who.wait_s) + " s"
@@ -123,7 +123,8 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
     if (const auto found = all.find(code); found != all.end() && found->second.signature)
         connection_.fail(Kind::kConflict,
                          "it is signed already, by " + found->second.signature->name);
-    RecordEvent event = event_of(study_id, code, RecordEventKind::kSigned, context_.actor.name);
+    RecordEvent event =
+        event_of(study_id, code, RecordEventKind::kSigned, user_object(who.user->id));
     event.name = who.user->display_name;
     event.remark = meaning;
     event.checksum = checksum_of(study_id, code);
@@ -134,6 +135,7 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
 void StudyRecords::unlock(const std::string& study_id, const std::string& code,
                           const std::string& reason) {
     connection_.begin_operation("unlock the record of " + code + " in");
+    context_.need(Action::kRunQuestionnaire);
     if (reason.empty()) connection_.fail(Kind::kRefused, "unlocking needs a reason");
     UnitOfWork work(connection_);
     if (!context_.is_locked(study_id, code)) connection_.fail(Kind::kConflict, "it is not locked");
@@ -146,6 +148,7 @@ void StudyRecords::unlock(const std::string& study_id, const std::string& code,
 
 std::vector<RecordEvent> StudyRecords::events(const std::string& study_id) {
     connection_.begin_operation("read locks and signatures from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(connection_,
                     "SELECT id, code, event, remark, checksum, by_login, by_name, at_utc FROM "
                     "record_events WHERE study_id = ? ORDER BY id");

@@ -53,6 +53,7 @@ void StudyRecords::need_valid(const AnswerRecord& answers) {
 void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculum::Answers& changes,
                                    const std::string& reason) {
     connection_.begin_operation("correct answers in");
+    context_.need(Action::kRunQuestionnaire);
     if (reason.empty()) connection_.fail(Kind::kRefused, "a correction needs a reason");
     UnitOfWork work(connection_);
     AnswerRecord record = need_answers(answer_id, entry);
@@ -93,6 +94,7 @@ void StudyRecords::correct_answers(int64_t answer_id, int entry, const curriculu
 
 std::vector<Correction> StudyRecords::corrections(const std::string& study_id) {
     connection_.begin_operation("read corrections from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(connection_,
                     "SELECT c.id, c.answer_id, c.entry, c.item, c.old_answer, c.new_answer, "
                     "c.reason, c.corrected_by, c.at_utc FROM answer_corrections c JOIN answers a "
@@ -110,6 +112,7 @@ std::vector<Correction> StudyRecords::corrections(const std::string& study_id) {
 
 void StudyRecords::save_second_entry(const SecondEntry& entry) {
     connection_.begin_operation("save a second entry in");
+    context_.need(Action::kRunQuestionnaire);
     UnitOfWork work(connection_);
     AnswerRecord record = need_answers(entry.answer_id, 1);
     context_.need_unlocked(record.study_id, record.participant);
@@ -132,6 +135,7 @@ void StudyRecords::save_second_entry(const SecondEntry& entry) {
 
 std::vector<SecondEntry> StudyRecords::second_entries(const std::string& study_id) {
     connection_.begin_operation("read second entries from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(connection_,
                     "SELECT e.answer_id, e.entered_by, e.at_utc, i.item, i.answer FROM "
                     "second_entries e JOIN answers a ON a.id = e.answer_id LEFT JOIN "
@@ -153,6 +157,7 @@ std::vector<SecondEntry> StudyRecords::second_entries(const std::string& study_i
 void StudyRecords::save_consent_signature(const std::string& study_id, const std::string& code,
                                           const std::string& path) {
     connection_.begin_operation("save the signature under the consent of " + code + " in");
+    context_.need(Action::kRunQuestionnaire);
     if (path.empty()) connection_.fail(Kind::kRefused, "nothing was signed");
     UnitOfWork work(connection_);
     context_.need_active_participant(study_id, code, "");
@@ -172,6 +177,7 @@ void StudyRecords::save_consent_signature(const std::string& study_id, const std
 std::optional<ConsentSignature> StudyRecords::consent_signature(const std::string& study_id,
                                                                 const std::string& code) {
     connection_.begin_operation("read the signature under a consent from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(connection_,
                     "SELECT path, at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");
     if (!query.run(study_id, code).next()) return std::nullopt;

@@ -12,6 +12,7 @@ using Kind = StoreError::Kind;
 void StudyRecords::repeat_step(const std::string& study_id, const std::string& code, int visit,
                                const std::string& step, const std::string& reason) {
     connection_.begin_operation("have the step \"" + step + "\" of " + code + " done again in");
+    context_.need(Action::kRunQuestionnaire);
     if (reason.empty()) connection_.fail(Kind::kRefused, "a repeat needs a reason");
     UnitOfWork work(connection_);
     context_.need_participant(study_id, code);
@@ -48,6 +49,7 @@ void StudyRecords::repeat_step(const std::string& study_id, const std::string& c
 void StudyRecords::note_step(const std::string& study_id, const std::string& code, int visit,
                              const std::string& step, const std::string& note) {
     connection_.begin_operation("note something on the step \"" + step + "\" of " + code + " in");
+    context_.need(Action::kRunQuestionnaire);
     if (note.empty()) connection_.fail(Kind::kRefused, "the note is empty");
     if (step.empty()) connection_.fail(Kind::kRefused, "the step has no id");
     UnitOfWork work(connection_);
@@ -64,6 +66,7 @@ void StudyRecords::note_step(const std::string& study_id, const std::string& cod
 
 std::vector<StepNote> StudyRecords::step_notes(const std::string& study_id) {
     connection_.begin_operation("read the notes of a study from");
+    context_.need_any({Action::kRunQuestionnaire, Action::kExportStudy});
     Statement query(connection_,
                     "SELECT id, code, visit, step, note, noted_by, at_utc FROM step_notes WHERE "
                     "study_id = ? ORDER BY id");

@@ -179,11 +179,9 @@ void add_questionnaires(db::Store& store, const DatasetOptions& options, Dataset
 /// From the first entry of the audit trail: the making of the store.
 std::string identity_of(db::Store& store) {
     static const QUuid space(QStringLiteral("{c4a0bb0e-52a6-5f2d-8d11-7c3a9e0f4b21}"));
-    const auto trail = store.audit().trail(std::numeric_limits<int>::max());
     std::string first;
-    if (!trail.empty())
-        for (const std::string& part :
-             {trail.back().at_utc, trail.back().actor, trail.back().action, trail.back().object})
+    if (const auto made = store.audit().first())
+        for (const std::string& part : {made->at_utc, made->actor, made->action, made->object})
             first += part + "|";
     return QUuid::createUuidV5(space, QString::fromStdString(first))
         .toString(QUuid::WithoutBraces)

@@ -353,12 +353,7 @@ int lay_out(QPdfWriter* writer, QPainter* painter, const Subject& subject, int p
 
 ReportHead report_head(db::Store& store, const db::AttemptRecord& attempt) {
     ReportHead head;
-    try {
-        head.centre = store.norms().centre_key({}).centre;
-    } catch (const db::StoreError& error) {
-        // It has no name yet.
-        if (error.kind() != db::StoreError::Kind::kRefused) throw;
-    }
+    head.centre = store.norms().centre_name();
     if (attempt.exam.course_id.empty()) return head;
     try {
         head.course_title =

@@ -28,15 +28,31 @@ constexpr std::array kActions{Action::kPerformAttempt,
                               Action::kSetStandards,
                               Action::kExportPersonalData,
                               Action::kRequestErasure,
-                              Action::kErase};
+                              Action::kErase,
+                              Action::kUseStore,
+                              Action::kSetPassword,
+                              Action::kSetPin,
+                              Action::kSaveAttempt,
+                              Action::kRemark,
+                              Action::kReplay,
+                              Action::kActAs};
 constexpr std::array kScopes{Scope::kOwn, Scope::kGroup, Scope::kOther};
 
 // Written out once more by hand, role by role: the table in access.cpp is by action. Each action
 // with the scopes in which the role may: o = own, g = group, x = other.
 using Rights = std::map<Action, std::string>;
-const Rights kOwnOnly{{Action::kPerformAttempt, "o"},     {Action::kViewAttempts, "o"},
-                      {Action::kViewPersonalData, "o"},   {Action::kIssueCertificate, "o"},
-                      {Action::kExportPersonalData, "o"}, {Action::kRequestErasure, "o"}};
+const Rights kOwnOnly{{Action::kPerformAttempt, "o"},
+                      {Action::kViewAttempts, "o"},
+                      {Action::kViewPersonalData, "o"},
+                      {Action::kIssueCertificate, "o"},
+                      {Action::kExportPersonalData, "o"},
+                      {Action::kRequestErasure, "o"},
+                      {Action::kUseStore, "ogx"},
+                      {Action::kSetPassword, "o"},
+                      {Action::kSetPin, "o"},
+                      {Action::kSaveAttempt, "o"},
+                      {Action::kRemark, "o"},
+                      {Action::kActAs, "o"}};
 
 Rights with(const Rights& more) {
     Rights rights = kOwnOnly;
@@ -54,7 +70,8 @@ const std::map<Role, Rights>& expected() {
                                 {Action::kAssignCourses, "og"},
                                 {Action::kManageGroups, "og"},
                                 {Action::kIssueCertificate, "og"},
-                                {Action::kReviewAttempts, "g"}})},
+                                {Action::kReviewAttempts, "g"},
+                                {Action::kRemark, "og"}})},
         {Role::kCoordinator,
          with({{Action::kRunQuestionnaire, "ogx"}, {Action::kExportStudy, "ogx"}})},
         {Role::kAdministrator, with({{Action::kManageUsers, "ogx"},
@@ -62,7 +79,9 @@ const std::map<Role, Rights>& expected() {
                                      {Action::kBackup, "ogx"},
                                      {Action::kViewAudit, "ogx"},
                                      {Action::kManageGroups, "ogx"},
-                                     {Action::kErase, "gx"}})}};
+                                     {Action::kErase, "gx"},
+                                     {Action::kSetPassword, "ogx"},
+                                     {Action::kSaveAttempt, "ogx"}})}};
     return rights;
 }
 

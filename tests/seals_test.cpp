@@ -72,7 +72,8 @@ void SealsTest::fill() {
     teacher.roles = static_cast<db::Roles>(db::Role::kAdministrator) |
                     static_cast<db::Roles>(db::Role::kEducator);
     bert = store->accounts().create(teacher);
-    ASSERT_EQ(store->accounts().sign_in("bert", kPassword).outcome, db::SignInOutcome::kOk);
+    ASSERT_EQ(open()->accounts().sign_in("bert", kPassword).outcome, db::SignInOutcome::kOk);
+    store->act_as("bert");
     store->accounts().set_pin(anna, "4711");
     const int64_t group = store->groups().create("Spring");
     store->groups().set_role(group, anna, db::GroupRole::kMember);

@@ -40,9 +40,9 @@ TEST_P(StoreTest, ItIsKnownWhetherSomebodyElseChoseThePassword) {
     db::NewUser user = trainee("bert");
     user.password_given = true;
     const int64_t given = store->accounts().create(user);
-    EXPECT_TRUE(store->accounts().sign_in("bert", kPassword).user->password_given);
+    EXPECT_TRUE(open()->accounts().sign_in("bert", kPassword).user->password_given);
     store->accounts().set_password(given, "one of my own 1");
-    EXPECT_FALSE(store->accounts().sign_in("bert", "one of my own 1").user->password_given);
+    EXPECT_FALSE(open()->accounts().sign_in("bert", "one of my own 1").user->password_given);
     store->accounts().set_password(own, "forgotten, given anew", true);
     EXPECT_TRUE(store->accounts().find(own)->password_given);
     EXPECT_TRUE(open()->accounts().find(own)->password_given) << "it is kept";
@@ -237,7 +237,7 @@ TEST_P(StoreTest, ANewPasswordReplacesTheOldOneAndEndsTheWait) {
     EXPECT_EQ(store->accounts().sign_in("anna", "another long password").outcome,
               db::SignInOutcome::kOk);
     EXPECT_EQ(
-        failure_of([&] { store->accounts().set_password(999, "another long password"); }).kind(),
+        failure_of([&] { open()->accounts().set_password(999, "another long password"); }).kind(),
         StoreError::Kind::kNotFound);
 }
 
@@ -250,7 +250,8 @@ TEST_P(StoreTest, EveryChangeLeavesATraceWithItsActor) {
     (void)store->accounts().sign_in("anna", kPassword);
     store->attempts().save(id, make_result());
     store->audit().write("anna", "export", "study pilot", "3 rows");
-    const auto trail = store->audit().trail(10);
+    const auto reader = open();  // Anna may not see the trail.
+    const auto trail = reader->audit().trail(10);
     ASSERT_EQ(trail.size(), 4u);  // Newest first.
     EXPECT_EQ(trail[0].action, "export");
     EXPECT_EQ(trail[0].detail, "3 rows");
@@ -259,7 +260,7 @@ TEST_P(StoreTest, EveryChangeLeavesATraceWithItsActor) {
     EXPECT_EQ(trail[2].action, "sign_in");
     EXPECT_EQ(trail[3].actor, "setup");
     EXPECT_EQ(trail[3].object, "user " + std::to_string(id));
-    EXPECT_EQ(store->audit().trail(2).size(), 2u);
+    EXPECT_EQ(reader->audit().trail(2).size(), 2u);
 }
 
 TEST_P(StoreTest, TheAuditTrailCannotBeChanged) {

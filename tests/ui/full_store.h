@@ -27,7 +27,7 @@ class FullStore {
     [[nodiscard]] bool record();
     void addNorms(const std::vector<int64_t>& novices, const std::vector<int64_t>& experts);
     void addTeaching(const std::vector<int64_t>& novices);
-    [[nodiscard]] db::Store& store() { return shell_->context().store(); }
+    [[nodiscard]] db::Store& store() { return shell_->owner(); }
 
     ShellHarness* shell_ = nullptr;
     int64_t trainee_ = 0;

@@ -41,7 +41,7 @@ struct ScriptedParticipants {
     double real_seconds = 9;  ///< Of the last procedure of each level's first participant.
     std::vector<std::string> codes;  ///< Of those who consented, in order.
 
-    [[nodiscard]] db::Store& store() const { return shell->context().store(); }
+    [[nodiscard]] db::Store& store() const { return shell->owner(); }
     [[nodiscard]] bool press(const QString& name, int patience_s = 20) const {
         return QTest::qWaitFor(
                    [&] {

@@ -60,7 +60,7 @@ class ShellAttemptTest : public QObject {
     /// From the course to a running attempt.
     void startAttempt(const QString& device);
     [[nodiscard]] std::vector<db::AttemptRecord> attempts() {
-        return shell_->context().store().attempts().list(0);
+        return shell_->owner().attempts().list(0);
     }
     [[nodiscard]] QStringList recordings() const {
         return QDir(shell_->context().recordingsFolder()).entryList({"*.placode"}, QDir::Files);
@@ -173,7 +173,7 @@ void ShellAttemptTest::stoppedAttemptIsScoredForWhatWasDone() {
     // A ring that is not closed costs points, and the reason says so.
     QVERIFY2(all[1].points < expert_points_,
              qPrintable(QString("%1 < %2").arg(all[1].points).arg(expert_points_)));
-    QVERIFY(!shell.context().store().attempts().detail(all[1].id).score.reasons.empty());
+    QVERIFY(!shell.owner().attempts().detail(all[1].id).score.reasons.empty());
 }
 
 void ShellAttemptTest::historyHoldsBothAndOpensThem() {

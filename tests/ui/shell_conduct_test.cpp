@@ -59,7 +59,7 @@ class ShellConductTest : public QObject {
     void aParticipantMayRefuseOrStop();
 
  private:
-    [[nodiscard]] db::Store& store() { return shell_->context().store(); }
+    [[nodiscard]] db::Store& store() { return shell_->owner(); }
     [[nodiscard]] bool press(const QString& name) {
         return QTest::qWaitFor(
                    [&] {

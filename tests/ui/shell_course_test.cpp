@@ -54,7 +54,7 @@ void ShellCourseTest::educatorMakesAGroup() {
         person->findData(QVariant::fromValue<qint64>(shell.idOf("demo.trainee"))));
     QVERIFY(shell.click("group_add"));
     QCOMPARE(shell.find<QTableWidget>("group_table")->rowCount(), 2);
-    const auto groups = shell.context().store().groups().list();
+    const auto groups = shell.owner().groups().list();
     QCOMPARE(groups.size(), size_t{1});
     QCOMPARE(groups[0].members, std::vector<int64_t>{shell.idOf("demo.trainee")});
     QCOMPARE(groups[0].educators, std::vector<int64_t>{shell.idOf("demo.educator")});
@@ -134,11 +134,11 @@ void ShellCourseTest::courseIsPublishedAndExported() {
     shell.refuseNext();
     QVERIFY(shell.click("publish_course"));
     QTest::qWait(100);
-    QVERIFY2(!shell.context().store().definitions().find("course", "ring_exam"), "it asks first");
+    QVERIFY2(!shell.owner().definitions().find("course", "ring_exam"), "it asks first");
     shell.confirmNext();
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
-    const auto published = shell.context().store().definitions().find("course", "ring_exam");
+    const auto published = shell.owner().definitions().find("course", "ring_exam");
     QVERIFY(published.has_value());
     QCOMPARE(published->version, 1);
     const auto course = curriculum::load_course_text(published->json, "published");
@@ -164,8 +164,8 @@ void ShellCourseTest::importedFileBecomesTheNextVersion() {
     QVERIFY(shell.click("publish_course"));
     QVERIFY(shell.arrives(PageId::kCourses));
     QVERIFY(shell.bannerSays("version 2, is published"));
-    QCOMPARE(shell.context().store().definitions().find("course", "ring_exam")->version, 2);
-    QCOMPARE(shell.context().store().definitions().find("course", "ring_exam", 1)->version, 1);
+    QCOMPARE(shell.owner().definitions().find("course", "ring_exam")->version, 2);
+    QCOMPARE(shell.owner().definitions().find("course", "ring_exam", 1)->version, 1);
 }
 
 void ShellCourseTest::courseIsAssignedToTheGroupAndEnded() {
@@ -181,7 +181,7 @@ void ShellCourseTest::courseIsAssignedToTheGroupAndEnded() {
     shell.find<QDateEdit>("assign_due")->setDate(due);
     QVERIFY(shell.click("assign_course"));
     QVERIFY(shell.bannerSays("Assigned to Group Autumn 2026"));
-    const auto held = shell.context().store().courses().assignments(shell.idOf("demo.trainee"));
+    const auto held = shell.owner().courses().assignments(shell.idOf("demo.trainee"));
     QCOMPARE(held.size(), size_t{1});
     QCOMPARE(held[0].course_id, std::string("ring_exam"));
     QCOMPARE(held[0].course_version, 2);
@@ -190,7 +190,7 @@ void ShellCourseTest::courseIsAssignedToTheGroupAndEnded() {
     shell.confirmNext();
     QVERIFY(shell.click("end_assignment_0"));
     QVERIFY(shell.bannerSays("The assignment has ended"));
-    QVERIFY(shell.context().store().courses().assignments(shell.idOf("demo.trainee")).empty());
+    QVERIFY(shell.owner().courses().assignments(shell.idOf("demo.trainee")).empty());
 }
 
 void ShellCourseTest::damagedFileIsRefusedWithItsPlace() {

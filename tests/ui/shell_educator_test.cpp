@@ -53,7 +53,7 @@ class ShellEducatorTest : public QObject {
 
 void ShellEducatorTest::add(const QString& name, const std::string& login,
                             const std::vector<double>& points) {
-    db::Store& store = shell_->context().store();
+    db::Store& store = shell_->owner();
     db::NewUser user;
     user.login = login;
     user.display_name = name.toStdString();
@@ -194,13 +194,13 @@ void ShellEducatorTest::standardComesFromTwoGroups() {
     QVERIFY(shell.text("standard_now").contains("None was set"));
     QVERIFY(shell.click("set_standard"));
     QVERIFY(shell.bannerSays("The standard is set (version 1)"));
-    const auto set = db::standard_at(shell.context().store(), kTask);
+    const auto set = db::standard_at(shell.owner(), kTask);
     QVERIFY(set.has_value());
     QCOMPARE(set->standard.pass_points, expected.cut_score);
     QCOMPARE(set->standard.novice.n, 2);
     QCOMPARE(set->set_by, std::string("demo.educator"));
     QVERIFY(shell.text("standard_now").contains("version 1, set by demo.educator"));
-    QCOMPARE(shell.context().store().audit().trail(1)[0].action, std::string("standard.publish"));
+    QCOMPARE(shell.owner().audit().trail(1)[0].action, std::string("standard.publish"));
     QVERIFY(shell.click("set_standard"));
     QVERIFY(shell.bannerSays("reason"));  // The second one says why.
     // Two people are too few for norms.
@@ -267,7 +267,7 @@ void ShellEducatorTest::judgesEstimateAPassMark() {
     QVERIFY(shell.type("angoff_reason", "Judges met in November"));
     QVERIFY(shell.click("set_angoff"));
     QVERIFY(shell.bannerSays("The standard is set (version 2)"));
-    const auto set = db::standard_at(shell.context().store(), kTask);
+    const auto set = db::standard_at(shell.owner(), kTask);
     QCOMPARE(set->standard.method, std::string("angoff"));
     QCOMPARE(set->standard.angoff.judges, 2);
     QVERIFY(
@@ -306,7 +306,7 @@ void ShellEducatorTest::raterSeesNeitherNameNorScore() {
         QVERIFY(shell.click("submit_answers"));
         QVERIFY(shell.arrives(PageId::kRatings));
     }
-    const auto ratings = shell.context().store().reviews().ratings("osats");
+    const auto ratings = shell.owner().reviews().ratings("osats");
     QCOMPARE(ratings.size(), size_t{3});
     for (const auto& rating : ratings) {
         QVERIFY(rating.blinded);
@@ -322,7 +322,7 @@ void ShellEducatorTest::raterSeesNeitherNameNorScore() {
 void ShellEducatorTest::agreementOfRatersIsTold() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.text("icc").contains("Two raters"));
-    db::Store& store = shell.context().store();
+    db::Store& store = shell.owner();
     const int64_t ada = store.accounts().find_login("ada")->id;
     // Ada agrees but for one step at one attempt.
     int shift = 0;

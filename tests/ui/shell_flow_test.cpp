@@ -58,11 +58,11 @@ void ShellFlowTest::firstStartAsksForAnAdministrator() {
     QVERIFY(shell.type("password_again", "correct hose"));
     QVERIFY(shell.click("create_administrator"));
     QVERIFY(shell.text("setup_message").contains("differ"));
-    QCOMPARE(shell.context().store().accounts().list().size(), size_t{0});
+    QCOMPARE(shell.owner().accounts().list().size(), size_t{0});
     QVERIFY(shell.type("password_again", "correct horse"));
     QVERIFY(shell.click("create_administrator"));
     QVERIFY(shell.arrives(PageId::kLogin));
-    const auto users = shell.context().store().accounts().list();
+    const auto users = shell.owner().accounts().list();
     QCOMPARE(users.size(), size_t{1});
     QVERIFY(db::has_role(users[0].roles, db::Role::kAdministrator));
     QVERIFY(!db::has_role(users[0].roles, db::Role::kTrainee));
@@ -98,10 +98,10 @@ void ShellFlowTest::administratorAddsPeople() {
     QCOMPARE(shell.find<QTableWidget>("people_table")->rowCount(), 4);
     shell.find<QTableWidget>("people_table")->selectRow(0);
     shell.shot("03_people");
-    QCOMPARE(int(shell.context().store().accounts().find_login("eva")->roles), 2);
+    QCOMPARE(int(shell.owner().accounts().find_login("eva")->roles), 2);
     // From here on everybody has chosen the password; shell_forms_test sees them asked for it.
     for (const auto& [name, login, role] : people)
-        shell.context().store().accounts().set_password(shell.idOf(login), "first password");
+        shell.owner().accounts().set_password(shell.idOf(login), "first password");
 }
 
 void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
@@ -114,7 +114,7 @@ void ShellFlowTest::weakPasswordIsRefusedWithAReason() {
     QVERIFY(shell.find<QLabel>("add_message")->isVisible());
     QVERIFY(shell.focusIsIn("new_password"));
     shell.shot("04_weak_password");
-    QVERIFY(!shell.context().store().accounts().find_login("weak"));
+    QVERIFY(!shell.owner().accounts().find_login("weak"));
 }
 
 void ShellFlowTest::traineeSeesTodayCourseAndTask() {
@@ -171,8 +171,7 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
         }
         QVERIFY(shell.click("review"));
         QVERIFY(shell.find<QPushButton>("submit_answers") != nullptr);
-        QCOMPARE(shell.context().store().studies().answers("face_validity").size(),
-                 size_t(participant));
+        QCOMPARE(shell.owner().studies().answers("face_validity").size(), size_t(participant));
         QVERIFY(shell.click("submit_answers"));
         shell.takeBackNext("first password");
         QVERIFY(shell.click("participant_done"));
@@ -196,10 +195,9 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
     QVERIFY(shell.click("export"));
     QVERIFY(QFile::exists(shell.exported() + "/face_validity_face_validity.sav"));
     // What was answered is kept with every change, and the questionnaire's text beside it.
-    QVERIFY(!shell.context().store().studies().answers("face_validity").at(0).changes.empty());
-    QVERIFY(
-        shell.context().store().definitions().find("questionnaire", "face_validity").has_value());
-    for (const auto& record : shell.context().store().studies().answers("face_validity"))
+    QVERIFY(!shell.owner().studies().answers("face_validity").at(0).changes.empty());
+    QVERIFY(shell.owner().definitions().find("questionnaire", "face_validity").has_value());
+    for (const auto& record : shell.owner().studies().answers("face_validity"))
         QVERIFY(lines.join('\n').contains(QString::fromStdString(record.participant)));
 }
 
@@ -219,7 +217,7 @@ void ShellFlowTest::questionnaireKeepsAnswersWhenTheLanguageChanges() {
     QVERIFY(shell.click("cancel_participant"));
     QVERIFY(shell.arrives(PageId::kStudies));
     shell.context().setLanguage("en");
-    QCOMPARE(shell.context().store().studies().answers("face_validity").size(), size_t{3});
+    QCOMPARE(shell.owner().studies().answers("face_validity").size(), size_t{3});
 }
 
 void ShellFlowTest::administratorChecksBacksUpAndReadsTheAudit() {
@@ -265,7 +263,7 @@ void ShellFlowTest::deactivatedPersonCannotSignIn() {
     }
     shell.confirmNext();
     QVERIFY(shell.click("toggle_active"));
-    QVERIFY(!shell.context().store().accounts().find_login("eva")->active);
+    QVERIFY(!shell.owner().accounts().find_login("eva")->active);
     QVERIFY(!shell.signIn("eva", "first password"));
     QVERIFY(shell.text("login_message").contains("deactivated"));
 }

@@ -45,7 +45,7 @@ class ShellFormsTest : public QObject {
                shell_->type("new_password", "first password");
     }
     [[nodiscard]] int rolesOf(const char* login) const {
-        const auto user = shell_->context().store().accounts().find_login(login);
+        const auto user = shell_->owner().accounts().find_login(login);
         return user ? static_cast<int>(user->roles) : -1;
     }
 
@@ -71,10 +71,10 @@ void ShellFormsTest::enterSubmitsTheSetUpPageOrSaysWhatIsMissing() {
     shell.shot("60_setup_incomplete");
     QVERIFY(shell.type("password", "correct horse"));  // never kept over a change of theme
     QVERIFY(shell.type("password_again", "correct horse"));
-    QCOMPARE(shell.context().store().accounts().list().size(), size_t{0});
+    QCOMPARE(shell.owner().accounts().list().size(), size_t{0});
     enter("password_again");
     QVERIFY(shell.arrives(PageId::kLogin));
-    QCOMPARE(shell.context().store().accounts().list().size(), size_t{1});
+    QCOMPARE(shell.owner().accounts().list().size(), size_t{1});
 }
 
 void ShellFormsTest::enterSignsIn() {
@@ -173,7 +173,7 @@ void ShellFormsTest::enterMakesAnAccountByInvitation() {
     db::InvitationRecord invitation;
     invitation.roles = 1;
     invitation.expires_utc = "2999-01-01";
-    const std::string code = shell.context().store().accounts().invite(invitation);
+    const std::string code = shell.owner().accounts().invite(invitation);
     shell.context().signOut();
     QVERIFY(shell.arrives(PageId::kLogin));
     QVERIFY(shell.click("open_join"));
@@ -220,7 +220,7 @@ void ShellFormsTest::onlyPeopleOfThisStoreAreProposed() {
 
 void ShellFormsTest::whoIsDeactivatedIsNotProposed() {
     ShellHarness& shell = *shell_;
-    db::Store& store = shell.context().store();
+    db::Store& store = shell.owner();
     store.accounts().set_active(shell.idOf("tom"), false);
     shell.start();
     QVERIFY(shell.arrives(PageId::kLogin));

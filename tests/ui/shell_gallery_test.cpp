@@ -131,7 +131,7 @@ void ShellGalleryTest::everythingThatTakesTheFocusIsNamed() {
 void ShellGalleryTest::normsAndTheChartOfFailuresAreShown() {
     ShellHarness& shell = *shell_;
     QVERIFY(shell.signIn("demo.trainee", "placode-demo"));
-    const int64_t last = shell.context().store().attempts().list(filled_.trainee()).back().id;
+    const int64_t last = shell.owner().attempts().list(filled_.trainee()).back().id;
     shell.window().open({PageId::kResult, last, {}, {}});
     QVERIFY(shell.arrives(PageId::kResult));
     settle(*shell_);

@@ -52,7 +52,7 @@ void ShellHandoverTest::initTestCase() {
     QVERIFY(shell_->setUpWithDemonstration());
     QVERIFY(shell_->signIn("demo.coordinator", "placode-demo"));
     QVERIFY(shell_->arrives(PageId::kStudies));
-    publish_short_study(shell_->context().store(), kStudy);
+    publish_short_study(shell_->owner(), kStudy);
     run();
 }
 
@@ -174,7 +174,7 @@ void ShellHandoverTest::aWrongPasswordStaysAndTheRightOneLeads() {
     QVERIFY(shell.click("interrupt_run"));
     QVERIFY(shell.arrives(PageId::kStudies));
     QVERIFY(shell.find<QToolButton>("rail_studies")->isVisible());
-    QCOMPARE(QString::fromStdString(shell.context().store().audit().trail(1).at(0).action),
+    QCOMPARE(QString::fromStdString(shell.owner().audit().trail(1).at(0).action),
              QString("session.take_back"));
     // There is no way back into somebody's run by accident.
     Q_EMIT shell.window().page()->back();
@@ -221,8 +221,8 @@ void ShellHandoverTest::theScreenOfOneQuestionnaireIsTheSame() {
 
 void ShellHandoverTest::aPinIsEnoughWhereItIsOnTheLockPage() {
     ShellHarness& shell = *shell_;
-    shell.context().store().accounts().set_pin(shell.idOf("demo.coordinator"), "8305");
-    shell.context().notePassword(shell.idOf("demo.coordinator"));
+    shell.owner().accounts().set_pin(shell.idOf("demo.coordinator"), "8305");
+    shell.context().notePassword(shell.context().user());
     run();
     if (QTest::currentTestFailed()) return;
     const int before = asked_;

@@ -68,6 +68,17 @@ class ShellHarness {
     void stop() {
         window_.reset();
         context_.reset();
+        owner_.reset();
+    }
+
+    /// The shell's store as its owner has it, from beside: the shell itself may only what the
+    /// person may who has signed in.
+    [[nodiscard]] db::Store& owner() const {
+        if (!owner_ || owner_url_ != context_->storeUrl()) {
+            owner_url_ = context_->storeUrl();
+            owner_ = db::open_store(owner_url_);
+        }
+        return *owner_;
     }
 
     [[nodiscard]] AppContext& context() { return *context_; }
@@ -215,13 +226,13 @@ class ShellHarness {
         return QTest::qWaitFor(
             [&] {
                 return !context_->replays().working() &&
-                       context_->store().attempts().waiting_for_replay().empty();
+                       owner().attempts().waiting_for_replay().empty();
             },
             seconds * 1000);
     }
 
     [[nodiscard]] int64_t idOf(const std::string& login) const {
-        return context_->store().accounts().find_login(login)->id;
+        return owner().accounts().find_login(login)->id;
     }
 
     /// Whether the page fits on a desk and on a small screen, with a picture of each.
@@ -292,6 +303,8 @@ class ShellHarness {
     QString file_ = "placode.db";
     std::unique_ptr<AppContext> context_;
     std::unique_ptr<MainWindow> window_;
+    mutable std::unique_ptr<db::Store> owner_;
+    mutable std::string owner_url_;
 };
 
 /// Works without a display, too.

@@ -51,7 +51,7 @@ void ShellHintsTest::initTestCase() {
     user.login = "nina";
     user.display_name = "Nina Nowak";
     user.password = "quiet river 7";
-    user_ = shell_->context().store().accounts().create(user);
+    user_ = shell_->owner().accounts().create(user);
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
 }
 
@@ -78,7 +78,7 @@ int64_t ShellHintsTest::add(const std::string& task, assessment::Verdict verdict
         slow.value = 0.5F;
         result.events.push_back(slow);
     }
-    return shell_->context().store().attempts().save(user_, result);
+    return shell_->owner().attempts().save(user_, result);
 }
 
 void ShellHintsTest::aLockedStageSaysWhatOpensIt() {
@@ -203,7 +203,7 @@ void ShellHintsTest::lossesOfMoreThanTheWholeScoreSayWhereItEnds() {
         result.score.reasons = {{"time", "Slower than the target time.", 90, -1, false},
                                 {"force", "Too much force.", second, -1, false}};
         shell_->window().open(
-            {PageId::kResult, shell_->context().store().attempts().save(user_, result), {}, {}});
+            {PageId::kResult, shell_->owner().attempts().save(user_, result), {}, {}});
         return shell_->arrives(PageId::kResult) ? shell_->text("reasons_sum") : QString("no page");
     };
     QCOMPARE(sum_said(9.5), QString());
@@ -220,11 +220,11 @@ void ShellHintsTest::todayNamesNewRemarksUntilTheyAreRead() {
     QVERIFY(shell_->find<QPushButton>("new_remarks") == nullptr);
     db::CommentRecord remark;
     remark.attempt_id = attempt;
-    for (const auto& user : shell_->context().store().accounts().list())
+    for (const auto& user : shell_->owner().accounts().list())
         if (user.login == "demo.educator") remark.author_id = user.id;
     remark.text = "Calm and even.";
     QVERIFY(shell_->signIn("demo.educator", "placode-demo"));
-    (void)shell_->context().store().reviews().add_comment(remark);
+    (void)shell_->owner().reviews().add_comment(remark);
     QVERIFY(shell_->signIn("nina", "quiet river 7"));
     shell_->window().open({PageId::kToday, 0, {}, {}});
     QVERIFY(shell_->arrives(PageId::kToday));
@@ -368,7 +368,7 @@ void ShellHintsTest::whatIsInDoubtIsNotCalledTuned() {
     result.end.duration_s = 20;
     result.score.verdict = assessment::Verdict::kPassed;
     result.not_verified = db::void_text({{db::VoidCause::kTaskDiffers, 0, 0, "it version 1"}});
-    const int64_t doubted = shell_->context().store().attempts().save(user_, result);
+    const int64_t doubted = shell_->owner().attempts().save(user_, result);
     shell_->window().open({PageId::kHistory, 0, {}, {{"task", "grasp_and_lift"}}});
     QVERIFY(shell_->arrives(PageId::kHistory));
     const QString why = shell_->text("history_empty");
@@ -397,9 +397,8 @@ void ShellHintsTest::whatCannotBeReplayedHereSaysSo() {
     const sim::Input input;
     sink->append({&input, 1}, {}, {});
     sink->finish(result.end);
-    const int64_t id = shell_->context().store().attempts().save(user_, result);
-    QCOMPARE(shell_->context().store().attempts().detail(id).record.replay,
-             db::ReplayState::kWaiting);
+    const int64_t id = shell_->owner().attempts().save(user_, result);
+    QCOMPARE(shell_->owner().attempts().detail(id).record.replay, db::ReplayState::kWaiting);
     shell_->window().open({PageId::kResult, id, {}, {}});
     QVERIFY(shell_->arrives(PageId::kResult));
     const QString why = shell_->text("void_for_cause");

@@ -161,7 +161,7 @@ void ShellProtocolsTest::aQuestionnaireIsBuiltFromTheForm() {
     shell_->whole("72_questionnaire_built");
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
-    QVERIFY(shell_->context().store().definitions().find("questionnaire", "built").has_value());
+    QVERIFY(shell_->owner().definitions().find("questionnaire", "built").has_value());
 }
 
 void ShellProtocolsTest::everyKindIsPreviewedAndPublished() {
@@ -187,7 +187,7 @@ void ShellProtocolsTest::everyKindIsPreviewedAndPublished() {
     QVERIFY2(json()->toPlainText().contains("Every kind"), "the text came back");
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
-    QVERIFY(shell_->context().store().studies().answers("kinds").empty());
+    QVERIFY(shell_->owner().studies().answers("kinds").empty());
 }
 
 void ShellProtocolsTest::aParticipantAnswersEveryKind() {
@@ -241,7 +241,7 @@ void ShellProtocolsTest::aParticipantAnswersEveryKind() {
     QVERIFY(press("submit_answers"));
     shell.takeBackNext();
     QVERIFY(press("participant_done"));
-    const auto answers = shell.context().store().studies().answers("kinds");
+    const auto answers = shell.owner().studies().answers("kinds");
     QCOMPARE(answers.size(), size_t(1));
     QCOMPARE(answers[0].answers, (curriculum::Answers{{"L", "4"},
                                                       {"W", "10"},
@@ -286,12 +286,12 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QVERIFY(statusSays("No errors."));
     shell_->refuseNext();
     QVERIFY(press("definition_publish"));
-    QVERIFY(!shell_->context().store().definitions().find("study", "my_study").has_value());
+    QVERIFY(!shell_->owner().definitions().find("study", "my_study").has_value());
     json()->setPlainText(ready);
     QVERIFY(statusSays("No errors."));
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
-    const auto first = shell_->context().store().definitions().find("study", "my_study");
+    const auto first = shell_->owner().definitions().find("study", "my_study");
     QVERIFY(first.has_value());
     const auto study = curriculum::load_study_text(first->json, "my_study");
     QCOMPARE(study.arms->names.size(), size_t(2));
@@ -308,9 +308,8 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QVERIFY(shell_->type("publish_reason", "the committee asked for it"));
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("version 2 is published"));
-    QCOMPARE(shell_->context().store().definitions().find("study", "my_study", 1)->json,
-             first->json);
-    QCOMPARE(shell_->context().store().definitions().find("study", "my_study")->reason,
+    QCOMPARE(shell_->owner().definitions().find("study", "my_study", 1)->json, first->json);
+    QCOMPARE(shell_->owner().definitions().find("study", "my_study")->reason,
              std::string("the committee asked for it"));
 }
 

@@ -101,7 +101,7 @@ void ShellRandomTest::anAttemptEndsByItselfOrByAConfirmedWish() {
     if (QTest::currentTestFailed()) return;
     const int seed = number_of("PLACODE_RANDOM_SEED", 1);
     // Of everybody: the monkey begins attempts as an educator, too.
-    const auto saved = [&] { return shell.context().store().attempts().list(0).size(); };
+    const auto saved = [&] { return shell.owner().attempts().list(0).size(); };
     const size_t before = saved();
     Monkey monkey(shell, static_cast<uint32_t>(seed), number_of("PLACODE_RANDOM_EVENTS", 2500));
     monkey.run();
@@ -178,7 +178,7 @@ void ShellRandomTest::anotherPersonAtTheEndIsLedHome() {
         QVERIFY2(shell.arrives(PageId::kStudies), qPrintable(shell.window().banner().text()));
         QVERIFY(shell.window().findChild<QWidget*>("try_again") == nullptr);
     }
-    QCOMPARE(shell.context().store().attempts().list(shell.idOf("demo.trainee")).size(), size_t{1});
+    QCOMPARE(shell.owner().attempts().list(shell.idOf("demo.trainee")).size(), size_t{1});
 }
 
 // The log-in page showed the way to the running attempt, with its two buttons, to anybody.
@@ -222,7 +222,7 @@ void ShellRandomTest::whatIsNotThereYetDoesNoHarm() {
         QVERIFY(shell.click("definition_export"));
         QVERIFY2(QFile::exists(shell.save_as), text);
     }
-    (void)shell.context().store().studies().new_participant("sus");
+    (void)shell.owner().studies().new_participant("sus");
     shell.window().open({PageId::kStudyData, 0, {}, {{"study", "sus"}}});
     QVERIFY(shell.arrives(PageId::kStudyData));
     for (const char* name : {"enter_first", "enter_second"}) {

@@ -52,7 +52,7 @@ class ShellReviewTest : public QObject {
         return parts.size() == 2 ? 60 * parts[0].toDouble() + parts[1].toDouble() : -1;
     }
     [[nodiscard]] std::vector<db::AttemptRecord> attempts() {
-        return shell_->context().store().attempts().list(0);
+        return shell_->owner().attempts().list(0);
     }
     /// Notes what the simulator is called with, and calls it.
     void noteArguments();
@@ -117,7 +117,7 @@ void ShellReviewTest::attempt(const QString& device, double seconds) {
 
 void ShellReviewTest::resultPageSaysWhatWhenAndWhere() {
     ShellHarness& shell = *shell_;
-    const auto detail = shell.context().store().attempts().detail(attempts().back().id);
+    const auto detail = shell.owner().attempts().detail(attempts().back().id);
     QVERIFY(!detail.score.reasons.empty());
     QVERIFY(shell.text("reason_0").size() > 10);
     for (const char* picture : {"damage_map", "energy_map", "incision", "way_0", "way_1", "way_2"})
@@ -166,8 +166,7 @@ void ShellReviewTest::resultPageFitsSmallAndLargeScreens() {
 
 void ShellReviewTest::reasonsAreToldInPolish() {
     ShellHarness& shell = *shell_;
-    const auto reasons =
-        shell.context().store().attempts().detail(attempts().back().id).score.reasons;
+    const auto reasons = shell.owner().attempts().detail(attempts().back().id).score.reasons;
     shell.context().setLanguage("pl");
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(picturesAreThere());
@@ -287,7 +286,7 @@ void ShellReviewTest::educatorRemarksAndTheTraineeReadsIt() {
     QVERIFY(QTest::qWaitFor([&] { return shell.text("replay_said") == "Paused"; }, 20000));
     QVERIFY(shell.type("comment_text", "Keep the tip moving here."));
     QTest::keyClick(shell.find<QLineEdit>("comment_text"), Qt::Key_Return);
-    const auto comments = shell.context().store().reviews().comments(id);
+    const auto comments = shell.owner().reviews().comments(id);
     QCOMPARE(comments.size(), size_t{1});
     QVERIFY2(std::abs(comments[0].time_s - clock()) < 1.1, "remarked at the moment shown");
     QCOMPARE(ledger()->picture().marks.size(), size_t{1});
@@ -310,9 +309,9 @@ void ShellReviewTest::remarkIsRemovedAndPutBack() {
     shell.window().open({PageId::kResult, id, {}, {}});
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.click("comment_remove_1"));
-    QVERIFY(shell.context().store().reviews().comments(id).empty());
+    QVERIFY(shell.owner().reviews().comments(id).empty());
     QVERIFY(shell.click("undo_remove"));
-    QCOMPARE(shell.context().store().reviews().comments(id).size(), size_t{1});
+    QCOMPARE(shell.owner().reviews().comments(id).size(), size_t{1});
 }
 
 }  // namespace placode::ui

@@ -55,7 +55,7 @@ int64_t ShellScopeTest::attempt(const char* task, sim::EndReason end, double poi
     result.score.rubric_id = task;
     result.score.reasons = {{"steps", "40 % of the places were touched.", 100, -1, false}};
     result.recording_file = file.toStdString();
-    db::Store& store = shell_->context().store();
+    db::Store& store = shell_->owner();
     return store.attempts().save(store.accounts().find_login("demo.trainee")->id, result);
 }
 
@@ -70,7 +70,7 @@ QString ShellScopeTest::names(const char* table) const {
 void ShellScopeTest::initTestCase() {
     shell_ = std::make_unique<ShellHarness>();
     QVERIFY(shell_->setUpWithDemonstration());
-    shell_->context().store().act_as("ada");
+    shell_->owner().act_as("ada");
     done_ = attempt("touch_targets", sim::EndReason::kFinished, 62, "2026-03-01T10:00:00Z");
     better_ = attempt("touch_targets", sim::EndReason::kFinished, 84, "2026-03-02T10:00:00Z");
     left_ = attempt("touch_targets", sim::EndReason::kInterrupted, 0, "2026-03-03T10:00:00Z");

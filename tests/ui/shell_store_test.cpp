@@ -91,7 +91,7 @@ void ShellStoreTest::aStoreThatWasMovedIsFoundAgain() {
 
 void ShellStoreTest::aStoreThatIsGoneComesFromItsBackup() {
     const QString copy = shell_->path("copy.db");
-    shell_->context().store().backup(copy.toStdString());
+    shell_->owner().backup(copy.toStdString());
     loseStore();
     QVERIFY(asksForTheStore());
     shell_->open_this = copy;
@@ -111,7 +111,7 @@ void ShellStoreTest::anEmptyStoreIsBegunOnlyWhenSomebodySaysSo() {
     shell_->confirmNext();
     QVERIFY(shell_->click("begin_anew"));
     QVERIFY(shell_->arrives(PageId::kSetup));
-    QVERIFY(shell_->context().store().accounts().list().empty());
+    QVERIFY(shell_->owner().accounts().list().empty());
 }
 
 void ShellStoreTest::theRolesOfAPersonAreChanged() {
@@ -143,7 +143,7 @@ void ShellStoreTest::theRolesOfAPersonAreChanged() {
     shell_->confirmNext();
     QVERIFY(shell_->click("change_roles"));
     QVERIFY(shell_->bannerSays("is now"));
-    const auto roles = shell_->context().store().accounts().find_login("demo.trainee")->roles;
+    const auto roles = shell_->owner().accounts().find_login("demo.trainee")->roles;
     QVERIFY(db::has_role(roles, db::Role::kTrainee) && db::has_role(roles, db::Role::kEducator));
     // In the audit in words.
     shell_->window().open({PageId::kAudit, 0, {}, {}});

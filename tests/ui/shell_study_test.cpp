@@ -67,7 +67,7 @@ class ShellStudyTest : public QObject {
                shell_->click(name);
     }
     [[nodiscard]] db::Progress progress() {
-        const auto all = db::study_progress(shell_->context().store(), kStudy);
+        const auto all = db::study_progress(shell_->owner(), kStudy);
         return all.empty() ? db::Progress{} : all.front();
     }
 
@@ -106,16 +106,15 @@ void ShellStudyTest::studyIsPublishedOnce() {
     });
     QVERIFY(shell.click("publish_study"));
     QVERIFY2(asked.contains("DRAFT: your institution"), qPrintable(asked));
-    QVERIFY(!db::published_study(shell.context().store(), kStudy).has_value());
+    QVERIFY(!db::published_study(shell.owner(), kStudy).has_value());
     shell.confirmNext();
     QVERIFY(shell.click("publish_study"));
     QVERIFY(QTest::qWaitFor([&] { return shell.find<QPushButton>("enrol") != nullptr; }, 10000));
-    QVERIFY(db::published_study(shell.context().store(), kStudy).has_value());
+    QVERIFY(db::published_study(shell.owner(), kStudy).has_value());
     QVERIFY(shell.find<QPushButton>("publish_study") == nullptr);
-    QCOMPARE(db::published_study(shell.context().store(), kStudy)->step("procedure_1")->min_s,
-             60.0);
+    QCOMPARE(db::published_study(shell.owner(), kStudy)->step("procedure_1")->min_s, 60.0);
     // Long enough that a busy machine ends the early attempt before it.
-    publish_short_study(shell.context().store(), kStudy, {{"procedure_1", 20}});
+    publish_short_study(shell.owner(), kStudy, {{"procedure_1", 20}});
     shell.window().open({PageId::kStudies, 0, {}, {}});
     QVERIFY(shell.arrives(PageId::kStudies));
 }
@@ -296,7 +295,7 @@ void ShellStudyTest::anAttemptThatEndsTooEarlyIsToBeDoneAgain() {
     QVERIFY2(shell.text("open_because").contains("does not count"),
              qPrintable(shell.text("open_because")));
     shell.shot("64_to_be_done_again");
-    const auto steps = shell.context().store().studies().steps(kStudy);
+    const auto steps = shell.owner().studies().steps(kStudy);
     QVERIFY(steps.back().state == db::StepState::kStarted);
     QVERIFY(steps.back().attempt_id > 0);
 }
@@ -321,7 +320,7 @@ void ShellStudyTest::proceduresAreStepsOfTheParticipant() {
     }
     QCOMPARE(progress().next, std::string("face_validity"));
     int procedures = 0;
-    db::Store& store = shell_->context().store();
+    db::Store& store = shell_->owner();
     for (const auto& step : store.studies().steps(kStudy)) {
         if (step.attempt_id == 0) continue;
         if (step.state == db::StepState::kStarted) continue;  // It ended too early.
@@ -351,7 +350,7 @@ void ShellStudyTest::lastQuestionnaireEndsTheRun() {
 }
 
 void ShellStudyTest::whatAParticipantDidIsNobodyElses() {
-    db::Store& store = shell_->context().store();
+    db::Store& store = shell_->owner();
     const int64_t coordinator = shell_->idOf("demo.coordinator");
     QVERIFY(store.attempts().list(coordinator).empty());
     for (const auto& standing : store.attempts().standings(0))
@@ -396,8 +395,8 @@ void ShellStudyTest::aProcedureIsDoneAgainForAReason() {
     QVERIFY(shell.bannerSays("needs a reason"));
     QVERIFY(shell.type("step_note", "coughed twice"));
     QVERIFY(press("add_note"));
-    QVERIFY(QTest::qWaitFor(
-        [&] { return !shell.context().store().records().step_notes(kStudy).empty(); }, 5000));
+    QVERIFY(
+        QTest::qWaitFor([&] { return !shell.owner().records().step_notes(kStudy).empty(); }, 5000));
     QVERIFY(QTest::qWaitFor(
         [&] {
             auto* now = shell.find<QTableWidget>("deviations_table");

@@ -99,7 +99,7 @@ void ShellTrainingTest::administratorInvitesAndTakesInAList() {
     list.close();
     QVERIFY(shell.click("import_people"));
     QVERIFY(shell.bannerSays("people.csv:4"));
-    QVERIFY(!shell.context().store().accounts().find_login("olga").has_value());  // All or none.
+    QVERIFY(!shell.owner().accounts().find_login("olga").has_value());  // All or none.
     QVERIFY(list.open(QIODevice::WriteOnly | QIODevice::Truncate));
     list.write(
         "login,name,roles,password\nolga,Olga Zet,trainee,long enough here\n"
@@ -108,8 +108,7 @@ void ShellTrainingTest::administratorInvitesAndTakesInAList() {
     shell.save_as = shell.path("passwords.csv");
     QVERIFY(shell.click("import_people"));
     QVERIFY(shell.bannerSays("Added people: 2"));
-    QVERIFY(db::has_role(shell.context().store().accounts().find_login("piotr")->roles,
-                         db::Role::kEducator));
+    QVERIFY(db::has_role(shell.owner().accounts().find_login("piotr")->roles, db::Role::kEducator));
     QFile passwords(shell.save_as);
     QVERIFY(passwords.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(passwords.readAll()).split('\n');
@@ -190,12 +189,11 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     shell.whole("73_controls");
     // The task that teaches the controls asks for each of them; all were done.
     QVERIFY(runAttempt());
-    const auto taught = shell.context().store().attempts().list(shell.idOf("nina"));
+    const auto taught = shell.owner().attempts().list(shell.idOf("nina"));
     QCOMPARE(taught.size(), size_t{1});
     QCOMPARE(taught[0].task_id, std::string(kFirstTask));
-    QCOMPARE(
-        shell.context().store().attempts().detail(taught[0].id).metrics.find("steps_done_percent"),
-        std::optional<double>(100));
+    QCOMPARE(shell.owner().attempts().detail(taught[0].id).metrics.find("steps_done_percent"),
+             std::optional<double>(100));
     QVERIFY(shell.click("rail_today"));
     QVERIFY(shell.arrives(PageId::kToday));
     QVERIFY(shell.click("open_next"));
@@ -205,7 +203,7 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     device->setCurrentIndex(device->findData("mouse"));
     QVERIFY(runAttempt());
     QVERIFY(shell.text("result_points").contains("points"));
-    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
+    const auto attempts = shell.owner().attempts().list(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{2});
     QCOMPARE(attempts[1].task_id, std::string(kTask));
     QVERIFY(attempts[1].exam.course_id.empty());
@@ -246,9 +244,7 @@ void ShellTrainingTest::anExamThatIsLeftUsesUpItsAttempt() {
         return QTest::qWaitFor([&] { return shell.context().launcher().status().time_s > 1; },
                                30000);
     };
-    const auto attempts = [&] {
-        return shell.context().store().attempts().list(shell.idOf("nina"));
-    };
+    const auto attempts = [&] { return shell.owner().attempts().list(shell.idOf("nina")); };
     QVERIFY(begun());
     // Nobody is asked whether it is kept: the case was seen.
     ::kill(static_cast<pid_t>(shell.context().launcher().processId()), SIGKILL);
@@ -290,7 +286,7 @@ void ShellTrainingTest::theNextExamHasAnotherCase() {
     QVERIFY(openExam());
     QVERIFY(shell.click("start_attempt"));
     QVERIFY(shell.arrives(PageId::kResult, kAttemptSeconds));
-    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
+    const auto attempts = shell.owner().attempts().list(shell.idOf("nina"));
     QCOMPARE(attempts.size(), size_t{5});
     QCOMPARE(attempts[4].exam.course_id, std::string("lift_exam"));
     QCOMPARE(attempts[4].exam.stage_id, std::string("lift_as_exam"));
@@ -299,7 +295,7 @@ void ShellTrainingTest::theNextExamHasAnotherCase() {
     QCOMPARE(shell.context().user().login, std::string("nina"));
     // It counts once it was simulated again; until then the page says so, and has no score.
     QVERIFY(shell.replaysEnd());
-    QCOMPARE(shell.context().store().attempts().detail(attempts[4].id).record.replay,
+    QCOMPARE(shell.owner().attempts().detail(attempts[4].id).record.replay,
              db::ReplayState::kIdentical);
     QVERIFY(QTest::qWaitFor([&] { return !shell.text("exam_standing").isEmpty(); }, 10000));
     // That it was finished uses up an attempt as well; the course is mastered with it.
@@ -334,7 +330,7 @@ void ShellTrainingTest::masteredCourseGivesTheCertificate() {
     QFile file(shell.save_as);
     QVERIFY(file.open(QIODevice::ReadOnly));
     QVERIFY(file.read(5) == "%PDF-");
-    const auto issued = shell.context().store().courses().certificates(shell.idOf("nina"));
+    const auto issued = shell.owner().courses().certificates(shell.idOf("nina"));
     QCOMPARE(issued.size(), size_t{1});
     QCOMPARE(issued[0].course_id, std::string("lift_exam"));
     QVERIFY(shell.text("certificate_code").contains(QString::fromStdString(issued[0].code)));
@@ -360,8 +356,8 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     QVERIFY(shell.arrives(PageId::kResult));
     QVERIFY(shell.type("comment_text", "Open the jaws before you turn."));
     QVERIFY(shell.click("comment_add"));
-    const auto attempts = shell.context().store().attempts().list(shell.idOf("nina"));
-    const auto remarks = shell.context().store().reviews().comments(attempts[4].id);
+    const auto attempts = shell.owner().attempts().list(shell.idOf("nina"));
+    const auto remarks = shell.owner().reviews().comments(attempts[4].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
 }
@@ -405,7 +401,7 @@ void ShellTrainingTest::pinBringsBackToThePageThatWasLocked() {
     QVERIFY(shell.bannerSays("refused"));  // Too easy.
     QVERIFY(shell.type("new_pin", "7391"));
     QVERIFY(shell.click("set_pin"));
-    QVERIFY(shell.context().store().accounts().has_pin(shell.idOf("nina")));
+    QVERIFY(shell.owner().accounts().has_pin(shell.idOf("nina")));
     QVERIFY(shell.arrives(PageId::kLogin, 20));  // Locked by itself.
     QVERIFY(!shell.context().signedIn());
     QVERIFY(shell.text("login_note").contains("Locked"));
@@ -459,8 +455,8 @@ void ShellTrainingTest::ownDataAreSavedAndErasureIsAskedAndDone() {
     shell.confirmNext();
     QVERIFY(shell.click("erase_0"));
     QVERIFY(shell.bannerSays("was erased"));
-    QVERIFY(!shell.context().store().accounts().find_login("nina").has_value());
-    QCOMPARE(shell.context().store().attempts().list(nina).size(), size_t{5});  // Nameless.
+    QVERIFY(!shell.owner().accounts().find_login("nina").has_value());
+    QCOMPARE(shell.owner().attempts().list(nina).size(), size_t{5});  // Nameless.
     QVERIFY(shell.fitsInBothSizes("79_erased"));
 }
 

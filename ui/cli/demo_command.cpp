@@ -57,16 +57,17 @@ struct Options {
 /// Creates those who are missing; never changes an account that is there.
 void add_people(Session& session, std::vector<std::string>& created) {
     for (const Person& person : kPeople) {
-        if (session.store().accounts().find_login(person.login)) continue;
-        session.store().accounts().create({person.login, person.name, db::kDemonstrationPassword,
-                                           static_cast<db::Roles>(person.role), true});
+        if (session.program_store().accounts().find_login(person.login)) continue;
+        session.program_store().accounts().create({person.login, person.name,
+                                                   db::kDemonstrationPassword,
+                                                   static_cast<db::Roles>(person.role), true});
         created.emplace_back(person.login);
     }
 }
 
 bool is_there(Session& session, const Planned& planned, const std::string& task) {
-    const auto user = session.store().accounts().find_login(planned.login);
-    for (const auto& attempt : session.store().attempts().list(user->id, task))
+    const auto user = session.program_store().accounts().find_login(planned.login);
+    for (const auto& attempt : session.program_store().attempts().list(user->id, task))
         if (attempt.device == planned.device && attempt.seed == planned.seed &&
             attempt.demonstration)
             return true;
@@ -104,8 +105,8 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
     }
     clear_progress();
     if (CancelOn::requested()) return false;
-    const auto user = session.store().accounts().find_login(planned.login);
-    const SavedAttempt saved = save_recording(session, user->id, file);
+    const auto user = session.program_store().accounts().find_login(planned.login);
+    const SavedAttempt saved = save_recording(session.program_store(), user->id, file);
     const double wall_s =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     json["attempts"].push_back({{"id", saved.id},
@@ -127,7 +128,7 @@ int demo(const Context& context, const Options& options) {
     const CancelOn on_interrupt{SIGINT, SIGTERM};
     std::vector<std::string> created;
     add_people(session, created);
-    Json json{{"store", session.store().url()},
+    Json json{{"store", session.program_store().url()},
               {"created_users", created},
               {"password", db::kDemonstrationPassword},
               {"attempts", Json::array()}};
@@ -146,8 +147,8 @@ int demo(const Context& context, const Options& options) {
     }
     json["already_there"] = there;
     json["cancelled"] = CancelOn::requested();
-    std::string text = "demonstration accounts in " + session.store().url() + ", password \"" +
-                       db::kDemonstrationPassword + "\":\n";
+    std::string text = "demonstration accounts in " + session.program_store().url() +
+                       ", password \"" + db::kDemonstrationPassword + "\":\n";
     for (const Person& person : kPeople) text += std::string("  ") + person.login + "\n";
     text += sim::counted(json["attempts"].size(), "attempt") + " simulated, " +
             std::to_string(there) + " were there";

@@ -15,23 +15,22 @@
 
 namespace placode::cli {
 
-SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file,
+SavedAttempt save_recording(db::Store& store, int64_t user_id, const std::string& file,
                             const db::ExamContext& exam) {
     const sim::Recording recording = db::read_recording_file(file);
     if (const std::string problem = assessment::unsound(recording); !problem.empty())
         throw db::StoreError(db::StoreError::Kind::kDamaged,
                              file + ": the recording cannot be scored: " + problem);
-    if (const auto known = session.store().attempts().find_recording(file))
+    if (const auto known = store.attempts().find_recording(file))
         throw db::StoreError(
             db::StoreError::Kind::kConflict,
             file + ": the store has this recording already, as attempt " + std::to_string(*known));
-    db::AttemptResult result = db::judged(session.store(), recording);
+    db::AttemptResult result = db::judged(store, recording);
     result.recording_file = file;
     result.exam = exam;
-    db::publish_task_on_first_use(session.store(), recording.header.task_id,
-                                  recording.header.task_version);
-    const int64_t id = session.store().attempts().save(user_id, result);
-    return {id, session.store().attempts().detail(id), result.end.duration_s};
+    db::publish_task_on_first_use(store, recording.header.task_id, recording.header.task_version);
+    const int64_t id = store.attempts().save(user_id, result);
+    return {id, store.attempts().detail(id), result.end.duration_s};
 }
 
 namespace {
@@ -47,10 +46,8 @@ std::string proctor_of(Session& session, int64_t user_id, const Options& options
     const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
     if (!session.user() || session.user()->id != user_id) return proctor.display_name;
     const char* const password = std::getenv("PLACODE_PROCTOR_PASSWORD");
-    const std::string actor = session.actor();
-    const db::SignIn found = session.store().accounts().sign_in(
+    const db::SignIn found = session.store().accounts().confirm(
         proctor.login, password == nullptr ? std::string() : std::string(password));
-    session.store().act_as(actor);
     if (found.outcome != db::SignInOutcome::kOk)
         throw InputError("--proctor " + options.proctor +
                          ": the proctor confirms with the own password, in "
@@ -89,7 +86,7 @@ int import_recording(const Context& context, const Options& options) {
     try {
         const db::ExamContext exam =
             options.exam.empty() ? db::ExamContext{} : exam_of(session, user.id, options);
-        saved = save_recording(session, user.id, options.file, exam);
+        saved = save_recording(session.store(), user.id, options.file, exam);
     } catch (const db::StoreError& error) {
         if (error.kind() == db::StoreError::Kind::kDamaged ||
             error.kind() == db::StoreError::Kind::kConflict)

@@ -128,6 +128,7 @@ int accept(const Context& context, const Options& options) {
     const std::string password =
         read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
     const auto store = db::open_store(url);
+    store->sign_out();
     db::NewUser user;
     user.login = options.login;
     user.display_name = options.name.empty() ? options.login : options.name;

@@ -17,7 +17,7 @@ struct SavedAttempt {
 /// recording in one transaction. Throws StoreError: kDamaged for what cannot be scored, kConflict
 /// for a recording that the store has already; the file stays as it is.
 /// @param exam under which exam it was made; default: practice.
-SavedAttempt save_recording(Session& session, int64_t user_id, const std::string& file,
+SavedAttempt save_recording(db::Store& store, int64_t user_id, const std::string& file,
                             const db::ExamContext& exam = {});
 
 }  // namespace placode::cli

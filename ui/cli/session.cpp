@@ -8,6 +8,7 @@
 
 #include <charconv>
 
+#include "db/password.h"
 #include "db/store_url.h"
 #include "sim/core/near_word.h"
 
@@ -90,7 +91,8 @@ Session::Session(const Context& context, Missing missing) {
             : read_password("PLACODE_PASSWORD", "Password of " + context.as_user, false);
     db::StoreOptions options;
     options.begin_anew = missing == Missing::kBeginAnew;
-    store_ = db::open_store(url_to_open(context), options);
+    url_ = url_to_open(context);
+    store_ = db::open_store(url_, options);
     if (context.as_user.empty()) {
         store_->act_as(actor_);
         return;
@@ -115,6 +117,15 @@ Session::Session(const Context& context, Missing missing) {
     }
 }
 
+db::Store& Session::program_store() {
+    if (!user_) return *store_;
+    if (!program_store_) {
+        program_store_ = db::open_store(url_);
+        program_store_->act_as(actor_);
+    }
+    return *program_store_;
+}
+
 bool Session::may(db::Action action, db::Scope scope) const {
     return !user_ || db::allowed(user_->roles, action, scope);
 }
@@ -128,6 +139,11 @@ void Session::need_for(db::Action action, int64_t subject) const {
 }
 
 db::UserRecord Session::find_user(const std::string& login_or_id) {
+    if (!may(db::Action::kViewPersonalData, db::Scope::kOther)) {
+        if (login_or_id == std::to_string(user_->id)) return *user_;
+        if (db::login_key(login_or_id) == db::login_key(user_->login)) return *user_;
+        need(db::Action::kViewPersonalData, db::Scope::kOther);
+    }
     if (auto found = store_->accounts().find_login(login_or_id)) return *found;
     int64_t id = 0;
     const char* end = login_or_id.data() + login_or_id.size();

@@ -27,7 +27,11 @@ class Session {
     /// StoreError.
     Session(const Context& context, Missing missing);
 
+    /// With the rights of user(); of the local administrator all.
     [[nodiscard]] db::Store& store() { return *store_; }
+    /// For what the program itself does once it is clear that it may: it simulates attempts again,
+    /// and fills a store with a demonstration. In the name of user().
+    [[nodiscard]] db::Store& program_store();
     /// nullopt: local administrator.
     [[nodiscard]] const std::optional<db::UserRecord>& user() const { return user_; }
     [[nodiscard]] const std::string& actor() const { return actor_; }
@@ -40,7 +44,8 @@ class Session {
     [[nodiscard]] db::UserRecord find_user(const std::string& login_or_id);
 
  private:
-    std::unique_ptr<db::Store> store_;
+    std::string url_;  ///< As it was opened; may hold a password.
+    std::unique_ptr<db::Store> store_, program_store_;
     std::optional<db::UserRecord> user_;
     std::string actor_;
 };

@@ -61,7 +61,7 @@ int verify_command(const Context& context, const Options& options) {
 
 std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attempt_id) {
     const CancelOn cancel{SIGINT};
-    const auto verdict = db::verify_attempt(session.store(), attempt_id, [&](double share) {
+    const auto verdict = db::verify_attempt(session.program_store(), attempt_id, [&](double share) {
         show_progress("simulating attempt " + std::to_string(attempt_id) +
                       " again: " + std::to_string(static_cast<int>(100 * share)) + " %");
         return !CancelOn::requested();

@@ -85,7 +85,7 @@ void AppContext::signIn(const db::UserRecord& user) {
 void AppContext::signOut() {
     user_.reset();
     session_note_.clear();
-    if (store_) store_->act_as("unknown");
+    if (store_) store_->sign_out();
     Q_EMIT userChanged();
 }
 
@@ -93,15 +93,22 @@ bool AppContext::may(db::Action action, db::Scope scope) const {
     return user_ && db::allowed(user_->roles, action, scope);
 }
 
-void AppContext::notePassword(int64_t user_id) {
-    password_given_[user_id] = QDateTime::currentDateTimeUtc();
+void AppContext::notePassword(const db::UserRecord& user) {
+    password_given_[user.id] = {qstr(user.login).trimmed().toCaseFolded(),
+                                QDateTime::currentDateTimeUtc()};
+}
+
+int64_t AppContext::knownHere(const QString& login) const {
+    for (const auto& [id, given] : password_given_)
+        if (given.login == login.trimmed().toCaseFolded() && knowsPassword(id)) return id;
+    return 0;
 }
 
 bool AppContext::knowsPassword(int64_t user_id) const {
     const auto found = password_given_.find(user_id);
     if (found == password_given_.end()) return false;
     // A clock that was set back does not make the hours longer.
-    const qint64 since = found->second.secsTo(QDateTime::currentDateTimeUtc());
+    const qint64 since = found->second.at.secsTo(QDateTime::currentDateTimeUtc());
     return since >= 0 && since < kPinHours * 3600;
 }
 
@@ -231,6 +238,12 @@ bool AppContext::guard(const QString& doing, const std::function<void()>& work) 
 void AppContext::background(QObject* receiver, const QString& doing,
                             std::function<void(db::Store&)> work, std::function<void(bool)> done,
                             const WorkSize& size) {
+    backgroundFor(user_ ? user_->id : 0, receiver, doing, std::move(work), std::move(done), size);
+}
+
+void AppContext::backgroundFor(int64_t account, QObject* receiver, const QString& doing,
+                               std::function<void(db::Store&)> work, std::function<void(bool)> done,
+                               const WorkSize& size) {
     ++busy_;
     work_size_ = size;
     work_started_.start();
@@ -239,12 +252,12 @@ void AppContext::background(QObject* receiver, const QString& doing,
     const QElapsedTimer began = work_started_;
     QThreadPool::globalInstance()->start([this, alive, doing, work = std::move(work),
                                           done = std::move(done), url = store_url_, user = user_,
-                                          size, began] {
+                                          account, size, began] {
         std::exception_ptr error;
         try {
             const std::unique_ptr<db::Store> own = db::open_store(url);
-            own->act_as(user ? user->login : "unknown");
-            if (user)
+            account != 0 ? own->act_for(account) : own->sign_out();
+            if (user && user->id == account)
                 if (const QString note = sessionProblem(own->accounts().find(user->id), *user);
                     !note.isEmpty())
                     throw Refusal(note);

@@ -100,8 +100,10 @@ class AppContext : public QObject {
     [[nodiscard]] bool sessionStands();
     static constexpr int kPinHours = 12;
     /// The password was given here: for kPinHours the PIN is enough, until Placode is closed.
-    void notePassword(int64_t user_id);
+    void notePassword(const db::UserRecord& user);
     [[nodiscard]] bool knowsPassword(int64_t user_id) const;
+    /// Who of those for whom knowsPassword() holds has this login; 0 = nobody.
+    [[nodiscard]] int64_t knownHere(const QString& login) const;
     [[nodiscard]] int lockAfterSeconds() const { return lock_after_s_; }
     [[nodiscard]] bool may(db::Action action, db::Scope scope = db::Scope::kOwn) const;
     /// Throws StoreError(kRefused) with the reason when `may` is false.
@@ -147,6 +149,10 @@ class AppContext : public QObject {
     /// takes: busyPace().
     void background(QObject* receiver, const QString& doing, std::function<void(db::Store&)> work,
                     std::function<void(bool)> done, const WorkSize& size = {});
+    /// The same in the name of who began it and may have signed out meanwhile; 0 = nobody.
+    void backgroundFor(int64_t account, QObject* receiver, const QString& doing,
+                       std::function<void(db::Store&)> work, std::function<void(bool)> done,
+                       const WorkSize& size = {});
     /// How far the work in progress is, by what work of its kind took on this computer before;
     /// nullopt when there is none, several at once, or nothing known of it.
     [[nodiscard]] std::optional<WorkPace> busyPace() const;
@@ -187,7 +193,11 @@ class AppContext : public QObject {
     QTimer session_watch_;
     std::set<QString> saving_;  ///< Recordings on their way into the store.
     int lock_after_s_ = 600;
-    std::map<int64_t, QDateTime> password_given_;  ///< By user.
+    struct PasswordGiven {
+        QString login;  ///< Folded.
+        QDateTime at;
+    };
+    std::map<int64_t, PasswordGiven> password_given_;  ///< By user.
     ThemeKind theme_ = ThemeKind::kLight;
     QString language_ = "en";
     std::unique_ptr<QTranslator> own_strings_, qt_strings_;

@@ -51,6 +51,8 @@ bool AppContext::openStore(const db::StoreOptions& options) {
             const std::string url = urlWithPassword();
             store_ = db::open_store(url, options);
             store_url_ = url;
+            // From here on what the person may whom it serves, and before sign-in next to nothing.
+            user_ ? store_->act_for(user_->id) : store_->sign_out();
         } catch (const db::StoreError& error) {
             store_missing_ = error.kind() == db::StoreError::Kind::kMissing;
             if (!store_missing_) throw;
@@ -141,7 +143,7 @@ void AppContext::endSession() {
         QApplication::activePopupWidget() != nullptr)
         return QTimer::singleShot(kAfterDialogMs, this, &AppContext::endSession);
     user_.reset();
-    if (store_) store_->act_as("unknown");
+    if (store_) store_->sign_out();
     Q_EMIT userChanged();
 }
 

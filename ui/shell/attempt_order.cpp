@@ -34,11 +34,11 @@ void record_study_step(db::Store& store, const AttemptOrder& order, int64_t atte
     db::record_attempt_step(store, step);
 }
 
-bool is_of(const db::AttemptRecord& attempt, const AttemptOrder& order) {
-    if (!order.study.isEmpty() || !attempt.study.study.empty())
-        return attempt.study.study == order.study.toStdString() &&
-               attempt.study.participant == order.participant.toStdString();
-    return attempt.user_id == order.user_id;
+bool is_of(const db::AttemptOwner& owner, const AttemptOrder& order) {
+    if (!order.study.isEmpty() || !owner.study.study.empty())
+        return owner.study.study == order.study.toStdString() &&
+               owner.study.participant == order.participant.toStdString();
+    return owner.user_id == order.user_id;
 }
 
 }  // namespace
@@ -182,7 +182,7 @@ SavedAttempt save_recording(db::Store& store, const AttemptOrder& order) {
     const std::string file = order.recording_file.toStdString();
     // Left over from a crash between saving and removing.
     if (const std::optional<int64_t> known = store.attempts().find_recording(file);
-        known && is_of(store.attempts().detail(*known).record, order)) {
+        known && is_of(store.attempts().owner_of(*known), order)) {
         record_study_step(store, order, *known);
         remove_recording(order.recording_file);
         return {Saving::kSaved, *known};

@@ -157,8 +157,8 @@ class CommentsCard : public QFrame {
 }  // namespace
 
 bool may_remark(AppContext& context, int64_t owner_id) {
-    return context.may(db::Action::kViewAttempts,
-                       owner_id == context.user().id ? db::Scope::kOwn : db::Scope::kOther);
+    return context.may(db::Action::kRemark,
+                       db::scope_between(context.store(), context.user().id, owner_id));
 }
 
 QWidget* make_comments_card(

@@ -64,6 +64,8 @@ class LoginPage : public Page {
         note_ = make_label({}, "warn");
         note_->setObjectName("login_note");
         layout->addWidget(note_);
+        (void)context_.problemOf(
+            [&] { demonstrators_ = context_.store().accounts().demonstrators(); });
         addPeople(layout);
         addDemonstration(layout);
         login_ = new QLineEdit;
@@ -105,18 +107,14 @@ class LoginPage : public Page {
     [[nodiscard]] bool isHere(const QString& login) {
         bool may = false;
         if (!login.isEmpty())
-            (void)context_.problemOf([&] {
-                const auto user = context_.store().accounts().find_login(login.toStdString());
-                may = user && user->active;
-            });
+            (void)context_.problemOf(
+                [&] { may = context_.store().accounts().may_sign_in(login.toStdString()); });
         return may;
     }
 
     /// The people who signed in here last, as long as they still may.
     void addPeople(QVBoxLayout* layout) {
-        std::vector<db::UserRecord> users;
-        (void)context_.problemOf([&] { users = context_.store().accounts().list(); });
-        if (db::is_demonstration_store(users)) return;  // They all stand below.
+        if (!demonstrators_.empty()) return;  // They all stand below.
         QStringList recent = context_.storeSetting("recent_logins").toStringList();
         recent.removeIf([this](const QString& login) { return !isHere(login); });
         if (recent.isEmpty()) return;
@@ -140,9 +138,7 @@ class LoginPage : public Page {
 
     /// A store that was made to be looked at says who is in it, and lets everybody in.
     void addDemonstration(QVBoxLayout* layout) {
-        std::vector<db::UserRecord> users;
-        (void)context_.problemOf([&] { users = context_.store().accounts().list(); });
-        if (!db::is_demonstration_store(users)) return;
+        if (demonstrators_.empty()) return;
         auto* inside = new QVBoxLayout;
         inside->setSpacing(kSpace8);
         inside->addWidget(make_label(
@@ -153,7 +149,7 @@ class LoginPage : public Page {
         auto* grid = new QGridLayout;
         grid->setSpacing(kSpace8);
         int count = 0;
-        for (const db::UserRecord& user : users) {
+        for (const db::UserRecord& user : demonstrators_) {
             if (!user.active) continue;
             const QString login = qstr(user.login);
             QPushButton* person = make_button(context_, login, "secondary");
@@ -200,19 +196,15 @@ class LoginPage : public Page {
             }
             const db::SignIn result =
                 context_.store().accounts().sign_in(login_->text().trimmed().toStdString(), typed);
-            if (result.outcome == db::SignInOutcome::kOk) context_.notePassword(result.user->id);
+            if (result.outcome == db::SignInOutcome::kOk) context_.notePassword(*result.user);
             answer(result);
         });
     }
 
     /// Who may come back with the PIN: has one, and gave the password here not long ago; else 0.
     [[nodiscard]] int64_t pinUser() const {
-        const auto user =
-            context_.store().accounts().find_login(login_->text().trimmed().toStdString());
-        return user && context_.knowsPassword(user->id) &&
-                       context_.store().accounts().has_pin(user->id)
-                   ? user->id
-                   : 0;
+        const int64_t id = context_.knownHere(login_->text());
+        return id != 0 && context_.store().accounts().has_pin(id) ? id : 0;
     }
     [[nodiscard]] static bool looksLikePin(const QString& typed) {
         return typed.size() >= 4 && typed.size() <= 12 &&
@@ -273,6 +265,7 @@ class LoginPage : public Page {
     QLabel *message_ = nullptr, *pin_hint_ = nullptr, *note_ = nullptr;
     QPushButton* button_ = nullptr;
     QTimer timer_;
+    std::vector<db::UserRecord> demonstrators_;
     int wait_s_ = 0;
 };
 

@@ -57,7 +57,7 @@ void MainWindow::begin() {
     };
     bool first = false;
     if (!context_.openStore() || !context_.guard(tr("Reading the accounts"), [&] {
-            first = context_.store().accounts().list().empty();
+            first = !context_.store().accounts().any();
         })) {
         if (context_.storeIsMissing()) return showMissingStore();
         showRetry(tr("Placode cannot open its store."), again);

@@ -70,8 +70,9 @@ void MainWindow::onAttemptEnded(const AttemptEnding& ending) {
 void MainWindow::saveAttempt(const AttemptEnding& ending) {
     auto saved = std::make_shared<SavedAttempt>();
     context_.savingBegins(ending.order.recording_file);
-    context_.background(
-        this, tr("Scoring and saving the attempt"),
+    // In the name of who began it, also when somebody else sits here by now.
+    context_.backgroundFor(
+        ending.order.user_id, this, tr("Scoring and saving the attempt"),
         [saved, order = ending.order](db::Store& store) { *saved = save_recording(store, order); },
         [this, saved, ending](bool done) {
             context_.savingEnds(ending.order.recording_file);

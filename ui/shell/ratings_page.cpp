@@ -36,6 +36,8 @@ class RatingsPage : public Page {
         db::AttemptFilter newest;
         newest.limit = kQueued;
         newest.studies = true;  // Their codes are no names, and raters of a study are educators.
+        const auto reached = db::reached_people(context.store(), context.user().id);
+        reached_ = {reached.begin(), reached.end()};
         for (const db::AttemptRecord& each : context.store().attempts().page(newest).rows)
             attempts_[each.id] = each;
         for (const db::RatingRecord& each : ratings_)
@@ -57,8 +59,8 @@ class RatingsPage : public Page {
     [[nodiscard]] QString title() const override { return tr("Ratings"); }
 
  private:
-    /// Attempts of others that this rater has not rated, in an order of the rater's own that stays
-    /// the same from day to day.
+    /// Attempts of others that this rater may judge and has not rated, in an order of the rater's
+    /// own that stays the same from day to day.
     [[nodiscard]] std::vector<const db::AttemptRecord*> queue() const {
         std::set<int64_t> rated;
         for (const db::RatingRecord& each : ratings_)
@@ -67,6 +69,7 @@ class RatingsPage : public Page {
         for (const auto& [id, each] : attempts_) {
             if (each.user_id == context_.user().id || rated.contains(id) || !db::counts(each))
                 continue;
+            if (each.study.study.empty() && !reached_.contains(each.user_id)) continue;
             order.emplace_back(db::checksum_hex(context_.user().login + "/" + std::to_string(id)),
                                &each);
         }
@@ -250,6 +253,7 @@ class RatingsPage : public Page {
     curriculum::Questionnaire form_;
     std::vector<db::RatingRecord> ratings_;
     std::map<int64_t, db::AttemptRecord> attempts_;
+    std::set<int64_t> reached_;  ///< Whose attempts this rater may judge.
 };
 
 }  // namespace

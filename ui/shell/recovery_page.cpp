@@ -38,12 +38,12 @@ class RecoveryPage : public Page {
     [[nodiscard]] QString title() const override { return tr("Recovery"); }
 
  private:
-    /// One's own; an administrator also sees those of others and those without an owner.
+    /// One's own; an administrator also sees those of others and those without an owner, and those
+    /// of studies are who runs studies's.
     [[nodiscard]] bool mine(const Leftover& leftover) const {
+        if (leftover.order && !leftover.order->study.isEmpty())
+            return context_.may(db::Action::kRunQuestionnaire);
         if (leftover.order && leftover.order->user_id == context_.user().id) return true;
-        if (leftover.order && !leftover.order->study.isEmpty() &&
-            context_.may(db::Action::kRunQuestionnaire))
-            return true;
         return context_.may(db::Action::kManageUsers, db::Scope::kOther);
     }
 

@@ -75,7 +75,12 @@ class SetupPage : public Page {
         if (trains_->isChecked()) user.roles |= static_cast<db::Roles>(db::Role::kTrainee);
         context_.guard(tr("Creating the administrator"), [&] {
             context_.store().accounts().create(user);
-            if (demonstration_->isChecked()) addDemonstrationAccounts();
+            if (demonstration_->isChecked()) {
+                // Accounts are an administrator's matter: the new one's.
+                (void)context_.store().accounts().sign_in(user.login, user.password);
+                addDemonstrationAccounts();
+                context_.store().sign_out();
+            }
             context_.setStoreSetting("last_login", QString::fromStdString(user.login));
             Q_EMIT notice(tr("The administrator was created. Sign in to add people."));
             Q_EMIT go({PageId::kLogin, 0, {}, {}});

@@ -154,6 +154,13 @@ constexpr const char* kDeeds[]{
     QT_TRANSLATE_NOOP("Rights", "export another person's data"),
     QT_TRANSLATE_NOOP("Rights", "ask for another person's erasure"),
     QT_TRANSLATE_NOOP("Rights", "erase a person"),
+    QT_TRANSLATE_NOOP("Rights", "use the store without signing in"),
+    QT_TRANSLATE_NOOP("Rights", "set another person's password"),
+    QT_TRANSLATE_NOOP("Rights", "choose another person's PIN"),
+    QT_TRANSLATE_NOOP("Rights", "save another person's attempt"),
+    QT_TRANSLATE_NOOP("Rights", "remark on this person's attempts"),
+    QT_TRANSLATE_NOOP("Rights", "say what simulating an attempt again gave"),
+    QT_TRANSLATE_NOOP("Rights", "act in another person's name"),
 };
 constexpr const char* kWho[]{
     QT_TRANSLATE_NOOP("Rights", "everybody, in their own name"),
@@ -167,6 +174,9 @@ constexpr const char* kWho[]{
     QT_TRANSLATE_NOOP("Rights", "an educator of the group, not the person,"),
     QT_TRANSLATE_NOOP("Rights", "the person"),
     QT_TRANSLATE_NOOP("Rights", "an administrator, not the person,"),
+    QT_TRANSLATE_NOOP("Rights", "everybody who has signed in"),
+    QT_TRANSLATE_NOOP("Rights", "the person or an administrator"),
+    QT_TRANSLATE_NOOP("Rights", "only the program itself"),
 };
 
 /// "you may not see the audit trail; an administrator can"; empty when it is something else.

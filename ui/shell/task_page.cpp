@@ -162,9 +162,8 @@ class TaskPage : public Page {
         const auto refuse = [](const QString& why) { throw Refusal(why); };
         if (proctor_->text().trimmed().isEmpty() || proctor_password_->text().isEmpty())
             refuse(tr("The exam begins when a proctor has typed name and password."));
-        const db::SignIn found = context_.store().accounts().sign_in(
+        const db::SignIn found = context_.store().accounts().confirm(
             proctor_->text().trimmed().toStdString(), proctor_password_->text().toStdString());
-        context_.store().act_as(context_.user().login);  // The trainee is still signed in.
         proctor_password_->clear();
         if (found.outcome == db::SignInOutcome::kThrottled)
             refuse(tr("Too many wrong passwords. Try again in %1 s.").arg(found.wait_s));

@@ -9326,6 +9326,46 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>usunąć osoby</translation>
     </message>
     <message>
+        <source>use the store without signing in</source>
+        <translation>korzystać z magazynu danych bez zalogowania</translation>
+    </message>
+    <message>
+        <source>set another person's password</source>
+        <translation>zmieniać hasła innej osoby</translation>
+    </message>
+    <message>
+        <source>choose another person's PIN</source>
+        <translation>wybierać kodu PIN innej osoby</translation>
+    </message>
+    <message>
+        <source>save another person's attempt</source>
+        <translation>zapisywać próby innej osoby</translation>
+    </message>
+    <message>
+        <source>remark on this person's attempts</source>
+        <translation>pisać uwag do prób tej osoby</translation>
+    </message>
+    <message>
+        <source>say what simulating an attempt again gave</source>
+        <translation>zapisywać wyniku ponownej symulacji próby</translation>
+    </message>
+    <message>
+        <source>act in another person's name</source>
+        <translation>działać w imieniu innej osoby</translation>
+    </message>
+    <message>
+        <source>everybody who has signed in</source>
+        <translation>każda zalogowana osoba</translation>
+    </message>
+    <message>
+        <source>the person or an administrator</source>
+        <translation>ta osoba lub administrator</translation>
+    </message>
+    <message>
+        <source>only the program itself</source>
+        <translation>tylko sam program</translation>
+    </message>
+    <message>
         <source>everybody, in their own name</source>
         <translation>każdy, we własnym imieniu</translation>
     </message>
