@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// rights_of_methods.h, for studies, their records, the audit trail and the store itself.
+
+#include "tests/rights_of_training.h"
+
+namespace placode::test {
+
+inline std::vector<Method> methods_of_studies() {
+    constexpr const char* kStudy = RightsWorld::kStudy;
+    const std::vector<Needed> runs{{Action::kRunQuestionnaire}};
+    const std::vector<Action> reads{Action::kRunQuestionnaire, Action::kExportStudy};
+    return {
+        {"studies.ids",
+         {},
+         {Action::kRunQuestionnaire, Action::kExportStudy, Action::kViewAudit},
+         [](Call& c) { (void)c.store.studies().ids(); }},
+        {"studies.new_participant",
+         runs,
+         {},
+         [](Call& c) { c.store.studies().new_participant(kStudy); }},
+        {"studies.participants",
+         {},
+         reads,
+         [](Call& c) { (void)c.store.studies().participants(kStudy); }},
+        {"studies.set_participant_device",
+         runs,
+         {},
+         [](Call& c) { c.store.studies().set_participant_device(kStudy, c.world.code, "mouse"); }},
+        {"studies.record_step",
+         runs,
+         {},
+         [](Call& c) {
+             db::StepRecord step;
+             step.study_id = kStudy;
+             step.participant = c.world.code;
+             step.step = "another";
+             c.store.studies().record_step(step);
+         }},
+        {"studies.steps",
+         {},
+         {Action::kRunQuestionnaire, Action::kExportStudy, Action::kViewAttempts},
+         [](Call& c) { (void)c.store.studies().steps(kStudy); }},
+        {"studies.save_answers",
+         runs,
+         {},
+         [](Call& c) {
+             db::AnswerRecord record;
+             record.study_id = kStudy;
+             record.participant = c.world.code;
+             record.questionnaire_id = "osats";
+             c.store.studies().save_answers(record);
+         }},
+        {"studies.answers", {}, reads, [](Call& c) { (void)c.store.studies().answers(kStudy); }},
+        {"studies.withdraw",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.studies().withdraw(kStudy, c.world.code, db::WithdrawalMode::kErase, "asked");
+         }},
+    };
+}
+
+inline std::vector<Method> methods_of_records() {
+    constexpr const char* kStudy = RightsWorld::kStudy;
+    const std::vector<Needed> runs{{Action::kRunQuestionnaire}};
+    const std::vector<Action> reads{Action::kRunQuestionnaire, Action::kExportStudy};
+    return {
+        {"records.lock", runs, {}, [](Call& c) { c.store.records().lock(kStudy, c.world.code); }},
+        {"records.sign",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.records().sign(kStudy, c.world.locked, "coordinator", kPassword, "read");
+         }},
+        {"records.unlock",
+         runs,
+         {},
+         [](Call& c) { c.store.records().unlock(kStudy, c.world.locked, "a slip"); }},
+        {"records.events", {}, reads, [](Call& c) { (void)c.store.records().events(kStudy); }},
+        {"records.states", {}, reads, [](Call& c) { (void)c.store.records().states(kStudy); }},
+        {"records.correct_answers",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.records().correct_answers(c.world.answers, 1, {{c.world.item, "2"}}, "a slip");
+         }},
+        {"records.corrections",
+         {},
+         reads,
+         [](Call& c) { (void)c.store.records().corrections(kStudy); }},
+        {"records.save_second_entry",
+         runs,
+         {},
+         [](Call& c) {
+             db::SecondEntry entry;
+             entry.answer_id = c.world.answers;
+             for (const auto& each : curriculum::load_questionnaire("sus").items)
+                 entry.answers[each.id] = "3";
+             c.store.records().save_second_entry(entry);
+         }},
+        {"records.second_entries",
+         {},
+         reads,
+         [](Call& c) { (void)c.store.records().second_entries(kStudy); }},
+        {"records.repeat_step",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.records().repeat_step(kStudy, c.world.code, 1, "procedure", "a power cut");
+         }},
+        {"records.note_step",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.records().note_step(kStudy, c.world.code, 1, "procedure", "left-handed");
+         }},
+        {"records.step_notes",
+         {},
+         reads,
+         [](Call& c) { (void)c.store.records().step_notes(kStudy); }},
+        {"records.save_consent_signature",
+         runs,
+         {},
+         [](Call& c) {
+             c.store.records().save_consent_signature(kStudy, c.world.code, "M0 0L1 1");
+         }},
+        {"records.consent_signature",
+         {},
+         reads,
+         [](Call& c) { (void)c.store.records().consent_signature(kStudy, c.world.code); }},
+    };
+}
+
+inline std::vector<Method> methods_of_the_store() {
+    const std::vector<Needed> uses{{Action::kUseStore}};
+    return {
+        {"audit.write",
+         {{Action::kActAs, About::kPerson}},
+         {},
+         [](Call& c) { c.store.audit().write(c.subject.login, "export", "study", ""); }},
+        {"audit.trail",
+         {{Action::kViewAudit}},
+         {},
+         [](Call& c) { (void)c.store.audit().trail(3); }},
+        {"audit.first", uses, {}, [](Call& c) { (void)c.store.audit().first(); }},
+        {"audit.stations",
+         {{Action::kViewAudit}},
+         {},
+         [](Call& c) { (void)c.store.audit().stations(); }},
+        {"audit.own_station", uses, {}, [](Call& c) { (void)c.store.audit().own_station(); }},
+        {"audit.trust_station",
+         {{Action::kManageUsers}},
+         {},
+         [](Call& c) { c.store.audit().trust_station(db::new_key_pair().public_key); }},
+        {"audit.check_chain",
+         {{Action::kBackup}},
+         {},
+         [](Call& c) {
+             std::vector<std::string> problems;
+             c.store.audit().check_chain(problems);
+         }},
+        {"store.check", {{Action::kBackup}}, {}, [](Call& c) { (void)c.store.check(); }},
+        {"store.backup",
+         {{Action::kBackup}},
+         {},
+         [](Call& c) { c.store.backup(c.file); },
+         false,
+         true},  // PostgreSQL has its own.
+        {"store.url", {}, {}, [](Call& c) { (void)c.store.url(); }},
+        {"store.act_as",  // A program's name is the program's.
+         {{Action::kReplay}},
+         {},
+         [](Call& c) { c.store.act_as("somebody else"); }},
+        {"store.act_for",
+         {{Action::kActAs, About::kPerson}},
+         {},
+         [](Call& c) { c.store.act_for(c.subject.person); }},
+        {"store.sign_out", {}, {}, [](Call& c) { c.store.sign_out(); }},
+    };
+}
+
+inline std::vector<Method> all_methods() {
+    std::vector<Method> all;
+    for (const auto& part : {methods_of_accounts(), methods_of_attempts(), methods_of_training(),
+                             methods_of_definitions(), methods_of_studies(), methods_of_records(),
+                             methods_of_the_store()})
+        all.insert(all.end(), part.begin(), part.end());
+    return all;
+}
+
+}  // namespace placode::test
