@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using sim::AccuracyRow;
 
-struct Options {
+struct AccuracyCommandOptions {
     bool quick = false, field = false;
     std::string out, report, only;
 };
@@ -35,7 +35,7 @@ Json to_json(const AccuracyRow& row) {
             {"target", row.target},     {"cpu_s_per_simulated_s", row.cost}};
 }
 
-int accuracy(const Context& context, const Options& options) {
+int accuracy(const Context& context, const AccuracyCommandOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     Json json{{"benchmark", "accuracy"}, {"quick", options.quick}, {"machine", machine()}};
     bench::AccuracyRun measured_on{bench::this_machine(), options.quick, options.field, 0};
@@ -97,7 +97,7 @@ int accuracy(const Context& context, const Options& options) {
 }  // namespace
 
 void add_accuracy_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<AccuracyCommandOptions>();
     CLI::App* command = bench.add_subcommand(
         "accuracy", "Error of every method against closed forms and double-precision references");
     command->add_flag("--quick", options->quick, "Small meshes only, without the operative field");

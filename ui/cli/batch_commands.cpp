@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct BatchOptions {
     std::string folder, out, runner = "slurm";
     int shard = -1, jobs = 0;
 };
@@ -36,7 +36,7 @@ std::string of_all(int done, int shards) {
     return std::to_string(done) + " of " + sim::counted(shards, "shard");
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const BatchOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     batches::RunOrder order;
     order.folder = options.folder;
@@ -75,7 +75,7 @@ int run(const Context& context, const Options& options) {
 }
 
 /// One shard; false when it had been done before.
-bool do_one(const batches::Manifest& manifest, const Options& options, int shard) {
+bool do_one(const batches::Manifest& manifest, const BatchOptions& options, int shard) {
     const auto start = std::chrono::steady_clock::now();
     const bool fresh =
         batches::do_shard(options.folder, manifest, shard, batches::build_text(ui::version_text()),
@@ -93,7 +93,7 @@ bool do_one(const batches::Manifest& manifest, const Options& options, int shard
 }
 
 /// Free shards one after the other, until none is left.
-int do_free_ones(const batches::Manifest& manifest, const Options& options) {
+int do_free_ones(const batches::Manifest& manifest, const BatchOptions& options) {
     int done = 0;
     for (int shard = 0; shard < manifest.shards(); ++shard) {
         try {
@@ -105,7 +105,7 @@ int do_free_ones(const batches::Manifest& manifest, const Options& options) {
     return done;
 }
 
-int work(const Context& context, const Options& options) {
+int work(const Context& context, const BatchOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     const CancelOn cancel{SIGINT, SIGTERM};
     try {
@@ -129,7 +129,7 @@ int work(const Context& context, const Options& options) {
     }
 }
 
-int status(const Context& context, const Options& options) {
+int status(const Context& context, const BatchOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     const batches::BatchStatus found = batches::batch_status(options.folder, manifest);
     std::string text = manifest.kind + ", " + sim::counted(manifest.items.size(), "item") + ", " +
@@ -152,7 +152,7 @@ int status(const Context& context, const Options& options) {
     return 0;
 }
 
-int merge(const Context& context, const Options& options) {
+int merge(const Context& context, const BatchOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     const std::string out =
         options.out.empty() ? (fs::path(options.folder) / "result.jsonl").string() : options.out;
@@ -178,7 +178,7 @@ int merge(const Context& context, const Options& options) {
     return 0;
 }
 
-int script(const Context& context, const Options& options) {
+int script(const Context& context, const BatchOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     const std::string text = batches::runner_script(
         options.runner, manifest, options.folder, this_program(), options.jobs,
@@ -187,9 +187,9 @@ int script(const Context& context, const Options& options) {
     return 0;
 }
 
-using Command = int (*)(const Context&, const Options&);
+using Command = int (*)(const Context&, const BatchOptions&);
 
-CLI::App* add(CLI::App& batch, Context& context, const std::shared_ptr<Options>& options,
+CLI::App* add(CLI::App& batch, Context& context, const std::shared_ptr<BatchOptions>& options,
               const char* name, const char* words, Command what) {
     CLI::App* command = batch.add_subcommand(name, words);
     command->add_option("FOLDER", options->folder, "Of the batch")->required();
@@ -209,7 +209,7 @@ void add_batch_commands(CLI::App& app, Context& context) {
     batch->require_subcommand(1);
     add_batch_plan_command(*batch, context);
     add_batch_forecast_command(*batch, context);
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BatchOptions>();
     add(*batch, context, options, "run",
         "Does what is missing, by worker processes on this computer", run)
         ->add_option("--jobs", options->jobs, "At the same time (default: one for each core)")

@@ -14,7 +14,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct BatchForecastOptions {
     std::string folder;
     int64_t items = 0;  ///< 0 = as many as this batch has.
     int shard_size = 0;
@@ -38,7 +38,7 @@ batches::Forecast forecast_of(const batches::ForecastOrder& order) {
 }
 
 /// The queue against this batch itself, where it was run in one go.
-std::string checked(const Options& options, const batches::Manifest& manifest,
+std::string checked(const BatchForecastOptions& options, const batches::Manifest& manifest,
                     batches::ForecastOrder order, Json& json) {
     const auto measured = batches::read_run_cost(options.folder);
     if (!measured || order.measured.size() != static_cast<size_t>(manifest.shards())) return {};
@@ -55,7 +55,7 @@ std::string checked(const Options& options, const batches::Manifest& manifest,
            "\n";
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const BatchForecastOptions& options) {
     const batches::Manifest manifest = batches::read_manifest(options.folder);
     batches::ForecastOrder order;
     order.measured = batches::read_costs(options.folder, manifest);
@@ -101,7 +101,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_batch_forecast_command(CLI::App& batch, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BatchForecastOptions>();
     CLI::App* command = batch.add_subcommand(
         "forecast", "Time and cost of a larger batch, from the shards that were done in this one");
     command->add_option("FOLDER", options->folder, "Of a batch that was run, whole or in part")

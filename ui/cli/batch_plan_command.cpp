@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct BatchPlanOptions {
     std::string kind, out, recordings, task, seeds, scene_changes;
     std::vector<std::string> tasks, policies;
     bool from_store = false, metrics = false, record = false;
@@ -29,7 +29,7 @@ struct Options {
 };
 
 /// An option that the kind has no use for is a mistake, not a wish.
-void refuse_useless(const Options& options) {
+void refuse_useless(const BatchPlanOptions& options) {
     const bool rollouts = options.kind == "rollouts";
     const std::pair<bool, const char*> useless[] = {
         {rollouts && (!options.recordings.empty() || options.from_store),
@@ -54,7 +54,7 @@ void refuse_useless(const Options& options) {
 
 /// Recordings out of the store, into the batch's own folder: a node of a cluster needs no access to
 /// the store.
-std::vector<fs::path> out_of_store(const Context& context, const Options& options) {
+std::vector<fs::path> out_of_store(const Context& context, const BatchPlanOptions& options) {
     if (options.task.empty())
         throw InputError("--from-store: expected --task as well, whose attempts are meant");
     Session session(context, Missing::kRefuse);
@@ -93,7 +93,7 @@ std::vector<fs::path> out_of_store(const Context& context, const Options& option
     return files;
 }
 
-std::string scene_changes_of(const Options& options) {
+std::string scene_changes_of(const BatchPlanOptions& options) {
     if (options.scene_changes.empty()) return {};
     std::ifstream in(options.scene_changes, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(in), {});
@@ -103,7 +103,7 @@ std::string scene_changes_of(const Options& options) {
     return text;
 }
 
-batches::Manifest plan_of(const Context& context, const Options& options) {
+batches::Manifest plan_of(const Context& context, const BatchPlanOptions& options) {
     if (options.kind == "rollouts") {
         if (options.tasks.empty() || options.policies.empty() || options.seeds.empty())
             throw InputError("batch plan rollouts: expected --tasks, --policies and --seeds");
@@ -131,7 +131,7 @@ batches::Manifest plan_of(const Context& context, const Options& options) {
     return batches::plan_recordings(order, options.out);
 }
 
-int plan(const Context& context, const Options& options) {
+int plan(const Context& context, const BatchPlanOptions& options) {
     refuse_useless(options);
     const CancelOn cancel{SIGINT, SIGTERM};
     batches::Manifest manifest = plan_of(context, options);
@@ -151,7 +151,7 @@ int plan(const Context& context, const Options& options) {
     return 0;
 }
 
-void add_options(CLI::App& command, Options& options) {
+void add_options(CLI::App& command, BatchPlanOptions& options) {
     command
         .add_option("KIND", options.kind,
                     "rescore: score recordings again; replay: simulate them again and compare; "
@@ -197,7 +197,7 @@ void add_options(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_batch_plan_command(CLI::App& batch, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BatchPlanOptions>();
     CLI::App* command =
         batch.add_subcommand("plan", "Writes the manifest: what, inputs with checksums, shards");
     add_options(*command, *options);

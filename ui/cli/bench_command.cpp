@@ -15,7 +15,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct BenchOptions {
     bool quick = false;
     std::string out;
     std::string task = "diathermy_ring";
@@ -63,7 +63,7 @@ void write_files(const std::string& folder, const Json& json,
         throw InputError("--out " + folder + ": cannot be written; choose another place");
 }
 
-int speed(const Context& context, const Options& options) {
+int speed(const Context& context, const BenchOptions& options) {
     const bench::Plan plan = options.quick ? bench::Plan{3, 400} : bench::Plan{};
     Json json{{"benchmark", "speed"},
               {"machine", machine()},
@@ -111,7 +111,7 @@ int speed(const Context& context, const Options& options) {
 }  // namespace
 
 void add_bench_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchOptions>();
     CLI::App* bench = app.add_subcommand("bench", "Measures on this machine");
     bench->require_subcommand(1);
     CLI::App* command = bench->add_subcommand(

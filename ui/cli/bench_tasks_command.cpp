@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct BenchTasksOptions {
     std::string policy, recordings, out, name, seeds, protocol, verify, board;
     std::vector<std::string> tasks, entries;
     bool no_replay = false;
@@ -30,7 +30,7 @@ bool tell(const std::string& what) {
     return !CancelOn::requested();
 }
 
-batches::Protocol protocol_of(const Options& options) {
+batches::Protocol protocol_of(const BenchTasksOptions& options) {
     return batches::read_protocol(options.protocol.empty() ? batches::shipped_protocol()
                                                            : fs::path(options.protocol));
 }
@@ -44,7 +44,7 @@ std::string entry_table(const Json& entry) {
     return table(rows);
 }
 
-int enter(const Context& context, const Options& options) {
+int enter(const Context& context, const BenchTasksOptions& options) {
     if (options.policy.empty() == options.recordings.empty())
         throw InputError(
             "bench tasks: expected one of --policy NAME (with --out FOLDER), --recordings FOLDER, "
@@ -70,7 +70,7 @@ int enter(const Context& context, const Options& options) {
     return 0;
 }
 
-int verify(const Context& context, const Options& options) {
+int verify(const Context& context, const BenchTasksOptions& options) {
     const auto check =
         batches::check_entry(protocol_of(options), options.verify, !options.no_replay, tell);
     clear_progress();
@@ -97,7 +97,7 @@ int verify(const Context& context, const Options& options) {
     return genuine && (check.replayed || options.no_replay) ? 0 : 1;
 }
 
-int board(const Context& context, const Options& options) {
+int board(const Context& context, const BenchTasksOptions& options) {
     if (options.entries.empty())
         throw InputError(
             "bench tasks --board: expected entries, as --entries A/entry.json "
@@ -119,7 +119,7 @@ int board(const Context& context, const Options& options) {
     return 0;
 }
 
-int tasks(const Context& context, const Options& options) {
+int tasks(const Context& context, const BenchTasksOptions& options) {
     const CancelOn cancel{SIGINT, SIGTERM};
     try {
         if (!options.verify.empty()) return verify(context, options);
@@ -138,7 +138,7 @@ int tasks(const Context& context, const Options& options) {
 }  // namespace
 
 void add_bench_tasks_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchTasksOptions>();
     CLI::App* command = bench.add_subcommand(
         "tasks", "The benchmark for machine operators: an entry, its proof, the leader board");
     command->add_option("--policy", options->policy,

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -71,6 +72,9 @@ void print(const Context& context, const Json& json, const std::string& text);
 [[nodiscard]] std::string fixed(double value, int decimals);
 /// The shortest text that reads back as the same number, with '.' in every locale.
 [[nodiscard]] std::string shortest(double value);
+/// A number that may be missing: null, or "-" in a table.
+[[nodiscard]] Json optional_number(const std::optional<double>& value);
+[[nodiscard]] std::string optional_text(const std::optional<double>& value, int decimals);
 
 /// Rows with columns as wide as needed; the first row is the head.
 [[nodiscard]] std::string table(const std::vector<std::vector<std::string>>& rows);

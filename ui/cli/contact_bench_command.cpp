@@ -25,7 +25,7 @@ using bench::other_share;
 using bench::percentile;
 using bench::sum;
 
-struct Options {
+struct ContactBenchOptions {
     bool quick = false;
     std::string out, task = "diathermy_ring";
 };
@@ -96,7 +96,7 @@ void draw(const std::string& path, const std::vector<FrameParts>& all) {
     reports::write_chart_png(chart, path);
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const ContactBenchOptions& options) {
     const auto scene = sim::build_operative_field(curriculum::load_task(options.task).scene);
     const int frames = options.quick ? 300 : 5000;
     const double frame_s = scene->body.spec().solver.frame_s;
@@ -151,7 +151,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_contact_bench_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ContactBenchOptions>();
     CLI::App* command = bench.add_subcommand(
         "contact", "What a frame costs by part: solve, contact, heat, cut, recording");
     command->add_flag("--quick", options->quick, "Fewer frames");

@@ -18,7 +18,7 @@ using curriculum::Course;
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct CourseOptions {
     std::string id, file, user, group, reason, out, from, due, at, stage, new_id;
     int version = 0, attempts = 1;
     int64_t assignment = 0;
@@ -69,7 +69,7 @@ std::string stage_table(const Course& course) {
 
 // --- definitions -------------------------------------------------------------------------------
 
-int list(const Context& context) {
+int list_courses(const Context& context) {
     Session session(context, Missing::kRefuse);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{{"id", "version", "stages", "published", "title"}};
@@ -91,7 +91,7 @@ int list(const Context& context) {
     return 0;
 }
 
-int show(const Context& context, const Options& options) {
+int show(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     const Course course = db::find_course(session.store(), options.id, options.version);
     Json json = course_head(course);
@@ -104,13 +104,13 @@ int show(const Context& context, const Options& options) {
     return 0;
 }
 
-int check(const Context& context, const Options& options) {
+int check(const Context& context, const CourseOptions& options) {
     const Course course = curriculum::load_course(options.file);
     print(context, course_head(course), options.file + ": sound\n" + stage_table(course));
     return 0;
 }
 
-int publish(const Context& context, const Options& options, const char* verb) {
+int publish(const Context& context, const CourseOptions& options, const char* verb) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageCourses, Scope::kOther);
     Course course = curriculum::load_course(options.file);
@@ -134,7 +134,7 @@ int publish(const Context& context, const Options& options, const char* verb) {
     return 0;
 }
 
-int export_course(const Context& context, const Options& options) {
+int export_course(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageCourses, Scope::kOther);
     const Course course = db::find_course(session.store(), options.id, options.version);
@@ -164,7 +164,7 @@ Json to_json(const db::AssignmentRecord& each) {
     return json;
 }
 
-int assign(const Context& context, const Options& options) {
+int assign(const Context& context, const CourseOptions& options) {
     if (options.user.empty() == options.group.empty())
         throw InputError(std::string("course assign: found ") +
                          (options.user.empty() ? "neither" : "both") +
@@ -202,7 +202,7 @@ db::AssignmentRecord find_assignment(Session& session, int64_t id) {
                      "; `placodectl course assignments` shows them");
 }
 
-int unassign(const Context& context, const Options& options) {
+int unassign(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::AssignmentRecord there = find_assignment(session, options.assignment);
     if (there.user_id != 0)
@@ -216,7 +216,7 @@ int unassign(const Context& context, const Options& options) {
     return 0;
 }
 
-int assignments(const Context& context, const Options& options) {
+int assignments(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t whose = user_or_all(session, options.user);
     Json json = Json::array();
@@ -234,7 +234,7 @@ int assignments(const Context& context, const Options& options) {
     return 0;
 }
 
-int grant(const Context& context, const Options& options) {
+int grant(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t user = session.find_user(options.user).id;
     session.need_for(Action::kAssignCourses, user);
@@ -315,7 +315,7 @@ std::string text_of(const db::CourseStanding& standing) {
            "\n" + table(rows);
 }
 
-int next(const Context& context, const Options& options) {
+int next(const Context& context, const CourseOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t whose = named_or_self(session, options.user);
     session.need_for(Action::kViewAttempts, whose);
@@ -343,7 +343,7 @@ int next(const Context& context, const Options& options) {
 }  // namespace
 
 void add_course_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CourseOptions>();
     CLI::App* course = app.add_subcommand("course", "Courses, assignments, what is next");
     course->require_subcommand(1);
     const auto command = [&](const char* name, const char* help, auto work) {
@@ -359,7 +359,7 @@ void add_course_commands(CLI::App& app, Context& context) {
             ->check(CLI::Range(1, 1000000));
     };
     command("list", "Published and shipped courses",
-            [](const Context& c, const Options&) { return list(c); });
+            [](const Context& c, const CourseOptions&) { return list_courses(c); });
     add_id(command("show", "One course with its stages", show));
     command("check", "Validates a course file, changes nothing", check)
         ->add_option("FILE", options->file, "FILE.json or id of a shipped course")
@@ -369,7 +369,7 @@ void add_course_commands(CLI::App& app, Context& context) {
             command(import ? "import" : "publish",
                     import ? "Publishes a course file of another centre"
                            : "Publishes a version for good; a change is a new version",
-                    [import](const Context& c, const Options& o) {
+                    [import](const Context& c, const CourseOptions& o) {
                         return publish(c, o, import ? "imported" : "published");
                     });
         added->add_option("FILE", options->file, "FILE.json or id of a shipped course")->required();

@@ -17,7 +17,7 @@ namespace {
 
 using bench::CutRow;
 
-struct Options {
+struct CutsOptions {
     std::string task = "sb_dissection", out;
     int snips = 24;
 };
@@ -36,7 +36,7 @@ Json to_json(const CutRow& row) {
             {"energy_jump", row.energy_jump}};
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const CutsOptions& options) {
     if (options.snips < 1 || options.snips > 1000)
         throw InputError("--snips " + std::to_string(options.snips) + ": expected 1 to 1000");
     const auto spec = curriculum::load_task(options.task).scene;
@@ -74,7 +74,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_cuts_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CutsOptions>();
     CLI::App* command = bench.add_subcommand(
         "cuts", "How smooth the rim of a cut is, what that costs, and what is left of the mesh");
     command->add_option("--task", options->task, "Task whose field is cut")->capture_default_str();

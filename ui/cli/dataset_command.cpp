@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct DatasetOptions {
     std::string out, recordings, study, statement = "data", licence;
     std::vector<int> split{80, 10, 10};
     int step_ms = 20;
@@ -60,7 +60,7 @@ reports::Demonstration judged(const std::string& file) {
 }
 
 /// Of scripts and policies. A folder says nothing about what a person agreed to.
-Chosen from_folder(const Options& options) {
+Chosen from_folder(const DatasetOptions& options) {
     Chosen chosen;
     chosen.origin = "The attempts were made by programs.";
     for (const fs::path& file :
@@ -75,7 +75,7 @@ Chosen from_folder(const Options& options) {
     return chosen;
 }
 
-void need_statement(Session& session, const Options& options) {
+void need_statement(Session& session, const DatasetOptions& options) {
     const auto ids = session.store().studies().ids();
     if (std::find(ids.begin(), ids.end(), options.study) == ids.end())
         throw InputError("--study: \"" + options.study + "\" is not in " + session.store().url() +
@@ -83,7 +83,7 @@ void need_statement(Session& session, const Options& options) {
 }
 
 /// Attempts that count, of participants who agreed to the statement.
-Chosen from_study(Session& session, const Options& options, const fs::path& workplace) {
+Chosen from_study(Session& session, const DatasetOptions& options, const fs::path& workplace) {
     session.need(db::Action::kExportStudy, db::Scope::kOther);
     need_statement(session, options);
     Chosen chosen;
@@ -117,7 +117,7 @@ Chosen from_study(Session& session, const Options& options, const fs::path& work
     return chosen;
 }
 
-std::array<int, 3> split_of(const Options& options) {
+std::array<int, 3> split_of(const DatasetOptions& options) {
     const auto& parts = options.split;
     if (parts.size() != 3 || parts[0] < 1 || std::min(parts[1], parts[2]) < 0 ||
         parts[0] + parts[1] + parts[2] != 100)
@@ -127,7 +127,7 @@ std::array<int, 3> split_of(const Options& options) {
     return {parts[0], parts[1], parts[2]};
 }
 
-int dataset(const Context& context, const Options& options) {
+int dataset(const Context& context, const DatasetOptions& options) {
     if (options.recordings.empty() == options.study.empty())
         throw InputError("dataset: expected one of --recordings FOLDER and --study ID");
     if (options.step_ms % 10 != 0)
@@ -181,7 +181,7 @@ int dataset(const Context& context, const Options& options) {
 }  // namespace
 
 void add_dataset_command(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DatasetOptions>();
     CLI::App* command = app.add_subcommand(
         "dataset", "Attempts as demonstrations for machines that learn: HDF5, robomimic's layout");
     command->add_option("--out", options->out, "Folder, empty or new")->required();

@@ -48,7 +48,7 @@ constexpr std::array kAttempts{
     Planned{"demo-jan", "script:intermediate", 22},
 };
 
-struct Options {
+struct DemoOptions {
     std::string task = "diathermy_ring";
     int attempts = static_cast<int>(kAttempts.size());
     int threads = 2;
@@ -81,7 +81,7 @@ std::string progress_words(const std::string& what, const curriculum::AttemptSta
 }
 
 /// Simulates, records, scores and saves one attempt. Returns false when it was cancelled.
-bool run_attempt(Session& session, const Planned& planned, const Options& options,
+bool run_attempt(Session& session, const Planned& planned, const DemoOptions& options,
                  const std::string& what, Json& json) {
     const ScratchFolder scratch;
     const std::string file = scratch.file("attempt.placode");
@@ -121,7 +121,7 @@ bool run_attempt(Session& session, const Planned& planned, const Options& option
     return true;
 }
 
-int demo(const Context& context, const Options& options) {
+int demo(const Context& context, const DemoOptions& options) {
     Session session(context, Missing::kCreate);
     session.need(db::Action::kManageUsers, db::Scope::kOther);
     // Ends the attempt that runs, and keeps what is complete.
@@ -161,7 +161,7 @@ int demo(const Context& context, const Options& options) {
 }  // namespace
 
 void add_demo_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DemoOptions>();
     CLI::App* command = app.add_subcommand(
         "demo", "Fills the store with demonstration accounts and attempts of scripted operators");
     command->add_option("--task", options->task, "Task id")->capture_default_str();

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct EnvironmentOptions {
     bool quick = false, policies = false;
     std::string out, python = "/usr/bin/python3", task;
     int attempts = 3;
@@ -28,7 +28,7 @@ struct Options {
 constexpr const char* kCoarse =
     R"({"edge_ring_m":0.0010,"edge_placode_m":0.0014,"edge_outer_m":0.003,"solver":{"substeps":2}})";
 
-std::vector<bench::EnvironmentCase> cases(const Options& options) {
+std::vector<bench::EnvironmentCase> cases(const EnvironmentOptions& options) {
     if (!options.task.empty()) return {{options.task, options.task, ""}};
     std::vector<bench::EnvironmentCase> all{
         {"coarse field", "touch_targets", kCoarse},
@@ -42,7 +42,7 @@ std::vector<bench::EnvironmentCase> cases(const Options& options) {
 }
 
 /// What the Python package measures of itself, as JSON; null where it cannot be run.
-Json python_figures(const Options& options, const bench::EnvironmentCase& what) {
+Json python_figures(const EnvironmentOptions& options, const bench::EnvironmentCase& what) {
     const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
     const std::string path =
         (bin / "../python").string() + ":" + (bin / "../lib/python3/dist-packages").string();
@@ -115,7 +115,7 @@ std::string where(const Json& machine) {
 
 using Rows = std::vector<std::vector<std::string>>;
 
-Rows speed(const Options& options, Json& json) {
+Rows speed(const EnvironmentOptions& options, Json& json) {
     Rows rows{{"task", "field", "tets", "substeps", "physics alone, frames/s",
                "environment, frames/s", "from Python, frames/s", "Python call, us", "x real time",
                "reset, ms", "field, MiB", "environment, MiB", "field built in, s"}};
@@ -130,7 +130,7 @@ Rows speed(const Options& options, Json& json) {
     return rows;
 }
 
-Rows policies(const Options& options, Json& json) {
+Rows policies(const EnvironmentOptions& options, Json& json) {
     Rows rows{{"task", "policy", "attempts", "passed", "points", "dense reward", "duration, s"}};
     for (const char* task :
          {"touch_targets", "trace_contour", "grasp_and_lift", "two_handed_traction",
@@ -169,7 +169,7 @@ void write_files(const std::string& folder, const std::string& name, const Json&
         throw InputError("--out " + folder + ": cannot be written; choose another place");
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const EnvironmentOptions& options) {
     Json json{{"benchmark", "environment"}, {"machine", machine()}};
     std::string text;
     if (options.policies) {
@@ -201,7 +201,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_environment_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EnvironmentOptions>();
     CLI::App* command = bench.add_subcommand(
         "environment", "Environments for programs: frames a second, reset, memory, policies");
     command->add_flag("--quick", options->quick, "Fewer tasks and shorter runs");

@@ -16,13 +16,13 @@ namespace {
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct ExportOptions {
     std::string format, study, user, out = ".", language = "en", identifying, base;
 };
 
 /// Fields that name a person leave only for somebody who may see names, with a reason that the
 /// audit trail keeps.
-void need_identifying(const Session& session, const Options& options, bool own) {
+void need_identifying(const Session& session, const ExportOptions& options, bool own) {
     constexpr size_t kShortestReason = 10;
     if (options.identifying.empty()) return;
     if (options.identifying.size() < kShortestReason)
@@ -31,7 +31,7 @@ void need_identifying(const Session& session, const Options& options, bool own) 
     if (!own) session.need(Action::kViewPersonalData, Scope::kOther);
 }
 
-reports::Dataset study_data(Session& session, const Options& options) {
+reports::Dataset study_data(Session& session, const ExportOptions& options) {
     session.need(Action::kExportStudy, Scope::kOther);
     need_identifying(session, options, false);
     if (session.store().studies().participants(options.study).empty())
@@ -43,7 +43,7 @@ reports::Dataset study_data(Session& session, const Options& options) {
                                   {!options.identifying.empty(), options.language, options.base});
 }
 
-reports::Dataset user_data(Session& session, const Options& options) {
+reports::Dataset user_data(Session& session, const ExportOptions& options) {
     const db::UserRecord user = session.find_user(options.user);
     const bool own = session.user() && session.user()->id == user.id;
     session.need(Action::kViewAttempts, own ? Scope::kOwn : Scope::kOther);
@@ -52,7 +52,7 @@ reports::Dataset user_data(Session& session, const Options& options) {
                                  {!options.identifying.empty(), options.language, options.base});
 }
 
-int run_export(const Context& context, const Options& options) {
+int run_export(const Context& context, const ExportOptions& options) {
     try {
         (void)reports::checked_base_uri(options.base);
     } catch (const reports::ReportError& error) {
@@ -102,7 +102,7 @@ int run_export(const Context& context, const Options& options) {
 }  // namespace
 
 void add_export_command(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ExportOptions>();
     CLI::App* command = app.add_subcommand(
         "export",
         "Data for other programs: a study's answers and attempts, or a person's attempts");

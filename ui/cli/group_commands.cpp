@@ -13,12 +13,12 @@ using db::Action;
 using db::GroupRole;
 using db::Scope;
 
-struct Options {
+struct GroupOptions {
     std::string name, role = "member";
     std::vector<std::string> users;
 };
 
-int add(const Context& context, const Options& options) {
+int add(const Context& context, const GroupOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageGroups, Scope::kGroup);
     const int64_t id = session.store().groups().create(options.name);
@@ -30,7 +30,7 @@ int add(const Context& context, const Options& options) {
     return 0;
 }
 
-int list(const Context& context) {
+int list_groups(const Context& context) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageGroups, Scope::kGroup);
     Json json = Json::array();
@@ -54,7 +54,7 @@ int list(const Context& context) {
     return 0;
 }
 
-int member(const Context& context, const Options& options) {
+int member(const Context& context, const GroupOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::GroupRecord group = find_group(session, options.name);
     need_for_group(session, Action::kManageGroups, group);
@@ -78,7 +78,7 @@ int member(const Context& context, const Options& options) {
 }  // namespace
 
 void add_group_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<GroupOptions>();
     CLI::App* group = app.add_subcommand("group", "Groups (cohorts) of people");
     group->require_subcommand(1);
     const auto command = [&](const char* name, const char* help, auto work) {
@@ -92,7 +92,7 @@ void add_group_commands(CLI::App& app, Context& context) {
         ->add_option("NAME", options->name, "Of the new group, not taken yet")
         ->required();
     command("list", "Lists groups with their people",
-            [](const Context& c, const Options&) { return list(c); });
+            [](const Context& c, const GroupOptions&) { return list_groups(c); });
     CLI::App* members = command("member", "Puts people into a group, or takes them out", member);
     members->add_option("GROUP", options->name, "Name or number")->required();
     members->add_option("USER", options->users, "Login or number")->required();

@@ -11,12 +11,12 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct HapticsBenchOptions {
     bool quick = false;
     std::string out;
 };
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const HapticsBenchOptions& options) {
     const Json computer = machine();  // the load before, not our own
     haptics::HapticBenchSuite bench;
     bench.quick = options.quick;
@@ -34,7 +34,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_haptics_bench_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<HapticsBenchOptions>();
     CLI::App* command = bench.add_subcommand(
         "haptics", "Stability of the force law with a simulated operator, latency of the servo");
     command->add_flag("--quick", options->quick, "Fewer rates and laws, a shorter measurement");

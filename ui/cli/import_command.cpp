@@ -35,13 +35,13 @@ SavedAttempt save_recording(db::Store& store, int64_t user_id, const std::string
 
 namespace {
 
-struct Options {
+struct ImportOptions {
     std::string file, user, exam, proctor, certificate;
 };
 
 /// Who takes an exam cannot name a proctor who knows nothing of it: that proctor's password is
 /// asked for, in PLACODE_PROCTOR_PASSWORD. Whoever else imports may be believed.
-std::string proctor_of(Session& session, int64_t user_id, const Options& options) {
+std::string proctor_of(Session& session, int64_t user_id, const ImportOptions& options) {
     if (options.proctor.empty()) return {};
     const db::UserRecord proctor = db::find_proctor(session.store(), options.proctor, user_id);
     if (!session.user() || session.user()->id != user_id) return proctor.display_name;
@@ -57,7 +57,7 @@ std::string proctor_of(Session& session, int64_t user_id, const Options& options
 }
 
 /// The exam that this recording is, checked against its task and seed.
-db::ExamContext exam_of(Session& session, int64_t user_id, const Options& options) {
+db::ExamContext exam_of(Session& session, int64_t user_id, const ImportOptions& options) {
     const size_t slash = options.exam.find('/');
     if (slash == std::string::npos)
         throw InputError("--exam " + options.exam + ": expected COURSE/STAGE");
@@ -77,7 +77,7 @@ db::ExamContext exam_of(Session& session, int64_t user_id, const Options& option
     }
 }
 
-int import_recording(const Context& context, const Options& options) {
+int import_recording(const Context& context, const ImportOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::UserRecord user = session.find_user(options.user);
     const bool own = session.user() && session.user()->id == user.id;
@@ -118,7 +118,7 @@ int import_recording(const Context& context, const Options& options) {
 }  // namespace
 
 void add_import_command(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ImportOptions>();
     CLI::App* command =
         app.add_subcommand("import", "Saves a recording file as an attempt of a person");
     command->add_option("FILE", options->file, "FILE.placode")->required();

@@ -22,7 +22,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct MetricsOptions {
     std::string file, task, plan;
     double tolerance_mm = 1;
     bool recover = false, phases = false;
@@ -37,7 +37,7 @@ bool ends_with(const std::string& text, const std::string& end) {
 
 /// A signal that cannot be used is bad input.
 template <class Work>
-auto as_input(Work&& work) {
+auto as_bad_file(Work&& work) {
     try {
         return work();
     } catch (const assessment::SignalError& error) {
@@ -46,7 +46,7 @@ auto as_input(Work&& work) {
 }
 
 // A recording that cannot be read is bad input.
-sim::Recording load_recording(const Options& options, std::string& damage) {
+sim::Recording load_recording(const MetricsOptions& options, std::string& damage) {
     try {
         auto recovered = db::recover_recording_file(options.file);
         damage = recovered.damage;
@@ -91,7 +91,7 @@ std::string metric_table(const assessment::MetricSet& metrics) {
     return table(rows);
 }
 
-int metrics_of_recording(const Context& context, const Options& options) {
+int metrics_of_recording(const Context& context, const MetricsOptions& options) {
     std::string damage;
     const sim::Recording recording = load_recording(options, damage);
     const auto metrics = assessment::compute_metrics(recording);
@@ -116,7 +116,7 @@ int metrics_of_recording(const Context& context, const Options& options) {
     return 0;
 }
 
-int metrics_of_signal(const Context& context, const Options& options) {
+int metrics_of_signal(const Context& context, const MetricsOptions& options) {
     assessment::SignalOptions signal = options.signal;
     if (options.threshold_n >= 0) signal.threshold_n = options.threshold_n;
     const assessment::SignalFile file = assessment::read_signal_file(options.file);
@@ -136,10 +136,10 @@ int metrics_of_signal(const Context& context, const Options& options) {
     return 0;
 }
 
-int metrics(const Context& context, const Options& options) {
+int metrics(const Context& context, const MetricsOptions& options) {
     if (ends_with(options.file, ".placode")) return metrics_of_recording(context, options);
     if (ends_with(options.file, ".csv"))
-        return as_input([&] { return metrics_of_signal(context, options); });
+        return as_bad_file([&] { return metrics_of_signal(context, options); });
     throw InputError(options.file + ": expected FILE.placode (a recording) or FILE.csv (a signal)");
 }
 
@@ -163,12 +163,12 @@ std::vector<assessment::Vec3> read_line(const std::string& path) {
     return line;
 }
 
-int contour(const Context& context, const Options& options) {
+int contour(const Context& context, const MetricsOptions& options) {
     if (!(options.tolerance_mm > 0)) {
         throw InputError("--tolerance " + shortest(options.tolerance_mm) +
                          ": expected a distance above 0 mm");
     }
-    const auto c = as_input([&] {
+    const auto c = as_bad_file([&] {
         return assessment::compare_contours(read_line(options.plan), read_line(options.file),
                                             options.tolerance_mm);
     });
@@ -194,7 +194,7 @@ int contour(const Context& context, const Options& options) {
 
 /// The task that was asked for, else the program's own of the recording's id and version. Only
 /// where there is none, and the result says so, the one that the recording carries.
-curriculum::Task task_to_score_by(const sim::Recording& recording, const Options& options,
+curriculum::Task task_to_score_by(const sim::Recording& recording, const MetricsOptions& options,
                                   bool& published) {
     if (!options.task.empty()) return curriculum::load_task(options.task);
     const auto shipped = db::shipped_task(recording.header.task_id);
@@ -204,7 +204,7 @@ curriculum::Task task_to_score_by(const sim::Recording& recording, const Options
                                                   options.file + " (its task)");
 }
 
-int score(const Context& context, const Options& options) {
+int score(const Context& context, const MetricsOptions& options) {
     std::string damage;
     const sim::Recording recording = load_recording(options, damage);
     bool published = true;
@@ -259,7 +259,7 @@ int score(const Context& context, const Options& options) {
 }  // namespace
 
 void add_metrics_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MetricsOptions>();
     CLI::App* metrics_command = app.add_subcommand(
         "metrics", "Every metric that a recording, or the columns of a CSV signal, allow");
     metrics_command->add_option("FILE", options->file, "FILE.placode or FILE.csv")->required();

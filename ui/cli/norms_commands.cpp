@@ -20,7 +20,7 @@ namespace {
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct NormsOptions {
     std::string task, file, centre, metric = "points", novices, experts, level = "expert";
     std::vector<std::string> levels;
     QualityOptions quality;
@@ -33,13 +33,6 @@ Session educator(const Context& context) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kSetStandards, Scope::kOther);
     return session;
-}
-
-Json optional_number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-std::string optional_text(const std::optional<double>& value, int decimals) {
-    return value ? fixed(*value, decimals) : "-";
 }
 
 /// "expert=Consultants" to people by level.
@@ -98,7 +91,7 @@ db::NormPackRecord find_pack(Session& session, int64_t id) {
                      "; `placodectl norms list` shows them");
 }
 
-int make(const Context& context, const Options& options) {
+int make(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto levels =
         db::level_attempts(session.store(), options.task, people_of(session, options.levels));
@@ -113,7 +106,7 @@ int make(const Context& context, const Options& options) {
     return 0;
 }
 
-int list(const Context& context, const Options& options) {
+int list(const Context& context, const NormsOptions& options) {
     Session session(context, Missing::kRefuse);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
@@ -132,14 +125,14 @@ int list(const Context& context, const Options& options) {
     return 0;
 }
 
-int show(const Context& context, const Options& options) {
+int show(const Context& context, const NormsOptions& options) {
     Session session(context, Missing::kRefuse);
     const auto record = find_pack(session, options.id);
     print(context, pack_json(record), pack_text(record));
     return 0;
 }
 
-int export_pack(const Context& context, const Options& options) {
+int export_pack(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto record = find_pack(session, options.id);
     std::ofstream out(options.file, std::ios::binary | std::ios::trunc);
@@ -154,7 +147,7 @@ int export_pack(const Context& context, const Options& options) {
     return 0;
 }
 
-int import_pack(const Context& context, const Options& options) {
+int import_pack(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto norms =
         curriculum::load_signed_norms(curriculum::read_norm_file(options.file), options.file);
@@ -178,7 +171,7 @@ int import_pack(const Context& context, const Options& options) {
     return 0;
 }
 
-int apply(const Context& context, const Options& options) {
+int apply(const Context& context, const NormsOptions& options) {
     Session session = educator(context);
     const auto record = find_pack(session, options.id);
     session.store().norms().use(options.id);
@@ -188,7 +181,7 @@ int apply(const Context& context, const Options& options) {
     return 0;
 }
 
-int compare(const Context& context, const Options& options) {
+int compare(const Context& context, const NormsOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = session.store().attempts().detail(options.id);
     session.need_for(Action::kViewAttempts, attempt.record.user_id);
@@ -228,7 +221,7 @@ int compare(const Context& context, const Options& options) {
 struct TwoLevels {
     db::LevelAttempts novices, experts;
 };
-TwoLevels two_levels(Session& session, const Options& options) {
+TwoLevels two_levels(Session& session, const NormsOptions& options) {
     auto levels = db::level_attempts(session.store(), options.task,
                                      {{"expert", find_group(session, options.experts).members},
                                       {"novice", find_group(session, options.novices).members}});
@@ -245,7 +238,7 @@ void need_metric(const std::string& id) {
                      sim::did_you_mean(id, known));
 }
 
-int standard(const Context& context, const Options& options) {
+int standard(const Context& context, const NormsOptions& options) {
     need_metric(options.metric);
     Session session = educator(context);
     const auto [novices, experts] = two_levels(session, options);
@@ -292,14 +285,14 @@ int standard(const Context& context, const Options& options) {
     return 0;
 }
 
-int quality(const Context& context, const Options& options) {
+int quality(const Context& context, const NormsOptions& options) {
     return norms_quality(context, options.quality);
 }
 
 }  // namespace
 
 void add_norms_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<NormsOptions>();
     CLI::App* norms =
         app.add_subcommand("norms", "Bands of groups, pass marks, quality of metrics");
     norms->require_subcommand(1);

@@ -23,13 +23,6 @@ struct Levels {
     int not_attempted = 0;
 };
 
-Json optional_number(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
-}
-std::string optional_text(const std::optional<double>& value, int decimals) {
-    return value ? fixed(*value, decimals) : "-";
-}
-
 Levels levels_of_store(const Context& context, const QualityOptions& options) {
     if (options.novices.empty() || options.experts.empty())
         throw InputError("norms quality: give --novices and --experts, or --recordings FOLDER");

@@ -52,6 +52,14 @@ std::string fixed(double value, int decimals) { return sim::fixed_text(value, de
 
 std::string shortest(double value) { return sim::shortest_text(value); }
 
+Json optional_number(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+std::string optional_text(const std::optional<double>& value, int decimals) {
+    return value ? fixed(*value, decimals) : "-";
+}
+
 std::string table(const std::vector<std::vector<std::string>>& rows) {
     std::vector<size_t> widths;
     for (const auto& row : rows)

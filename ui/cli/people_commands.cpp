@@ -20,7 +20,7 @@ namespace {
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct PeopleOptions {
     std::string file, out, login, name, code, group, until, note, reason, confirm;
     std::vector<std::string> roles{"trainee"};
     bool dry_run = false, with_attempts = false, remove = false, recordings = false;
@@ -47,7 +47,7 @@ std::string whole_file(const std::string& path) {
     return text.str();
 }
 
-int import_people(const Context& context, const Options& options) {
+int import_people(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
     auto people = as_list([&] {
@@ -86,7 +86,7 @@ int import_people(const Context& context, const Options& options) {
 // --- invitations
 // -------------------------------------------------------------------------------
 
-int invite(const Context& context, const Options& options) {
+int invite(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
     db::InvitationRecord invitation;
@@ -123,7 +123,7 @@ int invitations(const Context& context) {
 }
 
 /// Needs no account: the code is the right to make one.
-int accept(const Context& context, const Options& options) {
+int accept(const Context& context, const PeopleOptions& options) {
     const std::string url = url_to_open(context);
     const std::string password =
         read_password("PLACODE_NEW_PASSWORD", "New password of " + options.login, true);
@@ -142,7 +142,7 @@ int accept(const Context& context, const Options& options) {
 // --- PIN
 // ---------------------------------------------------------------------------------------
 
-int pin(const Context& context, const Options& options) {
+int pin(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     const bool own = session.user() && session.user()->id == id;
@@ -161,7 +161,7 @@ int pin(const Context& context, const Options& options) {
 // --- own data, erasure
 // -------------------------------------------------------------------------
 
-int data(const Context& context, const Options& options) {
+int data(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     session.need_for(Action::kExportPersonalData, id);
@@ -175,7 +175,7 @@ int data(const Context& context, const Options& options) {
     return 0;
 }
 
-int ask_erasure(const Context& context, const Options& options) {
+int ask_erasure(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.login);
     session.need_for(Action::kRequestErasure, id);
@@ -200,7 +200,7 @@ int erasures(const Context& context) {
     return 0;
 }
 
-int erase(const Context& context, const Options& options) {
+int erase(const Context& context, const PeopleOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::UserRecord user = session.find_user(options.login);
     session.need_for(Action::kErase, user.id);
@@ -214,7 +214,7 @@ int erase(const Context& context, const Options& options) {
     return 0;
 }
 
-void add_erasure_commands(CLI::App& user, const std::shared_ptr<Options>& options,
+void add_erasure_commands(CLI::App& user, const std::shared_ptr<PeopleOptions>& options,
                           Context& context) {
     const auto command = [&](const char* name, const char* help, auto work) {
         CLI::App* added = user.add_subcommand(name, help);
@@ -232,7 +232,7 @@ void add_erasure_commands(CLI::App& user, const std::shared_ptr<Options>& option
     asked->add_option("--user", options->login, "Login or number (default: whoever acts)");
     asked->add_option("--reason", options->reason, "If you like");
     command("erasures", "Who asked to be erased",
-            [](const Context& c, const Options&) { return erasures(c); });
+            [](const Context& c, const PeopleOptions&) { return erasures(c); });
     CLI::App* erased = command("erase", "Erases a person for good", erase);
     erased->add_option("login", options->login, "Login or number")->required();
     erased->add_option("--confirm", options->confirm, "The login once more");
@@ -242,7 +242,7 @@ void add_erasure_commands(CLI::App& user, const std::shared_ptr<Options>& option
 }  // namespace
 
 void add_people_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<PeopleOptions>();
     CLI::App* user = app.get_subcommand("user");
     const auto command = [&](const char* name, const char* help, auto work) {
         CLI::App* added = user->add_subcommand(name, help);
@@ -263,7 +263,7 @@ void add_people_commands(CLI::App& app, Context& context) {
     invited->add_option("--until", options->until, "Last day, 2026-11-21")->required();
     invited->add_option("--note", options->note, "For whom");
     command("invitations", "Lists invitations, without their codes",
-            [](const Context& c, const Options&) { return invitations(c); });
+            [](const Context& c, const PeopleOptions&) { return invitations(c); });
     CLI::App* accepted = command("accept", "Makes an account by an invitation's code", accept);
     accepted->add_option("CODE", options->code, "Of the invitation")->required();
     accepted->add_option("login", options->login, "Login, unique without case")->required();

@@ -26,7 +26,7 @@ namespace {
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct ReportOptions {
     std::string out, id, figures, user, recording, language = "en";
 };
 
@@ -47,7 +47,7 @@ db::AttemptDetail need_attempt(Session& session, const std::string& command,
     return attempt;
 }
 
-int report_seal(const Context& context, const Options& options) {
+int report_seal(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = need_attempt(session, "report seal", options.id).record.id;
     const ScratchFolder scratch;
@@ -64,7 +64,7 @@ int report_seal(const Context& context, const Options& options) {
     return 0;
 }
 
-int report_attempt(const Context& context, const Options& options) {
+int report_attempt(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = need_attempt(session, "report attempt", options.id);
     const int64_t id = attempt.record.id;
@@ -82,13 +82,13 @@ int report_attempt(const Context& context, const Options& options) {
 }
 
 /// "x.pdf" to "x_figures".
-std::string figures_folder(const Options& options) {
+std::string figures_folder(const ReportOptions& options) {
     if (!options.figures.empty()) return options.figures;
     const std::string& out = options.out;
     return (out.ends_with(".pdf") ? out.substr(0, out.size() - 4) : out) + "_figures";
 }
 
-int report_study(const Context& context, const Options& options) {
+int report_study(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kExportStudy, Scope::kOther);
     if (session.store().studies().participants(options.id).empty())
@@ -116,7 +116,7 @@ int report_study(const Context& context, const Options& options) {
     return 0;
 }
 
-int report_cohort(const Context& context, const Options& options) {
+int report_cohort(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kViewAttempts, Scope::kOther);
     const int64_t group = options.id == "all" ? 0 : find_group(session, options.id).id;
@@ -142,7 +142,7 @@ int report_cohort(const Context& context, const Options& options) {
     return 0;
 }
 
-int report_trainee(const Context& context, const Options& options) {
+int report_trainee(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::UserRecord user = session.find_user(options.id);
     session.need_for(Action::kViewAttempts, user.id);
@@ -159,7 +159,7 @@ int report_trainee(const Context& context, const Options& options) {
     return 0;
 }
 
-int report_certificate(const Context& context, const Options& options) {
+int report_certificate(const Context& context, const ReportOptions& options) {
     Session session(context, Missing::kRefuse);
     const int64_t id = named_or_self(session, options.user);
     session.need_for(Action::kIssueCertificate, id);
@@ -188,7 +188,7 @@ int report_certificate(const Context& context, const Options& options) {
 }  // namespace
 
 void add_report_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ReportOptions>();
     CLI::App* report = app.add_subcommand("report", "PDF for people");
     report->require_subcommand(1);
     CLI::App* attempt = report->add_subcommand("attempt", "One attempt on paper");

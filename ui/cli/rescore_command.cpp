@@ -16,7 +16,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct RescoreCommandOptions {
     std::string task, user;
     bool dry_run = false;
     int64_t attempt = 0;
@@ -40,7 +40,7 @@ std::string lack_text(int attempts, const std::set<std::string>& metrics) {
     return text;
 }
 
-int rescore(const Context& context, const Options& options) {
+int rescore(const Context& context, const RescoreCommandOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(db::Action::kSetStandards, db::Scope::kOther);
     const curriculum::Task task = curriculum::load_task(options.task);
@@ -118,7 +118,7 @@ int rescore(const Context& context, const Options& options) {
     return stopped ? 1 : 0;
 }
 
-int scores(const Context& context, const Options& options) {
+int scores(const Context& context, const RescoreCommandOptions& options) {
     Session session(context, Missing::kRefuse);
     const db::AttemptDetail attempt = session.store().attempts().detail(options.attempt);
     session.need_for(db::Action::kViewAttempts, attempt.record.user_id);
@@ -151,7 +151,7 @@ int scores(const Context& context, const Options& options) {
 }  // namespace
 
 void add_rescore_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RescoreCommandOptions>();
     CLI::App* rescored = app.add_subcommand(
         "rescore", "Scores stored attempts again from their recordings; the first score stays");
     rescored->add_option("--task", options->task, "Task id, or FILE.json with the new rubric")

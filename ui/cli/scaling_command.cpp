@@ -17,7 +17,7 @@ namespace {
 
 using bench::ScalingRow;
 
-struct Options {
+struct ScalingOptions {
     bool quick = false;
     std::string out, task = "diathermy_ring";
 };
@@ -70,7 +70,7 @@ void write_files(const std::string& folder, const Json& json, const std::vector<
     draw(folder + "/bench_scaling.png", rows);
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const ScalingOptions& options) {
     Json json{{"benchmark", "scaling"}, {"quick", options.quick}, {"machine", machine()}};
     const std::vector<ScalingRow> rows =
         bench::measure_scaling(options.task, options.quick, [](const ScalingRow& row) {
@@ -105,7 +105,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_scaling_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ScalingOptions>();
     CLI::App* command = bench.add_subcommand(
         "scaling", "Cost, memory and building time from 3,000 to 640,000 tetrahedra");
     command->add_flag("--quick", options->quick, "Up to 151,200 tetrahedra, fewer runs");

@@ -20,7 +20,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct SolveOptions {
     std::string scene, out;
 };
 
@@ -113,7 +113,7 @@ void make_folder(const std::string& folder) {
                          "); choose another place");
 }
 
-int solve(const Context& context, const Options& options) {
+int solve(const Context& context, const SolveOptions& options) {
     const sim::VerificationScene scene = curriculum::load_verification_scene(options.scene);
     const bool show = isatty(STDERR_FILENO) != 0;
     const sim::SolveResult result = curriculum::solve_verification_scene(
@@ -143,7 +143,7 @@ int solve(const Context& context, const Options& options) {
 }  // namespace
 
 void add_solve_command(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SolveOptions>();
     CLI::App* command = app.add_subcommand(
         "solve", "Solves a verification scene: one soft body, one method, results as CSV and JSON");
     command->add_option("SCENE", options->scene, "SCENE.json")->required();

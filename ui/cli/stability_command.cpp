@@ -19,7 +19,7 @@ namespace {
 constexpr int64_t kFullPokes = 1'000'000, kUsualPokes = 50'000, kQuickPokes = 2'000;
 constexpr double kFullRest = 600, kUsualRest = 30, kQuickRest = 2;
 
-struct Options {
+struct StabilityCommandOptions {
     bool quick = false, full = false;
     std::string out, only, report;
     int64_t poke_frames = 0;  // 0 = as the length says
@@ -36,7 +36,7 @@ struct Options {
 };
 
 /// What was run, and what the full length would be.
-std::string length_text(const Options& options) {
+std::string length_text(const StabilityCommandOptions& options) {
     const std::string text = std::to_string(options.pokes()) + " frames of random pokes, " +
                              shortest(options.rest()) + " s at rest";
     if (options.pokes() >= kFullPokes && options.rest() >= kFullRest) return text + ": full length";
@@ -45,7 +45,7 @@ std::string length_text(const Options& options) {
 }
 
 /// Every case that was asked for, with every method. @throws InputError for an unknown one.
-std::vector<sim::StabilityResult> run_cases(const Options& options,
+std::vector<sim::StabilityResult> run_cases(const StabilityCommandOptions& options,
                                             const sim::StabilityOptions& cases) {
     const auto names = sim::stability_case_names();
     if (!options.only.empty() &&
@@ -67,7 +67,7 @@ std::vector<sim::StabilityResult> run_cases(const Options& options,
     return results;
 }
 
-int run(const Context& context, const Options& options) {
+int run(const Context& context, const StabilityCommandOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     sim::StabilityOptions cases;
     cases.seconds = options.quick ? 1 : 4;
@@ -115,7 +115,7 @@ int run(const Context& context, const Options& options) {
 }  // namespace
 
 void add_stability_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StabilityCommandOptions>();
     CLI::App* command = bench.add_subcommand(
         "stability", "Hard cases for every method: holds, recovers in t, or refused with a reason");
     CLI::Option* quick = command->add_flag("--quick", options->quick,

@@ -18,7 +18,7 @@ namespace {
 using db::Action;
 using db::Scope;
 
-struct Options {
+struct StandardOptions {
     std::string task, reason, angoff;
     std::vector<std::string> novices, experts;
     int last = 3;
@@ -63,7 +63,7 @@ std::string standard_text(const curriculum::PassStandard& standard) {
            fixed(100 * standard.novice.observed_wrong, 0) + " % observed";
 }
 
-int show(const Context& context, const Options& options) {
+int show(const Context& context, const StandardOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kViewAttempts, Scope::kOwn);
     const curriculum::Task task = curriculum::load_task(options.task);
@@ -87,7 +87,7 @@ int show(const Context& context, const Options& options) {
     return 0;
 }
 
-std::vector<double> values(Session& session, const Options& options,
+std::vector<double> values(Session& session, const StandardOptions& options,
                            const std::vector<std::string>& logins) {
     std::vector<int64_t> people;
     for (const std::string& login : logins) people.push_back(session.find_user(login).id);
@@ -109,7 +109,7 @@ curriculum::PassStandard from_judges(const curriculum::Task& task, const std::st
 }
 
 curriculum::PassStandard from_groups(Session& session, const curriculum::Task& task,
-                                     const Options& options) {
+                                     const StandardOptions& options) {
     if (options.novices.empty() || options.experts.empty())
         throw InputError(
             "standard set: expected --novice and --expert with logins, or --angoff FILE.csv");
@@ -117,7 +117,7 @@ curriculum::PassStandard from_groups(Session& session, const curriculum::Task& t
                                   values(session, options, options.experts), options.last);
 }
 
-int set(const Context& context, const Options& options) {
+int set(const Context& context, const StandardOptions& options) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kSetStandards, Scope::kOther);
     const curriculum::Task task = curriculum::load_task(options.task);
@@ -147,7 +147,7 @@ int set(const Context& context, const Options& options) {
 }  // namespace
 
 void add_standard_commands(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StandardOptions>();
     CLI::App* standard = app.add_subcommand("standard", "Pass marks of tasks from two groups");
     standard->require_subcommand(1);
     const auto command = [&](const char* name, const char* help, auto work) {

@@ -13,7 +13,7 @@ namespace {
 using db::Action;
 using db::Scope;
 
-int list(const Context& context) {
+int list_stations(const Context& context) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kViewAudit, Scope::kOther);
     Json json = Json::array();
@@ -62,7 +62,7 @@ void add_station_commands(CLI::App& app, Context& context) {
     CLI::App* station = app.add_subcommand("station", "Computers that sign the audit trail");
     station->require_subcommand(1);
     station->add_subcommand("list", "Lists the stations that have written into the store")
-        ->callback([&context] { context.run = [&context] { return list(context); }; });
+        ->callback([&context] { context.run = [&context] { return list_stations(context); }; });
     station->add_subcommand("key", "Prints the public key of this computer")->callback([&context] {
         context.run = [&context] { return key(context); };
     });

@@ -13,8 +13,6 @@
 namespace placode::cli {
 namespace {
 
-Json optional_number(const std::optional<double>& value) { return value ? Json(*value) : Json(); }
-
 Json mann_whitney(const StatsTable& table, const StatsOptions& options) {
     int missing = 0;
     auto groups = groups_of(table, options, missing);

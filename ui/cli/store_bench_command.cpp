@@ -29,7 +29,7 @@ using bench::kMemoryLimitMb;
 using bench::kPageLimitMs;
 using bench::PageRow;
 
-struct Options {
+struct StoreBenchOptions {
     int users = 1000, runs = 5;
     int64_t attempts = 100000;
     std::string out;
@@ -37,7 +37,8 @@ struct Options {
     bool quick = false, no_shell = false;
 };
 
-db::LoadResult fill(const std::string& url, const Options& options, const ScratchFolder& folder) {
+db::LoadResult fill(const std::string& url, const StoreBenchOptions& options,
+                    const ScratchFolder& folder) {
     {
         const auto store = db::open_store(url);
         store->act_as("bench store");
@@ -60,7 +61,8 @@ db::LoadResult fill(const std::string& url, const Options& options, const Scratc
     return load;
 }
 
-void write_files(const Options& options, const Json& json, const std::vector<PageRow>& rows) {
+void write_files(const StoreBenchOptions& options, const Json& json,
+                 const std::vector<PageRow>& rows) {
     std::error_code error;
     fs::create_directories(options.out, error);
     std::ofstream csv(options.out + "/bench_store.csv");
@@ -105,7 +107,7 @@ std::string load_words() {
            " processors): look at the processor times";
 }
 
-int run(const Context& context, Options options) {
+int run(const Context& context, StoreBenchOptions options) {
     if (options.quick) {
         options.users = std::min(options.users, 50);
         options.attempts = std::min<int64_t>(options.attempts, 2000);
@@ -195,7 +197,7 @@ int run(const Context& context, Options options) {
 }  // namespace
 
 void add_store_bench_command(CLI::App& bench, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StoreBenchOptions>();
     CLI::App* command =
         bench.add_subcommand("store",
                              "Pages and reports with 1,000 people and 100,000 attempts, in a "

@@ -12,13 +12,15 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct StudyAnalysisOptions {
     std::string study, by, out, form = "osats";
 };
 
-using Work = reports::Analysis (*)(const reports::StudyReport&, Session&, const Options&);
+using Work = reports::Analysis (*)(const reports::StudyReport&, Session&,
+                                   const StudyAnalysisOptions&);
 
-reports::Analysis construct(const reports::StudyReport& report, Session&, const Options& options) {
+reports::Analysis construct(const reports::StudyReport& report, Session&,
+                            const StudyAnalysisOptions& options) {
     const auto possible = reports::possible_groupings(report.data);
     if (options.by.empty() || possible.empty())
         return reports::construct_validity(report, options.by);
@@ -29,19 +31,21 @@ reports::Analysis construct(const reports::StudyReport& report, Session&, const 
     }
     throw InputError("--by: found \"" + options.by + "\"; expected one of: " + known);
 }
-reports::Analysis retest(const reports::StudyReport& report, Session&, const Options&) {
+reports::Analysis retest(const reports::StudyReport& report, Session&,
+                         const StudyAnalysisOptions&) {
     return reports::test_retest(report);
 }
-reports::Analysis learning(const reports::StudyReport& report, Session&, const Options&) {
+reports::Analysis learning(const reports::StudyReport& report, Session&,
+                           const StudyAnalysisOptions&) {
     return reports::learning_curves(report);
 }
 reports::Analysis raters(const reports::StudyReport& report, Session& session,
-                         const Options& options) {
+                         const StudyAnalysisOptions& options) {
     return reports::rater_agreement(report, session.store().reviews().ratings(options.form),
                                     curriculum::load_questionnaire(options.form));
 }
 
-int analyse(const Context& context, const Options& options, Work work) {
+int analyse(const Context& context, const StudyAnalysisOptions& options, Work work) {
     Session session(context, Missing::kRefuse);
     session.need(db::Action::kExportStudy, db::Scope::kOther);
     if (session.store().studies().participants(options.study).empty())
@@ -81,7 +85,7 @@ int analyse(const Context& context, const Options& options, Work work) {
 }  // namespace
 
 void add_study_analysis_commands(CLI::App& study, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyAnalysisOptions>();
     const auto add = [&](const char* name, const char* text, Work work) {
         CLI::App* command = study.add_subcommand(name, text);
         command->add_option("STUDY", options->study, "Study id")->required();

@@ -15,25 +15,19 @@ namespace {
 
 using db::ParticipantKey;
 
-struct Options {
+struct StudyKeyOptions {
     std::string study, file;
     db::PersonEntry entry;
 };
 
 constexpr const char* kVariable = "PLACODE_PASSPHRASE";
 
-std::string path_of(const Context& context, const Options& options) {
+std::string path_of(const Context& context, const StudyKeyOptions& options) {
     return options.file.empty() ? db::default_key_path(store_url_of(context), options.study)
                                 : options.file;
 }
 
-Session coordinator(const Context& context) {
-    Session session(context, Missing::kRefuse);
-    session.need(db::Action::kRunQuestionnaire, db::Scope::kOther);
-    return session;
-}
-
-ParticipantKey opened(Session& session, const Context& context, const Options& options,
+ParticipantKey opened(Session& session, const Context& context, const StudyKeyOptions& options,
                       const std::string& what) {
     const std::string path = path_of(context, options);
     const std::string phrase = read_password(kVariable, "Passphrase of " + path, false);
@@ -49,7 +43,7 @@ ParticipantKey opened(Session& session, const Context& context, const Options& o
     return key;
 }
 
-int make(const Context& context, const Options& options) {
+int make(const Context& context, const StudyKeyOptions& options) {
     Session session = coordinator(context);
     const std::string path = path_of(context, options);
     const std::string phrase = read_password(kVariable, "Passphrase for " + path, true);
@@ -65,7 +59,7 @@ int make(const Context& context, const Options& options) {
     return 0;
 }
 
-int set(const Context& context, const Options& options) {
+int set(const Context& context, const StudyKeyOptions& options) {
     Session session = coordinator(context);
     const auto all = session.store().studies().participants(options.study);
     if (std::none_of(all.begin(), all.end(),
@@ -78,7 +72,7 @@ int set(const Context& context, const Options& options) {
     return 0;
 }
 
-int list(const Context& context, const Options& options) {
+int list(const Context& context, const StudyKeyOptions& options) {
     Session session = coordinator(context);
     const ParticipantKey key = opened(session, context, options, "open");
     Json json = Json::array();
@@ -94,7 +88,7 @@ int list(const Context& context, const Options& options) {
     return 0;
 }
 
-int change(const Context& context, const Options& options) {
+int change(const Context& context, const StudyKeyOptions& options) {
     Session session = coordinator(context);
     ParticipantKey key = opened(session, context, options, "passphrase");
     const std::string phrase = read_password("PLACODE_NEW_PASSPHRASE", "New passphrase", true);
@@ -106,9 +100,9 @@ int change(const Context& context, const Options& options) {
 }  // namespace
 
 void add_study_key_commands(CLI::App& study, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyKeyOptions>();
     const auto add = [&](const char* name, const char* text,
-                         int (*work)(const Context&, const Options&)) {
+                         int (*work)(const Context&, const StudyKeyOptions&)) {
         CLI::App* command = study.add_subcommand(name, text);
         command->add_option("STUDY", options->study, "Study id")->required();
         command->add_option("--file", options->file,

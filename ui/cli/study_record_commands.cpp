@@ -14,20 +14,11 @@
 namespace placode::cli {
 namespace {
 
-using db::Action;
-using db::Scope;
-
-struct Options {
+struct StudyRecordOptions {
     std::string study, code, questionnaire, item, meaning, reason;
     std::vector<std::string> answers;
     int right = 1, visit = 1;
 };
-
-Session coordinator(const Context& context) {
-    Session session(context, Missing::kRefuse);
-    session.need(Action::kRunQuestionnaire, Scope::kOther);
-    return session;
-}
 
 /// Refusals and what is not there are bad input.
 template <class Work>
@@ -35,7 +26,7 @@ void records(Work&& work) {
     as_input(std::forward<Work>(work), db::StoreError::Kind::kNotFound);
 }
 
-int lock(const Context& context, const Options& options) {
+int lock(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     records(
         [&] { as_input([&] { session.store().records().lock(options.study, options.code); }); });
@@ -44,7 +35,7 @@ int lock(const Context& context, const Options& options) {
     return 0;
 }
 
-int sign(const Context& context, const Options& options) {
+int sign(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     if (!session.user())
         throw InputError("study sign: expected --as USER; a signature is a person's");
@@ -68,7 +59,7 @@ int sign(const Context& context, const Options& options) {
     return 0;
 }
 
-int unlock(const Context& context, const Options& options) {
+int unlock(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     records([&] {
         as_input(
@@ -80,7 +71,7 @@ int unlock(const Context& context, const Options& options) {
 }
 
 /// The first answers of the participant to the questionnaire at that visit.
-db::AnswerRecord answers_of(Session& session, const Options& options) {
+db::AnswerRecord answers_of(Session& session, const StudyRecordOptions& options) {
     for (auto& record : session.store().studies().answers(options.study))
         if (record.participant == options.code &&
             record.questionnaire_id == options.questionnaire && record.visit == options.visit)
@@ -100,7 +91,7 @@ curriculum::Answers typed(const std::vector<std::string>& pairs) {
     return answers;
 }
 
-int correct(const Context& context, const Options& options) {
+int correct(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     const auto record = answers_of(session, options);
     records([&] {
@@ -112,7 +103,7 @@ int correct(const Context& context, const Options& options) {
     return 0;
 }
 
-int second_entry(const Context& context, const Options& options) {
+int second_entry(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     const auto record = answers_of(session, options);
     as_input([&] {
@@ -126,7 +117,7 @@ int second_entry(const Context& context, const Options& options) {
     return 0;
 }
 
-int differences(const Context& context, const Options& options) {
+int differences(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
@@ -145,7 +136,7 @@ int differences(const Context& context, const Options& options) {
     return 0;
 }
 
-int decide(const Context& context, const Options& options) {
+int decide(const Context& context, const StudyRecordOptions& options) {
     Session session = coordinator(context);
     const auto record = answers_of(session, options);
     for (const auto& each : db::entry_differences(session.store(), options.study)) {
@@ -164,9 +155,9 @@ int decide(const Context& context, const Options& options) {
 }  // namespace
 
 void add_study_record_commands(CLI::App& study, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyRecordOptions>();
     const auto add = [&](const char* name, const char* text,
-                         int (*work)(const Context&, const Options&), bool code = true,
+                         int (*work)(const Context&, const StudyRecordOptions&), bool code = true,
                          bool form = false) {
         CLI::App* command = study.add_subcommand(name, text);
         command->add_option("STUDY", options->study, "Study id")->required();

@@ -13,7 +13,7 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct StudyRepeatOptions {
     std::string study, code, step, reason, note;
     int visit = 1;
 };
@@ -24,7 +24,7 @@ void as_records(Work&& work) {
     as_input([&] { as_input(std::forward<Work>(work), db::StoreError::Kind::kNotFound); });
 }
 
-int repeat(const Context& context, const Options& options) {
+int repeat(const Context& context, const StudyRepeatOptions& options) {
     Session session = coordinator(context);
     as_records([&] {
         session.store().records().repeat_step(options.study, need_code(options.code), options.visit,
@@ -37,7 +37,7 @@ int repeat(const Context& context, const Options& options) {
     return 0;
 }
 
-int note(const Context& context, const Options& options) {
+int note(const Context& context, const StudyRepeatOptions& options) {
     Session session = coordinator(context);
     as_records([&] {
         session.store().records().note_step(options.study, need_code(options.code), options.visit,
@@ -48,7 +48,7 @@ int note(const Context& context, const Options& options) {
     return 0;
 }
 
-int deviations(const Context& context, const Options& options) {
+int deviations(const Context& context, const StudyRepeatOptions& options) {
     Session session = coordinator(context);
     Json json = Json::array();
     std::vector<std::vector<std::string>> rows{
@@ -74,9 +74,9 @@ int deviations(const Context& context, const Options& options) {
 }  // namespace
 
 void add_study_repeat_commands(CLI::App& study, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<StudyRepeatOptions>();
     const auto add = [&](const char* name, const char* text,
-                         int (*work)(const Context&, const Options&)) {
+                         int (*work)(const Context&, const StudyRepeatOptions&)) {
         CLI::App* command = study.add_subcommand(name, text);
         command->add_option("STUDY", options->study, "Study id")->required();
         command->callback([&context, options, work] {

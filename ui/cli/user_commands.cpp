@@ -51,7 +51,7 @@ int add(const Context& context, const AddOptions& options) {
     return 0;
 }
 
-int list(const Context& context) {
+int list_users(const Context& context) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kManageUsers, Scope::kOther);
     Json json = Json::array();
@@ -123,7 +123,7 @@ void add_user_commands(CLI::App& app, Context& context) {
     });
 
     user->add_subcommand("list", "Lists all accounts")->callback([&context] {
-        context.run = [&context] { return list(context); };
+        context.run = [&context] { return list_users(context); };
     });
 
     auto changed = std::make_shared<AddOptions>();

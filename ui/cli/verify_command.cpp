@@ -13,11 +13,11 @@
 namespace placode::cli {
 namespace {
 
-struct Options {
+struct VerifyOptions {
     int64_t attempt = 0;  ///< 0 = all that wait.
 };
 
-int verify_command(const Context& context, const Options& options) {
+int verify_command(const Context& context, const VerifyOptions& options) {
     Session session(context, Missing::kRefuse);
     std::vector<int64_t> ids{options.attempt};
     if (options.attempt == 0) {
@@ -71,7 +71,7 @@ std::optional<curriculum::ReplayVerdict> verify(Session& session, int64_t attemp
 }
 
 void add_verify_command(CLI::App& app, Context& context) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<VerifyOptions>();
     CLI::App* command = app.add_subcommand(
         "verify", "Simulates exams and attempts of studies again; they count once it is the same");
     command->add_option("ATTEMPT", options->attempt, "Number (default: all that wait)");

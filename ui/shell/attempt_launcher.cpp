@@ -10,10 +10,11 @@
 #include <cassert>
 #include <csignal>
 
+#include "ui/shell/child_process.h"
+
 namespace placode::ui {
 namespace {
 
-constexpr int kPatienceMs = 5000;  ///< For closing the recording after Stop.
 constexpr int kKeptErrorBytes = 4000;
 
 }  // namespace

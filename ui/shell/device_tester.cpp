@@ -8,11 +8,11 @@
 #include <numbers>
 
 #include "ui/shell/app_context.h"
+#include "ui/shell/child_process.h"
 
 namespace placode::ui {
 namespace {
 
-constexpr int kPatienceMs = 5000;
 constexpr double kDegree = 180 / std::numbers::pi;
 
 QString need_simulator(const LaunchOptions& options) {

@@ -14,6 +14,9 @@
 
 namespace placode::ui {
 
+/// "Show" begins a little before the moment, so that one sees it coming [s].
+inline constexpr double kLeadS = 3;
+
 class LedgerView : public QWidget {
     Q_DECLARE_TR_FUNCTIONS(LedgerView)
  public:

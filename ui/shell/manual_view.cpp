@@ -15,7 +15,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kMargin = 24;  ///< Around the text [px].
+constexpr int kAroundText = 24;  ///< Around the text [px].
 constexpr int kHeadingPx[]{26, 18, 15, 14};
 
 }  // namespace
@@ -24,7 +24,7 @@ ManualView::ManualView(QWidget* parent) : QTextBrowser(parent) {
     setObjectName("manual_view");
     setAccessibleName(tr("Page of the manual"));
     setOpenLinks(false);
-    document()->setDocumentMargin(kMargin);
+    document()->setDocumentMargin(kAroundText);
     resized_.setSingleShot(true);
     resized_.setInterval(100);
     connect(&resized_, &QTimer::timeout, this, [this] {
@@ -122,7 +122,7 @@ bool ManualView::goTo(const QString& anchor) {
 QVariant ManualView::loadResource(int type, const QUrl& name) {
     if (type != QTextDocument::ImageResource) return {};  // Nothing else belongs to a page.
     QImage picture(QFileInfo(path_).path() + "/" + name.path());
-    const int room = set_for_ - 2 * kMargin - 4;
+    const int room = set_for_ - 2 * kAroundText - 4;
     if (!picture.isNull() && room > 50 && picture.width() > room)
         picture = picture.scaledToWidth(room, Qt::SmoothTransformation);
     return picture;

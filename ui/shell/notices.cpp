@@ -16,8 +16,8 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kStep = 8;     ///< Between the heights that are tried [px].
-constexpr int kMargin = 16;  ///< From the edges of the page [px].
+constexpr int kStep = 8;       ///< Between the heights that are tried [px].
+constexpr int kFromEdge = 16;  ///< From the edges of the page [px].
 constexpr int kBusyAfterMs = 400, kPaceMs = 500;
 constexpr int kLeastStrip = 220;  ///< Width for a few words [px].
 
@@ -189,7 +189,7 @@ void Notices::arrange() {
     count() > 0 ? ticks_.start() : ticks_.stop();
     if (!isVisible() && isHidden()) return;
     if (standInStrip()) return;
-    const int width = std::min(kWidth, std::max(240, area_.width() - 2 * kMargin));
+    const int width = std::min(kWidth, std::max(240, area_.width() - 2 * kFromEdge));
     setFixedWidth(width);
     // What was folded or hidden just now tells its parents only later otherwise, inmost first.
     const auto inside = findChildren<QWidget*>();
@@ -199,7 +199,7 @@ void Notices::arrange() {
     // Wrapped text has a height only for a width.
     const int height = column_->hasHeightForWidth() ? column_->totalHeightForWidth(width)
                                                     : column_->totalSizeHint().height();
-    resize(width, std::min(height, std::max(60, area_.height() - 2 * kMargin)));
+    resize(width, std::min(height, std::max(60, area_.height() - 2 * kFromEdge)));
     move(freePlace(size(), obstacles()));
     raise();
 }
@@ -243,8 +243,9 @@ int Notices::covered(const QRect& place, const std::vector<Obstacle>& obstacles)
 /// Always at the right edge, so that everybody knows where to look: at the bottom, or as much
 /// higher as what is used there asks for.
 QPoint Notices::freePlace(QSize size, const std::vector<Obstacle>& obstacles) const {
-    const int right = area_.right() - kMargin - size.width() + 1;
-    const int top = area_.top() + kMargin, bottom = area_.bottom() - kMargin - size.height() + 1;
+    const int right = area_.right() - kFromEdge - size.width() + 1;
+    const int top = area_.top() + kFromEdge,
+              bottom = area_.bottom() - kFromEdge - size.height() + 1;
     QPoint best(right, bottom);
     int least = covered({best, size}, obstacles);
     for (int y = bottom - kStep; y >= top && least > 0; y -= kStep) {

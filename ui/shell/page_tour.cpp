@@ -14,7 +14,7 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kPatienceMs = 60000;
+constexpr int kPageLimitMs = 60000;
 constexpr double kTooSlowMs = 3000;  ///< Once is enough to know.
 
 double processor_ms() {
@@ -121,7 +121,7 @@ std::vector<PageTime> time_pages(AppContext& context, MainWindow& window, int ru
             shown.push_back(static_cast<double>(clock.nsecsElapsed()) * 1e-6);
             used.push_back(processor_ms() - before_ms);
             while (QThreadPool::globalInstance()->activeThreadCount() > 0 &&
-                   clock.elapsed() < kPatienceMs)
+                   clock.elapsed() < kPageLimitMs)
                 QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
             paint(window);
             one.complete_ms =

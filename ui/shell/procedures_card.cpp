@@ -16,7 +16,7 @@
 namespace placode::ui {
 
 namespace {
-constexpr int kShownRows = 6;  ///< Of a table, before it scrolls.
+constexpr int kShownProcedures = 6;  ///< Of a table, before it scrolls.
 }  // namespace
 
 ProceduresCard::ProceduresCard(AppContext& context, Page& page, const std::string& study,
@@ -112,7 +112,7 @@ void ProceduresCard::fillTable(QVBoxLayout* layout) {
     fit_columns(table_, 4);
     // When it was stands in the result, a click away.
     keep_within(table_, {.stretch = 4, .least_px = 260, .keep_px = 260, .drop = {1}});
-    wrap_rows(table_, kShownRows);
+    wrap_rows(table_, kShownProcedures);
     table_->selectRow(row - 1);
     layout->addWidget(table_);
 }
@@ -206,7 +206,7 @@ void ProceduresCard::fillDeviations(QVBoxLayout* layout) {
     }
     fit_columns(table, 2);
     keep_within(table, {.stretch = 2});
-    wrap_rows(table, kShownRows);
+    wrap_rows(table, kShownProcedures);
     layout->addWidget(table);
 }
 

@@ -25,8 +25,8 @@
 namespace placode::ui {
 namespace {
 
-constexpr int kShownRows = 8;        ///< Of participants, before the table scrolls.
-constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
+constexpr int kShownParticipants = 8;  ///< Of participants, before the table scrolls.
+constexpr int kShortestReason = 10;    ///< Characters, for names to leave.
 constexpr const char* kDeviceSetting = "study_device";
 
 /// Those that are published, and those that are shipped and could be.
@@ -240,7 +240,7 @@ class ProtocolCard : public QFrame {
         }
         fit_columns(table_, 4);
         keep_within(table_, {.stretch = 4, .least_px = 300, .keep_px = 300});
-        wrap_rows(table_, kShownRows);
+        wrap_rows(table_, kShownParticipants);
         table_->selectRow(std::max(0, rowOf(participant_)));
         return table_;
     }

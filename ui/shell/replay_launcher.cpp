@@ -5,10 +5,9 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
+#include "ui/shell/child_process.h"
+
 namespace placode::ui {
-namespace {
-constexpr int kPatienceMs = 5000;
-}
 
 ReplayLauncher::ReplayLauncher(LaunchOptions options, QObject* parent)
     : QObject(parent), options_(std::move(options)) {

@@ -24,9 +24,6 @@ constexpr size_t kShownReasons = 3;
 /// Own attempts before this one that the band is made of.
 constexpr size_t kBandAttempts = 10;
 
-/// A little before the moment, so that one sees it coming.
-constexpr double kLeadS = 3;
-
 QPushButton* show_button(AppContext& context, double time_s, const ShowMoment& show,
                          const QString& name) {
     QPushButton* button = make_button(context, Result::tr("Show"), "quiet", "play");

@@ -17,7 +17,7 @@
 namespace placode::ui {
 namespace {
 
-struct Result {
+struct StandingText {
     Q_DECLARE_TR_FUNCTIONS(ResultPage)
 };
 
@@ -36,42 +36,42 @@ QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& sta
     QStringList said;
     const bool exam = !record.exam.course_id.empty();
     if (waits_for_replay(record) && !can_be_replayed_here(record))
-        return Result::tr(
+        return StandingText::tr(
             "It was recorded by another version of Placode, or on another kind of processor, and "
             "can be simulated again only there. Until that is done it does not count.");
     if (waits_for_replay(record))
-        return Result::tr(
+        return StandingText::tr(
             "What the hands did is simulated again, behind other work. The attempt gets "
             "its score and counts once the same comes out.");
     if (!record.void_reason.empty()) {
         // Of an exam also the force device; its reasons are figures for technicians.
         const bool device = exam && record.haptic_grade == "bad";
         const QString reason = reports::void_words(record.void_reason);
-        said << (device ? Result::tr("The force device did not work as it must (%1).")
-                        : Result::tr("%1."))
+        said << (device ? StandingText::tr("The force device did not work as it must (%1).")
+                        : StandingText::tr("%1."))
                     .arg(reason);
         if (db::machine_at_fault(record))
-            said << (own ? Result::tr("This was not your fault.")
-                         : Result::tr("The machine was the cause, not the person."));
+            said << (own ? StandingText::tr("This was not your fault.")
+                         : StandingText::tr("The machine was the cause, not the person."));
         const auto reasons = db::void_reasons(record.void_reason);
         if (std::any_of(reasons.begin(), reasons.end(), [](const db::VoidReason& reason) {
                 return reason.cause == db::VoidCause::kFewPictures ||
                        reason.cause == db::VoidCause::kNotRealTime;
             }))
-            said << Result::tr(
+            said << StandingText::tr(
                 "Close other programs, make the window of the simulation smaller, or "
                 "use another computer.");
     }
     if (exam && !standing.words.isEmpty())
-        said << Result::tr("The attempt is kept.") << standing.words;
+        said << StandingText::tr("The attempt is kept.") << standing.words;
     else if (exam)
         said << (record.void_reason.empty()
-                     ? Result::tr("The attempt is kept, and uses up an attempt of this exam.")
-                     : Result::tr(
+                     ? StandingText::tr("The attempt is kept, and uses up an attempt of this exam.")
+                     : StandingText::tr(
                            "The attempt is kept, and uses up no attempt of this exam; the next "
                            "one has another case, if there is one."));
     else
-        said << Result::tr("The attempt is kept, and does not count for the course.");
+        said << StandingText::tr("The attempt is kept, and does not count for the course.");
     return said.join(' ');
 }
 
@@ -84,7 +84,7 @@ QWidget* make_replay_bar(AppContext& context, int64_t attempt_id) {
     words->setObjectName("replay_share");
     auto* bar = new QProgressBar;
     bar->setObjectName("replay_progress");
-    bar->setAccessibleName(Result::tr("Simulated again"));
+    bar->setAccessibleName(StandingText::tr("Simulated again"));
     bar->setRange(0, 100);
     bar->setTextVisible(false);  // it is thinner than a line of text
     column->addWidget(words);
@@ -92,7 +92,7 @@ QWidget* make_replay_bar(AppContext& context, int64_t attempt_id) {
     const auto show = [&context, bar, words, attempt_id] {
         const int share = static_cast<int>(100 * context.replays().share(attempt_id).value_or(0));
         bar->setValue(share);
-        words->setText(Result::tr("Simulated again: %1 %").arg(share));
+        words->setText(StandingText::tr("Simulated again: %1 %").arg(share));
     };
     show();
     QObject::connect(&context.replays(), &ReplayQueue::moved, box, show);

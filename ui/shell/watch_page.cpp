@@ -23,7 +23,6 @@ namespace placode::ui {
 namespace {
 
 constexpr double kSpeeds[]{0.1, 0.25, 0.5, 1, 2, 4, 8};
-constexpr double kLeadS = 3;  ///< A little before the moment, so that one sees it coming.
 
 class WatchPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(WatchPage)

@@ -19,7 +19,6 @@ namespace {
 
 using Eigen::Vector3f;
 using Edge = std::pair<int, int>;
-constexpr float kBodyC = 37;
 
 // What a vertex of these surfaces needs; they were never heated.
 struct Row {

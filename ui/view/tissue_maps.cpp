@@ -15,8 +15,6 @@ namespace {
 
 constexpr int kBorderSize = 256, kVesselSize = 1024, kSkinSize = 768, kNoiseSize = 256;
 
-double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 uint8_t byte(double v) { return static_cast<uint8_t>(std::lround(std::clamp(v, 0.0, 1.0) * 255)); }
 
 // Signed distance to a closed polyline in the plane, negative inside [mm].

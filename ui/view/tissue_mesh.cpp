@@ -14,7 +14,6 @@ using Eigen::Vector3f;
 using Eigen::Vector4f;
 constexpr float kTopDepthMm = 0.02F;
 constexpr float kRimFresh = 0.6F;
-constexpr float kBodyC = 37;
 
 }  // namespace
 

@@ -16,6 +16,7 @@ namespace placode::view {
 
 /// 16 floats a vertex: position 3, normal 3, rest + depth 4, damage 4, hollow, fresh. [mm]
 inline constexpr int kTissueVertexFloats = 16;
+inline constexpr float kBodyC = 37;  ///< Tissue that was never heated [deg C].
 
 class TissueMesh {
  public:

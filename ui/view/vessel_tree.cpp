@@ -22,9 +22,6 @@ struct Attractor {
     double distance = 1e9;
 };
 
-// std::uniform_real_distribution differs between libraries; this does not.
-double unit(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1.0p-53; }
-
 std::vector<Attractor> scatter(const VesselSpec& spec, std::mt19937_64& random) {
     std::vector<Attractor> points;
     for (int tries = 0; tries < 40 * spec.attractors; ++tries) {

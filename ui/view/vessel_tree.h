@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <random>
 #include <vector>
 
 #include "sim/core/geometry.h"
@@ -28,6 +29,11 @@ struct VesselSpec {
     double wander = 0.35;  ///< Random share of every growth step.
     uint64_t seed = 1;
 };
+
+/// In [0, 1). std::uniform_real_distribution differs between libraries; this does not.
+[[nodiscard]] inline double unit(std::mt19937_64& random) {
+    return static_cast<double>(random() >> 11) * 0x1.0p-53;
+}
 
 [[nodiscard]] std::vector<VesselSegment> grow_vessels(const VesselSpec& spec);
 
