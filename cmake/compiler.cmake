@@ -57,6 +57,15 @@ function(placode_optimise_little)
   endforeach()
 endfunction()
 
+# Several files at once: what arranges, parses and prints takes its time in headers and templates, which
+# are then compiled once for all of them. Every file still stands for itself (the other presets compile it so), and what can be changed in one without the others is found there.
+option(PLACODE_UNITY "Compile files of the user interface and the command line several at a time" ON)
+function(placode_several_at_once)
+  if(PLACODE_UNITY)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+  endif()
+endfunction()
+
 # placode_library(NAME FOLDERS f... LINK l... PRECOMPILE h...): one static library from every .cpp
 # of the folders.
 function(placode_library name)
@@ -190,5 +199,6 @@ function(placode_ui_programs)
   placode_program(placode-sim SOURCES ui/attempt/main.cpp LINK placode_attempt placode_version)
   placode_program(placodectl SOURCES ui/cli/*.cpp LINK placode_view placode_batches placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl)
+  placode_several_at_once(placode_shell placode_attempt placode_view placodectl)
   placode_precompile(placodectl <CLI/CLI.hpp> <nlohmann/json.hpp> <iostream>)
 endfunction()

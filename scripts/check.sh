@@ -26,7 +26,7 @@ check_format() {
 check_tidy() {
   need clang-tidy || return 0
   # clang cannot read g++'s precompiled headers: a build folder that has none, for its commands only.
-  cmake --preset release -B build/tidy -DPLACODE_PRECOMPILED_HEADERS=OFF >build/tidy.log 2>&1
+  cmake --preset release -B build/tidy -DPLACODE_PRECOMPILED_HEADERS=OFF -DPLACODE_UNITY=OFF >build/tidy.log 2>&1
   local files
   # Tests are left out: they include generated files that only a build makes.
   mapfile -t files < <(git log -n "${1:-10}" --name-only --format= -- '*.cpp' | grep -v '^tests/' |
