@@ -45,6 +45,8 @@ db::Roles roles_of(const std::vector<std::string>& names) {
 db::GroupRecord find_group(Session& session, const std::string& name_or_id) {
     for (const db::GroupRecord& group : session.store().groups().list())
         if (group.name == name_or_id || std::to_string(group.id) == name_or_id) return group;
+    // Who sees only the own groups is not told that there is none.
+    session.need(db::Action::kManageGroups, db::Scope::kGroup);
     std::vector<std::string> names;
     for (const db::GroupRecord& group : session.store().groups().list())
         names.push_back(group.name);
