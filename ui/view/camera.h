@@ -3,6 +3,8 @@
 #pragma once
 // The fetoscope as a pinhole camera in millimetres. Lens distortion is added by the post process.
 
+#include <optional>
+
 #include "sim/step/snapshot.h"
 #include "ui/view/gl_program.h"
 
@@ -24,5 +26,9 @@ struct Camera {
 /// Looks from `eye_mm` at `target_mm` with cranial up.
 [[nodiscard]] Camera look_at(const sim::Vec3& eye_mm, const sim::Vec3& target_mm,
                              double field_of_view_deg);
+
+/// Where the lens, with its distortion, shows a point [mm] in the round picture: its centre is the
+/// origin, its radius 1, y up. Nothing behind the lens. May lie outside the round picture.
+[[nodiscard]] std::optional<sim::Vec2> place_in_picture(const Camera& camera, const sim::Vec3& mm);
 
 }  // namespace placode::view

@@ -267,23 +267,9 @@ bool Overlay::energised_tools() const {
 }
 
 bool Overlay::place_of(const Vec3& mm, Vec2& px) const {
-    const Eigen::Vector4f at(static_cast<float>(mm.x()), static_cast<float>(mm.y()),
-                             static_cast<float>(mm.z()), 1.0F);
-    const Eigen::Vector4f clip = camera_->view_projection() * at;
-    if (clip.w() <= 0) return false;
-    const Vec2 seen(static_cast<double>(clip.x() / clip.w()),
-                    static_cast<double>(clip.y() / clip.w()));
-    // The lens of compose.glsl, the other way round: r (1 + k1 r^2 + k2 r^4) = kRim |seen|.
-    constexpr double k1 = 0.20, k2 = 0.03, rim = 1 + k1 + k2;
-    const double wanted = rim * seen.norm();
-    double r = wanted;
-    for (int i = 0; i < 8; ++i) {
-        const double r2 = r * r;
-        r -= (r * (1 + k1 * r2 + k2 * r2 * r2) - wanted) / (1 + 3 * k1 * r2 + 5 * k2 * r2 * r2);
-    }
-    if (r > 1) return false;
-    const Vec2 p = seen.norm() > 1e-9 ? Vec2(seen.normalized() * r) : Vec2(Vec2::Zero());
-    px = Vec2(circle_.x + circle_.radius * p.x(), circle_.y - circle_.radius * p.y());
+    const auto p = place_in_picture(*camera_, mm);
+    if (!p || p->norm() > 1) return false;
+    px = Vec2(circle_.x + circle_.radius * p->x(), circle_.y - circle_.radius * p->y());
     return true;
 }
 

@@ -4,25 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace placode::view {
 
 using namespace sim;
-
-std::optional<Vec2> place_in_picture(const Camera& camera, const Vec3& mm) {
-    const Eigen::Vector4f clip = camera.view_projection() * mm.cast<float>().homogeneous();
-    if (clip.w() <= 0.1F) return std::nullopt;
-    const Vec2 seen = (clip.head<2>() / clip.w()).cast<double>();
-    // The lens of compose.glsl, the other way round: r (1 + k1 r^2 + k2 r^4) = kRim |seen|.
-    constexpr double k1 = 0.20, k2 = 0.03, rim = 1 + k1 + k2;
-    const double wanted = rim * seen.norm();
-    double r = std::min(wanted, 2.0);
-    for (int i = 0; i < 8; ++i) {
-        const double r2 = r * r;
-        r -= (r * (1 + k1 * r2 + k2 * r2 * r2) - wanted) / (1 + 3 * k1 * r2 + 5 * k2 * r2 * r2);
-    }
-    return seen.norm() > 1e-9 ? Vec2(seen.normalized() * r) : Vec2(Vec2::Zero());
-}
 
 std::vector<ShadowCapsule> seen_capsules(const Snapshot& snapshot,
                                          const std::vector<ToolSpec>& tools, const Camera& camera) {

@@ -4,7 +4,6 @@
 // Where instruments lie in the round picture: their edges are the hard ones, and only there is it
 // worth the time to smooth them.
 
-#include <optional>
 #include <vector>
 
 #include "sim/step/snapshot.h"
@@ -17,10 +16,6 @@ namespace placode::view {
 struct PictureBox {
     sim::Vec2 low = sim::Vec2::Zero(), high = sim::Vec2::Zero();
 };
-
-/// Where the lens shows a point [mm], as in PictureBox; nothing behind the lens. May lie outside
-/// the round picture.
-[[nodiscard]] std::optional<sim::Vec2> place_in_picture(const Camera& camera, const sim::Vec3& mm);
 
 /// Capsules of the instruments that can throw a shadow into the picture: the light stands beside
 /// the lens, so that it falls close to where the instrument is seen.
