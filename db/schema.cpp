@@ -63,9 +63,21 @@ bool has_register(Connection& connection) {
     return there.run().next() && there.integer(0) > 0;
 }
 
+// On a server the log-in of a station may make no tables.
+void need_owner(Connection& connection) {
+    if (connection.is_sqlite()) return;
+    Statement query(connection,
+                    "SELECT CASE WHEN has_schema_privilege('public', 'CREATE') THEN 1 ELSE 0 END");
+    if (query.run().next() && query.integer(0) != 0) return;
+    connection.fail(StoreError::Kind::kRefused,
+                    "its tables are missing or of an older version, and this log-in may not make "
+                    "any; their owner does, with `placodectl station role --apply`");
+}
+
 void create_register(Connection& connection) {
     // Looked for first: opening a store that is up to date takes no write lock.
     if (has_register(connection)) return;
+    need_owner(connection);
     UnitOfWork work(connection);
     // Two programs that start on an empty server at once would both create it.
     if (!connection.is_sqlite()) connection.execute("SELECT pg_advisory_xact_lock(1347371844)");
@@ -134,14 +146,16 @@ std::vector<std::string> statements_of(const EmbeddedSql& migration, Engine engi
     return statements;
 }
 
-void migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
+bool migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
              const std::function<void()>& before_change) {
     create_register(connection);
     const auto applied = applied_migrations(connection);
     const size_t known = check_applied(connection, applied, migrations);
-    if (known == migrations.size()) return;
+    if (known == migrations.size()) return false;
+    need_owner(connection);
     if (known > 0) before_change();
     apply_missing(connection, migrations);
+    return true;
 }
 
 }  // namespace placode::db

@@ -12,11 +12,11 @@
 
 namespace placode::db {
 
-/// Applies what is missing, each file in a transaction of its own. `before_change` runs first when
-/// a store that already has tables is about to change (the place for a copy). Throws
-/// StoreError(kTooNew) for a store of a newer program, kDamaged when an applied file is not the one
-/// known here.
-void migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
+/// Applies what is missing, all in one transaction; true when there was something. `before_change`
+/// runs first when a store that already has tables is about to change (the place for a copy).
+/// Throws StoreError(kTooNew) for a store of a newer program, kDamaged when an applied file is not
+/// the one known here, kRefused where the log-in to a server may make no tables.
+bool migrate(Connection& connection, const std::vector<EmbeddedSql>& migrations,
              const std::function<void()>& before_change);
 
 /// Statements of one file in the engine's own words.

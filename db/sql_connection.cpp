@@ -172,7 +172,9 @@ void Connection::execute(const std::string& sql) {
 }
 
 void Connection::lock_table(const std::string& table) {
-    if (!is_sqlite()) execute("LOCK TABLE " + table + " IN EXCLUSIVE MODE");
+    // Not LOCK TABLE: a station's log-in has no right to it where it may only add rows.
+    if (!is_sqlite())
+        execute("SELECT pg_advisory_xact_lock(1347371844, hashtext('" + table + "'))");
 }
 
 sqlite3* Connection::sqlite_handle() const {

@@ -35,8 +35,8 @@ class Connection {
     /// Called when a transaction began, and before it is committed, within it.
     void watch_transactions(std::function<void()> begun, std::function<void()> committing);
     void execute(const std::string& sql);  ///< One statement, no parameters, no result.
-    /// Keeps other writers away from a table until the transaction ends. SQLite has done so
-    /// already.
+    /// Keeps others that ask for the same away from a table until the transaction ends. SQLite has
+    /// done so already.
     void lock_table(const std::string& table);
     [[nodiscard]] QSqlDatabase& handle() { return database_; }
     [[nodiscard]] sqlite3* sqlite_handle() const;  ///< nullptr on PostgreSQL.

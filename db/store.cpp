@@ -14,6 +14,7 @@
 #include "db/durable_file.h"
 #include "db/schema.h"
 #include "db/sqlite_file.h"
+#include "db/station_role.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -91,16 +92,24 @@ void bring_up_to_date(StoreContext& context) {
     connection.begin_operation("open");
     if (connection.is_sqlite()) claim_sqlite_file(connection);
     const auto& set = context.options.migrations;
-    migrate(connection, set.empty() ? embedded_migrations() : set, [&connection] {
-        if (!connection.is_sqlite() || connection.url().path == ":memory:") return;
-        const std::string problem = sqlite_integrity_problem(connection);
-        if (!problem.empty())
-            connection.fail(StoreError::Kind::kDamaged,
-                            "not migrated, because it is damaged (" + problem +
-                                "); restore a backup with `placodectl restore FILE`");
-        keep_checked_copy(connection, connection.url().path + ".before-update-" + file_stamp());
-    });
+    const bool changed =
+        migrate(connection, set.empty() ? embedded_migrations() : set, [&connection] {
+            if (!connection.is_sqlite() || connection.url().path == ":memory:") return;
+            const std::string problem = sqlite_integrity_problem(connection);
+            if (!problem.empty())
+                connection.fail(StoreError::Kind::kDamaged,
+                                "not migrated, because it is damaged (" + problem +
+                                    "); restore a backup with `placodectl restore FILE`");
+            keep_checked_copy(connection, connection.url().path + ".before-update-" + file_stamp());
+        });
+    if (changed) renew_station_role(connection);
     seal_what_was_there(context);
+    if (!context.options.station) return;
+    const auto problems = station_role_problems(connection);
+    if (!problems.empty() && has_station_role(connection))
+        connection.fail(StoreError::Kind::kRefused,
+                        "this log-in to the server can do more than a station should (" +
+                            problems.front() + "); use one that is member of placode_station");
 }
 
 }  // namespace
@@ -159,6 +168,18 @@ std::vector<std::string> Store::check() {
         problems.emplace_back(error.what());
     }
     return problems;
+}
+
+std::vector<std::string> Store::role_problems() {
+    context_->connection.begin_operation("check");
+    context_->need(Action::kBackup);
+    return station_role_problems(context_->connection);
+}
+
+void Store::give_station_role() {
+    context_->connection.begin_operation("give stations their rights in");
+    context_->need(Action::kActAs);
+    db::give_station_role(context_->connection);
 }
 
 void Store::backup(const std::string& path) {

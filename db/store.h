@@ -66,6 +66,11 @@ class Store final {
     [[nodiscard]] Audit& audit() noexcept { return audit_; }
 
     std::vector<std::string> check();  ///< Problems found; empty = sound.
+    /// Why the log-in of a centre's server can do more than a station should (db/station_role.h).
+    [[nodiscard]] std::vector<std::string> role_problems();
+    /// On a server, with the log-in of the tables' owner: gives the group for stations its rights.
+    /// Throws kRefused where that log-in may not.
+    void give_station_role();
     /// SQLite: a consistent copy, which counts when check() finds nothing in it; else it stays as
     /// PATH.failed and kDamaged is thrown.
     void backup(const std::string& path);

@@ -19,6 +19,9 @@ struct StoreOptions {
     /// has had accounts also says so itself, by the mark beside its file.
     bool known = false;
     bool begin_anew = false;  ///< On purpose: make a new store where a known one is missing.
+    /// For people at a station: where a centre's server has the group for stations
+    /// (db/station_role.h), a log-in that can do more is refused.
+    bool station = false;
 };
 
 }  // namespace placode::db

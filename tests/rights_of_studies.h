@@ -162,6 +162,16 @@ inline std::vector<Method> methods_of_the_store() {
              c.store.audit().check_chain(problems);
          }},
         {"store.check", {{Action::kBackup}}, {}, [](Call& c) { (void)c.store.check(); }},
+        {"store.role_problems",
+         {{Action::kBackup}},
+         {},
+         [](Call& c) { (void)c.store.role_problems(); }},
+        {"store.give_station_role",
+         {{Action::kActAs}},
+         {},
+         [](Call& c) { c.store.give_station_role(); },
+         false,
+         true},  // A file has no log-ins, and a station is not the owner.
         {"store.backup",
          {{Action::kBackup}},
          {},

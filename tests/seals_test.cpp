@@ -365,6 +365,7 @@ TEST_P(SealsTest, AnOlderStoreIsSealedOnceWhenItIsUpdated) {
     // And a computer that knows nothing of the store.
     ::setenv("PLACODE_STATION_KEY", folder.file("updated/station.key").c_str(), 1);
     fs::remove(folder.file("placode.db.seen"));
+    become_owner();
     store = open();
     EXPECT_EQ(all_of(store->check()), "");
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM audit WHERE seals <> ''"), "1");

@@ -22,6 +22,7 @@ World* const world = World::install();
 
 class SqlConnection : public EngineTest {
  protected:
+    [[nodiscard]] bool at_station() const override { return false; }  // Makes tables.
     void TearDown() override {}  // a database of the test, no store
     void ready() override {
         connection = std::make_unique<db::Connection>(db::parse_store_url(url()));

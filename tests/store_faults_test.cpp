@@ -83,6 +83,7 @@ TEST_P(StoreTest, AStoreOfANewerProgramIsRefused) {
 TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
     const auto all = db::embedded_migrations();
     ASSERT_GE(all.size(), 4u);
+    become_owner();
     open()->accounts().create(trainee("anna"));
     options.migrations = all;
     options.migrations.push_back(
@@ -108,6 +109,7 @@ TEST_P(StoreTest, AnOlderStoreIsBroughtUpToDateAndKeepsItsData) {
 }
 
 TEST_P(StoreTest, AMigrationThatFailsLeavesTheStoreAsItWas) {
+    become_owner();
     open()->accounts().create(trainee("anna"));
     const auto good = options.migrations;
     options.migrations = db::embedded_migrations();

@@ -25,6 +25,7 @@
 #include <string>
 #include <thread>
 
+#include "db/station_role.h"
 #include "db/store.h"
 
 namespace placode::test {
@@ -57,7 +58,7 @@ class TemporaryFolder {
 class RawConnection {
  public:
     RawConnection(const QString& driver, const std::string& database, int port = 0,
-                  const std::string& password = {}) {
+                  const std::string& password = {}, const QString& user = "placode") {
         static std::atomic<int> counter{0};
         name_ = QStringLiteral("raw-%1").arg(++counter);
         connection_ = QSqlDatabase::addDatabase(driver, name_);
@@ -65,7 +66,7 @@ class RawConnection {
         if (port != 0) {
             connection_.setHostName(QStringLiteral("127.0.0.1"));
             connection_.setPort(port);
-            connection_.setUserName(QStringLiteral("placode"));
+            connection_.setUserName(user);
             connection_.setPassword(QString::fromStdString(password));
         }
         open_ = connection_.open();
@@ -156,8 +157,27 @@ class PostgresqlServer {
         return "postgresql://placode:" + password_ + "@127.0.0.1:" + std::to_string(port_) + "/" +
                database;
     }
+    /// As the owner of the tables.
     [[nodiscard]] RawConnection connect(const std::string& database) const {
         return {"QPSQL", database, port_, password_};
+    }
+    /// As a station: a log-in that was given what db/station_role.h says.
+    [[nodiscard]] std::string station_url(const std::string& database) const {
+        return "postgresql://theatre:" + password_ + "@127.0.0.1:" + std::to_string(port_) + "/" +
+               database;
+    }
+    [[nodiscard]] RawConnection connect_station(const std::string& database) const {
+        return {"QPSQL", database, port_, password_, "theatre"};
+    }
+    void make_station(const std::string& database) const {
+        RawConnection owner = connect(database);
+        std::vector<std::string> statements = db::station_role_statements();
+        statements.push_back(
+            "DO $$ BEGIN IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = 'theatre') THEN "
+            "CREATE ROLE theatre LOGIN PASSWORD '" +
+            password_ + "' IN ROLE " + db::kStationRole + "; END IF; END $$");
+        for (const std::string& each : statements)
+            if (!owner.run(each)) throw std::runtime_error(owner.problem() + "\n" + each);
     }
     [[nodiscard]] const std::string& password() const { return password_; }
 
@@ -257,8 +277,20 @@ class EngineTest : public testing::TestWithParam<const char*> {
             if (server.missing()) GTEST_SKIP() << server.problem();
             ASSERT_EQ(server.problem(), "");
             database = server.new_database();
+            if (at_station()) {
+                (void)db::open_store(server.url(database), options);  // Makes the tables.
+                server.make_station(database);
+                options.station = true;
+            }
         }
         ready();
+    }
+    /// On a server all is done with a station's log-in; the owner has made the tables before.
+    [[nodiscard]] virtual bool at_station() const { return !owner_; }
+    /// From here on with the log-in that made the tables, as updates are.
+    void become_owner() {
+        owner_ = true;
+        options.station = false;
     }
     /// Whatever a test did through the store, its trail and its seals fit what is in it.
     void TearDown() override {
@@ -275,8 +307,9 @@ class EngineTest : public testing::TestWithParam<const char*> {
 
     [[nodiscard]] bool is_sqlite() const { return std::string(GetParam()) == "Sqlite"; }
     [[nodiscard]] std::string url() const {
-        return is_sqlite() ? "sqlite:" + folder.file("placode.db")
-                           : World::get().server().url(database);
+        if (is_sqlite()) return "sqlite:" + folder.file("placode.db");
+        const PostgresqlServer& server = World::get().server();
+        return at_station() ? server.station_url(database) : server.url(database);
     }
     [[nodiscard]] std::unique_ptr<db::Store> open() const { return db::open_store(url(), options); }
     [[nodiscard]] RawConnection raw() const {
@@ -290,6 +323,7 @@ class EngineTest : public testing::TestWithParam<const char*> {
 
  private:
     int edits_before_ = 0;
+    bool owner_ = false;
 };
 
 inline std::string engine_name(const testing::TestParamInfo<const char*>& info) {

@@ -542,7 +542,8 @@ void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {
     QDir folder(PLACODE_SOURCE_DIR "/db");
     int checked = 0;
     for (const QString& name : folder.entryList({"*.cpp"})) {
-        if (name == "load_generator.cpp") continue;  // never from the shell
+        // Never from the shell.
+        if (name == "load_generator.cpp" || name == "station_role.cpp") continue;
         QFile file(folder.filePath(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
         auto found = kLiteral.globalMatch(QString::fromUtf8(file.readAll()));

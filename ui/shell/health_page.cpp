@@ -49,6 +49,7 @@ class HealthPage : public Page {
         auto* where = new Details(context_, place);
         where->setObjectName("store_place");
         layout->addWidget(where);
+        if (!embedded) addLogIn(layout);
         outcome_ = make_label(tr("Not checked since this page was opened."));
         outcome_->setObjectName("check_outcome");
         layout->addWidget(outcome_);
@@ -60,6 +61,20 @@ class HealthPage : public Page {
         connect(check, &QPushButton::clicked, this, [this] { this->check(); });
         layout->addWidget(check, 0, Qt::AlignLeft);
         return make_card(layout);
+    }
+
+    /// What the log-in to the server may do beyond a station's.
+    void addLogIn(QVBoxLayout* layout) {
+        QStringList problems;
+        for (const std::string& each : context_.store().role_problems()) problems << qstr(each);
+        if (problems.isEmpty()) return;
+        layout->addWidget(make_label(
+            tr("Placode's log-in to the server can change scores and the audit list. Give each "
+               "station a log-in of its own: see the chapter \"A store for several stations\"."),
+            "critical"));
+        auto* exact = new Details(context_);
+        exact->setText(problems.join("\n"));
+        layout->addWidget(exact);
     }
 
     void check() {

@@ -57,6 +57,13 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords", "the recording is larger than 1 GiB"),
     QT_TRANSLATE_NOOP("StoreWords", "the device has no haptic certificate"),
     QT_TRANSLATE_NOOP("StoreWords", "not mastered yet. %1"),
+    // A server's log-ins
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "its tables are missing or of an older version, and this log-in may not make "
+                      "any; their owner does, with `placodectl station role --apply`"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "this log-in to the server can do more than a station should (%1); use one "
+                      "that is member of placode_station"),
     // Published texts
     QT_TRANSLATE_NOOP("StoreWords",
                       "%1 is published with another text, which is never changed; give your text "

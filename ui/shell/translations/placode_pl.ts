@@ -1652,6 +1652,10 @@
 <context>
     <name>HealthPage</name>
     <message>
+        <source>Placode&apos;s log-in to the server can change scores and the audit list. Give each station a log-in of its own: see the chapter &quot;A store for several stations&quot;.</source>
+        <translation>Login Placode do serwera może zmieniać wyniki i dziennik. Daj każdemu stanowisku własny login: zobacz rozdział „Jedna baza dla kilku stanowisk”.</translation>
+    </message>
+    <message>
         <source>Backup and health</source>
         <translation>Kopie i stan</translation>
     </message>
@@ -9416,6 +9420,14 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 </context>
 <context>
     <name>StoreWords</name>
+    <message>
+        <source>its tables are missing or of an older version, and this log-in may not make any; their owner does, with `placodectl station role --apply`</source>
+        <translation>brak jej tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
+    </message>
+    <message>
+        <source>this log-in to the server can do more than a station should (%1); use one that is member of placode_station</source>
+        <translation>ten login do serwera może więcej niż powinno stanowisko (%1); użyj loginu, który należy do placode_station</translation>
+    </message>
     <message>
         <source>the proctor &quot;%1&quot; has no account here</source>
         <translation>osoba nadzorująca &quot;%1&quot; nie ma tu konta</translation>

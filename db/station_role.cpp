@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/station_role.h"
+
+#include <array>
+
+namespace placode::db {
+namespace {
+
+struct TableRight {
+    const char* table;
+    const char* columns;  ///< That may be changed; "" = none.
+    bool removes = false;
+};
+
+// Beside reading and adding rows. What stands here is what statements in db/*.cpp do; the tests of
+// the store run with a station's log-in and find what is missing.
+constexpr std::array kRights{
+    TableRight{"accounts", "password_hash, password_given, roles, active"},
+    TableRight{"persons", "", true},
+    TableRight{"sign_in_failures", "failures, last_ms", true},
+    TableRight{"account_pins", "failures", true},
+    TableRight{"invitations", "used_utc"},
+    TableRight{"erasure_requests", "reason, done_utc"},
+    TableRight{"group_members", "", true},
+    TableRight{"course_assignments", "ended_utc", true},
+    TableRight{"course_grants", "", true},
+    TableRight{"certificates", "", true},
+    TableRight{"norm_packs", "in_use"},
+    TableRight{"attempts", "replay, replayed_utc, void_reason, study, participant", true},
+    TableRight{"attempt_metrics", "", true},
+    TableRight{"attempt_reasons", "", true},
+    TableRight{"attempt_events", "", true},
+    TableRight{"attempt_scores", "", true},
+    TableRight{"attempt_score_metrics", "", true},
+    TableRight{"attempt_score_reasons", "", true},
+    TableRight{"recordings", "", true},
+    TableRight{"attempt_comments", "removed_utc"},
+    TableRight{"answers", "", true},
+    TableRight{"answer_items", "", true},
+    TableRight{"answer_changes", "", true},
+    TableRight{"answer_corrections", "", true},
+    TableRight{"second_entries", "", true},
+    TableRight{"second_entry_items", "", true},
+    TableRight{"study_steps", "", true},
+    TableRight{"superseded_steps", "", true},
+    TableRight{"step_notes", "", true},
+    TableRight{"participant_devices", "device, chosen_by, chosen_utc", true},
+    TableRight{"consent_signatures", "path", true},
+    TableRight{"withdrawals", "mode, reason, withdrawn_by, withdrawn_utc"},
+};
+
+const std::string kRole = kStationRole;
+constexpr const char* kOwns =
+    "EXISTS (SELECT FROM pg_tables WHERE schemaname = 'public' AND pg_has_role(current_user, "
+    "tableowner, 'MEMBER'))";
+
+std::vector<std::string> grants() {
+    std::vector<std::string> sql{
+        "REVOKE CREATE ON SCHEMA public FROM PUBLIC",
+        "GRANT USAGE ON SCHEMA public TO " + kRole,
+        "REVOKE ALL ON ALL TABLES IN SCHEMA public FROM PUBLIC, " + kRole,
+        "GRANT SELECT, INSERT ON ALL TABLES IN SCHEMA public TO " + kRole,
+        "REVOKE INSERT ON schema_migrations FROM " + kRole,
+    };
+    for (const TableRight& right : kRights) {
+        if (*right.columns != '\0')
+            sql.push_back(std::string("GRANT UPDATE (") + right.columns + ") ON " + right.table +
+                          " TO " + kRole);
+        if (right.removes)
+            sql.push_back(std::string("GRANT DELETE ON ") + right.table + " TO " + kRole);
+    }
+    return sql;
+}
+
+/// The first column of the first row, as true or false.
+bool is_so(Connection& connection, const std::string& condition) {
+    Statement query(connection, "SELECT CASE WHEN " + condition + " THEN 1 ELSE 0 END");
+    return query.run().next() && query.integer(0) != 0;
+}
+
+}  // namespace
+
+std::vector<std::string> station_role_statements() {
+    std::vector<std::string> sql{
+        "DO $$ BEGIN\n"
+        "    IF NOT EXISTS (SELECT FROM pg_roles WHERE rolname = '" +
+        kRole +
+        "') THEN\n"
+        "        CREATE ROLE " +
+        kRole +
+        " NOLOGIN;\n"
+        "    END IF;\n"
+        "    EXECUTE format('REVOKE TEMPORARY ON DATABASE %I FROM PUBLIC', "
+        "current_database());\n"
+        "END $$"};
+    for (std::string& each : grants()) sql.push_back(std::move(each));
+    return sql;
+}
+
+void give_station_role(Connection& connection) {
+    if (connection.is_sqlite())
+        connection.fail(StoreError::Kind::kRefused,
+                        "a store that is a file has no log-ins; this is for a server");
+    // For somebody else PostgreSQL would warn, and give nothing.
+    if (!is_so(connection, kOwns))
+        connection.fail(StoreError::Kind::kRefused,
+                        "this log-in does not own the tables; use their owner's");
+    for (const std::string& each : station_role_statements()) {
+        try {
+            UnitOfWork work(connection);
+            connection.execute(each);
+            work.commit();
+        } catch (const StoreError& error) {
+            throw StoreError(
+                StoreError::Kind::kRefused,
+                std::string(error.what()) +
+                    "; if this log-in may not make roles, have the server's administrator run "
+                    "CREATE ROLE " +
+                    kRole + " NOLOGIN first");
+        }
+    }
+}
+
+bool has_station_role(Connection& connection) {
+    if (connection.is_sqlite()) return false;
+    Statement query(connection, "SELECT COUNT(*) FROM pg_roles WHERE rolname = ?");
+    return query.run(kRole).next() && query.integer(0) > 0;
+}
+
+void renew_station_role(Connection& connection) {
+    if (!has_station_role(connection)) return;
+    UnitOfWork work(connection);
+    for (const std::string& each : grants()) connection.execute(each);
+    work.commit();
+}
+
+std::vector<std::string> station_role_problems(Connection& connection) {
+    std::vector<std::string> problems;
+    if (connection.is_sqlite()) return problems;
+    const std::string user = connection.url().user;
+    const std::string role = user.empty() ? "the role" : "the role \"" + user + "\"";
+    const auto when = [&](const std::string& condition, const std::string& problem) {
+        if (is_so(connection, condition)) problems.push_back("role: " + role + " " + problem);
+    };
+    when("(SELECT rolsuper FROM pg_roles WHERE rolname = current_user)",
+         "is superuser of the server: it reads and changes everything");
+    when("(SELECT rolcreaterole FROM pg_roles WHERE rolname = current_user)",
+         "may give itself the rights of other roles");
+    when(kOwns,
+         "owns tables, or may become their owner: it can change scores and switch the guards of "
+         "the trail off");
+    // Columns that no station may change, of which one stands for all.
+    when(
+        "has_column_privilege('attempts', 'points', 'UPDATE') OR has_table_privilege('audit', "
+        "'UPDATE') OR has_table_privilege('audit', 'DELETE') OR "
+        "has_table_privilege('definitions', 'UPDATE')",
+        "may change scores, published texts or the trail");
+    when("has_schema_privilege('public', 'CREATE')", "may make tables and functions");
+    return problems;
+}
+
+}  // namespace placode::db
