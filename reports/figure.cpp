@@ -4,10 +4,10 @@
 
 #include <QBuffer>
 #include <QImage>
-#include <QSvgGenerator>
 
 #include "reports/export.h"
 #include "reports/plot_parts.h"
+#include "reports/svg.h"
 
 namespace placode::reports {
 namespace {
@@ -34,20 +34,9 @@ void save_figure(const Figure& figure, const std::string& folder, bool demonstra
     const QSize size(static_cast<int>(figure.width + 2 * kMargin),
                      static_cast<int>(figure.height + kTitle + 2 * kMargin));
     const std::string stem = folder + "/" + file_name(figure.id);
-    QByteArray svg;
-    {
-        QBuffer buffer(&svg);
-        QSvgGenerator generator;
-        generator.setOutputDevice(&buffer);
-        generator.setSize(size);
-        generator.setViewBox(QRect(QPoint(0, 0), size));
-        // Qt writes both as they are: an ampersand would break the file.
-        generator.setTitle(QString::fromStdString(figure.title).toHtmlEscaped());
-        generator.setDescription(QString::fromStdString(figure.caption).toHtmlEscaped());
-        QPainter painter(&generator);
-        draw_whole(figure, painter, demonstration);
-    }
-    save_file(stem + ".svg", svg.toStdString());
+    save_file(stem + ".svg", svg_of(size, figure.title, figure.caption, [&](QPainter& painter) {
+                  draw_whole(figure, painter, demonstration);
+              }));
     constexpr int kScale = 3;  // 288 dpi
     QImage image(size * kScale, QImage::Format_RGB32);
     image.setDotsPerMeterX(kScale * 3780);

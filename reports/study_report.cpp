@@ -37,46 +37,6 @@ QString p_text(double p) { return p < 0.001 ? QStringLiteral("&lt; 0.001") : num
 
 // --- figures -----------------------------------------------------------------------------------
 
-FlowNumbers flow_of(const StudyReport& report) {
-    FlowNumbers flow;
-    flow.enrolled = static_cast<int>(report.everybody.size());
-    for (const auto& each : report.everybody) {
-        if (!each.withdrawal) continue;
-        if (*each.withdrawal == db::WithdrawalMode::kKeep) ++flow.kept;
-        if (*each.withdrawal == db::WithdrawalMode::kStop) ++flow.stopped;
-        if (*each.withdrawal == db::WithdrawalMode::kErase) ++flow.erased;
-    }
-    std::set<std::string> answered;
-    for (const auto& record : report.data.answers) answered.insert(record.participant);
-    // An attempt that does not count is in no analysis.
-    if (const Form* attempts = report.data.form("attempts"))
-        for (const Row& row : attempts->rows)
-            if (row.counts) answered.insert(row.participant);
-    std::set<std::string> usable;
-    for (const auto& each : report.data.participants) usable.insert(each.code);
-    flow.analysed = static_cast<int>(
-        std::count_if(answered.begin(), answered.end(),
-                      [&](const std::string& code) { return usable.contains(code); }));
-    flow.consented = -1;
-    if (report.data.definition_json.empty()) return flow;
-    const auto protocol =
-        curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
-    for (const auto& step : protocol.steps) {
-        std::set<std::string> done;
-        for (const auto& record : report.steps)
-            if (record.step == step.id && record.state == db::StepState::kDone &&
-                !record.superseded())
-                done.insert(record.participant);
-        const int n = static_cast<int>(done.size());
-        if (step.kind == curriculum::StepKind::kConsent)
-            flow.consented = n;
-        else if (step.kind == curriculum::StepKind::kQuestionnaire ||
-                 step.kind == curriculum::StepKind::kProcedure)
-            flow.reached.emplace_back(step.title.en.empty() ? step.id : step.title.en, n);
-    }
-    return flow;
-}
-
 /// Items of one form whose scales have the same width and words, in runs.
 std::vector<std::vector<LikertBar>> likert_groups(const FormNumbers& form) {
     std::vector<std::vector<LikertBar>> groups;
@@ -396,9 +356,49 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
     return report;
 }
 
+FlowNumbers flow_numbers(const StudyReport& report) {
+    FlowNumbers flow;
+    flow.enrolled = static_cast<int>(report.everybody.size());
+    for (const auto& each : report.everybody) {
+        if (!each.withdrawal) continue;
+        if (*each.withdrawal == db::WithdrawalMode::kKeep) ++flow.kept;
+        if (*each.withdrawal == db::WithdrawalMode::kStop) ++flow.stopped;
+        if (*each.withdrawal == db::WithdrawalMode::kErase) ++flow.erased;
+    }
+    std::set<std::string> answered;
+    for (const auto& record : report.data.answers) answered.insert(record.participant);
+    // An attempt that does not count is in no analysis.
+    if (const Form* attempts = report.data.form("attempts"))
+        for (const Row& row : attempts->rows)
+            if (row.counts) answered.insert(row.participant);
+    std::set<std::string> usable;
+    for (const auto& each : report.data.participants) usable.insert(each.code);
+    flow.analysed = static_cast<int>(
+        std::count_if(answered.begin(), answered.end(),
+                      [&](const std::string& code) { return usable.contains(code); }));
+    flow.consented = -1;
+    if (report.data.definition_json.empty()) return flow;
+    const auto protocol =
+        curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
+    for (const auto& step : protocol.steps) {
+        std::set<std::string> done;
+        for (const auto& record : report.steps)
+            if (record.step == step.id && record.state == db::StepState::kDone &&
+                !record.superseded())
+                done.insert(record.participant);
+        const int n = static_cast<int>(done.size());
+        if (step.kind == curriculum::StepKind::kConsent)
+            flow.consented = n;
+        else if (step.kind == curriculum::StepKind::kQuestionnaire ||
+                 step.kind == curriculum::StepKind::kProcedure)
+            flow.reached.emplace_back(step.title.en.empty() ? step.id : step.title.en, n);
+    }
+    return flow;
+}
+
 std::vector<Figure> study_figures(const StudyReport& report, const StudyNumbers& numbers,
                                   const ChartStyle& style) {
-    std::vector<Figure> figures{flow_figure("flow", "Participants", flow_of(report), style)};
+    std::vector<Figure> figures{flow_figure("flow", "Participants", flow_numbers(report), style)};
     for (const FormNumbers& form : numbers.forms) add_form_figures(figures, form, style);
     if (auto figure = comparison_figure(numbers, style)) figures.push_back(std::move(*figure));
     if (auto figure = performance_figure(report.data, style)) figures.push_back(std::move(*figure));

@@ -32,6 +32,9 @@ struct StudyReport {
 [[nodiscard]] StudyReport read_study_report(db::Store& store, const std::string& study_id,
                                             const std::string& language = "en");
 
+/// Of everybody who was enrolled; consented is -1 where the protocol asks for none.
+[[nodiscard]] FlowNumbers flow_numbers(const StudyReport& report);
+
 /// All figures that the data allow. The figures do not refer to `report`.
 [[nodiscard]] std::vector<Figure> study_figures(const StudyReport& report,
                                                 const StudyNumbers& numbers,
