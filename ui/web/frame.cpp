@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/web/frame.h"
+
+#include "db/access.h"
+
+namespace placode::web {
+namespace {
+
+Html rail_entry(const Reader& reader, const std::string& path, Markup words) {
+    Html out;
+    out << "<li><a href=\"" << text(path) << "\"";
+    if (reader.path == path) out << " aria-current=\"page\"";
+    out << ">" << words << "</a></li>";
+    return out;
+}
+
+/// What the roles lead to; whether it may be seen, the store says.
+Html rail(const Reader& reader) {
+    const auto may = [&](db::Action action) {
+        return db::allowed(reader.user->roles, action, db::Scope::kOther);
+    };
+    Html out;
+    out << "<nav class=\"rail\" aria-label=\"Main\"><ul>" << rail_entry(reader, "/", "My page");
+    if (may(db::Action::kViewAttempts))
+        out << rail_entry(reader, "/cohort", "Cohort")
+            << rail_entry(reader, "/attempts", "Attempts")
+            << rail_entry(reader, "/standards", "Standards")
+            << rail_entry(reader, "/norms", "Norms");
+    if (may(db::Action::kRunQuestionnaire)) out << rail_entry(reader, "/studies", "Studies");
+    if (may(db::Action::kViewPersonalData)) out << rail_entry(reader, "/people", "People");
+    out << "</ul></nav>";
+    return out;
+}
+
+}  // namespace
+
+std::string document(const std::string& title, const Html& body, const Reader& reader) {
+    Html out;
+    out << "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << text(title)
+        << " · Placode</title><meta name=\"viewport\" content=\"width=device-width, "
+           "initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\"><link "
+           "rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" "
+           "href=\"/style.css\"></head>\n<body><a class=\"skip\" href=\"#content\">Skip to the "
+           "content</a>\n<header><a class=\"brand\" href=\"/\">Placode</a>";
+    if (reader.user != nullptr)
+        out << rail(reader)
+            << "<form class=\"out\" method=\"post\" action=\"/sign-out\"><input type=\"hidden\" "
+               "name=\"form_token\" value=\""
+            << text(reader.form_token) << "\"><span class=\"small\">"
+            << text(reader.user->display_name)
+            << "</span> <button type=\"submit\">Sign out</button></form>";
+    out << "</header>\n<main id=\"content\" tabindex=\"-1\">\n"
+        << body
+        << "</main>\n<footer>Placode, for reading only: what is to be changed is changed in the "
+           "program on the station. Times are UTC.</footer></body></html>\n";
+    return out.str();
+}
+
+}  // namespace placode::web

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What surrounds every page, and the one style sheet.
+
+#include <string>
+#include <string_view>
+
+#include "db/records.h"
+#include "ui/web/html.h"
+
+namespace placode::web {
+
+/// For whom a page is made; nobody: without the rail and the sign-out.
+struct Reader {
+    const db::UserRecord* user = nullptr;
+    std::string form_token;  ///< Of the form that signs out.
+    std::string path;        ///< Of the page: marked in the rail.
+};
+
+/// The whole document.
+[[nodiscard]] std::string document(const std::string& title, const Html& body,
+                                   const Reader& reader = {});
+
+[[nodiscard]] std::string_view style_sheet();
+
+}  // namespace placode::web

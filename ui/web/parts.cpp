@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/web/parts.h"
+
+#include <QByteArray>
+#include <QPainter>
+#include <algorithm>
+#include <mutex>
+
+#include "db/attempt_counting.h"
+#include "reports/svg.h"
+#include "reports/text.h"
+#include "reports/words.h"
+
+namespace placode::web {
+namespace {
+
+/// The dark theme of the shell (ui/shell/theme.cpp); the light one is the style's own.
+reports::ChartStyle dark_style() {
+    reports::ChartStyle style;
+    style.text = 0xffecedee, style.muted = 0xff9aa3ad, style.line = 0xff33373d;
+    style.accent = 0xff4fb8c2, style.surface = 0xff1f2226;
+    style.good = 0xff6cc58f, style.warn = 0xffe0a44a, style.critical = 0xfff2857c;
+    return style;
+}
+
+std::string data_address(const std::string& svg) {
+    return "data:image/svg+xml;base64," + QByteArray::fromStdString(svg).toBase64().toStdString();
+}
+
+}  // namespace
+
+Text moment(const std::string& utc) {
+    if (utc.size() < 16) return day(utc);
+    return text(utc.substr(0, 10) + " " + utc.substr(11, 5));
+}
+
+Text day(const std::string& utc) { return text(utc.empty() ? "–" : utc.substr(0, 10)); }
+
+Text points(double value) { return text(reports::number(value, 1)); }
+
+Html points_and_verdict(const db::AttemptRecord& attempt) {
+    if (!db::counts(attempt)) return badge(Html("does not count"), "");
+    const Html word = text(reports::verdict_word(attempt.verdict));
+    switch (attempt.verdict) {
+        case assessment::Verdict::kPassed:
+            return badge(word, "good");
+        case assessment::Verdict::kFailed:
+            return badge(word, "critical");
+        default:
+            return badge(word, "warn");
+    }
+}
+
+Html standing_badge(assessment::Standing standing) {
+    const Html word = text(assessment::standing_name(standing));
+    switch (standing) {
+        case assessment::Standing::kPassing:
+            return badge(word, "good");
+        case assessment::Standing::kRegressed:
+            return badge(word, "warn");
+        case assessment::Standing::kStuck:
+            return badge(word, "critical");
+        default:
+            return badge(word, "");
+    }
+}
+
+std::string role_words(db::Roles roles) {
+    std::string words;
+    const auto add = [&](db::Role role, const char* word) {
+        if (db::has_role(roles, role)) words += (words.empty() ? "" : ", ") + std::string(word);
+    };
+    add(db::Role::kTrainee, "trainee");
+    add(db::Role::kEducator, "educator");
+    add(db::Role::kCoordinator, "coordinator");
+    add(db::Role::kAdministrator, "administrator");
+    return words;
+}
+
+std::string name_or_number(const std::string& name, int64_t id) {
+    return name.empty() ? "number " + std::to_string(id) : name;
+}
+
+Html picture(
+    const std::string& title, const std::string& description, int width, int height,
+    const std::function<void(QPainter&, const QRectF&, const reports::ChartStyle&)>& draw) {
+    // Qt lets several threads draw at once; two at a time is all that this computer has for it.
+    static std::mutex drawing;
+    const auto drawn = [&](const reports::ChartStyle& style) {
+        const std::lock_guard lock(drawing);
+        return data_address(
+            reports::svg_of({width, height}, title, description, [&](QPainter& painter) {
+                painter.setRenderHint(QPainter::Antialiasing);
+                const QRectF whole(0, 0, width, height);
+                painter.fillRect(whole, QColor::fromRgba(style.surface));
+                draw(painter, whole.adjusted(8, 8, -8, -8), style);
+            }));
+    };
+    Html out;
+    out << "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" << text(title)
+        << "\"><picture><source media=\"(prefers-color-scheme: dark)\" srcset=\""
+        << text(drawn(dark_style())) << "\"><img src=\"" << text(drawn({})) << "\" width=\""
+        << text(width) << "\" height=\"" << text(height) << "\" alt=\""
+        << text(title + ". " + description) << "\"></picture></div>\n";
+    return out;
+}
+
+Html figure(const std::function<reports::Figure(const reports::ChartStyle&)>& make) {
+    const reports::Figure plain = make({});
+    Html out;
+    out << "<figure>"
+        << picture(plain.title, plain.caption, static_cast<int>(plain.width) + 16,
+                   static_cast<int>(plain.height) + 16,
+                   [&](QPainter& painter, const QRectF& where, const reports::ChartStyle& style) {
+                       make(style).draw(painter, where);
+                   })
+        << "<figcaption>" << text(plain.caption) << "</figcaption></figure>\n";
+    return out;
+}
+
+Part part_of(const Visit& visit, int64_t total) {
+    Part part;
+    part.total = total;
+    const int64_t last = std::max<int64_t>(0, (total - 1) / kRowsOfPage);
+    part.page = std::clamp<int64_t>(visit.number("page") - 1, 0, last);
+    part.first = part.page * kRowsOfPage;
+    part.past = std::min(total, part.first + kRowsOfPage);
+    return part;
+}
+
+Html pager(const Part& part, const std::string& path, std::vector<QueryPart> parts) {
+    Html out;
+    if (part.total <= kRowsOfPage) return out;
+    const auto to = [&](int64_t page) {
+        std::vector<QueryPart> all = parts;
+        all.push_back({"page", std::to_string(page + 1)});
+        return path + query(all);
+    };
+    out << "<nav class=\"pager\" aria-label=\"Pages of the list\">";
+    if (part.page > 0) out << link(to(part.page - 1), Html("← Before"));
+    out << "<span>" << text(part.first + 1) << " to " << text(part.past) << " of "
+        << text(part.total) << "</span>";
+    if (part.past < part.total) out << link(to(part.page + 1), Html("Next →"));
+    out << "</nav>\n";
+    return out;
+}
+
+Html views(Markup label, const std::string& here, const std::vector<View>& all) {
+    Html out;
+    out << "<nav aria-label=\"" << label << "\"><ul class=\"ways\">";
+    for (const View& each : all) {
+        out << "<li><a href=\"" << text(each.address) << "\"";
+        if (each.address == here) out << " aria-current=\"page\"";
+        out << ">" << each.words << "</a></li>";
+    }
+    out << "</ul></nav>\n";
+    return out;
+}
+
+Html choices(const std::string& path, const std::vector<Choice>& all) {
+    Html out;
+    out << "<form class=\"choices\" method=\"get\" action=\"" << text(path) << "\">";
+    for (const Choice& choice : all) {
+        out << "<div><label for=\"" << text(choice.name) << "\">" << text(choice.label)
+            << "</label><select id=\"" << text(choice.name) << "\" name=\"" << text(choice.name)
+            << "\">";
+        for (const auto& [value, words] : choice.values) {
+            out << "<option value=\"" << text(value) << "\"";
+            if (value == choice.chosen) out << " selected";
+            out << ">" << text(words) << "</option>";
+        }
+        out << "</select></div>";
+    }
+    out << "<button type=\"submit\">Show</button></form>\n";
+    return out;
+}
+
+Choice group_choice(const Visit& visit) {
+    Choice choice{"group", "Group", visit.asked("group"), {{"", "Everybody"}}};
+    for (const db::GroupRecord& group : visit.store.groups().list())
+        choice.values.emplace_back(std::to_string(group.id), group.name);
+    return choice;
+}
+
+Html attempts_table(const Visit& visit, const std::string& caption,
+                    const std::vector<db::AttemptRecord>& attempts, bool with_person) {
+    std::vector<Column> columns{{"Attempt"}, {"Started (UTC)"}};
+    if (with_person) columns.push_back({"Person"});
+    for (const Column& each : std::vector<Column>{
+             {"Task"}, {"Points", true}, {"Result"}, {"Why it does not count"}, {"Length", true}})
+        columns.push_back(each);
+    Table table(caption, columns);
+    for (const db::AttemptRecord& each : attempts) {
+        Html number;
+        number << "#" << text(each.id);
+        std::vector<Html> cells{link("/attempts/" + std::to_string(each.id), number),
+                                moment(each.started_utc)};
+        if (with_person)
+            cells.emplace_back(each.user_id == 0
+                                   ? Html(text(each.user_name))
+                                   : link("/people/" + std::to_string(each.user_id),
+                                          text(name_or_number(each.user_name, each.user_id))));
+        cells.emplace_back(text(visit.tasks.of(each.task_id).title));
+        cells.emplace_back(points(each.points));
+        cells.push_back(points_and_verdict(each));
+        const QString why = reports::not_counted_words(each);
+        cells.emplace_back(why.isEmpty() ? text("–") : text(why));
+        cells.emplace_back(text(reports::duration_words(each.duration_s)));
+        table.row(cells);
+    }
+    return table.html();
+}
+
+}  // namespace placode::web

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What several pages show alike: days, points, words for a standing, pictures, pages of a list, the
+// choice of a group.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/cohort.h"
+#include "reports/figure.h"
+#include "ui/web/html.h"
+#include "ui/web/pages.h"
+
+namespace placode::web {
+
+/// "2026-11-25 18:03", UTC; "–" for none.
+[[nodiscard]] Text moment(const std::string& utc);
+[[nodiscard]] Text day(const std::string& utc);
+[[nodiscard]] Text points(double value);
+[[nodiscard]] Html points_and_verdict(const db::AttemptRecord& attempt);
+[[nodiscard]] Html standing_badge(assessment::Standing standing);
+[[nodiscard]] std::string role_words(db::Roles roles);
+/// "number 12" where there is no name any more.
+[[nodiscard]] std::string name_or_number(const std::string& name, int64_t id);
+
+/// `<picture>` in both themes. `draw` gets the style of one of them.
+[[nodiscard]] Html picture(
+    const std::string& title, const std::string& description, int width, int height,
+    const std::function<void(QPainter&, const QRectF&, const reports::ChartStyle&)>& draw);
+/// A figure with its title and caption. @param make for a style.
+[[nodiscard]] Html figure(const std::function<reports::Figure(const reports::ChartStyle&)>& make);
+
+/// Which part of a list is shown, from `?page=`.
+struct Part {
+    int64_t page = 0, first = 0, past = 0, total = 0;
+};
+[[nodiscard]] Part part_of(const Visit& visit, int64_t total);
+/// Links to the page before and after; nothing where all is shown.
+[[nodiscard]] Html pager(const Part& part, const std::string& path, std::vector<QueryPart> parts);
+
+/// The views of one matter; `here` is the address of the one that is shown.
+struct View {
+    std::string address;
+    Markup words;
+};
+[[nodiscard]] Html views(Markup label, const std::string& here, const std::vector<View>& all);
+
+/// One choice of a form that changes nothing: it only asks for the page again (GET).
+struct Choice {
+    std::string name, label, chosen;
+    std::vector<std::pair<std::string, std::string>> values;  ///< Value and words.
+};
+[[nodiscard]] Html choices(const std::string& path, const std::vector<Choice>& choices);
+/// "Everybody" and the groups that the store lists.
+[[nodiscard]] Choice group_choice(const Visit& visit);
+
+/// A list of attempts; `with_person` where they are of several people.
+[[nodiscard]] Html attempts_table(const Visit& visit, const std::string& caption,
+                                  const std::vector<db::AttemptRecord>& attempts, bool with_person);
+
+}  // namespace placode::web

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/web/portal.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "curriculum/utc_time.h"
+#include "db/reading_store.h"
+#include "ui/web/frame.h"
+
+namespace placode::web {
+namespace {
+
+constexpr size_t kLongestPath = 512, kLongestValue = 200, kMostValues = 8;
+
+int64_t steady_s() {
+    return std::chrono::duration_cast<std::chrono::seconds>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+}
+
+std::string now_utc() { return curriculum::utc_text(static_cast<int64_t>(std::time(nullptr))); }
+
+std::vector<std::string> split(const std::string& path) {
+    std::vector<std::string> parts;
+    for (size_t begin = 1; begin <= path.size();) {
+        const size_t end = std::min(path.find('/', begin), path.size());
+        parts.push_back(path.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return parts;
+}
+
+/// What stands for each `*`; nothing where the path is another one.
+std::optional<std::vector<std::string>> match(const Route& route, const std::string& path) {
+    const auto want = split(route.path), have = split(path);
+    if (path.empty() || path[0] != '/' || want.size() != have.size()) return std::nullopt;
+    std::vector<std::string> found;
+    for (size_t i = 0; i < want.size(); ++i) {
+        if (want[i] == "*" && !have[i].empty())
+            found.push_back(have[i]);
+        else if (want[i] != have[i])
+            return std::nullopt;
+    }
+    return found;
+}
+
+bool is_too_long(const Request& request) {
+    const auto too_long = [](const auto& values) {
+        return values.size() > kMostValues ||
+               std::any_of(values.begin(), values.end(), [](const auto& each) {
+                   return each.first.size() + each.second.size() > kLongestValue;
+               });
+    };
+    return request.path.size() > kLongestPath || too_long(request.query);
+}
+
+}  // namespace
+
+Portal::Portal(PortalOptions options)
+    : options_(std::move(options)), sessions_(options_.now_s ? options_.now_s : steady_s) {
+    if (!options_.log) options_.log = [](const std::string&) {};
+}
+
+Portal::Signed Portal::signed_in(const Request& request) {
+    const std::string token = cookie_of(request.cookies, session_name());
+    if (const auto session = sessions_.find(token)) return {token, *session};
+    return {};
+}
+
+Answer Portal::answer(const Request& request) noexcept {
+    try {
+        return answer_or_throw(request);
+    } catch (const std::exception& error) {
+        options_.log(request.method + " " + request.path.substr(0, kLongestPath) + ": " +
+                     error.what());
+    }
+    try {
+        return fault();
+    } catch (const std::exception&) {
+        Answer bare;
+        bare.status = 500;
+        return bare;
+    }
+}
+
+Answer Portal::answer_or_throw(const Request& request) {
+    if (is_too_long(request)) return refusal(414);
+    if (request.method == "POST") {
+        if (request.path == "/sign-in") return sign_in(request);
+        if (request.path == "/sign-out") return sign_out(request);
+        return refusal(405);
+    }
+    if (request.method != "GET") return refusal(405);
+    if (request.path == "/style.css") {
+        Answer sheet;
+        sheet.type = "text/css; charset=utf-8";
+        sheet.body = style_sheet();
+        return sheet;
+    }
+    const Signed who = signed_in(request);
+    if (request.path == "/sign-in")
+        return who.session.account != 0 ? redirect("/") : sign_in_form({}, 200);
+    // Also for a page that does not exist: who is nobody learns nothing of what there is.
+    if (who.session.account == 0) return redirect("/sign-in");
+    return page(request, who);
+}
+
+Answer Portal::page(const Request& request, const Signed& who) {
+    std::unique_ptr<db::Store> store;
+    std::optional<db::UserRecord> user;
+    try {
+        store = db::open_for_reading(options_.store_url, who.session.account, options_.store);
+        user = store->accounts().find(who.session.account);
+    } catch (const db::StoreError& error) {
+        options_.log(request.path + ": " + error.what());
+        return trouble(error, {});
+    }
+    // Closed or erased meanwhile, or its password was set anew by somebody else.
+    if (!user || !user->active || user->password_given) {
+        sessions_.end(who.token);
+        Answer answer = redirect("/sign-in");
+        answer.headers.emplace_back("Set-Cookie", cookie(session_name(), ""));
+        return answer;
+    }
+    Visit visit{*store, tasks_, *user, now_utc(), {}, request.query};
+    for (const Route& route : routes())
+        if (const auto parts = match(route, request.path)) {
+            visit.parts = *parts;
+            return show(route, visit, who.session, request.path);
+        }
+    return message(404, "Not there", Html("There is no such page."),
+                   {&*user, who.session.form_token, request.path});
+}
+
+Answer Portal::show(const Route& route, Visit& visit, const Session& session,
+                    const std::string& path) {
+    const Reader reader{&visit.user, session.form_token, path};
+    try {
+        const PageText made = route.page(visit);
+        Answer answer;
+        answer.body = document(made.title, made.body, reader);
+        return answer;
+    } catch (const NotThere& problem) {
+        return message(404, "Not there", text(problem.what()), reader);
+    } catch (const db::StoreError& error) {
+        if (error.kind() != db::StoreError::Kind::kRefused &&
+            error.kind() != db::StoreError::Kind::kNotFound)
+            options_.log(path + ": " + error.what());
+        return trouble(error, reader);
+    } catch (const std::exception& error) {
+        options_.log(path + ": " + error.what());
+        return fault(reader);
+    }
+}
+
+}  // namespace placode::web

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The portal without the network: a request in, an answer out. Who is signed in sees what the store
+// shows them; the only thing that can be sent is a sign-in or a sign-out.
+
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+#include "ui/web/answers.h"
+#include "ui/web/pages.h"
+#include "ui/web/sessions.h"
+
+namespace placode::web {
+
+struct PortalOptions {
+    std::string store_url;
+    db::StoreOptions store;          ///< Tests: cheap passwords.
+    bool behind_tls = false;         ///< Browsers reach it by https: cookies say Secure.
+    std::function<int64_t()> now_s;  ///< Of sessions [s]; empty: the computer's steady clock.
+    std::function<void(const std::string&)> log;  ///< What went wrong here, for who runs it.
+};
+
+/// Any thread: every page opens a store of its own.
+class Portal {
+ public:
+    explicit Portal(PortalOptions options);
+    /// Never throws.
+    [[nodiscard]] Answer answer(const Request& request) noexcept;
+
+ private:
+    /// The session of the request with its token; account 0 = none.
+    struct Signed {
+        std::string token;
+        Session session;
+    };
+    [[nodiscard]] Signed signed_in(const Request& request);
+    [[nodiscard]] Answer answer_or_throw(const Request& request);
+    [[nodiscard]] Answer page(const Request& request, const Signed& who);
+    [[nodiscard]] Answer show(const Route& route, Visit& visit, const Session& session,
+                              const std::string& path);
+    // portal_sign_in.cpp
+    [[nodiscard]] Answer sign_in_form(const Html& said, int status);
+    [[nodiscard]] Answer sign_in(const Request& request);
+    /// What the store says to a name and a password. Throws StoreError.
+    [[nodiscard]] db::SignIn ask_the_store(const std::string& login, const std::string& password);
+    [[nodiscard]] Answer sign_out(const Request& request);
+    [[nodiscard]] std::string cookie(const std::string& name, const std::string& value) const;
+    [[nodiscard]] std::string session_name() const;
+    [[nodiscard]] std::string form_name() const;
+
+    PortalOptions options_;
+    Sessions sessions_;
+    Tasks tasks_;
+    std::timed_mutex door_;  ///< One sign-in at a time: each fills 64 MB with its password.
+};
+
+}  // namespace placode::web

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <charconv>
+
+#include "curriculum/definitions.h"
+#include "db/standards.h"
+#include "ui/web/pages.h"
+
+namespace placode::web {
+namespace {
+
+/// -1 for what is no whole number from 0.
+int64_t whole_number(const std::string& words) {
+    int64_t value = 0;
+    const char* end = words.data() + words.size();
+    const auto [rest, error] = std::from_chars(words.data(), end, value);
+    return error == std::errc{} && rest == end && value >= 0 ? value : -1;
+}
+
+}  // namespace
+
+Tasks::Known Tasks::of(const std::string& task_id) {
+    const std::lock_guard lock(mutex_);
+    if (const auto found = known_.find(task_id); found != known_.end()) return found->second;
+    Known known{task_id, 0, false};
+    // An id, never a path: it may come from an address.
+    const bool is_id =
+        task_id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
+    try {
+        if (is_id && !task_id.empty()) {
+            const curriculum::Task task = curriculum::load_task(task_id);
+            known = {task.title.en, task.rubric.pass_points, true};
+        }
+    } catch (const curriculum::DefinitionError&) {
+        // A task that no longer ships: its id is title enough.
+    }
+    // What is asked for in addresses must not fill the memory.
+    if (known.shipped) known_[task_id] = known;
+    return known;
+}
+
+double Tasks::pass_points(db::Store& store, const std::string& task_id) {
+    const auto set = db::standard_at(store, task_id);
+    return set ? set->standard.pass_points : of(task_id).pass_points;
+}
+
+std::string Visit::asked(const std::string& key) const {
+    const auto found = query.find(key);
+    return found == query.end() ? std::string() : found->second;
+}
+
+int64_t Visit::number(const std::string& key) const {
+    return std::max<int64_t>(0, whole_number(asked(key)));
+}
+
+int64_t Visit::id(size_t part) const {
+    const int64_t value = part < parts.size() ? whole_number(parts[part]) : -1;
+    if (value <= 0) throw NotThere("There is no such page.");
+    return value;
+}
+
+bool Visit::may(db::Action action) const {
+    return user.active && db::allowed(user.roles, action, db::Scope::kOther);
+}
+
+const std::vector<Route>& routes() {
+    static const std::vector<Route> all{
+        {"/", own_page},
+        {"/people/*", person_page},
+        {"/people/*/tasks/*", curve_page},
+        {"/people/*/attempts", persons_attempts_page},
+        {"/attempts", attempts_page},
+        {"/attempts/*", attempt_page},
+        {"/cohort", cohort_page},
+        {"/help", help_page},
+        {"/refreshers", refreshers_page},
+        {"/scores", scores_page},
+        {"/standards", standards_page},
+        {"/norms", norms_page},
+        {"/norms/*", norm_pack_page},
+        {"/studies", studies_page},
+        {"/studies/*", study_page},
+        {"/studies/*/entries", entries_page},
+        {"/studies/*/deviations", deviations_page},
+        {"/people", people_page},
+    };
+    return all;
+}
+
+}  // namespace placode::web
