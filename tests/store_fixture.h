@@ -21,6 +21,8 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <random>
 #include <string>
 #include <thread>
@@ -244,7 +246,10 @@ class World : public testing::Environment {
         return installed_ = static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
     }
     static World& get() { return *installed_; }
-    void SetUp() override { application_ = std::make_unique<QCoreApplication>(argc_, argv_); }
+    /// Another kind of application, for tests that draw; to be set before main().
+    inline static std::function<std::unique_ptr<QCoreApplication>(int& argc, char** argv)> make =
+        [](int& argc, char** argv) { return std::make_unique<QCoreApplication>(argc, argv); };
+    void SetUp() override { application_ = make(argc_, argv_); }
     void TearDown() override {
         server_.reset();
         application_.reset();

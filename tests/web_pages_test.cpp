@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who sees which page of the portal, that no page writes, and that nothing somebody typed becomes
+// markup.
+
+#include <QCryptographicHash>
+#include <QSqlRecord>
+#include <cmath>
+#include <ctime>
+#include <regex>
+#include <set>
+
+#include "curriculum/utc_time.h"
+#include "tests/web_fixture.h"
+#include "ui/web/frame.h"
+
+namespace placode::test {
+
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Of store_cases.h.
+
+namespace {
+
+constexpr const char* kScript = "<script>alert(\"1\")</script>";
+
+class WebPagesTest : public WebTest {
+ protected:
+    /// Every page there is, with what its `*` stand for.
+    [[nodiscard]] std::vector<std::string> pages() const {
+        std::vector<std::string> all{"/",
+                                     "/cohort",
+                                     "/help",
+                                     "/refreshers",
+                                     "/refreshers?after=5",
+                                     "/scores",
+                                     "/attempts",
+                                     "/standards",
+                                     "/norms",
+                                     "/norms/1",
+                                     "/people",
+                                     "/studies",
+                                     "/people?find=grouped"};
+        for (const char* part : {"", "/entries", "/deviations"})
+            all.push_back(std::string("/studies/") + RightsWorld::kStudy + part);
+        for (const auto& [login, mine] : people.of) {
+            const std::string person = "/people/" + std::to_string(mine.person);
+            for (const char* part : {"", "/attempts", "/tasks/diathermy_ring"})
+                all.push_back(person + part);
+            all.push_back("/attempts/" + std::to_string(mine.attempt));
+        }
+        return all;
+    }
+
+    /// Of every table that is there, whatever is in it.
+    [[nodiscard]] std::string checksum_of_the_store() const {
+        RawConnection connection = raw();
+        QSqlQuery tables(connection.handle());
+        tables.exec(is_sqlite() ? "SELECT name FROM sqlite_schema WHERE type = 'table' ORDER BY 1"
+                                : "SELECT table_name FROM information_schema.tables WHERE "
+                                  "table_schema = current_schema() ORDER BY 1");
+        std::vector<QString> names;
+        while (tables.next()) names.push_back(tables.value(0).toString());
+        EXPECT_GT(names.size(), 10U);
+        QCryptographicHash hash(QCryptographicHash::Sha256);
+        for (const QString& name : names) {
+            QSqlQuery rows(connection.handle());
+            EXPECT_TRUE(rows.exec("SELECT * FROM " + name + " ORDER BY 1")) << name.toStdString();
+            while (rows.next())
+                for (int i = 0; i < rows.record().count(); ++i)
+                    hash.addData(name.toUtf8() + '\n' + rows.value(i).toByteArray() + '\n');
+        }
+        return hash.result().toHex().toStdString();
+    }
+};
+
+TEST_P(WebPagesTest, ShowEachRoleWhatTheTableOfRightsSays) {
+    const auto person = [&](const char* login) {
+        return "/people/" + std::to_string(people.of[login].person);
+    };
+    const auto attempt = [&](const char* login) {
+        return "/attempts/" + std::to_string(people.of[login].attempt);
+    };
+    const std::string study = std::string("/studies/") + RightsWorld::kStudy;
+    struct Case {
+        std::string path, who;  ///< Roles that see it.
+    };
+    const std::vector<Case> cases{
+        {"/", "trainee educator coordinator administrator"},
+        {"/cohort", "educator"},
+        {"/help", "educator"},
+        {"/refreshers", "educator"},
+        {"/scores", "educator"},
+        {"/attempts", "educator"},
+        {"/standards", "educator"},
+        {"/norms", "educator"},
+        {"/studies", "coordinator"},
+        {study, "coordinator"},
+        {study + "/entries", "coordinator"},
+        {study + "/deviations", "coordinator"},
+        {"/people", "educator administrator"},
+        {person("grouped"), "educator"},
+        {person("stranger"), "educator"},
+        {person("stranger") + "/attempts", "educator"},
+        {attempt("grouped"), "educator"},
+        {attempt("stranger"), "educator"},
+        {attempt("loner"), "educator coordinator"},  // Of the study.
+    };
+    for (const auto& [login, role] : RightsWorld::kActors) {
+        Browser one = signed_in(login);
+        for (const Case& each : cases) {
+            const bool may = each.who.find(login) != std::string::npos;
+            const Seen seen = one.get(each.path);
+            EXPECT_EQ(seen.status, may ? 200 : 403) << login << " " << each.path;
+            if (!may) {
+                EXPECT_TRUE(seen.shows("You may not")) << login << " " << each.path;
+                EXPECT_FALSE(seen.shows(folder.path().string())) << "where the store lies";
+            }
+        }
+        EXPECT_EQ(one.get(person(login)).status, 200) << login;
+        EXPECT_EQ(one.get(person(login) + "/attempts").status, 200) << login;
+        EXPECT_EQ(one.get(attempt(login)).status, 200) << login;
+    }
+}
+
+TEST_P(WebPagesTest, ShowNobodyAnything) {
+    Browser nobody = browser();
+    for (const std::string& path : pages()) {
+        const Seen seen = nobody.get(path);
+        EXPECT_EQ(seen.status, 303) << path;
+        EXPECT_EQ(seen.header("Location"), "/sign-in") << path;
+        EXPECT_TRUE(seen.body.empty()) << path;
+    }
+    EXPECT_EQ(nobody.get("/there/is/none").status, 303) << "nobody learns which pages there are";
+}
+
+// Signing in is the one thing that writes: it comes before the first checksum.
+TEST_P(WebPagesTest, WriteNothing) {
+    std::vector<Browser> browsers;
+    for (const auto& [login, role] : RightsWorld::kActors) {
+        browsers.push_back(browser());
+        ASSERT_EQ(browsers.back().sign_in(login).status, 303);
+    }
+    const std::string before = checksum_of_the_store();
+    int answered = 0;
+    for (Browser& one : browsers)
+        for (const std::string& path : pages()) {
+            answered += one.get(path).status == 200 ? 1 : 0;
+            for (const char* method : {"POST", "PUT", "PATCH", "DELETE"})
+                EXPECT_EQ(one.send(method, path).status, 405) << method << " " << path;
+        }
+    EXPECT_GT(answered, 50);
+    EXPECT_EQ(checksum_of_the_store(), before);
+    ASSERT_EQ(browser().sign_in("trainee").status, 303);
+    EXPECT_NE(checksum_of_the_store(), before) << "a sign-in shows in the checksum";
+}
+
+TEST_P(WebPagesTest, CarryTheHeadersAndNeitherScriptNorInlineStyle) {
+    Browser one = signed_in("educator");
+    std::vector<Seen> all{
+        browser().get("/"),          browser().get("/sign-in"),
+        browser().get("/style.css"), one.get("/there/is/none"),
+        one.get("/people/x"),        one.get("/people/999999"),
+        one.send("DELETE", "/"),     browser().sign_in("trainee", "wrong one 12")};
+    for (const std::string& path : pages()) all.push_back(one.get(path));
+    const std::regex inline_style(R"(<[^>]*\s(style|on\w+)\s*=)");
+    for (const Seen& seen : all) {
+        EXPECT_EQ(seen.header("Content-Security-Policy"),
+                  "default-src 'none'; style-src 'self'; img-src 'self' data:; form-action 'self'; "
+                  "frame-ancestors 'none'; base-uri 'none'");
+        EXPECT_EQ(seen.header("X-Content-Type-Options"), "nosniff");
+        EXPECT_EQ(seen.header("Referrer-Policy"), "no-referrer");
+        EXPECT_EQ(seen.header("Cache-Control"), "no-store");
+        EXPECT_FALSE(seen.shows("<script"));
+        EXPECT_FALSE(seen.shows("<style"));
+        EXPECT_FALSE(std::regex_search(seen.body, inline_style)) << seen.body.substr(0, 300);
+    }
+}
+
+TEST_P(WebPagesTest, MakeNoMarkupOfWhatSomebodyTyped) {
+    const auto store = open();
+    db::NewUser user = trainee("mark-up");
+    user.display_name = kScript;
+    const int64_t id = store->accounts().create(user);
+    const int64_t attempt = store->attempts().save(id, make_result());
+    const int64_t group = store->groups().create(kScript);
+    store->groups().set_role(group, id, db::GroupRole::kMember);
+    store->reviews().add_comment({0, attempt, people.teacher, "", -1, kScript, ""});
+    auto protocol =
+        QJsonDocument::fromJson(
+            QByteArray::fromStdString(curriculum::load_study("face_content_validity").json))
+            .object();
+    protocol["title"] = QJsonObject{{"en", kScript}, {"pl", kScript}};
+    db::DefinitionRecord study;
+    study.kind = "study";
+    study.id = "face_content_validity";
+    study.json = QJsonDocument(protocol).toJson().toStdString();
+    study.version = protocol["version"].toInt(1);
+    study.reason = kScript;
+    store->definitions().publish(study);
+    const std::string person = std::to_string(id);
+    const std::vector<std::pair<const char*, std::string>> shown{
+        {"educator", "/people/" + person},
+        {"educator", "/people/" + person + "/attempts"},
+        {"educator", "/people/" + person + "/tasks/diathermy_ring"},
+        {"educator", "/attempts/" + std::to_string(attempt)},
+        {"educator", "/attempts"},
+        {"educator", "/cohort"},
+        {"administrator", "/people"},
+        {"administrator", std::string("/people?find=") + "%3Cscript%3E"},
+        {"coordinator", "/studies"},
+        {"coordinator", "/studies/face_content_validity"},
+        {"mark-up", "/"}};
+    for (const auto& [login, path] : shown) {
+        const Seen seen = signed_in(login).get(path);
+        EXPECT_EQ(seen.status, 200) << path;
+        EXPECT_FALSE(seen.shows("<script")) << path;
+        EXPECT_TRUE(seen.shows("&lt;script&gt;")) << path;
+    }
+}
+
+TEST_P(WebPagesTest, HaveHeadingsCaptionsAndLabels) {
+    Browser educator = signed_in("educator"), coordinator = signed_in("coordinator");
+    for (const std::string& path : pages()) {
+        Seen seen = educator.get(path);
+        if (seen.status == 403) seen = coordinator.get(path);
+        if (seen.status != 200) continue;
+        EXPECT_TRUE(seen.shows("<html lang=\"en\">")) << path;
+        EXPECT_TRUE(seen.shows("class=\"skip\" href=\"#content\"")) << path;
+        const auto count = [&](const char* words) {
+            int found = 0;
+            for (size_t at = 0; (at = seen.body.find(words, at)) != std::string::npos; ++at)
+                ++found;
+            return found;
+        };
+        EXPECT_EQ(count("<h1>"), 1) << path;
+        EXPECT_EQ(count("<table>"), count("<caption>")) << path;
+        EXPECT_EQ(count("<img "), count("alt=\"")) << path;
+        EXPECT_EQ(count("<select "), count("<label ") - count("type=\"search\"")) << path;
+        EXPECT_FALSE(seen.shows("<th>")) << path << ": a head without scope";
+    }
+}
+
+// The world's attempts were made on a day in January.
+TEST_P(WebPagesTest, SayWhoIsDueForARefresher) {
+    Browser one = signed_in("educator");
+    for (const char* path : {"/refreshers", "/refreshers?after=5"}) {
+        const Seen seen = one.get(path);
+        EXPECT_TRUE(seen.shows("since 5 months")) << path;
+        EXPECT_TRUE(seen.shows("2026-01-02")) << path;
+    }
+    db::AttemptResult fresh = make_result();
+    fresh.header.started_utc = curriculum::utc_text(std::time(nullptr));
+    for (const auto& [login, mine] : people.of) (void)open()->attempts().save(mine.person, fresh);
+    EXPECT_TRUE(one.get("/refreshers").shows("Nobody is due."));
+}
+
+double luminance(const std::string& hex) {
+    const auto part = [&](size_t at) {
+        const double value = std::stoi(hex.substr(at, 2), nullptr, 16) / 255.0;
+        return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * part(1) + 0.7152 * part(3) + 0.0722 * part(5);
+}
+
+TEST(WebStyle, EveryTextHasAContrastOfFourAndAHalf) {
+    const std::string sheet(web::style_sheet());
+    const size_t dark = sheet.find("prefers-color-scheme: dark");
+    for (const std::string& theme : {sheet.substr(0, dark), sheet.substr(dark)}) {
+        std::map<std::string, double> of;
+        const std::regex token(R"(--([a-z-]+): (#[0-9A-F]{6}))");
+        for (std::sregex_iterator each(theme.begin(), theme.end(), token), end; each != end; ++each)
+            of[(*each)[1]] = luminance((*each)[2]);
+        ASSERT_EQ(of.size(), 16U);
+        for (const auto& [ink, paper] :
+             std::vector<std::pair<const char*, const char*>>{{"text", "surface"},
+                                                              {"text", "raised"},
+                                                              {"text", "hover"},
+                                                              {"text", "critical-soft"},
+                                                              {"muted", "surface"},
+                                                              {"muted", "raised"},
+                                                              {"muted", "hover"},
+                                                              {"accent", "surface"},
+                                                              {"accent", "raised"},
+                                                              {"accent", "hover"},
+                                                              {"accent", "accent-soft"},
+                                                              {"on-accent", "accent"},
+                                                              {"good", "good-soft"},
+                                                              {"warn", "warn-soft"},
+                                                              {"critical", "critical-soft"}}) {
+            const double a = of.at(ink), b = of.at(paper);
+            EXPECT_GE((std::max(a, b) + 0.05) / (std::min(a, b) + 0.05), 4.5)
+                << ink << " on " << paper;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Engines, WebPagesTest, testing::Values("Sqlite", "Postgresql"),
+                         engine_name);
+
+}  // namespace
+}  // namespace placode::test
