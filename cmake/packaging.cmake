@@ -4,7 +4,7 @@
 # cmake --install, and packages: `cpack -G DEB` (Debian 12) and `cpack -G TZST` (runs from any folder on such a system).
 include(GNUInstallDirs)
 
-install(TARGETS placode placode-sim placodectl RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(TARGETS placode placode-sim placodectl placode-web RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY data/ DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
 install(DIRECTORY docs/manual DESTINATION ${CMAKE_INSTALL_DATADIR}/placode)
 install(FILES packaging/org.placode.Placode.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
@@ -23,7 +23,7 @@ install(FILES packaging/70-placode.rules DESTINATION lib/udev/rules.d)
 set(pages ${CMAKE_BINARY_DIR}/pages)
 add_custom_command(OUTPUT ${pages}/made
   COMMAND ${CMAKE_COMMAND} -E env BIN=${CMAKE_BINARY_DIR}/bin ${PROJECT_SOURCE_DIR}/packaging/make-pages ${pages}
-  DEPENDS placode placode-sim placodectl packaging/make-pages VERBATIM)
+  DEPENDS placode placode-sim placodectl placode-web packaging/make-pages VERBATIM)
 add_custom_target(pages DEPENDS ${pages}/made)
 install(DIRECTORY ${pages}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} OPTIONAL)
 install(FILES ${pages}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/placode OPTIONAL)

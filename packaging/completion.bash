@@ -1,4 +1,4 @@
-# bash completion for placode, placode-sim and placodectl: asks the programs themselves, so that it is never behind.
+# bash completion for placode, placode-sim, placodectl and placode-web: asks the programs themselves, so that it is never behind.
 _placode() {
   local word=${COMP_WORDS[COMP_CWORD]} program=${COMP_WORDS[0]} help i
   local -a path=()
@@ -17,4 +17,4 @@ _placode() {
   mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   [ ${#COMPREPLY[@]} -gt 0 ] || mapfile -t COMPREPLY < <(compgen -f -- "$word")
 }
-complete -o filenames -F _placode placode placode-sim placodectl
+complete -o filenames -F _placode placode placode-sim placodectl placode-web

@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . scripts/prepare.sh
-placode_prepare release placode placode-sim placodectl
+placode_prepare release placode placode-sim placodectl placode-web
 placode_install help2man lintian dpkg-dev file
 ninja -C build/release pages >build/release/pages.log 2>&1 || { tail -n 5 build/release/pages.log; exit 1; }
 out=$PWD/build/packages

@@ -42,7 +42,7 @@ class Install : public Programs {
 }  // namespace
 
 TEST_F(Install, ProgramsFindTheirDataWhereTheyWereInstalled) {
-    for (const char* program : {"placode", "placode-sim", "placodectl"}) {
+    for (const char* program : {"placode", "placode-sim", "placodectl", "placode-web"}) {
         const Outcome version = shell("'" + there(std::string("bin/") + program) + "' --version",
                                       "DISPLAY= WAYLAND_DISPLAY=");
         EXPECT_EQ(version.status, 0) << version.err;
