@@ -7,6 +7,7 @@
 
 #include "db/schema.h"
 #include "db/sqlite_file.h"
+#include "db/station_role.h"
 #include "db/store_context.h"
 
 namespace placode::db {
@@ -43,6 +44,7 @@ std::unique_ptr<Store> open_for_reading(const std::string& url, int64_t account_
         },
         {});
     need_present_tables(connection, options);
+    if (options.station) need_station_role(connection);
     context->become(account_id);
     return std::make_unique<Store>(std::move(context));
 }

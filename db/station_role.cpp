@@ -160,4 +160,12 @@ std::vector<std::string> station_role_problems(Connection& connection) {
     return problems;
 }
 
+void need_station_role(Connection& connection) {
+    const auto problems = station_role_problems(connection);
+    if (!problems.empty() && has_station_role(connection))
+        connection.fail(StoreError::Kind::kRefused,
+                        "this log-in to the server can do more than a station should (" +
+                            problems.front() + "); use one that is member of placode_station");
+}
+
 }  // namespace placode::db

@@ -32,4 +32,7 @@ void renew_station_role(Connection& connection);
 /// cannot, and for an embedded store.
 [[nodiscard]] std::vector<std::string> station_role_problems(Connection& connection);
 
+/// Throws kRefused where there is the group for stations and this log-in can do more.
+void need_station_role(Connection& connection);
+
 }  // namespace placode::db

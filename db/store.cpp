@@ -104,12 +104,7 @@ void bring_up_to_date(StoreContext& context) {
         });
     if (changed) renew_station_role(connection);
     seal_what_was_there(context);
-    if (!context.options.station) return;
-    const auto problems = station_role_problems(connection);
-    if (!problems.empty() && has_station_role(connection))
-        connection.fail(StoreError::Kind::kRefused,
-                        "this log-in to the server can do more than a station should (" +
-                            problems.front() + "); use one that is member of placode_station");
+    if (context.options.station) need_station_role(connection);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "db/reading_store.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -150,6 +151,11 @@ TEST_P(StationRole, APersonsProgramRefusesTheOwner) {
     EXPECT_EQ(std::string(refused.what()).find(World::get().server().password()),
               std::string::npos);
     EXPECT_NO_THROW((void)owner());
+    EXPECT_EQ(failure_of([&] {
+                  (void)db::open_for_reading(World::get().server().url(database), person_, options);
+              }).kind(),
+              StoreError::Kind::kRefused);
+    EXPECT_NO_THROW((void)db::open_for_reading(url(), person_, options));
 }
 
 TEST_P(StationRole, SaysWhatALogInMayDoBeyond) {

@@ -53,6 +53,13 @@ void log(const std::string& line) {
               << std::endl;
 }
 
+/// On a server a log-in that can do more than a station's is refused.
+db::StoreOptions at_station() {
+    db::StoreOptions options;
+    options.station = true;
+    return options;
+}
+
 /// The store is there, of this version, and not in the command line with its password.
 std::string checked_store(const Options& options) {
     const std::string url = options.store.empty() ? db::default_store_url() : options.store;
@@ -61,7 +68,7 @@ std::string checked_store(const Options& options) {
             "--store: the address holds a password, and everybody on this computer can read it "
             "there (ps); put it in ~/.pgpass (mode 600) or $PGPASSWORD");
     // For nobody: account 0 is none.
-    (void)db::open_for_reading(url, 0);
+    (void)db::open_for_reading(url, 0, at_station());
     return url;
 }
 
@@ -89,6 +96,7 @@ int serve(const Options& options) {
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }
+    portal.store = at_station();
     portal.behind_tls = options.behind_tls;
     portal.log = log;
     const sigset_t set = endings();
