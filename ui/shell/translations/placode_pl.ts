@@ -9422,7 +9422,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <name>StoreWords</name>
     <message>
         <source>its tables are missing or of an older version, and this log-in may not make any; their owner does, with `placodectl station role --apply`</source>
-        <translation>brak jej tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
+        <translation>brak jego tabel albo są ze starszej wersji, a ten login nie może ich tworzyć; robi to ich właściciel poleceniem `placodectl station role --apply`</translation>
     </message>
     <message>
         <source>this log-in to the server can do more than a station should (%1); use one that is member of placode_station</source>
