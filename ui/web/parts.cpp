@@ -30,14 +30,24 @@ std::string data_address(const std::string& svg) {
 
 }  // namespace
 
-Text moment(const std::string& utc) {
+Html moment(const std::string& utc) {
     if (utc.size() < 16) return day(utc);
-    return text(utc.substr(0, 10) + " " + utc.substr(11, 5));
+    Html out = day(utc);
+    out << " " << text(utc.substr(11, 5));
+    return out;
 }
 
-Text day(const std::string& utc) { return text(utc.empty() ? "–" : utc.substr(0, 10)); }
+// In one piece: a browser would break it at its hyphens.
+Html day(const std::string& utc) {
+    Html out;
+    out << "<span class=\"day\">" << text(utc.empty() ? "–" : utc.substr(0, 10)) << "</span>";
+    return out;
+}
 
-Text points(double value) { return text(reports::number(value, 1)); }
+Text points(double value) {
+    const QString number = reports::number(value, 1);
+    return text(number.startsWith('-') ? QString::fromUtf8("−") + number.mid(1) : number);
+}
 
 Html points_and_verdict(const db::AttemptRecord& attempt) {
     if (!db::counts(attempt)) return badge(Html("does not count"), "");
@@ -194,6 +204,8 @@ Html attempts_table(const Visit& visit, const std::string& caption,
     for (const db::AttemptRecord& each : attempts) {
         Html number;
         number << "#" << text(each.id);
+        Html task = text(visit.tasks.of(each.task_id).title);
+        if (each.demonstration) task << " " << badge(Html("DEMONSTRATION"), "warn");
         std::vector<Html> cells{link("/attempts/" + std::to_string(each.id), number),
                                 moment(each.started_utc)};
         if (with_person)
@@ -201,7 +213,7 @@ Html attempts_table(const Visit& visit, const std::string& caption,
                                    ? Html(text(each.user_name))
                                    : link("/people/" + std::to_string(each.user_id),
                                           text(name_or_number(each.user_name, each.user_id))));
-        cells.emplace_back(text(visit.tasks.of(each.task_id).title));
+        cells.push_back(task);
         cells.emplace_back(points(each.points));
         cells.push_back(points_and_verdict(each));
         const QString why = reports::not_counted_words(each);

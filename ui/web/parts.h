@@ -17,8 +17,8 @@
 namespace placode::web {
 
 /// "2026-11-25 18:03", UTC; "–" for none.
-[[nodiscard]] Text moment(const std::string& utc);
-[[nodiscard]] Text day(const std::string& utc);
+[[nodiscard]] Html moment(const std::string& utc);
+[[nodiscard]] Html day(const std::string& utc);
 [[nodiscard]] Text points(double value);
 [[nodiscard]] Html points_and_verdict(const db::AttemptRecord& attempt);
 [[nodiscard]] Html standing_badge(assessment::Standing standing);

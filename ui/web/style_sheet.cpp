@@ -86,6 +86,7 @@ button:hover { background: var(--hover); }
 .primary { width: 100%; color: var(--on-accent); background: var(--accent); border-color: var(--accent); }
 .primary:hover { color: var(--on-accent); background: var(--accent); filter: brightness(1.1); }
 .row { margin: 0 0 16px; }
+.day { white-space: nowrap; }
 .choices { display: flex; flex-wrap: wrap; align-items: end; gap: 12px; margin: 0 0 16px; }
 .choices > div { flex: 0 1 260px; min-width: 0; }
 .pager { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 24px; }
