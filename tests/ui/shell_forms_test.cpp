@@ -60,6 +60,11 @@ void ShellFormsTest::enterSubmitsTheSetUpPageOrSaysWhatIsMissing() {
     enter("display_name");
     QVERIFY(shell.find<QLabel>("setup_message")->isVisible());
     QVERIFY(shell.focusIsIn("login"));
+    // A box answers to Enter as well, and stays as it is.
+    auto* box = shell.find<QCheckBox>("also_trainee");
+    shell.find<QLabel>("setup_message")->hide();
+    QTest::keyClick(box, Qt::Key_Return);
+    QVERIFY(shell.find<QLabel>("setup_message")->isVisible() && !box->isChecked());
     QVERIFY(shell.type("login", "ada"));
     QVERIFY(shell.type("password", "short"));
     enter("password");

@@ -117,8 +117,10 @@ class PeoplePage : public Page {
         enter_submits({name_, login_, password_}, this, [this] { this->add(); });
         hide_when_edited(message_, {name_, login_, password_});
         layout->addWidget(add);
-        for (const auto& [box, role] : roles_)
+        for (const auto& [box, role] : roles_) {
             connect(box, &QCheckBox::toggled, this, [this] { showRoles(); });
+            enter_submits({box}, this, [this] { this->add(); });
+        }
         resetRoles();
         new_card_ = make_card(layout);
         return new_card_;

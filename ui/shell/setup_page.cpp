@@ -38,8 +38,9 @@ class SetupPage : public Page {
         create->setProperty("scale", "large");
         connect(create, &QPushButton::clicked, this, [this] { this->create(); });
         hide_when_edited(message_, {fields_.name, fields_.login, fields_.password, fields_.again});
-        enter_submits({fields_.name, fields_.login, fields_.password, fields_.again}, this,
-                      [this] { this->create(); });
+        enter_submits(
+            {fields_.name, fields_.login, fields_.password, fields_.again, trains_, demonstration_},
+            this, [this] { this->create(); });
         layout->addWidget(create);
         QFrame* card = make_card(layout);
         layout->setContentsMargins(kSpace32, kSpace32, kSpace32, kSpace32);
