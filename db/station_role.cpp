@@ -3,6 +3,7 @@
 #include "db/station_role.h"
 
 #include <array>
+#include <utility>
 
 namespace placode::db {
 namespace {
@@ -55,6 +56,23 @@ constexpr const char* kOwns =
     "EXISTS (SELECT FROM pg_tables WHERE schemaname = 'public' AND pg_has_role(current_user, "
     "tableowner, 'MEMBER'))";
 
+// What a station should not be able to do, as SQL, and how it is said.
+constexpr std::array<std::pair<const char*, const char*>, 5> kBeyond{{
+    {"(SELECT rolsuper FROM pg_roles WHERE rolname = current_user)",
+     "is superuser of the server: it reads and changes everything"},
+    {"(SELECT rolcreaterole FROM pg_roles WHERE rolname = current_user)",
+     "may give itself the rights of other roles"},
+    {kOwns,
+     "owns tables, or may become their owner: it can change scores and switch the guards of the "
+     "trail off"},
+    // Columns that no station may change, of which one stands for all.
+    {"has_column_privilege('attempts', 'points', 'UPDATE') OR has_table_privilege('audit', "
+     "'UPDATE') OR has_table_privilege('audit', 'DELETE') OR has_table_privilege('definitions', "
+     "'UPDATE')",
+     "may change scores, published texts or the trail"},
+    {"has_schema_privilege('public', 'CREATE')", "may make tables and functions"},
+}};
+
 std::vector<std::string> grants() {
     std::vector<std::string> sql{
         "REVOKE CREATE ON SCHEMA public FROM PUBLIC",
@@ -73,9 +91,8 @@ std::vector<std::string> grants() {
     return sql;
 }
 
-/// The first column of the first row, as true or false.
-bool is_so(Connection& connection, const std::string& condition) {
-    Statement query(connection, "SELECT CASE WHEN " + condition + " THEN 1 ELSE 0 END");
+bool owns_tables(Connection& connection) {
+    Statement query(connection, std::string("SELECT CASE WHEN ") + kOwns + " THEN 1 ELSE 0 END");
     return query.run().next() && query.integer(0) != 0;
 }
 
@@ -103,7 +120,7 @@ void give_station_role(Connection& connection) {
         connection.fail(StoreError::Kind::kRefused,
                         "a store that is a file has no log-ins; this is for a server");
     // For somebody else PostgreSQL would warn, and give nothing.
-    if (!is_so(connection, kOwns))
+    if (!owns_tables(connection))
         connection.fail(StoreError::Kind::kRefused,
                         "this log-in does not own the tables; use their owner's");
     for (const std::string& each : station_role_statements()) {
@@ -138,31 +155,24 @@ void renew_station_role(Connection& connection) {
 std::vector<std::string> station_role_problems(Connection& connection) {
     std::vector<std::string> problems;
     if (connection.is_sqlite()) return problems;
+    std::string columns;
+    for (const auto& [condition, problem] : kBeyond)
+        columns += (columns.empty() ? "CASE WHEN " : ", CASE WHEN ") + std::string(condition) +
+                   " THEN 1 ELSE 0 END";
+    Statement query(connection, "SELECT " + columns);
+    if (!query.run().next()) return problems;
     const std::string user = connection.url().user;
     const std::string role = user.empty() ? "the role" : "the role \"" + user + "\"";
-    const auto when = [&](const std::string& condition, const std::string& problem) {
-        if (is_so(connection, condition)) problems.push_back("role: " + role + " " + problem);
-    };
-    when("(SELECT rolsuper FROM pg_roles WHERE rolname = current_user)",
-         "is superuser of the server: it reads and changes everything");
-    when("(SELECT rolcreaterole FROM pg_roles WHERE rolname = current_user)",
-         "may give itself the rights of other roles");
-    when(kOwns,
-         "owns tables, or may become their owner: it can change scores and switch the guards of "
-         "the trail off");
-    // Columns that no station may change, of which one stands for all.
-    when(
-        "has_column_privilege('attempts', 'points', 'UPDATE') OR has_table_privilege('audit', "
-        "'UPDATE') OR has_table_privilege('audit', 'DELETE') OR "
-        "has_table_privilege('definitions', 'UPDATE')",
-        "may change scores, published texts or the trail");
-    when("has_schema_privilege('public', 'CREATE')", "may make tables and functions");
+    for (size_t i = 0; i < kBeyond.size(); ++i)
+        if (query.integer(static_cast<int>(i)) != 0)
+            problems.push_back("role: " + role + " " + kBeyond[i].second);
     return problems;
 }
 
 void need_station_role(Connection& connection) {
+    if (!has_station_role(connection)) return;
     const auto problems = station_role_problems(connection);
-    if (!problems.empty() && has_station_role(connection))
+    if (!problems.empty())
         connection.fail(StoreError::Kind::kRefused,
                         "this log-in to the server can do more than a station should (" +
                             problems.front() + "); use one that is member of placode_station");

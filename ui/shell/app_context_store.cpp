@@ -43,23 +43,15 @@ std::string AppContext::urlWithPassword() {
     return typed.isEmpty() ? store_url_ : db::with_password(store_url_, typed.toStdString());
 }
 
-namespace {
-
-// Whoever sits here may have a log-in to the server that can do more than the shell should.
-db::StoreOptions at_station(db::StoreOptions options) {
-    options.station = true;
-    return options;
-}
-
-}  // namespace
-
 bool AppContext::openStore(const db::StoreOptions& options) {
     store_.reset();
     store_missing_ = false;
     const bool tried = guard(tr("Opening the store"), [&] {
         try {
             const std::string url = urlWithPassword();
-            store_ = db::open_store(url, at_station(options));
+            db::StoreOptions there = options;
+            there.station = true;  // Whoever sits here must not act with the owner's log-in.
+            store_ = db::open_store(url, there);
             store_url_ = url;
             // From here on what the person may whom it serves, and before sign-in next to nothing.
             user_ ? store_->act_for(user_->id) : store_->sign_out();
