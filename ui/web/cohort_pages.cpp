@@ -167,9 +167,8 @@ PageText help_page(const Visit& visit) {
         body << "<p>Nobody is stuck or regressed.</p>";
     else
         body << table.html() << pager(part, "/help", {{"group", visit.asked("group")}});
-    body << "<p class=\"small\">Stuck: none of the last 5 attempts passed and no gain of 3 points. "
-            "Regressed: passed before, but neither of the last two attempts. It points at people "
-            "to look at and does not judge them.</p></section>\n";
+    body << "<p class=\"small\">" << standings_explained()
+         << " It points at people to look at and does not judge them.</p></section>\n";
     return {"Who needs help", body};
 }
 

@@ -76,6 +76,13 @@ Html standing_badge(assessment::Standing standing) {
     }
 }
 
+Text standings_explained() {
+    return text("Stuck: none of the last " + std::to_string(assessment::kStuckTrials) +
+                " attempts passed and no gain of " +
+                reports::number(assessment::kProgressPoints, 0).toStdString() +
+                " points. Regressed: passed before, but neither of the last two attempts.");
+}
+
 std::string role_words(db::Roles roles) {
     std::string words;
     const auto add = [&](db::Role role, const char* word) {

@@ -22,6 +22,8 @@ namespace placode::web {
 [[nodiscard]] Text points(double value);
 [[nodiscard]] Html points_and_verdict(const db::AttemptRecord& attempt);
 [[nodiscard]] Html standing_badge(assessment::Standing standing);
+/// What "stuck" and "regressed" mean (assessment/cohort.h).
+[[nodiscard]] Text standings_explained();
 [[nodiscard]] std::string role_words(db::Roles roles);
 /// "number 12" where there is no name any more.
 [[nodiscard]] std::string name_or_number(const std::string& name, int64_t id);

@@ -86,9 +86,8 @@ Html tasks_card(const Visit& visit, const reports::TraineeReport& report) {
                    text(one.standing.attempts), points(one.standing.last_points),
                    points(one.standing_now.recent), points(one.standing.best_points),
                    standing_badge(one.standing_now.standing), day(one.standing.last_utc)});
-    body << table.html() << "<p class=\"small\">Open a task to see its learning curve. Stuck: none "
-         << "of the last 5 attempts passed and no gain of 3 points. Regressed: passed before, but "
-         << "neither of the last two attempts.</p>";
+    body << table.html() << "<p class=\"small\">Open a task to see its learning curve. "
+         << standings_explained() << "</p>";
     return card(Html("Tasks"), body);
 }
 
