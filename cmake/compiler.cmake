@@ -58,7 +58,8 @@ function(placode_optimise_little)
 endfunction()
 
 # Several files at once: what arranges, parses and prints takes its time in headers and templates, which
-# are then compiled once for all of them. Every file still stands for itself (the other presets compile it so), and what can be changed in one without the others is found there.
+# are then compiled once for all of them. Every file still names what it uses; -DPLACODE_UNITY=OFF compiles
+# each alone.
 option(PLACODE_UNITY "Compile files of the user interface and the command line several at a time" ON)
 function(placode_several_at_once)
   if(PLACODE_UNITY)
