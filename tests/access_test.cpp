@@ -10,7 +10,7 @@
 
 using namespace placode::db;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr std::array kActions{Action::kPerformAttempt,
                               Action::kViewAttempts,
@@ -91,8 +91,6 @@ bool expects(const Rights& rights, Action action, Scope scope) {
     return found != rights.end() && found->second.find(letter) != std::string::npos;
 }
 
-}  // namespace
-
 TEST(Access, EveryRoleMayDoExactlyWhatIsItsOwn) {
     for (const auto& [role, rights] : expected()) {
         for (const Action action : kActions)
@@ -124,3 +122,5 @@ TEST(Access, ARefusalNamesTheRoleThatCould) {
     EXPECT_NE(refusal(Action::kExportStudy).find("coordinator"), std::string::npos);
     EXPECT_NE(refusal(Action::kBackup).find("administrator"), std::string::npos);
 }
+
+}  // namespace THIS_TEST

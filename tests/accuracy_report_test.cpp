@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace placode::bench {
-namespace {
+namespace THIS_TEST {
 
 using sim::AccuracyRow;
 
@@ -60,5 +60,5 @@ TEST(AccuracyReport, SaysNothingOfReactionsThatWereNotMeasured) {
     EXPECT_FALSE(has(text, "Displacement and reaction"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::bench

@@ -10,7 +10,7 @@
 #include <vector>
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 std::vector<AccuracyRow> quick_rows(const char* group) {
     AccuracyOptions options;
@@ -131,5 +131,5 @@ TEST(Accuracy, FreeBodiesKeepMomentumAndAngularMomentum) {
     EXPECT_EQ(kept, 12);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -10,7 +10,7 @@
 #include "curriculum/questionnaire.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 Questionnaire sample() {
     return load_questionnaire_text(R"({"id":"q","version":3,"title":{"en":"t"},"items":[
@@ -104,5 +104,5 @@ TEST(Answers, ReverseKeyedItemsAreTurnedRoundAndNotApplicableOnesLeftOut) {
     EXPECT_EQ(scale_scores(q, answers).at(0).value, std::nullopt) << "5 of 8 are too few";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

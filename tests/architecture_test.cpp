@@ -18,7 +18,7 @@
 
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 const std::vector<std::string> kOrder{"sim",         "haptics", "assessment", "curriculum",
                                       "environment", "db",      "reports",    "bench",
@@ -107,8 +107,6 @@ std::map<std::string, std::string> fields_touched_in(const std::string& room) {
     }
     return touched;
 }
-
-}  // namespace
 
 TEST(Architecture, FilesIncludeOnlyFromTheirOwnFolderAndEarlierOnes) {
     int checked = 0;
@@ -281,3 +279,5 @@ TEST(Architecture, NoCatchAllFolders) {
         EXPECT_NE(name, "utils") << entry.path();
     }
 }
+
+}  // namespace THIS_TEST

@@ -8,7 +8,7 @@
 #include "haptics/device.h"
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 using curriculum::AttemptMode;
 using sim::EndReason;
@@ -379,5 +379,5 @@ TEST(AttemptControls, AGamepadsStartOpensTheMenuAndNeverEnds) {
     EXPECT_EQ(bench.controls.for_devices().gamepad_buttons, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

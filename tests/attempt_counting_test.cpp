@@ -19,7 +19,7 @@ using namespace placode;
 using namespace placode::test;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -59,8 +59,6 @@ class Counting : public EngineTest {
     std::unique_ptr<db::Store> store;
     int64_t user = 0;
 };
-
-}  // namespace
 
 TEST(SlowMachine, IsSaidInPlainWordsWithTheFigureAndTheLimit) {
     EXPECT_EQ(said({}), "") << "scripts and windowless runs say nothing";
@@ -147,3 +145,5 @@ TEST_P(Counting, PracticeExamAndMasteryLeaveItOut) {
     store->attempts().save(user, result);
     EXPECT_EQ(standing().attempts, before + 1);
 }
+
+}  // namespace THIS_TEST

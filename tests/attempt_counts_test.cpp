@@ -7,7 +7,7 @@
 #include "db/void_reason.h"
 
 namespace placode::reports {
-namespace {
+namespace THIS_TEST {
 
 void add(Dataset& data, bool counts, const db::AttemptRecord& record, bool again = false) {
     Row row;
@@ -71,5 +71,5 @@ TEST(AttemptCounts, WhereAllCountNothingIsSaid) {
     EXPECT_EQ(attempt_counts({}).all, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::reports

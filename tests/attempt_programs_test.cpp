@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 test::World* const world = test::World::install();
 
@@ -54,8 +54,6 @@ void damage_chunk(const std::string& path, int chunk) {
     ASSERT_EQ(sqlite3_exec(database, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
     sqlite3_close(database);
 }
-
-}  // namespace
 
 TEST_F(Programs, ADamagedRecordingNamesTheChunkAndCanBeRecovered) {
     const std::string path = file("a.placode");
@@ -218,3 +216,5 @@ TEST_F(Programs, ARecordingBecomesAnAttemptOfAPerson) {
     EXPECT_THAT(ctl("attempts --user demo-anna").out, HasSubstr("diathermy_ring_small"));
     EXPECT_EQ(ctl("import b.placode --user nobody").status, 2);
 }
+
+}  // namespace THIS_TEST

@@ -14,7 +14,7 @@
 #include "tests/cut_field.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 bool in_patch(const Vec3& p) {
     return std::abs(p.x()) < 0.0015 && std::abs(p.y()) < 0.0015 && p.z() > -0.001;
@@ -179,5 +179,5 @@ TEST(Reached, GapsOfTheRingAreToldWithLengthAndPlace) {
     for (const Event& each : events) EXPECT_TRUE(only_in_recording(each.kind));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -18,7 +18,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 class FullDisk final : public sim::RecordingSink {
  public:
@@ -300,5 +300,5 @@ TEST(AttemptRunner, AnUnknownDeviceIsRefusedBeforeTheSceneIsBuilt) {
     EXPECT_THROW(AttemptRunner(quick_task(), 1, options, nullptr), haptics::DeviceError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

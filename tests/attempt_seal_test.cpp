@@ -19,9 +19,7 @@ using namespace placode::test;
 using testing::HasSubstr;
 using testing::Not;
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // of store_cases.h
-
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kNow = "2026-11-25T19:00:00Z";
 
@@ -53,8 +51,6 @@ class AttemptSeal : public testing::Test {
     int64_t attempt = 0;
     std::string recording = folder.file("extracted.placode"), seal;
 };
-
-}  // namespace
 
 TEST_F(AttemptSeal, SaysWhatTheStoreHolds) {
     const db::AttemptRecord record = store->attempts().detail(attempt).record;
@@ -128,3 +124,5 @@ TEST_F(AttemptSeal, ANameIsNoStatement) {
     EXPECT_THAT(page, Not(HasSubstr("\npoints of 100: 100.00")));
     EXPECT_TRUE(db::seal_is_right(page));
 }
+
+}  // namespace THIS_TEST

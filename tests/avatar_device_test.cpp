@@ -11,7 +11,7 @@
 #include "tests/stand_in/avatar_port.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using test::AvatarPort;
 using test::error_of;
@@ -160,5 +160,5 @@ TEST(Avatar, AllocatesNothingInItsTickAndLeavesTheMotorsOff) {
     EXPECT_EQ(port.forces()[2], 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -19,7 +19,7 @@
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -312,5 +312,5 @@ TEST(BatchParts, TheChecksumIsThatOfSha256sum) {
               "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -8,7 +8,7 @@
 #include "tests/environment_fixture.h"
 
 namespace placode::environment {
-namespace {
+namespace THIS_TEST {
 
 constexpr size_t kMany = 3;
 
@@ -106,5 +106,5 @@ TEST(Batch, SaysWhatIsWrongAndStaysUsable) {
     EXPECT_THROW(Batch({}, Autoreset::kDisabled, 1), EnvironmentError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::environment

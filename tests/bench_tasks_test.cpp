@@ -11,7 +11,7 @@
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
-namespace {
+namespace THIS_TEST {
 
 using batches::Json;
 using testing::HasSubstr;
@@ -194,5 +194,5 @@ TEST(BenchTasksProtocol, TheShippedOneCanBeUsed) {
     EXPECT_EQ(protocol.sha256.size(), 64U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+namespace THIS_TEST {
+
 using namespace placode::assessment;
 
 TEST(Benchmark, IsMeanAndSampleSdOfTheExperts) {
@@ -61,3 +63,5 @@ TEST(Benchmark, ZIsPositiveForTheBetterSideAndScoresFromNoneToHundred) {
     for (const Case& each : {Case{0, 100}, {1, 100}, {-1, 75}, {-2, 50}, {-4, 0}, {-9, 0}})
         EXPECT_DOUBLE_EQ(item_score(each.z), each.score);
 }
+
+}  // namespace THIS_TEST

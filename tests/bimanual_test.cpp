@@ -10,6 +10,8 @@
 
 using placode::assessment::bimanual_dexterity;
 
+namespace THIS_TEST {
+
 TEST(Bimanual, TwoSinesCorrelateByTheCosineOfTheirPhase) {
     std::vector<double> left, right;
     const double phase = std::numbers::pi / 3;
@@ -34,3 +36,5 @@ TEST(Bimanual, AHandAtRestDoesNotDivideByZero) {
     EXPECT_EQ(b.balance, 0);
     EXPECT_EQ(b.left_only, 1);
 }
+
+}  // namespace THIS_TEST

@@ -21,7 +21,7 @@
 #include "tests/cut_checks.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::at;
 using test::blades;
@@ -257,5 +257,5 @@ TEST(BladeSlides, RandomCutsKeepTheMeshSoundAndTheBitsWithAnyThreads) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -17,7 +17,7 @@ using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
 
-namespace {
+namespace THIS_TEST {
 
 double mean(std::span<const double> v) {
     return std::accumulate(v.begin(), v.end(), 0.0) / static_cast<double>(v.size());
@@ -28,8 +28,6 @@ double median(std::span<const double> v) {
     std::sort(sorted.begin(), sorted.end());
     return quantile(sorted, 0.5);
 }
-
-}  // namespace
 
 TEST(Bootstrap, SevenValuesAreEnumerated) {
     const auto want = expected("bootstrap_expected.json");
@@ -64,3 +62,5 @@ TEST(Bootstrap, OneValueIsRefused) {
     const std::vector<double> x{1};
     EXPECT_THROW((void)bootstrap(x, mean), std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

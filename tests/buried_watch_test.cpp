@@ -16,7 +16,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 using sim::Vec3;
 
@@ -169,5 +169,5 @@ TEST(BuriedWatch, ACutWithEnergyAndARestInItsKerfAreLegitimate) {
     EXPECT_TRUE(bench.buried.empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

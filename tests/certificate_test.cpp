@@ -8,7 +8,7 @@
 #include <limits>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -103,5 +103,5 @@ TEST(Certificate, RefusesWhatIsNone) {
         "{\"future\":{\"a\":[1,2,{\"b\":null}]},\"format\":2,\"ticks\":7}"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

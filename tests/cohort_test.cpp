@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 /// Passed from 70 points on.
 CohortCell judge(const std::vector<double>& points) {
@@ -50,5 +50,5 @@ TEST(Cohort, CountsTheStreakUpToNow) {
     EXPECT_DOUBLE_EQ(cell.last, 90);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

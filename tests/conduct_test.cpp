@@ -6,7 +6,7 @@
 
 using namespace placode::curriculum;
 
-namespace {
+namespace THIS_TEST {
 
 TEST(Conduct, NamesOfModesGoThereAndBack) {
     for (const AttemptMode mode : {AttemptMode::kPractice, AttemptMode::kExam, AttemptMode::kStudy})
@@ -41,4 +41,4 @@ TEST(Conduct, NothingChangesTissueOrGivesAwayAScoreOutsidePractice) {
     EXPECT_FALSE(conduct_of(AttemptMode::kStudy).own_account);
 }
 
-}  // namespace
+}  // namespace THIS_TEST

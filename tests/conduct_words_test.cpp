@@ -13,7 +13,7 @@
 using namespace placode;
 using namespace placode::reports;
 
-namespace {
+namespace THIS_TEST {
 
 /// Says everything of the list with a mark before it: what has none was not recognised.
 class Marked : public QTranslator {
@@ -37,8 +37,6 @@ class ConductWords : public testing::Test {
 
     Marked translator;
 };
-
-}  // namespace
 
 TEST_F(ConductWords, EveryReasonOfASlowMachineIsSaidInTheProgramsLanguage) {
     for (const float pictures : {1.0F, 12.4F, 19.9F})
@@ -125,3 +123,5 @@ TEST_F(ConductWords, DeviationsAreSaidInTheProgramsLanguageAndInEnglishForFiles)
         EXPECT_TRUE(deviation_title(one.kind).startsWith('~')) << i;
     }
 }
+
+}  // namespace THIS_TEST

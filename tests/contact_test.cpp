@@ -12,7 +12,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::BoxOptions;
 using test::frame;
@@ -403,5 +403,5 @@ TEST(Contact, APushedXpbdBodyCarriesTheSameForce) {
     EXPECT_NEAR(force[1], force[0], 0.05 * force[0]);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

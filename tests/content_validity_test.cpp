@@ -10,6 +10,8 @@
 
 #include "statistics_reference.h"
 
+namespace THIS_TEST {
+
 using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
@@ -49,3 +51,5 @@ TEST(ContentValidity, ARatingOffTheScaleIsNamed) {
     EXPECT_THROW((void)content_validity({"q1"}, {{4, 5}}), std::invalid_argument);
     EXPECT_EQ(critical_cvr(4).n_critical, 0) << "four experts cannot be significant at 5 %";
 }
+
+}  // namespace THIS_TEST

@@ -10,6 +10,8 @@
 
 #include "statistics_reference.h"
 
+namespace THIS_TEST {
+
 using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
@@ -36,3 +38,5 @@ TEST(Correlation, RefusesAConstantColumn) {
     const std::vector<double> x{1, 2, 3, 4, 5}, y{2, 2, 2, 2, 2};
     EXPECT_THROW((void)correlation(x, y), std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

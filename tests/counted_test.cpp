@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 TEST(Counted, OneIsSingular) {
     EXPECT_EQ(counted(1, "file"), "1 file");
@@ -18,5 +18,5 @@ TEST(Counted, AllElseIsPlural) {
     EXPECT_EQ(counted(21, "person", "people"), "21 people");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -10,7 +10,7 @@
 #include <numbers>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 constexpr int64_t kMs = 1'000'000;
 
@@ -408,5 +408,5 @@ TEST(Coupling, CalmsAStiffLawByThePassivityController) {
     EXPECT_LT(limit_cycle(stiff, 4), 1e-4);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -19,7 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 constexpr const char* kNow = "2026-03-01T00:00:00Z";
@@ -82,8 +82,6 @@ class CourseStore : public EngineTest {
     std::unique_ptr<db::Store> store;
     int64_t anna = 0, jan = 0, ewa = 0;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, CourseStore, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
@@ -302,3 +300,5 @@ TEST_P(CourseStore, AShippedCourseIsPublishedOnFirstUse) {
     EXPECT_THROW((void)db::find_course(*store, "none"), curriculum::DefinitionError);
     EXPECT_THROW((void)db::find_course(*store, "full_dissection", 9), curriculum::DefinitionError);
 }
+
+}  // namespace THIS_TEST

@@ -10,7 +10,7 @@
 #include "curriculum/definitions.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 const std::vector<std::string> kTasks{"ring", "lift", "cut"};
 
@@ -157,5 +157,5 @@ TEST(CourseEditing, UndoesTypingAsOneStep) {
     EXPECT_FALSE(draft.can_redo());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -8,7 +8,7 @@
 #include <fstream>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 Course two_stages() {
     Course course;
@@ -332,5 +332,5 @@ TEST(Course, AnExamThatIsLeftUsesUpAnAttemptAndTheNextHasAnotherCase) {
     EXPECT_EQ(course_progress(course, {practice}).stages[0].attempts, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

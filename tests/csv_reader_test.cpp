@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -71,5 +71,5 @@ TEST(CsvReader, EmptyLinesAreLeftOutUnlessTheyAreCells) {
     EXPECT_EQ(one[2].cells[0], "");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -15,7 +15,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 TEST(Cutting, PrincipalStretchIsTheLargestSingularValue) {
     const Scene scene = test::box_scene({});
@@ -149,5 +149,5 @@ TEST(Cutting, AStrokeAtTwelveWattsCutsAClinicalKerfAndSparesThePlacode) {
     EXPECT_LT(s.cem43_min, 5);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

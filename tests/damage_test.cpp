@@ -14,7 +14,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kVolume = 2e-10;
 
@@ -232,5 +232,5 @@ TEST(ClosingEvents, BeginWithTheNumberOfRays) {
     EXPECT_TRUE(only_in_recording(events[0].kind));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

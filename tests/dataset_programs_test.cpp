@@ -19,7 +19,7 @@
 #include "tests/programs_fixture.h"
 
 namespace placode::test {
-namespace {
+namespace THIS_TEST {
 
 using reports::Hdf5File;
 using testing::HasSubstr;
@@ -246,5 +246,5 @@ TEST(DatasetSplit, NobodyIsInTwoParts) {
     EXPECT_EQ(reports::split_by_person({all[0]}, {10, 10, 80}, 1), std::vector<int>{0});
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -11,7 +11,7 @@
 #include "haptics/window_hands.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using sim::Key;
 using ::testing::HasSubstr;
@@ -401,5 +401,5 @@ TEST(Script, RunsInStepAndPutsTheTipWhereItWants) {
     EXPECT_EQ(states[1].position_m, Vec3::Zero());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

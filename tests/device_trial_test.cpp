@@ -12,7 +12,7 @@
 #include "tests/stand_in/haply_service.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using test::HaplyService;
 using ::testing::HasSubstr;
@@ -151,5 +151,5 @@ TEST(DeviceTrial, FindsOutWhichArmIsInTheHandAndSwapsThem) {
     EXPECT_EQ(again.report().arms[0].info.serial, "B");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

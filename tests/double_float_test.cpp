@@ -13,7 +13,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kStep = 1e-5;  // [s]
 
@@ -69,8 +69,6 @@ double momentum(const SoftBody& body, const SoftBodyState& state) {
 }
 
 class LowParts : public ::testing::TestWithParam<Method> {};
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Methods, LowParts,
                          ::testing::Values(Method::kVbd, Method::kXpbd, Method::kXpbdPair));
@@ -200,3 +198,5 @@ TEST_P(LowParts, ContactVerticesAreLeftAloneByTheSweep) {
         EXPECT_EQ(same, state.contact_vertex[as_index(v)] != 0) << v;
     }
 }
+
+}  // namespace THIS_TEST

@@ -8,7 +8,7 @@
 #include "curriculum/study.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 TEST(DraftText, FindsTheTextInBothLanguages) {
     const auto found = draft_text(
@@ -35,5 +35,5 @@ TEST(DraftText, TheShippedConsentIsOne) {
     EXPECT_TRUE(draft_text(load_study("face_content_validity").json));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

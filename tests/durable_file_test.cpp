@@ -18,7 +18,7 @@ using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -114,8 +114,6 @@ size_t place_of(const std::vector<std::string>& log, const std::string& words) {
         if (log[i].find(words) != std::string::npos) return i;
     return log.size();
 }
-
-}  // namespace
 
 TEST_F(DurableFile, ARestoreKilledAnywhereLeavesTheOldOrTheNewStore) {
     for (const bool without_exchange : {false, true}) {
@@ -251,3 +249,5 @@ TEST_F(DurableFile, ABackupOnAFullDiskLeavesNothingAndSaysSo) {
     EXPECT_FALSE(fs::exists(folder->file("new.db")));
     EXPECT_EQ(accounts_of(path), kOld);
 }
+
+}  // namespace THIS_TEST

@@ -18,7 +18,7 @@
 #include "tests/environment_fixture.h"
 
 namespace placode::environment {
-namespace {
+namespace THIS_TEST {
 
 using test::coarse;
 using test::observation_of;
@@ -267,5 +267,5 @@ TEST(Hands, MoveNoFasterThanHandsDoAndTakeTurnsInAPort) {
     EXPECT_NEAR((tip(0) - from).z(), 0.03 * 0.05, 1e-7);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::environment

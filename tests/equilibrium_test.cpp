@@ -8,7 +8,7 @@
 using namespace placode::sim;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 /// Two cubes of 2 mm, the second 4 mm further along x.
 VerificationScene two_cubes() {
@@ -44,8 +44,6 @@ std::string refusal(const VerificationScene& scene) {
     }
     return "accepted";
 }
-
-}  // namespace
 
 TEST(Equilibrium, NamesThePieceThatNothingHolds) {
     VerificationScene scene = two_cubes();
@@ -96,3 +94,5 @@ TEST(Equilibrium, SaysNothingAboutWhatNothingHolds) {
     const SolveSetup setup(scene, {});
     EXPECT_FALSE(way_to_equilibrium(setup, setup.body->rest(), 0));
 }
+
+}  // namespace THIS_TEST

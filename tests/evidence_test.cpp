@@ -21,7 +21,7 @@ using namespace placode::test;
 using sim::Recording;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 constexpr const char* kTask = "touch_targets";
@@ -196,8 +196,6 @@ class Evidence : public testing::Test {
     int files = 0;
 };
 
-}  // namespace
-
 TEST_F(Evidence, AnHonestExamCountsOnceItWasSimulatedAgain) {
     Recording recording = honest_attempt();
     const db::AttemptResult result = db::judged(*store, recording);
@@ -278,3 +276,5 @@ TEST_F(Evidence, WhatAnotherProcessorRecordedWaitsAndIsNotCalledForged) {
     EXPECT_EQ(record(id).void_reason, "");
     EXPECT_FALSE(mastered(anna));
 }
+
+}  // namespace THIS_TEST

@@ -25,11 +25,9 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
-
-}  // namespace
 
 TEST_F(Export, RedcapDictionaryHasTheEighteenColumnsOfTheSample) {
     write("redcap");
@@ -91,8 +89,6 @@ TEST_F(Export, SpssFileIsReadByReadstatWithLabelsAndMissingCodes) {
     EXPECT_EQ(at(rows, 1, "comment"), "=HYPERLINK(\"x\"), \"good\"\nza\u017c");
 }
 
-namespace {
-
 /// First complaint of HL7's schema for R4, or nothing.
 std::string fhir_problem(const std::string& type, const nlohmann::json& resource) {
     static const nlohmann::json definitions = nlohmann::json::parse(read_text(
@@ -115,8 +111,6 @@ std::string fhir_problem(const std::string& type, const nlohmann::json& resource
 }
 
 nlohmann::json json_of(const std::string& path) { return nlohmann::json::parse(read_text(path)); }
-
-}  // namespace
 
 TEST_F(Export, FhirResourcesFitTheOfficialR4SchemaAndItsCardinalities) {
     write("fhir");
@@ -150,8 +144,6 @@ TEST_F(Export, FhirResourcesFitTheOfficialR4SchemaAndItsCardinalities) {
     EXPECT_EQ(response["meta"]["tag"][0]["code"], "demonstration");
 }
 
-namespace {
-
 /// Every address in a resource: the values of url, system, questionnaire.
 void addresses_in(const nlohmann::json& value, std::vector<std::string>& found) {
     if (value.is_object())
@@ -176,8 +168,6 @@ bool is_hl7(const std::string& address) {
     return address.starts_with("http://hl7.org/") ||
            address.starts_with("http://terminology.hl7.org/");
 }
-
-}  // namespace
 
 TEST_F(Export, FhirAddressesAreUrnsOfTheStoreOrBelowTheCentresBase) {
     write("fhir");
@@ -403,3 +393,5 @@ TEST_F(Export, MotionBidsHasHeaderlessMotionAndOneChannelRowAColumn) {
     EXPECT_TRUE(fs::exists(out("s1_motion-bids/dataset_description.json")));
     EXPECT_THAT(read_text(out("s1_motion-bids/participants.tsv")), HasSubstr(subject));
 }
+
+}  // namespace THIS_TEST

@@ -17,11 +17,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 test::World* const world = test::World::install();
-
-}  // namespace
 
 TEST_F(Programs, AttemptsAndAnswersLeaveTheStoreAsCsvAndPdf) {
     ASSERT_NE(world, nullptr);
@@ -189,3 +187,5 @@ TEST_F(Programs, AProcedureOfAStudyIsJudgedRepeatedAndNotedOnTheCommandLine) {
                 HasSubstr("coughed twice"));
     EXPECT_THAT(ctl("audit").out, AllOf(HasSubstr("study.repeat"), HasSubstr("study.note")));
 }
+
+}  // namespace THIS_TEST

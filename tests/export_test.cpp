@@ -21,11 +21,9 @@ using testing::HasSubstr;
 using testing::Not;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
-
-}  // namespace
 
 TEST_F(Export, EveryFormatIsWrittenAndReadBack) {
     for (const auto& format : reports::export_formats()) {
@@ -253,3 +251,5 @@ TEST(CsvTable, EveryCellReadsBackToWhatItWas) {
     }
     EXPECT_THROW((void)reports::parse_csv("a,\"b"), reports::ReportError);
 }
+
+}  // namespace THIS_TEST

@@ -30,7 +30,7 @@
 using namespace placode::sim;
 using namespace placode::view;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr int kSize = 240;
 constexpr int kNx = 61, kNy = 47;  // vertices of the field, about 0.65 mm apart
@@ -149,8 +149,6 @@ double difference(const Picture& a, const Picture& b) {
     for (size_t i = 0; i < a.rgb.size(); ++i) sum += std::abs(int{a.rgb[i]} - int{b.rgb[i]});
     return sum / static_cast<double>(a.rgb.size());
 }
-
-}  // namespace
 
 TEST_F(FetoscopeViewTest, ShowsALitRoundPictureOnNearBlack) {
     const Picture p = draw(field().snapshot, quiet());
@@ -736,3 +734,5 @@ TEST(PlainPicture, ShowsTheSameInTheSamePlaces) {
     }
     EXPECT_LT(worst, 0.08);
 }
+
+}  // namespace THIS_TEST

@@ -15,7 +15,7 @@
 #include "haptics/device.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 
@@ -112,5 +112,5 @@ TEST(FootPedals, WorkBesideTheMouse) {
     EXPECT_EQ(states[0].pedals, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

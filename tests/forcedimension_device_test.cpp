@@ -9,7 +9,7 @@
 #include "tests/device_session.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using test::error_of;
 using ::testing::HasSubstr;
@@ -148,5 +148,5 @@ TEST(ForceDimension, ClosesWithoutForceAndAllocatesNothing) {
     EXPECT_EQ(breaches(), 0) << "every call named an open device";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

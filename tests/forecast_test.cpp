@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace placode::batches {
-namespace {
+namespace THIS_TEST {
 
 ForecastOrder order(std::vector<double> walls, int64_t items, int workers) {
     ForecastOrder made;
@@ -98,5 +98,5 @@ TEST(Forecast, RefusesWhatCannotBeForecast) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::batches

@@ -14,7 +14,7 @@
 #include "tests/rerun.h"
 
 namespace placode {
-namespace {
+namespace THIS_TEST {
 
 struct Case {
     const char* task;
@@ -51,5 +51,5 @@ TEST_P(FrameAllocation, AFrameAllocatesAndLocksNothing) {
 INSTANTIATE_TEST_SUITE_P(Tasks, FrameAllocation, testing::ValuesIn(kCases),
                          [](const auto& info) { return info.param.task; });
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace {
+namespace THIS_TEST {
 
 using placode::curriculum::FrameCosts;
 using namespace std::chrono_literals;
@@ -68,4 +68,4 @@ TEST(FrameCosts, RateAndPercentileOfTheLastSecond) {
     EXPECT_NEAR(costs.p99_ms(), 3.0, 1e-6);  // 2 % are slow
 }
 
-}  // namespace
+}  // namespace THIS_TEST

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 // As the kernel writes them: a wheel mouse, a keyboard (cut short) and a pad with BTN_GAMEPAD
 // (0x130, bit 48 of the fifth word).
@@ -48,8 +48,6 @@ class Gamepads : public testing::Test {
     std::string folder;
     InputFolders folders;
 };
-
-}  // namespace
 
 TEST_F(Gamepads, MouseAndKeyboardAreNoGamepads) {
     add("event0", "Wheel Mouse", kMouse);
@@ -97,3 +95,5 @@ TEST(GamepadListing, TheListSaysWhatTheSearchFound) {
         }
     }
 }
+
+}  // namespace THIS_TEST

@@ -11,7 +11,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::BoxOptions;
 using test::frame;
@@ -239,5 +239,5 @@ TEST(Grasp, TheBitsAreTheSameForOneToFourThreads) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 /// Two arms that shake by the noise of their encoders.
 struct Arms {
@@ -89,5 +89,5 @@ TEST(HandIdentity, SwapsHandsInTheStationOfEveryDevice) {
     EXPECT_THROW(swap_hands(station, "mouse", arms), DeviceError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -9,7 +9,7 @@
 #include "tests/stand_in/haply_service.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using test::error_of;
 using test::HaplyService;
@@ -188,5 +188,5 @@ TEST(Haply, AllocatesNothingInItsTickAndSaysGoodbye) {
     EXPECT_EQ(service.force(0)[0], 0) << "the last force is none";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 const Vec3 kDirections[] = {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}, {0.6, 0, -0.8}};
 
@@ -268,5 +268,5 @@ TEST(PortBench, RefusesARateThatDoesNotDivide) {
     EXPECT_THROW((void)run_port(what), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -21,7 +21,7 @@
 #include "tests/stand_in/hd_stand_in.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 using sim::Vec3;
 
@@ -206,5 +206,5 @@ TEST_F(HapticReplay, TheSameHandsAndToolStatesGiveTheSameForces) {
     EXPECT_GT(felt, 500) << "there were forces to compare";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -12,7 +12,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kK = 0.5, kRho = 1050, kC = 3600, kAlpha = kK / (kRho * kC);
 
@@ -311,5 +311,5 @@ TEST(Heat, StaysStableAtItsOwnLimit) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

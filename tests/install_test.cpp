@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-namespace {
+namespace THIS_TEST {
 
 class Install : public Programs {
  protected:
@@ -38,8 +38,6 @@ class Install : public Programs {
         return names;
     }
 };
-
-}  // namespace
 
 TEST_F(Install, ProgramsFindTheirDataWhereTheyWereInstalled) {
     for (const char* program : {"placode", "placode-sim", "placodectl", "placode-web"}) {
@@ -140,3 +138,5 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
     for (const std::string& name : kept)
         EXPECT_TRUE(fs::exists(file("data/placode/backups/" + name))) << name;
 }
+
+}  // namespace THIS_TEST

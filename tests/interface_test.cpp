@@ -20,7 +20,7 @@
 extern "C" int placode_in_c(const char* scene_changes);
 
 namespace placode {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -237,5 +237,5 @@ TEST_F(Interface, ABatchGoesThroughTheSameFunctions) {
     placode_environment_free(other);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 // Closed forms and published values; 1e-4 is the precision of the published ones.
 TEST(Intervals, WilsonIsThatOfTheLiterature) {
@@ -45,5 +45,5 @@ TEST(Intervals, CliffsDeltaCountsPairsAndKnowsSeparation) {
     EXPECT_THROW((void)cliffs_delta(std::vector<double>{1}, a), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 TEST(JsonScan, WalksObjectsAndArraysAndSkipsTheRest) {
     JsonScan scan(
@@ -57,5 +57,5 @@ TEST(JsonScan, FailsForBrokenTextAndNeverRunsPastIt) {
     EXPECT_TRUE(scan.failed()) << "depth is limited: a servo thread has a small stack";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -8,7 +8,7 @@
 #include "sim/verify/verification_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 struct Units {
     const char* name;
@@ -117,5 +117,5 @@ INSTANTIATE_TEST_SUITE_P(Methods, KernelUnits,
                                          Case{"xpbd", SolveMethod::kXpbd, false, 1e-5}),
                          [](const auto& info) { return info.param.name; });
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 TEST(KnownGroups, AnAreaIsTheShareOfPairsThatTheExpertWins) {
     const std::vector<double> novices{10, 20, 90}, experts{80, 95, 100}, between{50, 60, 70};
@@ -38,5 +38,5 @@ TEST(KnownGroups, AGroupAboveTheExpertsIsNotBetween) {
     EXPECT_THROW((void)known_groups({}, odd, high), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

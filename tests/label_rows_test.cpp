@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kTop = 0, kBottom = 800, kGap = 2;
 
@@ -55,5 +55,5 @@ TEST(LabelRows, AGaugeStandsOverNoRing) {
     EXPECT_EQ(first_free(rings, {over, over}).x, over.x) << "it has to stand somewhere";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <vector>
 
+namespace THIS_TEST {
+
 using namespace placode::assessment;
 
 TEST(LearningCurve, RecoversTheParametersOfAnExactCurve) {
@@ -61,3 +63,5 @@ TEST(LearningCurve, AFewTrialsGiveNoExponential) {
     EXPECT_FALSE(got.exponential);
     EXPECT_FALSE(got.plateau);
 }
+
+}  // namespace THIS_TEST

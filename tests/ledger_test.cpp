@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using sim::Event;
 using sim::EventKind;
@@ -139,5 +139,5 @@ TEST(Ledger, PhasesBeginWithInspectAndChangeOnce) {
     EXPECT_EQ(phases[2].phase, sim::Phase::kCheck);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

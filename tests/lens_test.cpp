@@ -8,7 +8,7 @@ namespace placode::view {
 
 using namespace sim;
 
-namespace {
+namespace THIS_TEST {
 
 const Vec3 kScope(0, 0, 0.025);
 
@@ -87,5 +87,5 @@ TEST(Lens, TouchingTissueSmearsItOnce) {
     EXPECT_LT(lens.fog(), 0.4);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

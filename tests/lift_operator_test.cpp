@@ -13,7 +13,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 assessment::MetricSet perform(const std::string& level) {
     const Task task = test::changed_task("grasp_and_lift", {{"edge_ring_m", "0.0010"},
@@ -40,5 +40,5 @@ TEST(LiftOperator, TheNoviceCrushesWhatItHolds) {
     EXPECT_GE(*perform("novice").find("crush_count"), 1);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -13,7 +13,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using curriculum::Task;
 
@@ -117,5 +117,5 @@ TEST(Retune, ATunedAttemptIsReplayedExactlyAndNeverPasses) {
     EXPECT_FALSE(curriculum::replay(*recording, 2).identical);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

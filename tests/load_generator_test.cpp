@@ -14,7 +14,7 @@ using namespace placode::test;
 using db::StoreError;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -43,8 +43,6 @@ db::LoadOrder small() {
     order.group_size = 2;
     return order;
 }
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, LoadGenerator, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
@@ -102,3 +100,5 @@ TEST_P(LoadGenerator, AStopLeavesNothing) {
     EXPECT_EQ(open()->accounts().list().size(), 1u);
     EXPECT_EQ(open()->attempts().list(0).size(), 1u);
 }
+
+}  // namespace THIS_TEST

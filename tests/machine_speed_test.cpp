@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 /// A computer with a clock of its own: so many frames and pictures in each second.
 class Computer {
@@ -123,5 +123,5 @@ TEST(MachineSpeed, TimeOfAPauseIsNobodysFault) {
     EXPECT_FALSE(speed.counts_for_nothing());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -15,7 +15,7 @@
 using namespace placode::sim;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 const std::string kFolder = std::string(PLACODE_SOURCE_DIR) + "/tests/data/meshes/";
 
@@ -68,8 +68,6 @@ std::string msh1_error(const std::string& from, const std::string& to) {
     const Scratch scratch;
     return error_of(scratch.write("a.msh", replaced(text_of("box_gmsh1.msh"), from, to)));
 }
-
-}  // namespace
 
 struct Good {
     const char* file;
@@ -391,3 +389,5 @@ TEST(MeshIo, SurvivesBytesThatAreWrong) {
         }
     }
 }
+
+}  // namespace THIS_TEST

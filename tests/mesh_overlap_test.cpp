@@ -13,7 +13,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 /// A box as a file would hold it; points and tets are numbered from 1.
 FileMesh box_file(const Vec3& size, const std::array<int, 3>& cells) {
@@ -26,8 +26,6 @@ FileMesh box_file(const Vec3& size, const std::array<int, 3>& cells) {
         out.tets.push_back({box.tets[t], static_cast<int64_t>(t) + 1, 0});
     return out;
 }
-
-}  // namespace
 
 TEST(MeshOverlap, SoundMeshesHaveNone) {
     EXPECT_THAT(overlap_warnings(box_file({1, 1, 1}, {1, 1, 1})), IsEmpty());
@@ -83,3 +81,5 @@ TEST(MeshOverlap, PointsThatWereNotJoinedAreCounted) {
     EXPECT_THAT(overlap_warnings(mesh),
                 ElementsAre(AllOf(HasSubstr("4 points lie on another"), HasSubstr("parted"))));
 }
+
+}  // namespace THIS_TEST

@@ -12,7 +12,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 int bandwidth(const TetMesh& mesh) {
     int widest = 0;
@@ -37,8 +37,6 @@ std::string message_of(const TetMesh& mesh) {
     }
     return "";
 }
-
-}  // namespace
 
 TEST(Mesh, BoxIsFilledExactlyAndConforms) {
     const TetMesh mesh = box_mesh(Vec3(3e-3, 2e-3, 1e-3), {3, 4, 5}, Tissue::kMuscle);
@@ -139,3 +137,5 @@ TEST(Mesh, RenumberingRefusesWhatIsNoPermutation) {
     EXPECT_THROW(static_cast<void>(renumbered(box, {0, 1, 2})), MeshError);
     EXPECT_THROW(static_cast<void>(renumbered(box, {0, 1, 2, 3, 4, 5, 6, 6})), MeshError);
 }
+
+}  // namespace THIS_TEST

@@ -11,15 +11,13 @@ using namespace placode::assessment;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 /// Novices take about 100 s, experts about 50 s, everybody within 2 s of the own mean.
 std::vector<Repeats> sound() {
     return {{0, {96, 95}}, {0, {105, 104}}, {0, {110, 111}}, {0, {100, 98}},
             {1, {50, 51}}, {1, {55, 54}},   {1, {45, 46}},   {1, {52, 50}}};
 }
-
-}  // namespace
 
 TEST(MetricQuality, AMetricThatSeparatesAndRepeatsHasEvidence) {
     const auto quality = metric_quality("task_time_s", Direction::kLowerIsBetter, sound(), 2);
@@ -74,3 +72,5 @@ TEST(MetricQuality, EveryWeaknessIsSaid) {
     EXPECT_THAT(few.why, HasSubstr("enough repeats"));
     EXPECT_THAT(metric_quality("x", Direction::kLowerIsBetter, {}, 2).why, HasSubstr("fewer"));
 }
+
+}  // namespace THIS_TEST

@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kPi = std::numbers::pi;
 
@@ -141,5 +141,5 @@ TEST(MotionDetail, OneHandHasNoBalance) {
     EXPECT_TRUE(m.find("economy_of_volume"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

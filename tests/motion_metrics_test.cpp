@@ -10,7 +10,7 @@
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using namespace testing_data;
 
@@ -144,5 +144,5 @@ TEST(MotionMetrics, OddRecordingsDoNotThrow) {
     EXPECT_FALSE(metrics.empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

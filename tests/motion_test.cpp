@@ -10,7 +10,7 @@
 #include <string>
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 TEST(Motion, StopsWhereTheDesktopSwitchedAnimationsOff) {
     const auto folder =
@@ -32,5 +32,5 @@ TEST(Motion, StopsWhereTheDesktopSwitchedAnimationsOff) {
     std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

@@ -11,7 +11,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 struct Outcome {
     sim::Recording recording;
@@ -56,5 +56,5 @@ TEST(MousePerson, TakesThePieceOut) {
     EXPECT_EQ(phases[2].phase, sim::Phase::kCheck);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

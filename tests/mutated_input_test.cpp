@@ -35,7 +35,7 @@
 using namespace placode;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 const fs::path kRoot = PLACODE_SOURCE_DIR;
 
@@ -219,8 +219,6 @@ void load(const Loader& loader, const std::string& text, const std::string& what
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20)) << what;
 }
 
-}  // namespace
-
 INSTANTIATE_TEST_SUITE_P(Loaders, MutatedInput, testing::ValuesIn(loaders()),
                          [](const auto& info) { return std::string(info.param.name); });
 
@@ -240,3 +238,5 @@ TEST_P(MutatedInput, IsLoadedOrRefused) {
     for (const std::string& word : words()) load(loader, word, "\"" + word + "\"");
     load(loader, "", "nothing");
 }
+
+}  // namespace THIS_TEST

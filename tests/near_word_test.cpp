@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace THIS_TEST {
+
 using namespace placode::sim;
 
 TEST(NearWord, DistanceCountsLettersAndSwaps) {
@@ -38,3 +40,5 @@ TEST(NearWord, TheQuestionIsPartOfTheSentenceOrMissing) {
     EXPECT_EQ(did_you_mean("exprt", {"export", "erase"}), "; did you mean \"export\"?");
     EXPECT_EQ(did_you_mean("zzz", {"export", "erase"}), "");
 }
+
+}  // namespace THIS_TEST

@@ -14,7 +14,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kE = 50e3, kNu = 0.45, kEdge = 1e-3;
 
@@ -68,8 +68,6 @@ struct Uniaxial {
         }
     }
 };
-
-}  // namespace
 
 TEST(Newton, GradientIsTheDerivativeOfTheEnergy) {
     SoftBodySpec spec = cube_spec();
@@ -261,3 +259,5 @@ TEST(Newton, RefusesABodyThatNothingHolds) {
     scene.gravity_m_s2.setZero();
     EXPECT_FALSE(solve(scene).diverged);  // at rest: nothing to do
 }
+
+}  // namespace THIS_TEST

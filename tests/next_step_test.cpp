@@ -8,7 +8,7 @@
 #include <gmock/gmock.h>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -158,5 +158,5 @@ TEST(NextStep, ATaskWithoutATitleIsNamedByItsId) {
     EXPECT_THAT(step.reason.en, Not(HasSubstr("Ring")));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

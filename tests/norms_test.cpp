@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 constexpr const char* kDay = "2026-01-31T00:00:00Z";
@@ -57,8 +57,6 @@ class Norms : public EngineTest {
 
     std::unique_ptr<db::Store> store;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, Norms, testing::Values("Sqlite", "Postgresql"), engine_name);
 
@@ -208,3 +206,5 @@ TEST_P(Norms, AFurtherScoreIsKeptBesideTheFirstOne) {
     EXPECT_EQ(failure_of([&] { store->attempts().save_rescore(record); }).kind(),
               StoreError::Kind::kNotFound);
 }
+
+}  // namespace THIS_TEST

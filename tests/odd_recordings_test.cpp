@@ -18,7 +18,7 @@
 #include "sim/ledger/damage.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 constexpr int kRecordings = 200;
 
@@ -134,5 +134,5 @@ TEST(OddRecordings, HaveFiniteMetricsOrNone) {
     EXPECT_GT(metrics, 1000u) << "they are odd, but not empty";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

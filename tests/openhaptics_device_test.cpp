@@ -19,7 +19,7 @@
 #include "tests/stand_in/hd_stand_in.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using test::error_of;
 using ::testing::HasSubstr;
@@ -443,5 +443,5 @@ TEST(OpenHaptics, RunsInTheSchedulersThread) {
     EXPECT_STREQ(hd().violation(), "");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

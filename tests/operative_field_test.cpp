@@ -16,7 +16,7 @@
 #include "sim/anatomy/field_mesh.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 
@@ -464,5 +464,5 @@ TEST(OperativeField, RefusesEdgesThatWouldNeedEndlessTets) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -20,7 +20,7 @@
 
 using namespace placode;
 
-namespace {
+namespace THIS_TEST {
 
 struct Attempt {
     sim::Recording recording;
@@ -77,8 +77,6 @@ bool stands_in_recording(const std::string& item, double time_s, const sim::Reco
     return false;
 }
 
-}  // namespace
-
 TEST(OperatorLevels, ExpertAboveIntermediateAboveNoviceWithReasonsInTheRecording) {
     auto later = std::async(std::launch::async, [] { return perform("novice"); });
     const Attempt expert = perform("expert"), intermediate = perform("intermediate"),
@@ -109,3 +107,5 @@ TEST(OperatorLevels, ExpertAboveIntermediateAboveNoviceWithReasonsInTheRecording
     }
     EXPECT_GE(with_a_time, 8);
 }
+
+}  // namespace THIS_TEST

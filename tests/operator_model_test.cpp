@@ -15,7 +15,7 @@
 #include "sim/cutting/pieces.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 constexpr int kPoints = 100;
 constexpr double kFrameS = 1e-3;
@@ -366,5 +366,5 @@ TEST(OperatorRandom, HasTheMomentsItClaims) {
     EXPECT_LT(high, 1);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

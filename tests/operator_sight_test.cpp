@@ -9,7 +9,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 using sim::Vec3;
 
@@ -105,5 +105,5 @@ TEST(OperatorSight, SeesTheFlankOfTheNeedle) {
     EXPECT_EQ(seen.placode_metal_gap_m[1], 1) << "a scope";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

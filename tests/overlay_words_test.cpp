@@ -13,7 +13,7 @@
 #include "ui/view/strings.h"
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 // The phrases stand in the code as plain literals: read there, so that a new one cannot be
 // forgotten.
@@ -31,5 +31,5 @@ TEST(OverlayWords, EveryLiveWarningHasItsPolish) {
     EXPECT_GE(found, 13);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

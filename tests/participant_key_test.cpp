@@ -17,7 +17,7 @@ using db::StoreError;
 using testing::HasSubstr;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 void write_text(const std::string& path, const std::string& text) {
     std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
@@ -31,8 +31,6 @@ class Key : public testing::Test {
     const std::string path = folder.file("keys/pilot.placode-key");
     const std::string code = db::participant_code(1);
 };
-
-}  // namespace
 
 TEST_F(Key, HidesNamesAndGivesThemBackForThePassphrase) {
     {
@@ -113,3 +111,5 @@ TEST_F(Key, StandsApartFromTheStore) {
     EXPECT_THAT(db::default_key_path("postgresql://u:p@h/n", "pilot"),
                 testing::EndsWith("/keys/pilot.placode-key"));
 }
+
+}  // namespace THIS_TEST

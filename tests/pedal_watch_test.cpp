@@ -15,7 +15,7 @@
 #include "haptics/station.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 
@@ -83,5 +83,5 @@ TEST(PedalWatch, SaysWhyItCannotBeOpened) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

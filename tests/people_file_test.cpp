@@ -10,7 +10,7 @@
 #include "store_fixture.h"
 
 namespace placode::reports {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -101,5 +101,5 @@ TEST_F(PeopleFile, WritesWhatIsKeptAboutOnePersonOnly) {
     EXPECT_EQ(store_->audit().trail(1)[0].action, "user.data");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::reports

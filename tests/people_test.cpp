@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 constexpr const char* kPassword = "long enough 1";
@@ -59,8 +59,6 @@ class People : public EngineTest {
     int64_t anna = 0, adam = 0;
     int64_t now_ms = 1'767'225'600'000;  // 2026-01-01
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, People, testing::Values("Sqlite", "Postgresql"), engine_name);
 
@@ -305,3 +303,5 @@ TEST_P(People, TheMeanOfTheLastAttemptsKeepsScriptsApart) {
     EXPECT_EQ(means[2].script, "script:expert");
     EXPECT_DOUBLE_EQ(means[2].mean_points, 95);
 }
+
+}  // namespace THIS_TEST

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using sim::EventKind;
 using sim::Phase;
@@ -66,5 +66,5 @@ TEST(Phases, EveryPartHasMetricsOfItsOwn) {
 
 TEST(Phases, NothingRecordedHasNoParts) { EXPECT_TRUE(compute_phase_metrics({}).empty()); }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 using std::chrono::milliseconds;
 using testing::HasSubstr;
@@ -169,5 +169,5 @@ TEST(PicturePace, NothingHappensWhileNobodyHasBegun) {
     EXPECT_EQ(quality.steps, 3);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 // Pixels that are computed, relative: what the picture costs, roughly.
 double pixels(const Quality& q) {
@@ -60,5 +60,5 @@ TEST(PictureQuality, NoMoreIsGivenBackThanItBeganWith) {
     EXPECT_FALSE(no_richer_than({0.8, 0, false, true}, first));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

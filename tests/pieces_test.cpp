@@ -17,7 +17,7 @@
 #include "tests/cut_field.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::BoxOptions;
 using test::upright;
@@ -197,5 +197,5 @@ TEST(Pieces, SectorsCountFromCranialToLeft) {
     EXPECT_EQ(sector_of(Vec3(1, -0.001, 0)), 71);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -12,7 +12,7 @@
 #include "sim/mesh/mesh.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 std::vector<Vec2> corners(double half) {
     return {Vec2(-half, -half), Vec2(half, -half), Vec2(half, half), Vec2(-half, half)};
@@ -147,5 +147,5 @@ TEST(PlanarDelaunay, GradedMeshRefusesEndlessWork) {
                  MeshError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -16,7 +16,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 struct Outcome {
     sim::Recording recording;
@@ -69,5 +69,5 @@ TEST(PracticeOperatorLevels, FamiliarisationHasNoLimitAndIsDoneInTwoMinutes) {
     EXPECT_LE(perform("familiarisation", "novice").recording.end.duration_s, 120);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -12,7 +12,7 @@
 #include "assessment/metrics.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using sim::PracticeKind;
 using sim::PracticeStep;
@@ -198,5 +198,5 @@ TEST(Practice, RecordingsWithoutStepsHaveNoSuchMetrics) {
     EXPECT_TRUE(none.empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -9,7 +9,7 @@
 #include <fstream>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 using testing::HasSubstr;
 
@@ -103,5 +103,5 @@ TEST_F(Preset, WrongFilesAreNamedWithPlaceAndWayOut) {
     EXPECT_THROW(save_preset(nameless), DefinitionError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -17,11 +17,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 test::World* const world = test::World::install();
-
-}  // namespace
 
 TEST_F(Programs, UsageErrorsHaveStatusTwoAndHelpHasNone) {
     EXPECT_EQ(ctl("").status, 2);
@@ -147,3 +145,5 @@ TEST_F(Programs, ErrorsAreOneJsonDocumentToo) {
     EXPECT_THAT(outcome.out, AllOf(testing::StartsWith("{"), HasSubstr("\"error\""),
                                    HasSubstr("\"exit_status\": 2")));
 }
+
+}  // namespace THIS_TEST

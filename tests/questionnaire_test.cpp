@@ -7,7 +7,7 @@
 #include <fstream>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 Questionnaire sample() {
     Questionnaire q;
@@ -97,5 +97,5 @@ TEST(Questionnaire, AnUnknownIdListsTheKnownOnes) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

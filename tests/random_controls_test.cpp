@@ -13,7 +13,7 @@
 #include "ui/attempt/attempt_controls.h"
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 using curriculum::AttemptMode;
 using sim::Key;
@@ -219,5 +219,5 @@ TEST(RandomControls, NothingEndsByAccidentNothingIsTakenTwiceEverythingCanBeLeft
     for (const int visits : Monkey::screens_) EXPECT_GT(visits, 1000);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+namespace THIS_TEST {
+
 using namespace placode::sim;
 
 TEST(Random, GivesTheNumbersOfTheAuthorsProgram) {
@@ -34,3 +36,5 @@ TEST(Random, UniformIsTheUpper53Bits) {
     for (int i = 0; i < 100; ++i)
         EXPECT_EQ(one.uniform(), static_cast<double>(same.next() >> 11) / 9007199254740992.0);
 }
+
+}  // namespace THIS_TEST

@@ -15,7 +15,7 @@ using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kClosedForm = 1e-9;  // relative: same formula, other order of operations
 constexpr double kPValue = 1e-6;      // R's own accuracy of printed p-values
@@ -51,8 +51,6 @@ void compare(const char* csv, const char* json) {
     EXPECT_NEAR(got.welch_df, want["welch_df"].get<double>(), 1e-7);
     EXPECT_NEAR(got.welch_p, want["welch_p"].get<double>(), kPValue);
 }
-
-}  // namespace
 
 TEST(RankTests, MannWhitneyWithTiesIsRs) {
     compare("mannwhitney.csv", "mannwhitney_expected.json");
@@ -133,3 +131,5 @@ TEST(RankTests, WhatCannotBeTestedIsRefused) {
     EXPECT_THROW((void)kruskal_wallis(std::vector<NamedGroup>{{"a", {1.0}}, {"b", {}}}),
                  std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 struct Port {
     sim::ToolSpec tool;
@@ -78,5 +78,5 @@ TEST(Rcm, TurnsALateralTipForceIntoDepthTimesForce) {
     EXPECT_NEAR(general.depth_n, 0.5, 1e-9);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -11,9 +11,7 @@
 
 namespace placode::test {
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Of store_cases.h.
-
-namespace {
+namespace THIS_TEST {
 
 using Kind = db::StoreError::Kind;
 
@@ -88,5 +86,5 @@ TEST_P(ReadingStoreTest, MakesNoStoreAndMigratesNone) {
 INSTANTIATE_TEST_SUITE_P(Engines, ReadingStoreTest, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -20,7 +20,7 @@
 using namespace placode;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 class Folder {
  public:
@@ -143,8 +143,6 @@ void execute(const std::string& path, const std::string& sql) {
 bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
-
-}  // namespace
 
 TEST(RecordingFile, GivesBackEveryBit) {
     const Folder folder;
@@ -455,3 +453,5 @@ TEST(RecordingFile, AHeaderWithAWrongKindOfValueNamesTheKey) {
         EXPECT_TRUE(contains(error.what(), "frame_s")) << error.what();
     }
 }
+
+}  // namespace THIS_TEST

@@ -16,9 +16,7 @@ using namespace placode::test;
 using db::RecordingSignature;
 using testing::HasSubstr;
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // of store_cases.h
-
-namespace {
+namespace THIS_TEST {
 
 class RecordingSeal : public testing::Test {
  protected:
@@ -68,8 +66,6 @@ class SignedAttempts : public EngineTest {
     int64_t person = 0;
     uint64_t seed = 0;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, SignedAttempts, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
@@ -155,3 +151,5 @@ TEST_P(SignedAttempts, OnlyWhatAComputerOfTheStoreRecordedCounts) {
     ASSERT_TRUE(RawConnection("QSQLITE", changed).run("DELETE FROM meta WHERE key = 'station'"));
     EXPECT_THAT(saved(changed), HasSubstr("signed by nobody"));
 }
+
+}  // namespace THIS_TEST

@@ -14,7 +14,7 @@ using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
 
-namespace {
+namespace THIS_TEST {
 
 Scores bfi(bool reverse) {
     const auto table = read_table("likert_bfi.csv");
@@ -35,8 +35,6 @@ void compare(const IccForm& got, const nlohmann::json& want) {
     EXPECT_NEAR(got.ci95.low, want["lo"].get<double>(), 1e-6);
     EXPECT_NEAR(got.ci95.high, want["hi"].get<double>(), 1e-6);
 }
-
-}  // namespace
 
 TEST(Reliability, AlphaIsPsychs) {
     const auto want = expected("likert_expected.json")["alpha"];
@@ -98,3 +96,5 @@ TEST(Reliability, AConstantItemIsNamed) {
     EXPECT_THROW((void)cronbach_alpha({{1, 3}, {2, 3}, {4, 3}}), std::invalid_argument);
     EXPECT_THROW((void)intraclass_correlation({{1, 2}}), std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

@@ -16,7 +16,7 @@ using namespace placode::curriculum;
 using sim::EventKind;
 using sim::Recording;
 
-namespace {
+namespace THIS_TEST {
 
 Recording attempt(const std::string& task, double seconds, const std::string& level = "expert") {
     AttemptOptions options;
@@ -32,8 +32,6 @@ Recording attempt(const std::string& task, double seconds, const std::string& le
     runner.wait();
     return std::move(*recording);
 }
-
-}  // namespace
 
 TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
     for (const std::string& id : list_definitions("tasks")) {
@@ -107,3 +105,5 @@ TEST(ReplayCheck, TheTaskThatTheFileCarriesIsNotUsed) {
     forged.header.task_json = load_task("diathermy_ring").json;
     EXPECT_TRUE(check_replay(forged, load_task("touch_targets"), 1).identical);
 }
+
+}  // namespace THIS_TEST

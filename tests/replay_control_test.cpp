@@ -11,7 +11,7 @@
 #include "ui/view/strings.h"
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 using sim::Key;
 using testing::HasSubstr;
@@ -104,5 +104,5 @@ TEST(ReplayWindow, FloatsOnlyWhereItIsSteeredFromOutsideAndStandsBesideTheContro
     EXPECT_TRUE(view_settings(arguments, "Task").floating);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

@@ -12,7 +12,7 @@
 #include "tests/attempt_fixture.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 sim::Recording recording_of(double seconds) {
     Task task = load_task("touch_targets");
@@ -116,5 +116,5 @@ TEST(Replay, GoingBackBeforeATuningUndoesIt) {
     EXPECT_EQ(sim::state_hash(replay.state()), end);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -23,7 +23,7 @@
 
 using namespace placode;
 
-namespace {
+namespace THIS_TEST {
 
 QApplication& application() {
     static int argc = 1;
@@ -93,8 +93,6 @@ int pixels_unlike(const QImage& image, QRgb background) {
     }
     return count;
 }
-
-}  // namespace
 
 TEST(Report, ThePdfSaysVerdictReasonsAndDemonstration) {
     application();
@@ -194,8 +192,6 @@ TEST(Report, AnAttemptThatDoesNotCountHasNoScoreOnPaper) {
     EXPECT_FALSE(left.contains("not the person"));
 }
 
-namespace {
-
 /// The text of each page.
 QStringList pages_of(const QString& path) {
     QProcess process;
@@ -205,8 +201,6 @@ QStringList pages_of(const QString& path) {
     if (!pages.isEmpty() && pages.back().trimmed().isEmpty()) pages.removeLast();
     return pages;
 }
-
-}  // namespace
 
 TEST(Report, ThePdfIsAPaperToFileAndSign) {
     application();
@@ -517,3 +511,5 @@ TEST(Report, HistoryIsDrawnForOneAndForManyAttempts) {
         EXPECT_GT(pixels_unlike(image, style.surface), 500) << n << " attempts";
     }
 }
+
+}  // namespace THIS_TEST

@@ -11,7 +11,7 @@
 #include <numbers>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 constexpr int kScissors = 0, kGrasper = 1, kPoints = 60;
 constexpr double kFrameS = 1e-3;
@@ -75,5 +75,5 @@ TEST(ResectionOperator, DoesNotPressAfterTissueThatGivesWay) {
     EXPECT_GT(deepest_m, -5e-4);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -11,7 +11,7 @@ using namespace placode::sim;
 using ::testing::Contains;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 /// A short cantilever under a weak weight.
 VerificationScene cantilever(SolveMethod method, int substeps, double damping_per_s) {
@@ -43,8 +43,6 @@ std::pair<double, double> distance(VerificationScene scene, const SolveResult& r
 bool says(const SolveResult& result, const char* what) {
     return ::testing::Value(result.warnings, Contains(HasSubstr(what)));
 }
-
-}  // namespace
 
 TEST(RestWatch, TissueThatCreepsGoesOnUntilItIsThere) {
     // 2,000 / s: slower than 0.1 mm/s when 11 % of the way are left, and from the first frame on.
@@ -104,3 +102,5 @@ TEST(RestWatch, WhatIsNotAtRestInItsTimeSaysSo) {
     EXPECT_TRUE(says(result, "not at rest after 0.2 s"));
     EXPECT_TRUE(result.equilibrium_error_m);
 }
+
+}  // namespace THIS_TEST

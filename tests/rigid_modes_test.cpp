@@ -13,7 +13,7 @@ using namespace placode;
 using namespace placode::test;
 using placode::sim::SolveResult;
 
-namespace {
+namespace THIS_TEST {
 
 /// Ways of implicit steps of h under a constant acceleration: a T (T + h) / 2.
 double implicit_way(double acceleration, double time_s, double h) {
@@ -34,8 +34,6 @@ std::string bar(double youngs_modulus_pa) {
 }
 
 const char* const kAll = R"("probes": [{"name": "all", "box_m": [[-1,-1,-1],[1,1,1]]}])";
-
-}  // namespace
 
 TEST(RigidModes, ABarPushedAtOneEndGoesWhereNewtonsLawSendsIt) {
     // 2 g, 2 mN for 0.4 s. Courant numbers 0.5 and 0.1: without the modes 14 and 4 % less.
@@ -143,3 +141,5 @@ TEST(RigidModes, ASphereOnAHeldPieceLeavesTheFreeOneAlone) {
         EXPECT_LT(way_of(r).norm(), 1e-7) << sim::method_name(method);
     }
 }
+
+}  // namespace THIS_TEST

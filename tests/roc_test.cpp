@@ -14,7 +14,7 @@ using namespace placode::assessment;
 using placode::tests::expected;
 using placode::tests::read_table;
 
-namespace {
+namespace THIS_TEST {
 
 Roc of(const placode::tests::Table& table, const char* column) {
     std::vector<bool> poor;
@@ -31,8 +31,6 @@ void compare(const Roc& got, const nlohmann::json& want) {
     EXPECT_NEAR(got.sensitivity, want["sens"].get<double>(), 1e-9);
     EXPECT_NEAR(got.specificity, want["spec"].get<double>(), 1e-9);
 }
-
-}  // namespace
 
 TEST(Roc, AreaVarianceThresholdAndPairedTestArePRocs) {
     const auto table = read_table("roc.csv");
@@ -57,3 +55,5 @@ TEST(Roc, NeedsBothClasses) {
     const std::vector<double> values{1, 2};
     EXPECT_THROW((void)roc(values, {true, true}), std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

@@ -11,7 +11,7 @@
 using namespace placode::sim;
 using namespace placode::test;
 
-namespace {
+namespace THIS_TEST {
 
 RodSpec spec_of(int segments, double length_m) {
     RodSpec spec;
@@ -63,8 +63,6 @@ Vec3 cantilever_tip(int segments, double gravity) {
     EXPECT_TRUE(settle(rod, state, drive, 1e-9));
     return state.x.back();
 }
-
-}  // namespace
 
 // Euler and Timoshenko: w L^4 / (8 EI) + w L^2 / (2 GA).
 TEST(RodStep, CantileverBendsAsBeamTheorySaysAndConvergesWithTheSquare) {
@@ -173,8 +171,6 @@ TEST(RodStep, PinnedColumnBucklesAtEulersLoad) {
     EXPECT_NEAR(load / euler, 1.0025, 0.003);  // 3 % asked for
 }
 
-namespace {
-
 /// Rate at which a twisted ring leaves its plane [1/s]; negative = comes back.
 double ring_growth(const Rod& rod, double twist_rad) {
     const double radius = rod.spec().length_m / (2 * kPi);
@@ -219,8 +215,6 @@ double ring_growth(const Rod& rod, double twist_rad) {
     for (int i = 0; i < kSteps; ++i) step_rod(rod, state, drive, scratch);
     return std::log(height() / before) / (kSteps * drive.h_s);
 }
-
-}  // namespace
 
 // Michell 1889: a ring, straight before it was bent, leaves its plane at the twist
 // 2 pi sqrt(3) EI / GJ. Source: Goriely 2006, "Twisted elastic rings and the rediscoveries of
@@ -381,3 +375,5 @@ TEST(RodStep, StaysFiniteInBadHands) {
     EXPECT_TRUE(state.x[50].allFinite());
     EXPECT_FALSE(step_rod(rod, state, drive, scratch).not_finite) << "it goes on";
 }
+
+}  // namespace THIS_TEST

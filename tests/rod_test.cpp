@@ -14,7 +14,7 @@ using namespace placode::sim;
 using namespace placode::test;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 RodSpec bent_spec(int segments) {
     RodSpec spec;
@@ -77,8 +77,6 @@ std::vector<unsigned char> bytes_of(const RodState& state) {
     fields(state, bytes);
     return bytes.all;
 }
-
-}  // namespace
 
 TEST(Rod, RefusesWithFieldValueAndRange) {
     RodSpec spec;
@@ -197,3 +195,5 @@ TEST(Rod, HashSeesEveryFieldThatIsSaved) {
     differs([](RodState& s) { s.end_held[1] = 0; });
     differs([](RodState& s) { s.end_frame[0].x() += 1e-12; });
 }
+
+}  // namespace THIS_TEST

@@ -18,7 +18,7 @@
 #include "sim/step/step.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 
@@ -244,5 +244,5 @@ TEST(Sac, RefusesWhatItCannotDo) {
     EXPECT_THAT(refusal(spec), HasSubstr("dome_height_m"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 constexpr int64_t kMs = 1'000'000;
 
@@ -180,5 +180,5 @@ TEST(PeriodSchedule, BearsAClockThatGoesBack) {
     EXPECT_EQ(schedule.next_ns(), 1002 * kMs);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -10,7 +10,7 @@
 #include "curriculum/json_reader.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -109,5 +109,5 @@ TEST_F(SceneFile, ATasksChangesExtendNothing) {
     EXPECT_THROW((void)load_task_text(task.dump(), "changed"), DefinitionError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

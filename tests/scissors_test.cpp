@@ -17,7 +17,7 @@
 #include "tests/cut_checks.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::at;
 using test::blades;
@@ -294,5 +294,5 @@ TEST(Scissors, ABodyWithoutSparesIsNotCut) {
     EXPECT_EQ(state.surface.triangles().size(), triangles);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

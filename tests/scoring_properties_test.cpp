@@ -15,7 +15,7 @@
 #include "tests/generated_attempts.h"
 
 namespace placode {
-namespace {
+namespace THIS_TEST {
 
 using assessment::MetricSet;
 using assessment::Score;
@@ -333,5 +333,5 @@ INSTANTIATE_TEST_SUITE_P(Tasks, ScoringProperties,
                          testing::ValuesIn(curriculum::list_definitions("tasks")),
                          [](const auto& each) { return each.param; });
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode

@@ -9,7 +9,7 @@
 #include "sim/cutting/attempt_progress.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 RubricItem item(const char* id, const char* metric, const char* reason) {
     RubricItem i;
@@ -282,5 +282,5 @@ TEST(Scoring, WhatStillHoldsAndWhatIsLeftAreShownWhereTheyAre) {
     EXPECT_EQ(score.reasons[1].text, "330 at 6 o'clock");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -26,9 +26,7 @@ using namespace placode;
 using namespace placode::test;
 using testing::HasSubstr;
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // of store_cases.h
-
-namespace {
+namespace THIS_TEST {
 
 std::string all_of(const std::vector<std::string>& problems) {
     std::string text;
@@ -181,8 +179,6 @@ std::optional<Edit> edit_somewhere(RawConnection& forger, bool sqlite, sim::Spli
     if (sqlite && now == edit.old_value.toString().toStdString()) return std::nullopt;
     return edit;
 }
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, SealsTest, testing::Values("Sqlite", "Postgresql"), engine_name);
 
@@ -434,3 +430,5 @@ TEST(SealedObject, ItsLineIsReadBack) {
     EXPECT_EQ((back.at({"participant", {"pilot", "P001-K"}}).after), "ab");
     EXPECT_EQ((back.at({"attempt", {"12"}}).before), "cd");
 }
+
+}  // namespace THIS_TEST

@@ -17,7 +17,7 @@
 #include "tests/cut_field.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::Inside;
 
@@ -197,5 +197,5 @@ TEST(SelfContact, AQuietFieldCostsNoPairs) {
     for (const int32_t n : field.state.self_contact.count) EXPECT_EQ(n, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

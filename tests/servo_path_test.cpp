@@ -19,7 +19,7 @@
 #include "tests/stand_in/space_daemon.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 std::vector<sim::ToolSpec> two_tools() {
     std::vector<sim::ToolSpec> tools(2);
@@ -155,5 +155,5 @@ TEST(ServoPath, CountsWhatIsAllocatedAndLocked) {
 #endif
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -16,7 +16,7 @@
 #include "tests/count_allocations.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 // A hand that does what the test says and remembers what it was sent.
 struct Script {
@@ -327,5 +327,5 @@ TEST(Servo, RefusesToolsWithoutTrocars) {
                  DeviceError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

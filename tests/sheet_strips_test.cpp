@@ -16,7 +16,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kSide = 1e-3;
 
@@ -137,8 +137,6 @@ double kernel_error(const SoftBody& body, const SoftBodyState& start, double h) 
     return off / way;
 }
 
-}  // namespace
-
 TEST(SheetStrips, TheKernelStepsAsTheEnergyInDoublePrecisionDoes) {
     const Mat3 turned =
         1.04 * Eigen::AngleAxisd(0.8, Vec3(1, 2, -1).normalized()).toRotationMatrix();
@@ -221,3 +219,5 @@ TEST(SheetStrips, ASheetOfManyBatchesHasTheSameBitsOnAnyNumberOfThreads) {
         EXPECT_EQ(state_hash(state), first) << threads;
     }
 }
+
+}  // namespace THIS_TEST

@@ -18,7 +18,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kE = 200e3, kNu = 0.45, kThickness = 0.1e-3;
 
@@ -140,8 +140,6 @@ StaticProblem hold(const ReferenceBody& body, const std::function<uint8_t(const 
     }
     return problem;
 }
-
-}  // namespace
 
 TEST(Sheet, HasTheEnergyOfASolidWhoseThicknessIsFree) {
     SoftBodySpec spec = grid(3, 2, 1e-3);
@@ -505,3 +503,5 @@ TEST(Sheet, ABrokenSheetIsRefusedByTheNumberOfItsTriangle) {
     refused([](SoftBodySpec& s) { s.sheet_bending = 2; }, "bending 2, allowed 0 to 1");
     refused([](SoftBodySpec& s) { s.materials[0].poissons_ratio = 0.5; }, "Poisson's ratio");
 }
+
+}  // namespace THIS_TEST

@@ -15,11 +15,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 test::World* const world = test::World::install();
-
-}  // namespace
 
 TEST_F(Programs, ASpeedProfileGivesThePublishedSmoothness) {
     // Minimum-jerk movement, 100 mm in 1 s at 100 Hz. Expected: the code of siva82kb/SPARC.
@@ -236,3 +234,5 @@ TEST_F(Programs, StatisticsAnswerWithNAndNameTheWrongCell) {
                 HasSubstr("open.csv: line 2, column 2: a quoted cell is not closed"));
     EXPECT_EQ(ctl("stats nothing " + table).status, 2);
 }
+
+}  // namespace THIS_TEST

@@ -7,7 +7,7 @@
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using namespace testing_data;
 
@@ -92,5 +92,5 @@ TEST(Signal, TrackResamplesAndDropsOddSamples) {
     EXPECT_TRUE(make_track({}, {}, {}).empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

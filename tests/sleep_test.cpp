@@ -15,7 +15,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::box_scene;
 using test::BoxOptions;
@@ -234,5 +234,5 @@ TEST(SpaceOrder, NeighboursOnTheCurveAreNeighboursInSpace) {
         EXPECT_NEAR((points[order[i]] - points[order[i - 1]]).norm(), 1, 1e-12);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

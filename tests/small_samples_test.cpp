@@ -18,7 +18,7 @@ using namespace placode::assessment;
 using nlohmann::json;
 using placode::tests::expected;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kR = 1e-6;       ///< p-values of R.
 constexpr double kClosed = 1e-9;  ///< Closed forms.
@@ -28,8 +28,6 @@ json wanted(const char* name) { return expected("small_cases_expected.json")[nam
 double number(const json& value) { return value.get<double>(); }
 
 std::vector<double> numbers(const json& value) { return value.get<std::vector<double>>(); }
-
-}  // namespace
 
 TEST(SmallSamples, AlphaIsDefinedWithFewerCasesThanItems) {
     const json want = wanted("alpha_fewer_cases_than_items");
@@ -133,3 +131,5 @@ TEST(SmallSamples, RatersWhoAgreeEntirelyHaveAnIccOfOne) {
     EXPECT_NEAR(intraclass_correlation({{1, 3}, {3, 1}, {2, 2}}).icc1.icc, -1, kClosed);
     EXPECT_THROW((void)intraclass_correlation({{2, 2}, {2, 2}}), std::invalid_argument);
 }
+
+}  // namespace THIS_TEST

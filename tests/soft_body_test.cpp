@@ -12,7 +12,7 @@
 using namespace placode::sim;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 SoftBodySpec box_spec(const Vec3& size, const std::array<int, 3>& cells, Method method) {
     SoftBodySpec spec;
@@ -51,8 +51,6 @@ std::string refusal(SoftBodySpec spec) {
     }
     return "accepted";
 }
-
-}  // namespace
 
 TEST(SoftBody, MassAndVolumeAddUp) {
     SoftBodySpec spec = box_spec(Vec3(4e-3, 2e-3, 2e-3), {4, 2, 2}, Method::kVbd);
@@ -265,3 +263,5 @@ TEST(SoftBody, ABrokenSpecIsRefused) {
     spec.tethers.push_back({{1, 1}, 0, 1, 1});
     EXPECT_THAT(refusal(spec), HasSubstr("tether"));
 }
+
+}  // namespace THIS_TEST

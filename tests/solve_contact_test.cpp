@@ -8,6 +8,8 @@
 
 #include "solve_scene.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using placode::sim::SolveResult;
@@ -115,3 +117,5 @@ TEST(SolveContact, FrictionHoldsATangentialPullUpToTheCone) {
     // Sliding: the tangential force is mu times the normal one (the surface's slope adds a little).
     EXPECT_NEAR(side[1] - side[0], 0.3, 0.06);
 }
+
+}  // namespace THIS_TEST

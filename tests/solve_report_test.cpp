@@ -6,6 +6,8 @@
 
 #include "solve_scene.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using placode::sim::SolveResult;
@@ -102,3 +104,5 @@ TEST(SolveReport, TissueThatCollapsedHasDiverged) {
     EXPECT_FALSE(stiffer.diverged);
     EXPECT_TRUE(stiffer.at_rest);
 }
+
+}  // namespace THIS_TEST

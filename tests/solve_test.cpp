@@ -11,6 +11,8 @@
 
 #include "solve_scene.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using placode::sim::SolveResult;
@@ -325,3 +327,5 @@ TEST(Solve, TheSameSceneGivesTheSameHash) {
         cube(R"("until": {"time_s": 0.05}, )" + kRollers + ", " + solver("vbd", 4));
     EXPECT_EQ(run(text).state_hash, run(text).state_hash);
 }
+
+}  // namespace THIS_TEST

@@ -13,7 +13,7 @@
 #include <numbers>
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 /// Share of one frequency in a signal, by its Fourier sum.
 double share_of(const std::vector<float>& x, double hz) {
@@ -137,5 +137,5 @@ TEST(Sound, TheSettingIsKept) {
     EXPECT_TRUE(settings.muted);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

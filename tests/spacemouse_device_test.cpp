@@ -8,7 +8,7 @@
 #include "tests/stand_in/space_daemon.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 using Daemon = test::SpaceDaemon;
@@ -103,5 +103,5 @@ TEST(SpaceMouse, PressesPedalsByItsButtonsAndLetsGoWhenTheDaemonDies) {
     EXPECT_EQ(session.states[0].status, DeviceStatus::kReady);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

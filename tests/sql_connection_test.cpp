@@ -16,7 +16,7 @@ using namespace placode::test;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -97,4 +97,4 @@ TEST_P(SqlConnection, AStatementWithoutAnAnswerHasNoColumns) {
     EXPECT_THROW((void)remove.text("id"), std::logic_error);
 }
 
-}  // namespace
+}  // namespace THIS_TEST

@@ -15,7 +15,7 @@ using db::StoreError;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -59,8 +59,6 @@ unsigned mode_of(const std::string& path) {
     EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
     return status.st_mode & 0777u;
 }
-
-}  // namespace
 
 TEST_F(SqliteFile, IsForItsOwnerOnly) {
     const std::string deep = folder.file("a/b/placode.db");
@@ -285,3 +283,5 @@ TEST_F(SqliteFile, RestoringRefusesABadBackupAndAStoreInUse) {
     EXPECT_EQ(in_use->accounts().list().size(), 5u);
     EXPECT_FALSE(fs::exists(path + ".restoring"));
 }
+
+}  // namespace THIS_TEST

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 StabilityResult run(const std::string& name, Method method = Method::kVbd) {
     StabilityOptions options;
@@ -82,5 +82,5 @@ TEST(StabilityCases, AnUnknownNameIsRefused) {
     EXPECT_THROW(static_cast<void>(run("no such case")), std::invalid_argument);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <stdexcept>
 
+namespace THIS_TEST {
+
 using namespace placode::assessment;
 
 TEST(StandardSetting, EqualSpreadPutsTheCutInTheMiddle) {
@@ -88,3 +90,5 @@ TEST(StandardSetting, LearningCusumNeverFallsBelowZeroAndSignalsOnce) {
     EXPECT_EQ(got.path[0], 0);
     EXPECT_EQ(got.first_reach_h, 9) << "8 successes of 0.2513 reach 2.01 at trial 9";
 }
+
+}  // namespace THIS_TEST

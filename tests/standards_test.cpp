@@ -5,7 +5,7 @@
 #include "store_fixture.h"
 
 namespace placode::db {
-namespace {
+namespace THIS_TEST {
 
 curriculum::PassStandard standard(double points) {
     curriculum::PassStandard one;
@@ -86,5 +86,5 @@ TEST_F(Standards, JudgesMaySetTheMarkAsWell) {
         << "judges need their number";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::db

@@ -18,7 +18,7 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
-namespace {
+namespace THIS_TEST {
 
 // What an owner of the tables, or the role of a server that nobody has set up, could do.
 constexpr std::array kAttacks{
@@ -213,4 +213,4 @@ TEST_P(StationRole, AStationDoesNotUpdate) {
     EXPECT_NO_THROW((void)open());
 }
 
-}  // namespace
+}  // namespace THIS_TEST

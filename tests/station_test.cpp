@@ -13,7 +13,7 @@
 #include "haptics/real_time.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 using ::testing::HasSubstr;
 
@@ -124,5 +124,5 @@ TEST(RealTime, SaysWhatIsMissingAndHowToGrantIt) {
     EXPECT_THAT(limits_file(), HasSubstr("@placode - memlock unlimited\n"));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

@@ -7,7 +7,7 @@
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using namespace testing_data;
 
@@ -66,5 +66,5 @@ TEST(Statistics, QuantilesAreType7) {
     EXPECT_DOUBLE_EQ(quantile(values, 1), 4);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

@@ -11,7 +11,7 @@
 #include "ui/view/practice_hint.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kHands[] = {"mouse",       "keyboard", "gamepad", "spacemouse",
                                   "openhaptics", "haply",    "avatar",  "forcedimension"};
@@ -87,5 +87,5 @@ TEST(StepHints, ATasksOwnWordsComeFirstAndScriptsNeedNone) {
     EXPECT_FALSE(step_hint(step, "keyboard", false).en.empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -30,7 +30,7 @@ std::atomic<int> g_allocations{0};
 [[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::BoxOptions;
 using test::frame;
@@ -208,5 +208,5 @@ TEST(Step, TheSnapshotShowsTheStateAndReusesItsMemory) {
     EXPECT_EQ(g_allocations, 0);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -10,7 +10,7 @@
 using namespace placode::sim;
 using namespace placode::view;
 
-namespace {
+namespace THIS_TEST {
 
 PracticeGoal goal(PracticeKind kind, double progress, int index = 0) {
     PracticeGoal g;
@@ -41,8 +41,6 @@ TEST(ContactLost, IsSaidWhileEnergyFlowsBesideTheTissueAndOnlyThen) {
     step.kind = PracticeKind::kTouch;
     EXPECT_FALSE(contact_lost(step, kPedalCut, false, 0.3));
 }
-
-}  // namespace
 
 TEST(StepWatch, SomebodyIsStuckAfterEightSecondsWithoutProgress) {
     StepWatch watch;
@@ -104,3 +102,5 @@ TEST(StepWatch, AmountsStandInTheUnitOfTheStep) {
     EXPECT_NEAR(step_amount(g).done, 0.1, 1e-9);
     EXPECT_EQ(step_amount(goal(PracticeKind::kRelease, 0)).whole, 0);
 }
+
+}  // namespace THIS_TEST

@@ -6,6 +6,8 @@
 
 #include "tests/store_cases.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using db::StoreError;
@@ -291,3 +293,5 @@ TEST_P(StoreTest, AForgedAuditTrailIsFound) {
     ASSERT_EQ(store->check().size(), 1u);
     EXPECT_THAT(store->check()[0], HasSubstr("entry 2"));
 }
+
+}  // namespace THIS_TEST

@@ -92,6 +92,7 @@ class StoreTest : public EngineTest {
 
 inline World* const world = World::install();
 
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Not all who read this header use it.
 INSTANTIATE_TEST_SUITE_P(Engines, StoreTest, testing::Values("Sqlite", "Postgresql"), engine_name);
 
 }  // namespace placode::test

@@ -6,6 +6,8 @@
 
 #include "tests/store_cases.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using db::StoreError;
@@ -186,3 +188,5 @@ TEST(PostgresqlStore, ABrokenConnectionIsOpenedAgainByTheNextCall) {
               StoreError::Kind::kUnavailable);
     EXPECT_THAT(store->accounts().list(), IsEmpty());
 }
+
+}  // namespace THIS_TEST

@@ -241,9 +241,12 @@ class PostgresqlServer {
 /// Qt finds its database drivers through the application object; the server is started once.
 class World : public testing::Environment {
  public:
-    /// Once, before main(): `World* const world = World::install();`
+    /// Before main(): `World* const world = World::install();`; several files share one.
     static World* install() {
-        return installed_ = static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
+        if (installed_ == nullptr) {
+            installed_ = static_cast<World*>(testing::AddGlobalTestEnvironment(new World));
+        }
+        return installed_;
     }
     static World& get() { return *installed_; }
     /// Another kind of application, for tests that draw; to be set before main().

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kNobody = "nobody";
 constexpr const char* kProgram = "program";
@@ -364,4 +364,4 @@ TEST_P(StoreTest, WhoComesFirstMakesAnAdministratorAndNothingElse) {
               StoreError::Kind::kRefused);
 }
 
-}  // namespace
+}  // namespace THIS_TEST

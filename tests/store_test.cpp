@@ -12,6 +12,8 @@
 #include "db/participant.h"
 #include "tests/store_cases.h"
 
+namespace THIS_TEST {
+
 using namespace placode;
 using namespace placode::test;
 using db::StoreError;
@@ -296,3 +298,5 @@ TEST_P(StoreTest, AnswersComeBackAsTheyWereGiven) {
     EXPECT_EQ(failure_of([&] { store->studies().save_answers(record); }).kind(),
               StoreError::Kind::kNotFound);
 }
+
+}  // namespace THIS_TEST

@@ -6,6 +6,8 @@
 
 #include "db/store.h"
 
+namespace THIS_TEST {
+
 using namespace placode::db;
 using testing::HasSubstr;
 using testing::Not;
@@ -76,3 +78,5 @@ TEST(StoreUrl, WhatCannotBeReadSaysWhatIsExpected) {
         }
     }
 }
+
+}  // namespace THIS_TEST

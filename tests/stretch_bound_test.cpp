@@ -17,7 +17,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using test::box_scene;
 using test::BoxOptions;
@@ -108,5 +108,5 @@ TEST(StretchBound, TornAndInvertedTetsAreLookedAtClosely) {
     EXPECT_EQ(surely_below(scene.body, state.body, tets, limits), 0U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -20,7 +20,7 @@
 using namespace placode;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 /// `people` participants with `trials` attempts each; points(person, trial) says the score.
 template <class Points>
@@ -59,8 +59,6 @@ size_t column(const reports::Analysis& analysis, const std::string& name) {
     return static_cast<size_t>(found - analysis.head.begin());
 }
 
-}  // namespace
-
 TEST(StudyAnalysis, LevelsOfExperienceAreComparedByMeansOfPeople) {
     // Experts 80..83, novices 40..43: no overlap, means 40 apart, SD sqrt(5/3) in both.
     const auto report = study_with(8, 2, [](int person, int trial) {
@@ -83,8 +81,6 @@ TEST(StudyAnalysis, LevelsOfExperienceAreComparedByMeansOfPeople) {
     EXPECT_EQ(analysis.figures.size(), 2u);
 }
 
-namespace {
-
 /// First attempt to be left out, then 10 k + 1 and 10 k + 2, the last of every other person half a
 /// point more.
 double retest_points(int person, int trial) {
@@ -105,8 +101,6 @@ double icc21(const std::vector<std::array<double, 2>>& pairs) {
     const double msr = rows / (n - 1), msc = columns, mse = (total - rows - columns) / (n - 1);
     return (msr - mse) / (msr + mse + 2 * (msc - mse) / n);
 }
-
-}  // namespace
 
 TEST(StudyAnalysis, TestRetestOfTheLastTwoAttemptsIsShroutAndFleiss) {
     const auto analysis = reports::test_retest(study_with(6, 3, retest_points));
@@ -186,3 +180,5 @@ TEST(StudyAnalysis, TheTableIsWrittenWithWholeNumbers) {
     EXPECT_EQ(reports::construct_validity(reports::StudyReport{}, {}).rows.size(), 0u);
     EXPECT_NE(reports::construct_validity(reports::StudyReport{}, {}).problem, "");
 }
+
+}  // namespace THIS_TEST

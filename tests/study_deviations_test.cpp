@@ -14,7 +14,7 @@ using namespace placode;
 using namespace placode::test;
 using db::DeviationKind;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -80,8 +80,6 @@ class StudyDeviations : public EngineTest {
     int64_t carl = 0;
     std::string code;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, StudyDeviations, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
@@ -183,3 +181,5 @@ TEST_P(StudyDeviations, ASkippedStepIsOneUnlessItMayBeLeftOut) {
     EXPECT_EQ(found[0].step, "run2");
     EXPECT_STREQ(db::deviation_name(found[0].kind), "skipped");
 }
+
+}  // namespace THIS_TEST

@@ -20,7 +20,7 @@ using db::StoreError;
 using Kind = StoreError::Kind;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 constexpr const char* kPassword = "correct horse battery";
@@ -50,8 +50,6 @@ class StudyRecordsTest : public EngineTest {
     std::string code, first_item;
     int64_t answer_id = 0;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, StudyRecordsTest, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
@@ -247,3 +245,5 @@ TEST_P(StudyRecordsTest, AQuestionnaireAskedTwiceAndStepsOfOneArmAreFollowed) {
     EXPECT_THROW(store->definitions().publish(study), curriculum::DefinitionError)
         << "there are two arms";
 }
+
+}  // namespace THIS_TEST

@@ -31,7 +31,7 @@ using placode::test::read_text;
 using testing::HasSubstr;
 namespace fs = std::filesystem;
 
-namespace {
+namespace THIS_TEST {
 
 QApplication& application() {
     static int argc = 1;
@@ -138,8 +138,6 @@ const reports::ItemNumbers& item(const reports::StudyNumbers& numbers, const std
 double percent(const assessment::Interval& interval, bool high) {
     return 100 * (high ? interval.high : interval.low);
 }
-
-}  // namespace
 
 TEST_F(StudyReportTest, ThePapersTableComesOutOfItsAnswers) {
     answer_as_the_paper();
@@ -426,3 +424,5 @@ TEST(LikertFigure, OrderShowsInGrey) {
     EXPECT_GT(std::abs(grey[2] - grey[1]), 15) << "the middle stands out";
     EXPECT_GT(std::abs(grey[2] - grey[3]), 15);
 }
+
+}  // namespace THIS_TEST

@@ -17,7 +17,7 @@ using db::StoreError;
 using db::WithdrawalMode;
 using testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -87,8 +87,6 @@ class StudyStore : public EngineTest {
 
     std::unique_ptr<db::Store> store;
 };
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Engines, StudyStore, testing::Values("Sqlite", "Postgresql"), engine_name);
 
@@ -424,3 +422,5 @@ TEST_P(StudyStore, AStudyWithoutAProtocolWorksAsBefore) {
     EXPECT_EQ(store->studies().ids(), std::vector<std::string>{"thin"});
     EXPECT_EQ(store->definitions().find("study", "thin"), std::nullopt);
 }
+
+}  // namespace THIS_TEST

@@ -9,7 +9,7 @@
 #include "curriculum/questionnaire.h"
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 TEST(Study, ShipsTheSeedPapersProtocolInItsOrder) {
     const StudyProtocol study = load_study("face_content_validity");
@@ -126,5 +126,5 @@ TEST(Study, AllocationIsBalancedInEveryBlockAndTheSameForTheSameSeed) {
     EXPECT_TRUE(differs) << "the seed has no effect";
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -14,7 +14,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 SoftBodySpec slab_spec(Method method, const std::array<int, 3>& cells = {9, 7, 3}) {
     SoftBodySpec spec;
@@ -57,8 +57,6 @@ double farthest(const SoftBodyState& a, const SoftBodyState& b) {
 }
 
 class EveryMethod : public ::testing::TestWithParam<Method> {};
-
-}  // namespace
 
 INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
                          ::testing::Values(Method::kVbd, Method::kXpbd, Method::kXpbdPair));
@@ -425,3 +423,5 @@ TEST(Substep, AScrambledStiffSlabSettlesUnderVbd) {
     EXPECT_LT(farthest(calm, state), 1e-5);
     EXPECT_EQ(state.flags & kNotFinite, 0u);
 }
+
+}  // namespace THIS_TEST

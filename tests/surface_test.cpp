@@ -11,7 +11,7 @@
 #include <set>
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 using Key = std::array<int32_t, 3>;
 
@@ -177,5 +177,5 @@ TEST(Surface, SameRemovalsGiveTheSameOrderAndSoDoesTheRoom) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -16,7 +16,7 @@
 #include "sim/mesh/surface.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 std::vector<Float4> bent(const TetMesh& mesh, double amount) {
     std::vector<Float4> x(mesh.rest.size());
@@ -180,5 +180,5 @@ TEST(SurfaceTree, AVertexThatIsNotANumberDoesNotHideTheOthers) {
     EXPECT_NEAR(state.tree().bounds().low[2], 0.0F, 1e-9F);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

@@ -8,7 +8,7 @@
 #include "ui/view/tissue_mesh.h"
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 using namespace sim;
 
@@ -165,5 +165,5 @@ TEST(Skirt, ClosesTheFourSidesOfTheField) {
     EXPECT_GT(skirt.indices.size(), 1000U);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

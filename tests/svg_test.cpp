@@ -9,7 +9,7 @@
 #include <QXmlStreamReader>
 
 namespace placode::test {
-namespace {
+namespace THIS_TEST {
 
 TEST(Svg, IsXmlWhateverStandsInItsWords) {
     ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
@@ -34,5 +34,5 @@ TEST(Svg, IsXmlWhateverStandsInItsWords) {
     EXPECT_EQ(titles, 1);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

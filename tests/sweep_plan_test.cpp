@@ -12,7 +12,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 TetMesh slab(int nx, int ny, int nz) {
     const TetMesh box = box_mesh(Vec3(nx, ny, nz) * 1e-3, {nx, ny, nz});
@@ -31,8 +31,6 @@ std::set<int32_t> vertices_of_job(const TetMesh& mesh, const SweepPlan& plan, in
     }
     return out;
 }
-
-}  // namespace
 
 TEST(SweepPlan, VisitsEveryTetOnceInBatchesThatShareNoVertex) {
     const TetMesh mesh = slab(20, 20, 3);
@@ -115,3 +113,5 @@ TEST(SweepPlan, DomainsGrowWithTheMesh) {
     EXPECT_EQ(domains_for(43200), 4);
     EXPECT_EQ(domains_for(640000), 8);
 }
+
+}  // namespace THIS_TEST

@@ -6,7 +6,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr int kSize = 40;
 
@@ -21,8 +21,6 @@ SparseMatrix chain(double last) {
     out.setFromTriplets(entries.begin(), entries.end());
     return out;
 }
-
-}  // namespace
 
 TEST(TangentSolver, FactorsAndIterationsMeetTheClosedForm) {
     // Unit forces on a chain between walls: u_i = i (n + 1 - i) / 2.
@@ -56,3 +54,5 @@ TEST(TangentSolver, ATangentThatHasChangedLittleIsSolvedWithTheOldFactors) {
     // What is no longer positive definite is found out with old factors as well.
     EXPECT_FALSE(solver.solve(chain(-1), right, u));
 }
+
+}  // namespace THIS_TEST

@@ -9,7 +9,7 @@
 #include <vector>
 
 namespace placode::curriculum {
-namespace {
+namespace THIS_TEST {
 
 std::string broken(const std::string& name) {
     return std::string(PLACODE_SOURCE_DIR) + "/tests/data/broken_" + name + ".json";
@@ -143,5 +143,5 @@ TEST(Task, AFileThatIsNotThereIsNamed) {
     EXPECT_THROW((void)load_task_text("", "empty"), DefinitionError);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::curriculum

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using Judgement = ThemeResult::Judgement;
 
@@ -91,5 +91,5 @@ TEST(Themes, ABuriedTipAndTornTissueAreAboutGentleness) {
         EXPECT_EQ(theme_of(metric), Theme::kTissue) << metric;
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

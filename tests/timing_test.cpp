@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace placode::bench {
-namespace {
+namespace THIS_TEST {
 
 TEST(Timing, TheMedianIsTheMiddleOrBetweenTheTwoInTheMiddle) {
     EXPECT_EQ(median({5, 1, 3}), 3);
@@ -37,5 +37,5 @@ TEST(Timing, TheSlabIsHeldAtBothEnds) {
     EXPECT_EQ(body.spec().fixed.size(), 2u * 3 * 3);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::bench

@@ -13,7 +13,7 @@
 #include "tests/reference_data.h"
 
 namespace placode::assessment {
-namespace {
+namespace THIS_TEST {
 
 using namespace testing_data;
 
@@ -473,5 +473,5 @@ TEST(TissueMetrics, OddRecordingsDoNotThrow) {
     EXPECT_FALSE(compute_metrics(recording).values.empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::assessment

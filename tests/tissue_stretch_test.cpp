@@ -12,7 +12,7 @@
 #include "tests/box_scene.h"
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 constexpr double kRadius = 5e-4;
 
@@ -56,8 +56,6 @@ Peaks peaks_at_the_tip(int cells_a_mm) {
     }
     return out;
 }
-
-}  // namespace
 
 TEST(TissueStretch, OfAHomogeneousStateTheMeanIsThatOfEveryTet) {
     const Scene scene = block(8);
@@ -118,4 +116,5 @@ TEST(TissueStretch, OtherTissueAndWhatLiesBehindACutAreNotAsked) {
     EXPECT_NEAR(most_on_the_left(one, cut), 1, 1e-4);
 }
 
+}  // namespace THIS_TEST
 }  // namespace placode::sim

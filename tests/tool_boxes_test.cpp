@@ -7,7 +7,7 @@
 #include "ui/view/tool_renderer.h"
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 using namespace sim;
 
@@ -51,5 +51,5 @@ TEST(ToolBoxes, NothingForWhatIsOutOfThePicture) {
         tool_boxes(snapshot, {ToolSpec{}}, look_at(Vec3(-15, 0, 26), Vec3(0, 0, 0), 70)).empty());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

@@ -13,7 +13,7 @@
 using namespace placode::sim;
 using namespace placode::sim::test;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kRadius = 0.0015, kGrip = 600;
 
@@ -61,8 +61,6 @@ struct Two {
 // One along x, one along y, high above the block, tips 30 mm beyond the crossing.
 ToolInput along_x(double z) { return held(Vec3(0.03, 0, z), -Vec3::UnitX()); }
 ToolInput along_y(double z) { return held(Vec3(0, 0.03, z), -Vec3::UnitY()); }
-
-}  // namespace
 
 TEST(ToolContact, GapOfTwoCapsulesIsTheDistanceOfTheirAxesLessTheRadii) {
     const ToolShape shape = make_tool_shape(rod());
@@ -139,3 +137,5 @@ TEST(ToolContact, TheScopeAndALostHandTouchNothing) {
     lost.go(along_x(0.050), gone);
     EXPECT_EQ(lost.feedback[0].force_n, Vec3::Zero());
 }
+
+}  // namespace THIS_TEST

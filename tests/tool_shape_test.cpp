@@ -10,7 +10,7 @@
 #include <random>
 
 namespace placode::sim {
-namespace {
+namespace THIS_TEST {
 
 ToolSpec needle() { return {}; }
 
@@ -137,5 +137,5 @@ TEST(ToolShape, TheScopeIsAPlainCapsule) {
     EXPECT_NEAR(signed_distance(shape, Vec3(0.003, 0, -0.01)).value_m, 0.001, 1e-15);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::sim

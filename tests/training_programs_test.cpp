@@ -18,7 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
-namespace {
+namespace THIS_TEST {
 
 World* const world = World::install();
 
@@ -41,8 +41,6 @@ class TrainingPrograms : public Programs {
         return ctl("--as " + who + " " + arguments, kRight);
     }
 };
-
-}  // namespace
 
 TEST_F(TrainingPrograms, RightsAreAskedForBeforeAnythingHappens) {
     ASSERT_NE(world, nullptr);
@@ -440,3 +438,5 @@ TEST_F(TrainingPrograms, TheStoreIsMeasuredOnlyInAnEmptyOne) {
     EXPECT_THAT(listed.out, AllOf(HasSubstr("Generated 4"), HasSubstr("\"demonstration\": true")));
     EXPECT_EQ(run("placodectl", "--store sqlite:bench.db check").status, 0);
 }
+
+}  // namespace THIS_TEST

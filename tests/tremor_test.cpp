@@ -10,7 +10,7 @@
 
 using placode::assessment::band_power;
 
-namespace {
+namespace THIS_TEST {
 
 std::vector<double> wave(double amplitude, double f_hz, double rate_hz, double seconds,
                          double drift_per_s = 0) {
@@ -21,8 +21,6 @@ std::vector<double> wave(double amplitude, double f_hz, double rate_hz, double s
     }
     return out;
 }
-
-}  // namespace
 
 TEST(Tremor, ASineInTheBandHasHalfItsSquaredAmplitude) {
     // 1e-5: leakage of the Hann window outside the band (SciPy: 0.004999999619 of 0.005).
@@ -39,3 +37,5 @@ TEST(Tremor, NeedsOneWholeWindow) {
     EXPECT_FALSE(band_power(wave(0.1, 10, 100, 1.9), 100));
     EXPECT_FALSE(band_power({}, 100));
 }
+
+}  // namespace THIS_TEST

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 sim::ToolSpec needle() {
     sim::ToolSpec tool;
@@ -219,5 +219,5 @@ TEST(DefaultTrocars, AMouseMovesAlongTheTissueAndItsWheelAwayFromIt) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

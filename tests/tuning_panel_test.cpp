@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 using sim::Key;
 using sim::Tissue;
@@ -120,5 +120,5 @@ TEST_F(TuningPanelTest, APresetIsSavedUnderTheNameThatWasTyped) {
     std::filesystem::remove_all(folder);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

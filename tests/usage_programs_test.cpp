@@ -20,7 +20,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr size_t kColumn = 30;  ///< Where CLI11 writes descriptions.
 
@@ -62,8 +62,6 @@ class Usage : public Programs {
         return described;
     }
 };
-
-}  // namespace
 
 TEST_F(Usage, EveryCommandAndArgumentIsDescribed) {
     EXPECT_GT(walk("placodectl", ""), 300) << "the walk saw too little to prove anything";
@@ -145,3 +143,5 @@ TEST_F(Usage, AllMessagesHaveOneForm) {
         EXPECT_THAT(json.out, HasSubstr("\"error\"")) << command;
     }
 }
+
+}  // namespace THIS_TEST

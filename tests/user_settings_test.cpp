@@ -10,7 +10,7 @@
 #include <string>
 
 namespace placode::ui {
-namespace {
+namespace THIS_TEST {
 
 class UserSettingsTest : public testing::Test {
  protected:
@@ -55,5 +55,5 @@ TEST_F(UserSettingsTest, AFolderThatCannotBeWrittenCostsOnlyTheMemory) {
     EXPECT_FALSE(load_window_size());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::ui

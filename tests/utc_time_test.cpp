@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+namespace THIS_TEST {
+
 using namespace placode::curriculum;
 
 TEST(UtcTime, ReadsDaysAndTimes) {
@@ -29,3 +31,5 @@ TEST(UtcTime, WritesWhatItReads) {
     EXPECT_EQ(utc_day(1795284239), "2026-11-21");
     EXPECT_EQ(utc_day(-1), "1969-12-31");
 }
+
+}  // namespace THIS_TEST

@@ -13,7 +13,7 @@ using namespace placode;
 using placode::sim::SolveResult;
 using ::testing::HasSubstr;
 
-namespace {
+namespace THIS_TEST {
 
 const std::string kMeshes = PLACODE_SOURCE_DIR "/tests/data/meshes/";
 
@@ -46,8 +46,6 @@ std::string flap(const std::string& method, const std::string& sheet = "", int s
         "until": {"time_s": 1.0}, "solver": {"method": ")" +
            method + R"(", "threads": 1, "substeps": )" + std::to_string(substeps) + "}}";
 }
-
-}  // namespace
 
 TEST(SheetScene, AWeldedFlapSagsTheSameWithEveryMethodThatTakesIt) {
     const SolveResult truth = run(flap("newton"));
@@ -182,3 +180,5 @@ TEST(SheetScene, RefusesWhatCannotBe) {
                 HasSubstr("/sheets: found []; expected at least one"));
     EXPECT_THAT(refusal(R"({"solver": {}})"), HasSubstr("the key \"mesh\" is missing"));
 }
+
+}  // namespace THIS_TEST

@@ -11,7 +11,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 TetMesh slab(int nx, int ny, int nz) {
     const TetMesh box = box_mesh(Vec3(nx, ny, nz) * 1e-3, {nx, ny, nz});
@@ -47,8 +47,6 @@ void expect_sound(const TetMesh& mesh, const VertexPlan& plan, const std::vector
         }
     }
 }
-
-}  // namespace
 
 TEST(VertexPlan, WhatIsSolvedAtTheSameTimeIsIndependent) {
     const TetMesh mesh = slab(40, 20, 3);
@@ -97,3 +95,5 @@ TEST(VertexPlan, AMeshThatIsLeftOutHasNoJobs) {
     const VertexPlan plan = plan_vertices(mesh, std::vector<uint8_t>(mesh.rest.size(), 1), work, 1);
     EXPECT_EQ(plan.phase_start, std::vector<int32_t>{0});
 }
+
+}  // namespace THIS_TEST

@@ -10,7 +10,7 @@
 
 using namespace placode::sim;
 
-namespace {
+namespace THIS_TEST {
 
 constexpr double kH = 2.5e-4;
 
@@ -111,8 +111,6 @@ Vec3 where(const SoftBodyState& state, int v) {
     return {p.x, p.y, p.z};
 }
 
-}  // namespace
-
 TEST_P(VertexSystemOf, GradientAndHessianAreTheDerivativesOfTheEnergy) {
     const SoftBody body(small_spec(GetParam()));
     SoftBodyState state(body);
@@ -199,3 +197,5 @@ TEST_P(VertexSystemOf, RemovalDoesNotDependOnTheOrder) {
     EXPECT_EQ(a.lanes, b.lanes);
     EXPECT_EQ(state_hash(a), state_hash(b));
 }
+
+}  // namespace THIS_TEST

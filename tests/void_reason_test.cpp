@@ -10,7 +10,7 @@ using namespace placode::db;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-namespace {
+namespace THIS_TEST {
 
 const std::vector<VoidReason> kAll{{VoidCause::kTuned, 0, 0, {}},
                                    {VoidCause::kDevice, 0, 0, "40 drop-outs of the force loop"},
@@ -18,8 +18,6 @@ const std::vector<VoidReason> kAll{{VoidCause::kTuned, 0, 0, {}},
                                    {VoidCause::kFewPictures, 1, 20, {}},
                                    {VoidCause::kFewPictures, 19, 20, {}},
                                    {VoidCause::kNotRealTime, 94, 95, {}}};
-
-}  // namespace
 
 TEST(VoidReason, EveryListIsReadAsItWasWritten) {
     EXPECT_EQ(void_text({}), "");
@@ -63,3 +61,5 @@ TEST(VoidReason, WhyAStepIsNotDoneIsReadAsItWasWritten) {
     EXPECT_EQ(not_done(not_done_text(own)), own) << "a coordinator's own words";
     EXPECT_EQ(not_done("interrupted; void: 2 device faults").voids.at(0).text, "2 device faults");
 }
+
+}  // namespace THIS_TEST

@@ -12,9 +12,7 @@
 
 namespace placode::test {
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Of store_cases.h.
-
-namespace {
+namespace THIS_TEST {
 
 /// Bytes to the portal and what comes back, without a client in between.
 class Wire {
@@ -174,5 +172,5 @@ TEST(WebListenAddress, IsOnThisComputerOrRefused) {
 
 INSTANTIATE_TEST_SUITE_P(Engines, WebLimitsTest, testing::Values("Sqlite"), engine_name);
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -16,9 +16,7 @@
 
 namespace placode::test {
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Of store_cases.h.
-
-namespace {
+namespace THIS_TEST {
 
 constexpr const char* kScript = "<script>alert(\"1\")</script>";
 
@@ -296,5 +294,5 @@ TEST(WebStyle, EveryTextHasAContrastOfFourAndAHalf) {
 INSTANTIATE_TEST_SUITE_P(Engines, WebPagesTest, testing::Values("Sqlite", "Postgresql"),
                          engine_name);
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

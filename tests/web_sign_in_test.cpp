@@ -9,9 +9,7 @@
 
 namespace placode::test {
 
-GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(StoreTest);  // Of store_cases.h.
-
-namespace {
+namespace THIS_TEST {
 
 class WebSignInTest : public WebTest {};
 
@@ -159,5 +157,5 @@ TEST(WebSessions, AreFewAndTheirTokensNeverTheSame) {
 
 INSTANTIATE_TEST_SUITE_P(Engines, WebSignInTest, testing::Values("Sqlite"), engine_name);
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::test

@@ -17,7 +17,7 @@
 #include "tests/count_allocations.h"
 
 namespace placode::haptics {
-namespace {
+namespace THIS_TEST {
 
 constexpr int64_t kMs = 1'000'000;
 using State = WebSocket::State;
@@ -375,5 +375,5 @@ TEST(WebSocket, AllocatesNothing) {
     EXPECT_EQ(placode::test::allocations, before);
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::haptics

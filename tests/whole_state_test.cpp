@@ -19,7 +19,7 @@
 #include "tests/rerun.h"
 
 namespace placode {
-namespace {
+namespace THIS_TEST {
 
 struct Case {
     const char* task;
@@ -136,5 +136,5 @@ TEST(WholeState, OtherBytesAreRefusedAndChangeNothing) {
     refused(sim::save_state(*larger.scene, *larger.start()), "another scene");
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode

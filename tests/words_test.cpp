@@ -13,7 +13,7 @@
 #include "curriculum/task.h"
 
 namespace placode::reports {
-namespace {
+namespace THIS_TEST {
 
 /// Turns every sentence round, so that a test sees which places were filled.
 class Mirror : public QTranslator {
@@ -118,7 +118,7 @@ TEST_F(WordsTest, WhatAnOlderProgramScoredStays) {
     EXPECT_EQ(reason_words(old), QString("The needle rested 3 s at 4 o'clock, 2 mm³."));
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::reports
 
 int main(int argc, char** argv) {

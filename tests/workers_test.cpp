@@ -11,7 +11,7 @@
 
 using placode::sim::Workers;
 
-namespace {
+namespace THIS_TEST {
 
 struct Counting {
     std::array<std::atomic<int>, 8> calls{};
@@ -25,8 +25,6 @@ void count(void* context, int job) noexcept {
     if (std::this_thread::get_id() != c.caller) c.others.fetch_add(1);
     std::this_thread::sleep_for(std::chrono::microseconds(200));  // long enough to share
 }
-
-}  // namespace
 
 TEST(Workers, DoesEveryJobOnceAndSharesThem) {
     for (int threads = 1; threads <= 8; ++threads) {
@@ -114,3 +112,5 @@ TEST(Workers, AThreadWithoutACoreSendsTheTeamAwayForAWhile) {
     for (int k = 0; k < 100000 && job.by_others == 0; ++k) workers.run(4, body, &job);
     EXPECT_GT(job.by_others, 0) << "the team never came back";
 }
+
+}  // namespace THIS_TEST

@@ -9,7 +9,7 @@
 #include "drawn_field.h"
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 using namespace sim;
 constexpr double kContour = 0.44;  // kRim of shaders/tissue.glsl
@@ -116,5 +116,5 @@ TEST(WoundMap, APieceOfTheMapIsTheSameAsTheWhole) {
     EXPECT_EQ(by_steps.pixels(), at_once.pixels());
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view

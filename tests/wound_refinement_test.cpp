@@ -11,7 +11,7 @@
 #include "ui/view/tissue_mesh.h"
 
 namespace placode::view {
-namespace {
+namespace THIS_TEST {
 
 using namespace sim;
 using Point = std::array<float, 3>;
@@ -156,5 +156,5 @@ TEST(TissueMesh, ColoursStayOnTheTissueAtARim) {
     }
 }
 
-}  // namespace
+}  // namespace THIS_TEST
 }  // namespace placode::view
