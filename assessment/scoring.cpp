@@ -52,7 +52,7 @@ Reason missing(const Sight& sight, const RubricItem& item, bool recorded) {
         return make_reason(item.id, std::move(meaning), 0, -1, false);
     }
     constexpr double kFar = 1e9;
-    meaning.pattern = "It could not be measured and counts in full: {metric}.";
+    meaning.pattern = kNotMeasuredPattern;
     return make_reason(item.id, std::move(meaning), cost(sight, item, item.below ? -kFar : kFar),
                        -1, false);
 }

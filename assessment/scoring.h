@@ -50,6 +50,10 @@ enum class Verdict : uint8_t { kPassed, kNotYet, kFailed, kNotAttempted };
 
 /// RubricItem::id of the one reason of an attempt in which nothing was done.
 inline constexpr std::string_view kNotAttemptedItem = "not_attempted";
+/// Of a line whose metric is missing: it says something of the points, and nothing of what
+/// happened.
+inline constexpr const char* kNotMeasuredPattern =
+    "It could not be measured and counts in full: {metric}.";
 
 struct Score {
     double points = 0;

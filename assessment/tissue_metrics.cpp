@@ -20,9 +20,6 @@ namespace {
 constexpr double kNearPlacodeM = 0.001, kOverheatedSquareM = 0.002;
 // Henriques & Moritz 1947, skin: a stand-in, there is no accepted set for the placode.
 constexpr double kSkinAPerS = 3.1e98, kSkinEaJMol = 6.28e5;
-// At cutting temperatures the dose passes every number (and float) within a second; past this it
-// says no more than "destroyed".
-constexpr double kLargestDoseMin = 1e6, kLargestDamage = 1e6;
 
 struct Sum {
     int count = 0;

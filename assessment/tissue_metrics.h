@@ -108,6 +108,9 @@ struct Incision {
 /// Nothing when the scene has no planned contour.
 [[nodiscard]] std::optional<Incision> analyse_incision(const sim::Recording& recording);
 
+/// At cutting temperatures thermal dose [min] and damage pass every number (and float) within a
+/// second; past this they say no more than "destroyed".
+inline constexpr double kLargestDoseMin = 1e6, kLargestDamage = 1e6;
 inline constexpr double kOffLineM = 0.0005;  ///< Kerf centre further than this is off the line.
 
 /// Share of the planned contour that is cut through, 0..1: what the picture showed in the end.

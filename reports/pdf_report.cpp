@@ -148,6 +148,7 @@ std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
     double lost = 0;
     for (const assessment::Reason& reason : score.reasons) {
         if (reason.item == assessment::kNotAttemptedItem) continue;
+        if (!scored && reason.meaning.pattern == assessment::kNotMeasuredPattern) continue;
         const QString when = reason.time_s < 0
                                  ? QString()
                                  : QStringLiteral("at %1").arg(duration_words(reason.time_s));
@@ -155,7 +156,9 @@ std::vector<QString> reason_rows(const assessment::Score& score, bool scored) {
         rows.push_back(QStringLiteral("<tr><td align='right' width='46'>%1</td><td>&nbsp;%2%3</td>"
                                       "<td align='right' width='90' style='color:#5f666e'>%4</td>"
                                       "</tr>")
-                           .arg(scored ? "-" + number(reason.points, 1) : QString(),
+                           .arg(!scored             ? QString()
+                                : reason.points > 0 ? "-" + number(reason.points, 1)
+                                                    : QStringLiteral("!"),
                                 reason.critical ? QStringLiteral("<b>critical:</b> ") : QString(),
                                 reason_words(reason).toHtmlEscaped(), when));
     }
@@ -190,9 +193,10 @@ QString metric_row(const assessment::MetricDefinition& definition, double value,
                "<tr><td width='46%'>%1</td><td align='right' width='14%'>%2</td><td "
                "width='14%'>&nbsp;%3</td><td style='color:#5f666e'>%4</td></tr>")
         .arg(counts ? QStringLiteral("<b>%1</b>").arg(name) : name,
-             in_minutes(definition, value) ? minute_second(value)
-             : is_count(definition, value) ? number(value, 0)
-                                           : metric_number(value),
+             in_minutes(definition, value)   ? minute_second(value)
+             : is_ceiling(definition, value) ? QStringLiteral("≥ ") + number(value, 0)
+             : is_count(definition, value)   ? number(value, 0)
+                                             : metric_number(value),
              in_minutes(definition, value) ? QStringLiteral("min")
                                            : unit_sign(definition.unit).toHtmlEscaped(),
              better_word(definition.direction));

@@ -81,7 +81,9 @@ void draw_strips(QPainter& painter, const QRectF& where, const std::vector<Strip
             low = std::min(low, value), high = std::max(high, value);
     if (low > high) low = 0, high = 1;
     const double margin = low == high ? 1 : 0.05 * (high - low);
-    const LinearScale x{low - margin, high + margin, plot.left(), plot.right()};
+    // Where nothing is negative the axis is neither: there are no points below 0.
+    const double from = low >= 0 ? std::max(0.0, low - margin) : low - margin;
+    const LinearScale x{from, high + margin, plot.left(), plot.right()};
     draw_axis(painter, plot, x, axis, style);
     const double row = plot.height() / static_cast<double>(std::max<size_t>(1, groups.size()));
     for (size_t i = 0; i < groups.size(); ++i) {

@@ -152,7 +152,9 @@ void write_title(Paper& paper, const StudyReport& report) {
 QString aids_of(const curriculum::StudyStep& step) {
     const std::string names = curriculum::aid_names(step.allowed_aids());
     return names.empty() ? QStringLiteral("none")
-                         : safe(names).replace(QLatin1String(","), QLatin1String(", "));
+                         : safe(names)
+                               .replace(QLatin1String(","), QLatin1String(", "))
+                               .replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
 void write_methods(Paper& paper, const StudyReport& report) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "curriculum/study.h"
 #include "reports/study_analysis.h"
 #include "reports/words.h"
 
@@ -31,6 +32,16 @@ void write_analysis_table(Paper& paper, const Analysis& analysis) {
     paper.table("<b>" + safe(analysis.title) + ".</b> " + safe(analysis.method), head,
                 QString("l") + QString(static_cast<int>(analysis.head.size()) - 1, 'r'), rows);
     for (const Figure& figure : analysis.figures) paper.figure(figure);
+}
+
+/// What a step is called on the screen; its id where the protocol has no name for it.
+QString step_title(const StudyReport& report, const std::string& id) {
+    if (report.data.definition_json.empty()) return safe(id);
+    const auto protocol =
+        curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
+    for (const auto& step : protocol.steps)
+        if (step.id == id && !step.title.en.empty()) return safe(step.title.en);
+    return safe(id);
 }
 
 }  // namespace
@@ -71,7 +82,7 @@ void write_deviations(Paper& paper, const StudyReport& report) {
         "are in no analysis.",
         {"kind", "n", "participants"}, "lrr", counts);
     for (const db::Deviation& each : report.data.deviations)
-        list.push_back({safe(each.participant), safe(each.step),
+        list.push_back({safe(each.participant), step_title(report, each.step),
                         deviation_title(each.kind, Language::kEnglish),
                         deviation_words(each, Language::kEnglish).toHtmlEscaped()});
     paper.table("Every deviation, by code.", {"code", "step", "kind", "what happened"}, "llll",

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "assessment/tissue_metrics.h"
+
 namespace placode::reports {
 
 QString number(double value, int decimals) {
@@ -40,6 +42,11 @@ bool in_minutes(const assessment::MetricDefinition& metric, double value) {
 
 bool is_count(const assessment::MetricDefinition& metric, double value) {
     return metric.unit.empty() && value == std::floor(value) && value < 1e5;
+}
+
+bool is_ceiling(const assessment::MetricDefinition& metric, double value) {
+    return (metric.id == "placode_peak_cem43_min" && value >= assessment::kLargestDoseMin) ||
+           (metric.id == "placode_arrhenius" && value >= assessment::kLargestDamage);
 }
 
 QString unit_sign(std::string_view unit) {

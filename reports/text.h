@@ -24,6 +24,8 @@ namespace placode::reports {
 [[nodiscard]] QString duration_words(double seconds);
 /// A whole number without a unit, which is shown without places. More than 1e5 is a dose.
 [[nodiscard]] bool is_count(const assessment::MetricDefinition& metric, double value);
+/// The largest that the measure says: the true value is this or more, shown as "≥ 1,000,000".
+[[nodiscard]] bool is_ceiling(const assessment::MetricDefinition& metric, double value);
 /// A time of a minute or more: written "9:08" with the unit "min", as every length of time.
 [[nodiscard]] bool in_minutes(const assessment::MetricDefinition& metric, double value);
 /// "mm3" as it is printed: "mm³"; "C" as "°C".

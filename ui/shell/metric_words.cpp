@@ -32,6 +32,7 @@ QString metric_name(std::string_view english) {
 }
 
 QString metric_value(const assessment::MetricDefinition& metric, double value) {
+    if (reports::is_ceiling(metric, value)) return "≥ " + format_number(value, 0);
     return reports::is_count(metric, value) ? format_number(value, 0) : format_value(value);
 }
 

@@ -123,6 +123,10 @@ QWidget* make_reasons_card(AppContext& context, const ResultData& data, const Sh
     std::stable_partition(reasons.begin(), reasons.end(),
                           [](const assessment::Reason& reason) { return reason.critical; });
     const bool scored = db::counts(data.detail.record);
+    if (!scored)
+        std::erase_if(reasons, [](const assessment::Reason& reason) {
+            return reason.meaning.pattern == assessment::kNotMeasuredPattern;
+        });
     QLabel* heading = make_label(!scored           ? Result::tr("What was noticed (not scored)")
                                  : reasons.empty() ? Result::tr("No points were lost")
                                  : reasons.front().critical

@@ -108,9 +108,10 @@ Html metrics_card(const db::AttemptDetail& detail, const reports::TaskScope& sco
             if (!value) continue;
             const bool minutes = reports::in_minutes(metric, *value);
             const Text shown =
-                text(minutes                             ? reports::minute_second(*value)
-                     : reports::is_count(metric, *value) ? reports::number(*value, 0)
-                                                         : reports::metric_number(*value));
+                text(minutes                               ? reports::minute_second(*value)
+                     : reports::is_ceiling(metric, *value) ? "≥ " + reports::number(*value, 0)
+                     : reports::is_count(metric, *value)   ? reports::number(*value, 0)
+                                                           : reports::metric_number(*value));
             table.row({text(std::string(metric.name)), shown,
                        minutes ? text("min") : text(reports::unit_sign(metric.unit)),
                        text(reports::group_title(group.group))});
