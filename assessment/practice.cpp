@@ -19,6 +19,8 @@ constexpr double kNearSurfaceM = 0.001;  // a tip this near follows the line
 constexpr double kNotThisLineM = 0.003;  // further off it does not follow this line at all
 constexpr int kBinsEnough = 69;          // of 72: the last ones meet the first
 constexpr double kTractionReachM = 0.005;
+constexpr double kAlongShaft =
+    0.85;  // share of a motion that makes it one of depth: within 32 degrees
 
 sim::Vec3 tip(const sim::ToolSample& tool) { return {tool.tip_m[0], tool.tip_m[1], tool.tip_m[2]}; }
 sim::Quat turn(const sim::ToolSample& tool) {
@@ -175,7 +177,9 @@ bool PracticeTracker::did_motion(const sim::ToolSample& tool) noexcept {
     if (step().kind == PracticeKind::kMove) {
         amount_ += (way - way.dot(shaft) * shaft).norm();
     } else if (step().kind == PracticeKind::kDepth) {
-        amount_ += std::abs(way.dot(shaft));
+        // What goes mostly sideways is not pushed, though a part of it lies along the shaft.
+        const double along = std::abs(way.dot(shaft));
+        if (along >= kAlongShaft * way.norm()) amount_ += along;
     } else {
         // Twist about the shaft between the samples.
         const sim::Quat change = turn(last_).conjugate() * turn(tool);

@@ -95,8 +95,15 @@ TEST(Practice, AWayAcrossTheShaftIsMotionAndAWayAlongItIsDepth) {
         attempt.see();
     }
     EXPECT_EQ(attempt.tracker().index(), 1);
+    // Sideways over a field that slopes: half as much along the shaft is no push.
+    for (int i = 1; i <= 30; ++i) {
+        attempt.tip(0, Vec3(0.012, 0.001 * i, 0.03 - 0.0005 * i));
+        attempt.see();
+    }
+    EXPECT_EQ(attempt.tracker().index(), 1);
+    EXPECT_EQ(attempt.tracker().progress(), 0);
     for (int i = 0; i <= 12; ++i) {
-        attempt.tip(0, Vec3(0.012, 0, 0.03 - 0.001 * i));
+        attempt.tip(0, Vec3(0.012, 0.03, 0.015 - 0.001 * i));
         attempt.see();
     }
     EXPECT_TRUE(attempt.tracker().done());
