@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
@@ -42,6 +43,14 @@ std::string escape_pointer(const std::string& key) {
     return escaped;
 }
 
+constexpr size_t kLongestName = 300;  // of what has a pattern: ids, names of files, keys
+
+/// What a pattern of the schemas asks for, after "a text".
+std::string pattern_words(const std::string& pattern) {
+    if (pattern == "^[A-Za-z0-9_.-]+$") return " of letters, digits, _, . and - only";
+    return " that fits " + pattern;
+}
+
 size_t shared_prefix(const std::string& a, const std::string& b) {
     size_t n = 0;
     while (n < a.size() && n < b.size() && a[n] == b[n]) ++n;
@@ -64,6 +73,7 @@ class Explainer {
         if (value.is_string() && schema.contains("minLength") &&
             value.get_ref<const std::string&>().size() < schema["minLength"].get<size_t>())
             fail(pointer, "is empty", schema);
+        if (value.is_string() && schema.contains("pattern")) check_pattern(value, schema, pointer);
         if (value.is_object()) check_object(value, schema, pointer);
         if (value.is_array()) check_array(value, schema, pointer);
     }
@@ -100,6 +110,7 @@ class Explainer {
             text = "an object";
         else
             text.append("a ").append(type);
+        if (schema.contains("pattern")) text += pattern_words(schema["pattern"]);
         if (schema.contains("unit")) text += " in " + schema["unit"].get<std::string>();
         const bool open_low = schema.contains("exclusiveMinimum");
         if (open_low) text += " above " + sim::shortest_text(schema["exclusiveMinimum"]);
@@ -133,6 +144,15 @@ class Explainer {
     void check_choice(const Json& value, const Json& schema, const std::string& pointer) const {
         const Json& choices = schema["enum"];
         if (std::find(choices.begin(), choices.end(), value) == choices.end())
+            fail(pointer, "found " + found_text(value), schema);
+    }
+
+    void check_pattern(const Json& value, const Json& schema, const std::string& pointer) const {
+        const auto& text = value.get_ref<const std::string&>();
+        // Also because std::regex goes one call deeper with every letter.
+        if (text.size() > kLongestName)
+            fail(pointer, "has " + std::to_string(text.size()) + " letters", schema);
+        if (!std::regex_search(text, std::regex(schema["pattern"].get<std::string>())))
             fail(pointer, "found " + found_text(value), schema);
     }
 

@@ -28,17 +28,21 @@ StepKind kind_of(const std::string& name) {
 }
 
 void check_step(const StudyStep& step, const std::string& origin, const std::string& pointer) {
-    const auto need = [&](bool there, const char* key) {
+    const auto need = [&](bool there, const char* key, const char* what) {
         if (!there)
             throw DefinitionError(origin, pointer,
-                                  std::string("a step of kind \"") + step_kind_name(step.kind) +
-                                      "\" needs \"" + key + "\"");
+                                  "the step \"" + step.id + "\" is of kind \"" +
+                                      step_kind_name(step.kind) + "\" and needs \"" + key +
+                                      "\": " + what);
     };
-    need(step.kind != StepKind::kQuestionnaire || !step.questionnaire.empty(), "questionnaire");
-    need(step.kind != StepKind::kBriefing || !step.text.empty(), "text");
-    need(step.kind != StepKind::kFamiliarisation || !step.task.empty(), "task");
-    need(step.kind != StepKind::kFamiliarisation || step.max_s > 0, "max_s");
-    need(step.kind != StepKind::kProcedure || !step.task.empty(), "task");
+    constexpr const char* kTask = "the id of a task, such as \"diathermy_ring\"";
+    need(step.kind != StepKind::kQuestionnaire || !step.questionnaire.empty(), "questionnaire",
+         "the id of a questionnaire, such as \"face_validity\"");
+    need(step.kind != StepKind::kBriefing || !step.text.empty(), "text", "what is to be read");
+    need(step.kind != StepKind::kFamiliarisation || !step.task.empty(), "task", kTask);
+    need(step.kind != StepKind::kFamiliarisation || step.max_s > 0, "max_s",
+         "how long it may take at most [s]");
+    need(step.kind != StepKind::kProcedure || !step.task.empty(), "task", kTask);
 }
 
 /// Rules of an attempt stand in a step that is one, and leave time enough.
