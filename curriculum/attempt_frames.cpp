@@ -95,6 +95,7 @@ sim::EndReason AttemptFrames::ended(const sim::State& state, std::span<const sim
     }
     const bool cut = finish_when_cut_ && cut_fraction_ >= kCutFraction;
     lifted_s_ = cut && lifted ? lifted_s_ + frame_s_ : 0;
+    if (cut && !lifted) warnings_.ring_closed(state.time_s);
     // A moment to see the last step ticked off.
     practised_s_ = practice_.done() ? practised_s_ + frame_s_ : 0;
     if (finished || lifted_s_ >= kLiftedS || practised_s_ >= kLiftedS)

@@ -52,6 +52,10 @@ void LiveWarnings::say(const char* phrase, double time_s) noexcept {
     said_s_ = time_s;
 }
 
+void LiveWarnings::ring_closed(double time_s) noexcept {
+    say("Ring closed: lift the needle", time_s);
+}
+
 void LiveWarnings::look_at_energy(const sim::State& state, std::span<const sim::ToolInput> inputs,
                                   size_t i, bool sampled) noexcept {
     const sim::ToolState& tool = state.tools[i];

@@ -30,6 +30,9 @@ class LiveWarnings {
     /// A warning of somebody else's. The newest wins.
     void say(const char* phrase, double time_s) noexcept;
 
+    /// The ring is whole and the task ends with it: what is left to do.
+    void ring_closed(double time_s) noexcept;
+
     [[nodiscard]] const std::array<char, 64>& phrase() const noexcept { return phrase_; }
     [[nodiscard]] double said_s() const noexcept { return said_s_; }  ///< Simulated time.
 

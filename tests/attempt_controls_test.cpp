@@ -326,6 +326,21 @@ TEST(AttemptControls, BeginsWithTheHelpUntilSomebodyMeansToMove) {
     EXPECT_EQ(bench.controls.for_devices().mouse_y, 0);
 }
 
+TEST(AttemptControls, EscapeFromTheFirstHelpGivesThePointerBackInsteadOfTakingIt) {
+    ControlsSetup setup;
+    setup.help_first = true;
+    Bench bench(setup);
+    bench.attempt_s = 0;
+    bench.tap(Key::kEscape);
+    EXPECT_EQ(bench.controls.screen(), Screen::kMenu);
+    EXPECT_FALSE(bench.controls.captures_pointer());
+    bench.tap(Key::kEscape);
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate) << "from the menu it goes on, as always";
+    bench.tap(Key::kF1);
+    bench.tap(Key::kEscape);
+    EXPECT_EQ(bench.controls.screen(), Screen::kOperate) << "a help that was asked for just closes";
+}
+
 TEST(AttemptControls, WhatAModeDoesNotHaveIsNotThere) {
     for (const AttemptMode mode : {AttemptMode::kExam, AttemptMode::kStudy}) {
         ControlsSetup setup;

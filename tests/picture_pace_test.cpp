@@ -25,7 +25,7 @@ class Quality final : public PictureQuality {
 
 curriculum::AttemptStatus status(double real_time, double pictures_hz) {
     curriculum::AttemptStatus s;
-    s.time_s = 5;
+    s.time_s = 6;
     s.physics_hz = 1000 * real_time;
     s.real_time_now = real_time;
     s.pictures_now_hz = pictures_hz;
@@ -68,7 +68,12 @@ TEST(PicturePace, WhatWillNotCountIsSaidOnceASpell) {
     PicturePace::Clock::time_point now{};
     now += std::chrono::hours(1);
     curriculum::AttemptStatus slow = status(0.7, 6);
-    slow.slow = slow.counts_not = true;
+    slow.counts_not = true;
+    EXPECT_TRUE(PicturePace::will_not_count(slow));
+    slow.time_s = 2;
+    EXPECT_FALSE(PicturePace::will_not_count(slow))
+        << "one slow second at the start decides nothing";
+    slow.time_s = 6;
     pace.watch(slow, now);
     EXPECT_THAT(pace.take_note(), HasSubstr("will not count"));
     pace.watch(slow, now += milliseconds(600));

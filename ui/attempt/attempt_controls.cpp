@@ -95,6 +95,12 @@ void AttemptControls::take(const WindowEvent& event) {
             if (!panel_takes(event)) operate(event);
             break;
         case Screen::kHelp:
+            // Who presses Escape before anything was done wants the pointer back, not to operate.
+            if (first_help_ && event.kind == Kind::kKey && event.down &&
+                event.key == Key::kEscape) {
+                open_menu("Paused", PauseCause::kMenu);
+                break;
+            }
             // Any press leaves it, and does nothing else.
             if ((event.kind == Kind::kKey && event.down && !is_modifier(event.key)) ||
                 (event.kind == Kind::kButton && event.down) || event.kind == Kind::kStart)

@@ -153,7 +153,7 @@ std::vector<std::string> AttemptControls::warnings(Question question) const {
             with(say("The study asks for at least %1. Ended after %2 it does not count."),
                  view::clock_text(setup_.least_s), view::clock_text(attempt_s_)));
     else if (question != Question::kLeave && early())
-        lines.push_back(with(say("It usually takes %1; %2 are over."),
+        lines.push_back(with(say("Only %2 have passed; it usually takes %1."),
                              view::clock_text(setup_.usual_s), view::clock_text(attempt_s_)));
     const bool exam = setup_.mode == AttemptMode::kExam;
     if (exam && question == Question::kFinish)

@@ -97,8 +97,9 @@ view::OverlayState attempt_overlay(const curriculum::Task& task, const Arguments
     overlay.time_limit_s = task.time_limit_s > 0 || arguments.duration_s > 0
                                ? curriculum::limit_of(task, arguments.duration_s)
                                : 0;
-    // A limit that somebody else set (a study's familiarisation) is shown as what is left of it.
-    overlay.remaining = arguments.duration_s > 0;
+    // A limit that somebody else set (a study's familiarisation, an exam) is shown as what is left.
+    overlay.remaining =
+        arguments.duration_s > 0 || arguments.mode == curriculum::AttemptMode::kExam;
     overlay.depth_aid = arguments.aids.depth;
     overlay.motion = motion_wanted();
     overlay.full_force_n = task.scene.contact.over_force_n;

@@ -26,6 +26,7 @@ constexpr double kAffordableMs = 1000 / (1.1 * (1 + kRest) * curriculum::kLeastP
 constexpr double kCheap = 0.5;
 constexpr auto kSteady = std::chrono::seconds(4), kTrial = std::chrono::seconds(10);
 constexpr int kSettlingPictures = 4;  // the first compile shaders and fill caches
+constexpr double kSpeedKnownS = 5;    // of an attempt; before it one slow second decides
 constexpr double kRoom = 1.02;  // of real time: below it the physics needs more of the processor
 
 }  // namespace
@@ -60,11 +61,16 @@ void PicturePace::watch(const curriculum::AttemptStatus& status, Clock::time_poi
                        cost_.count() < kCheap * kAffordableMs;
     if (!cheap) cheap_since_ = now;
     if (!settled_ && now - cheap_since_ >= kSteady) enrich(now);
-    if (status.slow && status.counts_not && !std::exchange(told_slow_, true))
+    const bool lost = will_not_count(status);
+    if (lost && !told_slow_)
         note_ =
             "This computer is too slow: the attempt will not count. "
             "Close other programs, or make the window smaller";
-    if (!status.slow) told_slow_ = false;
+    told_slow_ = lost;
+}
+
+bool PicturePace::will_not_count(const curriculum::AttemptStatus& status) {
+    return status.counts_not && status.time_s > kSpeedKnownS;
 }
 
 void PicturePace::simplify(Clock::time_point now) {

@@ -37,6 +37,8 @@ class PicturePace {
 
     /// Fewer substeps may be taken: the picture cannot give way any more, or never competes.
     [[nodiscard]] bool may_save_substeps() const { return simplest_ || !quality_.software(); }
+    /// As slow as it was so far the attempt counts for nothing; known after some seconds of it.
+    [[nodiscard]] static bool will_not_count(const curriculum::AttemptStatus& status);
     /// A sentence for the user in English, empty = none. Taken once.
     [[nodiscard]] std::string take_note();
 

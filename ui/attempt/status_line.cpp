@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "ui/attempt/picture_pace.h"
+
 namespace placode::ui {
 namespace {
 
@@ -29,7 +31,7 @@ nlohmann::ordered_json fields(const curriculum::AttemptStatus& status) {
             {"waiting", status.waiting},
             {"real_time", status.real_time},
             {"pictures_hz", status.pictures_hz},
-            {"too_slow", status.slow && status.counts_not},
+            {"too_slow", PicturePace::will_not_count(status)},
             {"warning", status.warning}};
 }
 

@@ -23,9 +23,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSpeedKnownS = 5;  // of an attempt; before it one slow second decides
 constexpr const char* kTooSlow = "COMPUTER TOO SLOW, does not count";
 constexpr double kReadHelpS = 4;  // the two lines of it that matter beside a script
+
+/// The size that the last one who practised here left. Exams and studies begin alike for everybody.
+bool has_own_size(const Arguments& arguments) {
+    return !arguments.size_given && arguments.mode == curriculum::AttemptMode::kPractice;
+}
 
 bool is_script(const Arguments& arguments) { return arguments.device.rfind("script:", 0) == 0; }
 
@@ -85,7 +89,7 @@ class WindowSession {
           scripted_(is_script(arguments)),
           one_hand_(has_window_hands(arguments) || arguments.device == "spacemouse"),
           read_on_(!scripted_ && !has_window_hands(arguments) && conduct_.help),
-          remember_size_(!arguments.size_given && !arguments.fullscreen) {}
+          remember_size_(has_own_size(arguments) && !arguments.fullscreen) {}
 
     void run() {
         view_.poll(totals_);
@@ -204,7 +208,7 @@ class WindowSession {
         runner_.may_save_substeps(pace_.may_save_substeps());
         if (const std::string text = pace_.take_note(); !text.empty()) note(text, 6);
         // A note goes; that it will not count stands there as long as it is so.
-        const bool void_now = status.counts_not && status.time_s > kSpeedKnownS;
+        const bool void_now = PicturePace::will_not_count(status);
         if (void_now && overlay_.banner.empty()) overlay_.banner = kTooSlow;
         if (!void_now && overlay_.banner == kTooSlow) overlay_.banner.clear();
     }
@@ -281,7 +285,7 @@ class WindowSession {
 void run_in_window(curriculum::AttemptRunner& runner, sim::Latest<sim::WindowInput>& input,
                    const Arguments& arguments, StatusLine& status) {
     Arguments sized = arguments;
-    if (const auto last = load_window_size(); last && !arguments.size_given) {
+    if (const auto last = load_window_size(); last && has_own_size(arguments)) {
         sized.width = last->width;
         sized.height = last->height;
     }

@@ -161,10 +161,13 @@ double Overlay::task_words(double y, double room) {
     return y;
 }
 
-/// In the corner below the circle, clear of the note in the middle: one line where there is room.
+/// Of the corner below the circle, clear of the note in the middle: one where there is room.
+std::vector<std::string> Overlay::key_lines() const {
+    return paint_->wrapped(say(state_->keys), TextSize::kSmall, 0.5 * width_ - 9 * unit_);
+}
+
 void Overlay::keys() {
-    const std::vector<std::string> lines =
-        paint_->wrapped(say(state_->keys), TextSize::kSmall, 0.5 * width_ - 9 * unit_);
+    const std::vector<std::string> lines = key_lines();
     double y = height_ - margin_;
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
         paint_->text(width_ - margin_, y, *line, TextSize::kSmall, kMuted.faded(0.7F),
@@ -189,10 +192,25 @@ void Overlay::notice(double room) {
     // Above the banner where that one stands in the middle.
     const bool crowded = !state_->banner.empty() && room <= 9 * unit_;
     const double foot = height_ - (crowded ? margin_ + 1.5 * unit_ : 1.6 * margin_);
-    const std::string text = say(state_->notice);
-    const double w = paint_->text_width(text, TextSize::kNormal) + 1.6 * unit_;
-    paint_->box(0.5 * (width_ - w), foot - 1.35 * unit_, w, 2.0 * unit_, kRaised.faded(0.85F));
-    paint_->text(0.5 * width_, foot, text, TextSize::kNormal, kText, Align::kCentre);
+    // In the middle, and no wider than what the keys in the corner leave.
+    double keys = 0;
+    for (const std::string& line : key_lines())
+        keys = std::max(keys, paint_->text_width(line, TextSize::kSmall));
+    const double most = std::max(width_ - 2 * (keys + margin_ + unit_), 14 * unit_);
+    const std::vector<std::string> lines =
+        paint_->wrapped(say(state_->notice), TextSize::kNormal, most - 1.6 * unit_);
+    double w = 0;
+    for (const std::string& line : lines)
+        w = std::max(w, paint_->text_width(line, TextSize::kNormal) + 1.6 * unit_);
+    const double row = paint_->line_height(TextSize::kNormal);
+    const double above = row * static_cast<double>(lines.size() - 1);
+    paint_->box(0.5 * (width_ - w), foot - above - 1.35 * unit_, w, above + 2.0 * unit_,
+                kRaised.faded(0.85F));
+    double y = foot - above;
+    for (const std::string& line : lines) {
+        paint_->text(0.5 * width_, y, line, TextSize::kNormal, kText, Align::kCentre);
+        y += row;
+    }
 }
 
 void Overlay::energy() {

@@ -106,6 +106,7 @@ class Overlay {
     void read_outs();
     /// Each writes from `y` on, beside the circle where there is `room` [px]; returns its foot.
     double task_words(double y, double room);
+    [[nodiscard]] std::vector<std::string> key_lines() const;
     void keys();
     double banner(double y, double room);
     void notice(double room);

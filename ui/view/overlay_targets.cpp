@@ -15,6 +15,22 @@ using namespace sim;
 
 using namespace style;
 
+namespace {
+
+/// What is to be held for a pedal; where there are keys and buttons, the very one.
+std::string_view pedal_words(haptics::HintDevice device, bool cut) {
+    switch (device) {
+        case haptics::HintDevice::kMouse:
+            return cut ? "now hold the left button" : "now hold the right button";
+        case haptics::HintDevice::kKeyboard:
+            return cut ? "now hold X" : "now hold C";
+        default:
+            return cut ? "now the yellow pedal" : "now the blue pedal";
+    }
+}
+
+}  // namespace
+
 /// What is to be touched or grasped is the task itself and no aid: an exam shows where, and not how
 /// far away it is or whether the tip is above it.
 void Overlay::exam_targets() {
@@ -95,8 +111,7 @@ void Overlay::target_text(int tool, const Vec2& px, double radius, const Vec3& a
     const bool cut = step.kind == PracticeKind::kCut, coag = step.kind == PracticeKind::kCoag;
     const uint8_t wanted = cut ? kPedalCut : coag ? kPedalCoag : uint8_t{0};
     if (wanted != 0 && seen.pedals != wanted)
-        label(place, say(cut ? "now the yellow pedal" : "now the blue pedal"),
-              cut ? kYellow : kBlue);
+        label(place, say(pedal_words(state_->practice.device, cut)), cut ? kYellow : kBlue);
     else if (step.kind == PracticeKind::kGrasp)
         label(place, say("now close the jaws"), kGood);
     else if (const std::string amount = amount_text(); !amount.empty())
