@@ -159,6 +159,7 @@ void ShellProtocolsTest::aQuestionnaireIsBuiltFromTheForm() {
     QVERIFY(press("element_remove"));
     QCOMPARE(list()->count(), 3);
     shell_->whole("72_questionnaire_built");
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
     QVERIFY(shell_->owner().definitions().find("questionnaire", "built").has_value());
@@ -185,6 +186,7 @@ void ShellProtocolsTest::everyKindIsPreviewedAndPublished() {
     QVERIFY(press("cancel_participant"));
     QVERIFY(shell_->arrives(PageId::kProtocols));
     QVERIFY2(json()->toPlainText().contains("Every kind"), "the text came back");
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
     QVERIFY(shell_->owner().studies().answers("kinds").empty());
@@ -289,6 +291,7 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     QVERIFY(!shell_->owner().definitions().find("study", "my_study").has_value());
     json()->setPlainText(ready);
     QVERIFY(statusSays("No errors."));
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("is published"));
     const auto first = shell_->owner().definitions().find("study", "my_study");
@@ -300,12 +303,15 @@ void ShellProtocolsTest::aStudyWithArmsIsBuiltAndPublishedWithAReason() {
     // The same version with another text, and a new version without a reason, are refused.
     list()->setCurrentRow(0);
     QVERIFY(shell_->type("form_title_en", "Amended"));
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("next version"));
     QVERIFY(shell_->type("form_version", "2"));
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("reason"));
     QVERIFY(shell_->type("publish_reason", "the committee asked for it"));
+    shell_->confirmNext();
     QVERIFY(press("definition_publish"));
     QVERIFY(shell_->bannerSays("version 2 is published"));
     QCOMPARE(shell_->owner().definitions().find("study", "my_study", 1)->json, first->json);

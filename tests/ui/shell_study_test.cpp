@@ -156,8 +156,11 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     shell.window().grab().save(shell.shotFile("62_consent_missing"));
     auto* paper = shell.find<QCheckBox>("signed_on_paper");
     paper->setFocus();
+    const int place = given->mapToGlobal(QPoint(0, 0)).y();
     QTest::keyClick(paper, Qt::Key_Space);
     QVERIFY(given->isEnabled());
+    QCoreApplication::processEvents();
+    QVERIFY2(given->mapToGlobal(QPoint(0, 0)).y() == place, "not while somebody reaches for it");
     given->setFocus();
     QTest::keyClick(given, Qt::Key_Return);
     QVERIFY(QTest::qWaitFor([&] { return progress().next == "demographics"; }, 10000));
@@ -209,6 +212,7 @@ void ShellStudyTest::questionsBriefingAndPractice() {
     QVERIFY(QTest::qWaitFor([&] { return !shell.text("run_device").isEmpty(); }, 5000));
     QVERIFY2(shell.text("run_device").contains("Novice", Qt::CaseInsensitive),
              qPrintable(shell.text("run_device")));
+    QVERIFY2(!shell.text("run_goal").isEmpty(), "what is to be done");
     shell.shot("64_familiarisation");
     perform();
     if (QTest::currentTestFailed()) return;
@@ -270,7 +274,7 @@ void ShellStudyTest::perform(double time_s) {
     // Time only; nothing that says how well it goes.
     const QWidget* page = shell.window().page();
     QVERIFY(shell.find<QLabel>("live_time")->isVisibleTo(page));
-    for (const char* hidden : {"live_phase", "live_physics", "live_ring"})
+    for (const char* hidden : {"live_phase", "live_pictures", "live_ring"})
         QVERIFY2(!shell.find<QLabel>(hidden)->isVisibleTo(page), hidden);
     if (!running_shown_) {
         running_shown_ = true;

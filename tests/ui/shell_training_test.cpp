@@ -5,6 +5,7 @@
 // hands; an educator builds and assigns the course, reviews, remarks and compares.
 
 #include <QCheckBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QSpinBox>
@@ -220,14 +221,17 @@ void ShellTrainingTest::examNeedsItsProctor() {
     QVERIFY(shell.text("exam_rules").contains("proctor"));
     QVERIFY(shell.click("start_attempt"));
     QVERIFY(shell.bannerSays("when a proctor has typed"));
+    QVERIFY2(shell.focusIsIn("proctor_login"), "the next key belongs where something is missing");
     QVERIFY(shell.type("proctor_login", "nina"));
     QVERIFY(shell.type("proctor_password", "quiet river 7"));
     QVERIFY(shell.click("start_attempt"));
     QVERIFY(shell.bannerSays("Nobody can be their own proctor"));
     QVERIFY(shell.type("proctor_login", "olga"));
     QVERIFY(shell.type("proctor_password", "long enough here"));
-    QVERIFY(shell.click("start_attempt"));
+    QTest::keyClick(shell.find<QLineEdit>("proctor_password"), Qt::Key_Return);
     QVERIFY(shell.bannerSays("cannot be the proctor"));
+    QVERIFY2(!shell.window().banner().text().contains("their own proctor"),
+             "that is not wrong any more");
     QVERIFY(shell.fitsInBothSizes("75_exam"));
     QVERIFY(shell.type("proctor_login", "demo.educator"));
     QVERIFY(shell.type("proctor_password", "placode-demo"));

@@ -230,7 +230,9 @@ bool AppContext::guard(const QString& doing, const std::function<void()>& work) 
         work();
         return true;
     } catch (...) {
-        report(problem_of(std::current_exception(), doing));
+        Problem problem = problem_of(std::current_exception(), doing);
+        problem.doing = doing;
+        report(problem);
         return false;
     }
 }

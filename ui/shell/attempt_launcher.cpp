@@ -136,7 +136,8 @@ void AttemptLauncher::readStatus() {
         if (!line.isObject() || !line.object().contains("t_s")) continue;
         const QJsonObject json = line.object();
         status_.time_s = json["t_s"].toDouble();
-        status_.physics_hz = json["physics_hz"].toDouble();
+        status_.pictures_hz = json["pictures_hz"].toDouble();
+        status_.too_slow = json["too_slow"].toBool();
         status_.cut_fraction = json["cut_fraction"].toDouble();
         status_.servo_p999_us = json["servo_p999_us"].toDouble();
         status_.dropped = json["dropped"].toInteger();

@@ -45,7 +45,9 @@ struct LaunchOptions {
 
 /// The newest status line of the running attempt.
 struct LiveStatus {
-    double time_s = 0, physics_hz = 0, cut_fraction = 0, servo_p999_us = 0;
+    double time_s = 0, cut_fraction = 0, servo_p999_us = 0;
+    double pictures_hz = 0;  ///< Reached in nine of ten seconds; 0 = not known yet.
+    bool too_slow = false;   ///< As it is now, the attempt will not count.
     qint64 dropped = 0;
     QString phase, warning;
 };

@@ -62,8 +62,8 @@ class CourseEditorPage : public Page {
     [[nodiscard]] bool mayLeave() override {
         return curriculum::course_json(draft_->course()) == saved_ ||
                confirm(this, tr("Leave the course unpublished?"),
-                       tr("What you changed since it was opened or exported is lost."),
-                       tr("Leave"));
+                       tr("What you changed since it was opened or exported is lost."), tr("Leave"),
+                       tr("Stay here"));
     }
 
  private:

@@ -80,9 +80,8 @@ class LoginPage : public Page {
         pin_hint_->hide();
         layout->addWidget(pin_hint_);
         connect(login_, &QLineEdit::textChanged, this, [this] { showPinHint(); });
-        message_ = make_label({}, "critical");
+        message_ = make_hint("critical");
         message_->setObjectName("login_message");
-        message_->hide();
         layout->addWidget(message_);
         button_ = make_button(context_, tr("Sign in"), "primary", "next");
         button_->setObjectName("sign_in");
@@ -178,7 +177,7 @@ class LoginPage : public Page {
     void signIn() {
         if (!button_->isEnabled()) return;
         if (login_->text().trimmed().isEmpty() || password_->text().isEmpty()) {
-            say(tr("Type your name and your password."));
+            say(tr("Type your log-in name and your password."));
             return go_to_field(login_->text().trimmed().isEmpty() ? login_ : password_);
         }
         context_.guard(tr("Signing in"), [this] {
@@ -233,7 +232,7 @@ class LoginPage : public Page {
                 say(tr("This account is deactivated. An administrator can open it again."));
                 break;
             default:
-                say(tr("Name or password is wrong. Try again."));
+                say(tr("Log-in name or password is wrong. Try again."));
         }
         password_->setFocus();
     }

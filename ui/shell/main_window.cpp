@@ -265,7 +265,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         (context_.launcher().running() &&
          !confirm(this, tr("Close Placode while an attempt is running?"),
                   tr("The attempt ends. Its recording is kept and offered at the next start."),
-                  tr("Close")));
+                  tr("Close"), tr("Stay here")));
     stay ? event->ignore() : event->accept();
 }
 

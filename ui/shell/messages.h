@@ -19,6 +19,7 @@ struct Problem {
     QString way_out;            ///< "Close it, or wait and try again."
     QString detail;             ///< For whoever helps, in English: paths, numbers, library names.
     bool open_details = false;  ///< Names a place in the user's own file: shown at once.
+    QString doing = {};         ///< What failed; its next failure takes this one's place.
 
     [[nodiscard]] QString said() const { return (title + " " + way_out).trimmed(); }
 };

@@ -70,7 +70,11 @@ Banner* Notices::add() {
 }
 
 void Notices::showProblem(const Problem& problem) {
+    // What was wrong before with the same thing may not be any more.
+    for (Banner* each : std::vector<Banner*>(banners_))
+        if (!problem.doing.isEmpty() && each->property("doing") == problem.doing) remove(each);
     Banner* banner = add();
+    banner->setProperty("doing", problem.doing);
     banner->setProblem(problem);
     present(banner);
 }

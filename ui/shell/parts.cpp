@@ -71,6 +71,15 @@ QLabel* make_label(const QString& text, const char* role) {
     return label;
 }
 
+QLabel* make_hint(const char* role) {
+    QLabel* hint = make_label(QString(QChar::Nbsp), role);
+    QSizePolicy policy = hint->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    hint->setSizePolicy(policy);
+    hint->hide();
+    return hint;
+}
+
 QLabel* make_badge(const QString& text, const char* tone) {
     QLabel* label = make_label(text, "badge");
     label->setProperty("tone", tone);
@@ -190,7 +199,7 @@ bool confirm(QWidget* parent, const QString& title, const QString& text, const Q
     yes->setObjectName("confirm_yes");
     yes->setProperty("role", "danger");
     QPushButton* no =
-        box.addButton(stay.isEmpty() ? Parts::tr("Keep") : stay, QMessageBox::RejectRole);
+        box.addButton(stay.isEmpty() ? Parts::tr("Cancel") : stay, QMessageBox::RejectRole);
     no->setObjectName("confirm_no");
     no->setProperty("role", "secondary");
     box.setDefaultButton(no);

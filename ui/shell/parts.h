@@ -22,6 +22,9 @@ namespace placode::ui {
 
 /// Roles: display, title, heading, body, muted, small, good, warn, critical.
 [[nodiscard]] QLabel* make_label(const QString& text, const char* role = "body");
+/// For what comes and goes: hidden it keeps the room of a line, so that nothing below moves under
+/// the pointer.
+[[nodiscard]] QLabel* make_hint(const char* role = "small");
 /// Tones: "", accent, good, warn, critical.
 [[nodiscard]] QLabel* make_badge(const QString& text, const char* tone = "");
 [[nodiscard]] QLabel* make_demonstration_badge();

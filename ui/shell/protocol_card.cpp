@@ -18,6 +18,7 @@
 #include "ui/shell/device_tester.h"
 #include "ui/shell/export_folder.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/study_parts.h"
 #include "ui/shell/study_preview.h"
 #include "ui/shell/study_standing.h"
 #include "ui/shell/table_width.h"
@@ -26,7 +27,8 @@ namespace placode::ui {
 namespace {
 
 constexpr int kShownParticipants = 8;  ///< Of participants, before the table scrolls.
-constexpr int kShortestReason = 10;    ///< Characters, for names to leave.
+constexpr int kChooserWidth = 420;
+constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
 constexpr const char* kDeviceSetting = "study_device";
 
 /// Those that are published, and those that are shipped and could be.
@@ -46,9 +48,7 @@ class ProtocolCard : public QFrame {
         outer->setContentsMargins(0, 0, 0, 0);
         const auto ids = known_studies(context);
         if (ids.empty()) return;
-        study_ = std::find(ids.begin(), ids.end(), chosen.toStdString()) != ids.end()
-                     ? chosen.toStdString()
-                     : ids.front();
+        study_ = chosen_study(context, ids, chosen);
         auto* layout = new QVBoxLayout;
         layout->setSpacing(kSpace12);
         const auto published = db::published_study(context.store(), study_);
@@ -70,7 +70,12 @@ class ProtocolCard : public QFrame {
         auto* box = new QComboBox;
         box->setObjectName("study");
         box->setAccessibleName(tr("Study"));
-        for (const std::string& id : ids) box->addItem(qstr(id), qstr(id));
+        for (const std::string& id : ids) {
+            const auto published = db::published_study(context_.store(), id);
+            box->addItem(context_.in((published ? *published : curriculum::load_study(id)).title),
+                         qstr(id));
+        }
+        box->setMaximumWidth(kChooserWidth);
         box->setCurrentIndex(box->findData(qstr(study_)));
         connect(box, &QComboBox::activated, this, [this, box] {
             study_ = box->currentData().toString().toStdString();

@@ -11,7 +11,9 @@
 #include <QPlainTextEdit>
 #include <QStackedWidget>
 #include <QTimer>
+#include <optional>
 
+#include "curriculum/draft_text.h"
 #include "curriculum/study.h"
 #include "db/study_conduct.h"
 #include "reports/export.h"
@@ -67,7 +69,8 @@ class ProtocolsPage : public Page {
     [[nodiscard]] bool mayLeave() override {
         if (!unsaved_ || leaving_) return true;
         return confirm(this, tr("Leave without saving?"),
-                       tr("The text was changed and neither published nor exported."), tr("Leave"));
+                       tr("The text was changed and neither published nor exported."), tr("Leave"),
+                       tr("Stay here"));
     }
 
  private:
@@ -379,16 +382,17 @@ class ProtocolsPage : public Page {
             record.kind = kindText();
             record.json = json_->toPlainText().toStdString();
             record.reason = reason_->text().trimmed().toStdString();
-            if (!confirm_draft(context_, window(), record.json)) return;
+            std::optional<curriculum::StudyProtocol> study;
             if (isStudy()) {
-                const auto study = curriculum::load_study_text(record.json, kindText());
-                if (record.reason.empty()) record.reason = study.reason;
-                publish_questionnaires(context_, study);
-                record.id = study.id, record.version = study.version;
+                study = curriculum::load_study_text(record.json, kindText());
+                if (record.reason.empty()) record.reason = study->reason;
+                record.id = study->id, record.version = study->version;
             } else {
                 const auto read = curriculum::load_questionnaire_text(record.json, kindText());
                 record.id = read.id, record.version = read.version;
             }
+            if (!mayPublish(record)) return;
+            if (study) publish_questionnaires(context_, *study);
             context_.store().definitions().publish(record);
             unsaved_ = false;
             chooser_->clear();
@@ -399,6 +403,15 @@ class ProtocolsPage : public Page {
                               .arg(qstr(record.id))
                               .arg(record.version));
         });
+    }
+
+    /// One question: about a text that still calls itself a draft, or that it is for good.
+    [[nodiscard]] bool mayPublish(const db::DefinitionRecord& record) {
+        if (curriculum::draft_text(record.json))
+            return confirm_draft(context_, window(), record.json);
+        return confirm(window(), tr("Publish version %1?").arg(record.version),
+                       tr("A published version is never changed; a change is the next one."),
+                       publish_->text());
     }
 
     void importFile() {

@@ -160,13 +160,16 @@ class ResultPage : public Page {
         const QString task = qstr(data_.detail.record.task_id);
         // An exam is begun from its course: the task's own page would be practice.
         const bool exam = !data_.detail.record.exam.course_id.empty();
+        // What does not count is done once more.
+        const bool counts = db::counts(data_.detail.record);
         QPushButton* again = make_button(context_, exam ? tr("To the course") : tr("Again"),
-                                         "secondary", exam ? "" : "again");
+                                         counts ? "secondary" : "primary", exam ? "" : "again");
         again->setObjectName("again");
         connect(again, &QPushButton::clicked, this, [this, task, exam] {
             Q_EMIT go(exam ? Place{PageId::kCourse, 0, {}, {}} : Place{PageId::kTask, 0, task, {}});
         });
-        QPushButton* next = make_button(context_, tr("Next"), "primary", "next");
+        QPushButton* next =
+            make_button(context_, tr("Next"), counts ? "primary" : "secondary", "next");
         next->setObjectName("next");
         connect(next, &QPushButton::clicked, this, [this] {
             Q_EMIT go({PageId::kToday, 0, {}, {}});

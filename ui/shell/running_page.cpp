@@ -29,7 +29,9 @@ bool ask(AttemptLauncher& launcher, QWidget* window, const QString& title, const
         auto* open = qobject_cast<QDialog*>(QApplication::activeModalWidget());
         if (open != nullptr && open->objectName() == "confirm") open->reject();
     });
-    return confirm(window, title, text, verb) && stands;
+    return confirm(window, title, text, verb,
+                   QCoreApplication::translate("RunningPage", "Go on operating")) &&
+           stands;
 }
 
 class RunningPage : public Page {
@@ -71,10 +73,10 @@ class RunningPage : public Page {
                 ? tr("The procedure ends in the fetoscope's window, by itself or from its menu. "
                      "What is ended here ends for good.")
             : exam()
-                ? tr("Stop and score ends the exam here and scores it as it is. Abort uses up this "
+                ? tr("The exam ends here and is scored as it is, or it is left, which uses up this "
                      "attempt, too.")
-                : tr("Stop and score ends the attempt here and scores what was done. Abort keeps "
-                     "it in the history as interrupted; it does not count for the course."),
+                : tr("What was done is scored, or the attempt stays in the history as interrupted "
+                     "and does not count for the course."),
             "small");
         explained_->setObjectName("running_words");
         column->addWidget(explained_);
@@ -118,7 +120,7 @@ class RunningPage : public Page {
         grid->setVerticalSpacing(kSpace4);
         time_ = number(grid, 0, tr("Time"), "live_time");
         phase_ = number(grid, 1, tr("Phase"), "live_phase");
-        physics_ = number(grid, 2, tr("Physics"), "live_physics");
+        pictures_ = number(grid, 2, tr("Pictures a second"), "live_pictures");
         ring_ = number(grid, 3, tr("Ring cut"), "live_ring");
         layout->addLayout(grid);
         bar_ = new QProgressBar;
@@ -173,10 +175,11 @@ class RunningPage : public Page {
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace12);
         // A participant sees no score: the step is done.
-        stop_ = make_button(context_, study() ? tr("End the procedure") : tr("Stop and score"),
+        stop_ = make_button(context_, study() ? tr("End the procedure") : tr("Finish and score"),
                             study() ? "secondary" : "primary", "stop");
         stop_->setObjectName("stop_and_score");
-        abort_ = make_button(context_, study() ? tr("Break off") : tr("Abort"), "danger", "close");
+        abort_ = make_button(context_, study() ? tr("Break off") : tr("Leave without finishing"),
+                             "danger", "close");
         abort_->setObjectName("abort");
         row->addWidget(stop_);
         row->addWidget(abort_);
@@ -187,8 +190,8 @@ class RunningPage : public Page {
         });
         connect(abort_, &QPushButton::clicked, this, [this, &launcher = context_.launcher()] {
             if (ask(launcher, window(),
-                    study() ? tr("Break the procedure off?") : tr("Abort the attempt?"),
-                    whatLeavingMeans(), study() ? tr("Break off") : tr("Abort")))
+                    study() ? tr("Break the procedure off?") : tr("Leave the attempt?"),
+                    whatLeavingMeans(), study() ? tr("Break off") : tr("Leave without finishing")))
                 launcher.abort();
         });
         return row;
@@ -204,7 +207,8 @@ class RunningPage : public Page {
         if (exam())
             return begun ? tr("This is an exam: leaving uses up this attempt.")
                          : tr("The exam has not begun yet: leaving uses up nothing.");
-        return begun ? tr("It is kept as interrupted and does not count for the course.")
+        return begun ? tr("What was done stays in the history as interrupted and does not count "
+                          "for the course.")
                      : tr("The attempt has not begun yet: nothing is kept.");
     }
 
@@ -216,7 +220,7 @@ class RunningPage : public Page {
             return ask(context_.launcher(), window(), tr("End the attempt?"),
                        tr("It ends here, after %1, and is scored for what was done.")
                            .arg(format_duration(time_s)),
-                       tr("Stop and score"));
+                       tr("Finish and score"));
         const double min_s = context_.launcher().order().min_s;
         QString text = study()
                            ? tr("The procedure ends here for good, after %1. You cannot go on "
@@ -256,13 +260,13 @@ class RunningPage : public Page {
         for (QWidget* part : read_outs_) part->setVisible(numbers);
         bar_->setVisible(numbers);
         phase_->setText(phaseName(live.phase));
-        physics_->setText(live.physics_hz > 0 ? tr("%1 Hz").arg(format_number(live.physics_hz, 0))
-                                              : "–");
+        pictures_->setText(live.pictures_hz > 0 ? format_number(live.pictures_hz, 0) : "–");
         ring_->setText(begun ? format_number(100 * live.cut_fraction, 0) + " %" : "–");
         bar_->setValue(static_cast<int>(100 * live.cut_fraction));
         QStringList warnings;
         if (mode() == curriculum::AttemptMode::kPractice && !live.warning.isEmpty())
             warnings << live.warning;
+        if (live.too_slow) warnings << tr("This computer is too slow: the attempt will not count.");
         if (live.dropped > 0) warnings << tr("The recording lost entries: %1.").arg(live.dropped);
         warning_->setText(warnings.join(" "));
         warning_->setVisible(!warnings.isEmpty());
@@ -281,7 +285,7 @@ class RunningPage : public Page {
 
     bool ring_task_ = true;
     QList<QWidget*> read_outs_;  ///< All numbers but the time, with their names.
-    QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *physics_ = nullptr,
+    QLabel *state_ = nullptr, *time_ = nullptr, *phase_ = nullptr, *pictures_ = nullptr,
            *ring_ = nullptr, *warning_ = nullptr;
     QLabel *explained_ = nullptr, *scoring_words_ = nullptr;
     QProgressBar *bar_ = nullptr, *scoring_bar_ = nullptr;

@@ -28,9 +28,8 @@ class SetupPage : public Page {
                "adds people, keeps backups and reads the audit list."),
             "muted"));
         addFields(layout, place);
-        message_ = make_label({}, "critical");
+        message_ = make_hint("critical");
         message_->setObjectName("setup_message");
-        message_->hide();
         layout->addWidget(message_);
         QPushButton* create =
             make_button(context_, tr("Create the administrator"), "primary", "check");

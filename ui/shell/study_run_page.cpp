@@ -192,7 +192,7 @@ class StudyRunPage : public Page {
         QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
         agree->setObjectName("consent_given");
         agree->setEnabled(false);
-        QLabel* missing = make_label({}, "small");
+        QLabel* missing = make_hint();
         missing->setObjectName("consent_missing");
         const auto update = [boxes, agree, pad, on_paper, missing] {
             pad->setEnabled(!on_paper->isChecked());
@@ -281,6 +281,15 @@ class StudyRunPage : public Page {
             text +=
                 " " +
                 tr("An attempt shorter than %1 does not count.").arg(format_duration(step.min_s));
+        // What is to be done. A task that is not there is said at the start.
+        QString goal;
+        (void)context_.problemOf(
+            [&] { goal = context_.in(curriculum::load_task(step.task).goal); });
+        if (!goal.isEmpty()) {
+            QLabel* asked = make_label(goal);
+            asked->setObjectName("run_goal");
+            layout->addWidget(asked);
+        }
         layout->addWidget(make_label(text, "muted"));
         if (!progress_.open_because.empty()) {
             QLabel* open = make_label(

@@ -21,6 +21,7 @@
 #include "reports/metric_groups.h"
 #include "ui/shell/course_words.h"
 #include "ui/shell/device_tester.h"
+#include "ui/shell/form_keys.h"
 #include "ui/shell/metric_words.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
@@ -147,6 +148,9 @@ class TaskPage : public Page {
             proctor_password_->setEchoMode(QLineEdit::Password);
             layout->addLayout(make_field(tr("Proctor: log-in name"), proctor_));
             layout->addLayout(make_field(tr("Proctor: password"), proctor_password_));
+            enter_submits({proctor_, proctor_password_}, this, [this] {
+                if (start_->isEnabled()) startWhenFree();
+            });
             layout->addWidget(make_label(
                 tr("An educator or administrator who is present confirms that it may begin."),
                 "small"));
@@ -159,16 +163,20 @@ class TaskPage : public Page {
     /// Who is present confirms with the own password. Throws kRefused.
     [[nodiscard]] QString confirmedProctor() {
         if (proctor_ == nullptr) return {};
-        const auto refuse = [](const QString& why) { throw Refusal(why); };
+        // The next key belongs to the field that is to be mended.
+        const auto refuse = [this](const QString& why) {
+            (proctor_->text().trimmed().isEmpty() ? proctor_ : proctor_password_)->setFocus();
+            throw Refusal(why);
+        };
         if (proctor_->text().trimmed().isEmpty() || proctor_password_->text().isEmpty())
-            refuse(tr("The exam begins when a proctor has typed name and password."));
+            refuse(tr("The exam begins when a proctor has typed log-in name and password."));
         const db::SignIn found = context_.store().accounts().confirm(
             proctor_->text().trimmed().toStdString(), proctor_password_->text().toStdString());
         proctor_password_->clear();
         if (found.outcome == db::SignInOutcome::kThrottled)
             refuse(tr("Too many wrong passwords. Try again in %1 s.").arg(found.wait_s));
         if (found.outcome != db::SignInOutcome::kOk)
-            refuse(tr("The proctor's name or password is wrong."));
+            refuse(tr("The proctor's log-in name or password is wrong."));
         if (found.user->id == context_.user().id)
             refuse(tr("Nobody can be their own proctor; ask somebody who is present."));
         if (!db::has_role(found.user->roles, db::Role::kEducator) &&
@@ -288,12 +296,21 @@ class TaskPage : public Page {
             name = metric_name(metric->name);
             unit = unit_sign(metric->unit);
         }
-        const QString limit = QLocale().toString(item.threshold, 'g', 4) + " " + unit;
+        // As the time limit beside it is written.
+        const QString limit =
+            unit == "s" && item.threshold >= 60
+                ? format_duration(item.threshold)
+                : QString(QLocale().toString(item.threshold, 'g', 4) + " " + unit).trimmed();
         if (item.earns > 0)
-            return tr("%1: %2 earn all these points, less in proportion")
-                .arg(name, limit.trimmed());
-        return item.below ? tr("%1: at least %2").arg(name, limit.trimmed())
-                          : tr("%1: at most %2").arg(name, limit.trimmed());
+            return tr("%1: %2 earn all these points, less in proportion").arg(name, limit);
+        if (item.critical)
+            return item.below ? tr("%1: less than %2 fails the attempt").arg(name, limit)
+                   : item.threshold == 0
+                       ? tr("%1: any fails the attempt").arg(name)
+                       : tr("%1: more than %2 fails the attempt").arg(name, limit);
+        return item.below            ? tr("%1: at least %2").arg(name, limit)
+               : item.threshold == 0 ? tr("%1: none").arg(name)
+                                     : tr("%1: at most %2").arg(name, limit);
     }
 
     QWidget* startCard() {

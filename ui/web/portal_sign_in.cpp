@@ -59,7 +59,7 @@ Answer Portal::sign_in(const Request& request) {
     if (!same_token(typed("form_token"), cookie_of(request.cookies, form_name())))
         return sign_in_form(Html("That page was too old, or cookies are off. Try again."), 403);
     if (typed("login").empty() || typed("password").empty())
-        return sign_in_form(Html("Type your name and your password."), 403);
+        return sign_in_form(Html("Type your log-in name and your password."), 403);
     db::SignIn found;
     try {
         const std::unique_lock door(door_, std::chrono::seconds(10));
@@ -81,7 +81,7 @@ Answer Portal::sign_in(const Request& request) {
     if (found.outcome == db::SignInOutcome::kDeactivated)
         return sign_in_form(
             Html("This account is deactivated. An administrator can open it again."), 403);
-    if (!found.user) return sign_in_form(Html("Name or password is wrong. Try again."), 403);
+    if (!found.user) return sign_in_form(Html("Log-in name or password is wrong. Try again."), 403);
     if (found.user->password_given)
         return sign_in_form(Html("Somebody else chose your password and knows it. Sign in to the "
                                  "program Placode and choose your own, then come back."),

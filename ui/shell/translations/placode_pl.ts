@@ -1948,8 +1948,8 @@
         <translation>Zaloguj się jako %1</translation>
     </message>
     <message>
-        <source>Type your name and your password.</source>
-        <translation>Wpisz nazwę i hasło.</translation>
+        <source>Type your log-in name and your password.</source>
+        <translation>Wpisz nazwę logowania i hasło.</translation>
     </message>
     <message>
         <source>Signing in</source>
@@ -1960,8 +1960,8 @@
         <translation>To konto jest wyłączone. Administrator może je włączyć.</translation>
     </message>
     <message>
-        <source>Name or password is wrong. Try again.</source>
-        <translation>Nazwa lub hasło jest błędne. Spróbuj ponownie.</translation>
+        <source>Log-in name or password is wrong. Try again.</source>
+        <translation>Nazwa logowania lub hasło jest błędne. Spróbuj ponownie.</translation>
     </message>
     <message>
         <source>Too many wrong passwords. Try again in %1 s.</source>
@@ -2501,20 +2501,20 @@
         <translation>Długość linii, obok której usunięto tkankę bliżej niż 0,5 mm od płytki.</translation>
     </message>
     <message>
-        <source>Times an instrument touched the placode.</source>
-        <translation>Ile razy instrument dotknął płytki.</translation>
+        <source>Times an instrument pressed on the placode with more than the force that the scene warns of.</source>
+        <translation>Ile razy instrument nacisnął płytkę siłą większą niż ta, przed którą ostrzega scena.</translation>
     </message>
     <message>
-        <source>Total time an instrument touched the placode.</source>
-        <translation>Łączny czas, w którym instrument dotykał płytki.</translation>
+        <source>Total time an instrument pressed on the placode with more than that force.</source>
+        <translation>Łączny czas, w którym instrument naciskał płytkę siłą większą od tej.</translation>
     </message>
     <message>
         <source>Largest contact force on the placode.</source>
         <translation>Największa siła nacisku na płytkę.</translation>
     </message>
     <message>
-        <source>Time an energised instrument touched the placode.</source>
-        <translation>Czas, w którym instrument pod prądem dotykał płytki.</translation>
+        <source>Time an energised instrument touched the placode, with whatever force.</source>
+        <translation>Czas, w którym instrument pod prądem dotykał płytki, niezależnie od siły.</translation>
     </message>
     <message>
         <source>Largest thermal dose in the placode, equivalent minutes at 43 C, at most 1e6.</source>
@@ -3100,8 +3100,8 @@
         <translation>Wykonane przez program lub konto demonstracyjne.</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>Zostaw</translation>
+        <source>Cancel</source>
+        <translation>Anuluj</translation>
     </message>
     <message>
         <source>Passed</source>
@@ -4233,8 +4233,8 @@
         <translation>Kończy się tutaj, po %1, i zostanie oceniona za to, co zrobiono.</translation>
     </message>
     <message>
-        <source>Stop and score ends the attempt here and scores what was done. Abort keeps it in the history as interrupted; it does not count for the course.</source>
-        <translation>„Zakończ i oceń” kończy próbę w tym miejscu i ocenia wykonaną część. „Przerwij” zachowuje ją w historii jako przerwaną; nie liczy się do kursu.</translation>
+        <source>What was done is scored, or the attempt stays in the history as interrupted and does not count for the course.</source>
+        <translation>Wykonana część zostaje oceniona albo próba zostaje w historii jako przerwana i nie liczy się do kursu.</translation>
     </message>
     <message>
         <source>Attempt is running</source>
@@ -4249,28 +4249,36 @@
         <translation>Etap</translation>
     </message>
     <message>
-        <source>Physics</source>
-        <translation>Fizyka</translation>
+        <source>Pictures a second</source>
+        <translation>Obrazy na sekundę</translation>
+    </message>
+    <message>
+        <source>This computer is too slow: the attempt will not count.</source>
+        <translation>Ten komputer jest za wolny: próba nie będzie się liczyć.</translation>
     </message>
     <message>
         <source>Ring cut</source>
         <translation>Nacięty okrąg</translation>
     </message>
     <message>
-        <source>Stop and score</source>
+        <source>Finish and score</source>
         <translation>Zakończ i oceń</translation>
     </message>
     <message>
-        <source>Abort</source>
-        <translation>Przerwij</translation>
+        <source>Leave without finishing</source>
+        <translation>Wyjdź bez kończenia</translation>
     </message>
     <message>
-        <source>Abort the attempt?</source>
-        <translation>Przerwać próbę?</translation>
+        <source>Go on operating</source>
+        <translation>Operuj dalej</translation>
     </message>
     <message>
-        <source>It is kept as interrupted and does not count for the course.</source>
-        <translation>Zostanie zachowana jako przerwana i nie liczy się do kursu.</translation>
+        <source>Leave the attempt?</source>
+        <translation>Opuścić próbę?</translation>
+    </message>
+    <message>
+        <source>What was done stays in the history as interrupted and does not count for the course.</source>
+        <translation>Wykonana część zostaje w historii jako przerwana i nie liczy się do kursu.</translation>
     </message>
     <message>
         <source>Inspect</source>
@@ -4299,10 +4307,6 @@
     <message>
         <source>The fetoscope's window is opening.</source>
         <translation>Otwiera się okno fetoskopu.</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
     </message>
     <message>
         <source>The recording lost entries: %1.</source>
@@ -4401,8 +4405,8 @@
         <translation>To jest egzamin: wyjście zużywa tę próbę.</translation>
     </message>
     <message>
-        <source>Stop and score ends the exam here and scores it as it is. Abort uses up this attempt, too.</source>
-        <translation>„Zakończ i oceń” kończy tu egzamin i ocenia go takim, jaki jest. „Przerwij” także zużywa tę próbę.</translation>
+        <source>The exam ends here and is scored as it is, or it is left, which uses up this attempt, too.</source>
+        <translation>Egzamin kończy się tutaj i jest oceniany taki, jaki jest; wyjście bez kończenia także zużywa tę próbę.</translation>
     </message>
 </context>
 <context>
@@ -4948,6 +4952,22 @@
         <translation>%1: co najmniej %2</translation>
     </message>
     <message>
+        <source>%1: less than %2 fails the attempt</source>
+        <translation>%1: mniej niż %2 oznacza niezaliczenie próby</translation>
+    </message>
+    <message>
+        <source>%1: any fails the attempt</source>
+        <translation>%1: choćby jedno oznacza niezaliczenie próby</translation>
+    </message>
+    <message>
+        <source>%1: more than %2 fails the attempt</source>
+        <translation>%1: więcej niż %2 oznacza niezaliczenie próby</translation>
+    </message>
+    <message>
+        <source>%1: none</source>
+        <translation>%1: brak</translation>
+    </message>
+    <message>
         <source>%1: at most %2</source>
         <translation>%1: najwyżej %2</translation>
     </message>
@@ -5004,7 +5024,7 @@
         <translation>Obecny instruktor lub administrator potwierdza rozpoczęcie.</translation>
     </message>
     <message>
-        <source>The exam begins when a proctor has typed name and password.</source>
+        <source>The exam begins when a proctor has typed log-in name and password.</source>
         <translation>Egzamin zaczyna się, gdy osoba nadzorująca wpisze login i hasło.</translation>
     </message>
     <message>
@@ -5012,7 +5032,7 @@
         <translation>Zbyt wiele błędnych haseł. Spróbuj ponownie za %1 s.</translation>
     </message>
     <message>
-        <source>The proctor's name or password is wrong.</source>
+        <source>The proctor's log-in name or password is wrong.</source>
         <translation>Login lub hasło osoby nadzorującej jest błędne.</translation>
     </message>
     <message>
@@ -5680,6 +5700,10 @@
     <message>
         <source>Look at it</source>
         <translation>Zobacz</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
     </message>
     <message>
         <source>Close Placode while an attempt is running?</source>
@@ -6955,6 +6979,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Protokoły</translation>
     </message>
     <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
+    </message>
+    <message>
+        <source>A published version is never changed; a change is the next one.</source>
+        <translation>Opublikowanej wersji nigdy się nie zmienia; zmiana to następna wersja.</translation>
+    </message>
+    <message>
+        <source>Publish version %1?</source>
+        <translation>Opublikować wersję %1?</translation>
+    </message>
+    <message>
         <source>Leave without saving?</source>
         <translation>Wyjść bez zapisania?</translation>
     </message>
@@ -7814,6 +7850,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>Course editor</source>
         <translation>Edytor kursu</translation>
+    </message>
+    <message>
+        <source>Stay here</source>
+        <translation>Zostań tutaj</translation>
     </message>
     <message>
         <source>Leave the course unpublished?</source>
