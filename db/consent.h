@@ -3,11 +3,26 @@
 #pragma once
 // What a participant agreed to.
 
+#include <map>
 #include <string>
+#include <vector>
 
 #include "db/store.h"
 
 namespace placode::db {
+
+/// A consent as record_consent() (db/study_conduct.h) kept it.
+struct GivenConsent {
+    std::string at_utc;
+    int version = 0;  ///< Of the text.
+    std::string language, text_checksum;
+    std::vector<std::string> agreed;  ///< Ids of the statements.
+    bool on_screen = false;           ///< Signed there; else on paper.
+};
+
+/// The last consent of everybody who gave one, by code; also of who withdrew.
+[[nodiscard]] std::map<std::string, GivenConsent> given_consents(Store& store,
+                                                                 const std::string& study_id);
 
 /// Whether the participant's consent, the last that was recorded, names the statement ("data") of
 /// the protocol. False for who gave none, and for who withdrew and wanted the data unused.

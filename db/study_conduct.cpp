@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
+#include <sstream>
 
 #include "db/attempt_counting.h"
 #include "db/consent.h"
@@ -16,6 +18,7 @@ namespace {
 
 /// In the detail of a consent's step, before the ids of the statements.
 constexpr const char* kAgreed = ", agreed: ";
+constexpr size_t kLongestConsent = 4000;  // std::regex goes one call deeper with every letter
 
 /// What was read on screen, as one text.
 std::string consent_text(const curriculum::Consent& consent, const std::string& language) {
@@ -74,6 +77,24 @@ bool first_visit_only(const curriculum::StudyStep& step) {
     return step.kind == curriculum::StepKind::kConsent || step.questionnaire == "demographics";
 }
 
+/// What record_consent() wrote: "consent version 2, en, text 1f..., agreed: read data; signed on
+/// paper". Nothing for every other detail.
+std::optional<GivenConsent> consent_of(const std::string& detail) {
+    static const std::regex kForm(
+        R"(consent version (\d{1,9}), ([^,]*), text ([0-9a-f]*), agreed: ([^;]*); signed on (paper|screen).*)");
+    std::smatch part;
+    if (detail.size() > kLongestConsent || !std::regex_match(detail, part, kForm))
+        return std::nullopt;
+    GivenConsent consent;
+    consent.version = std::stoi(part[1]);
+    consent.language = part[2];
+    consent.text_checksum = part[3];
+    std::istringstream words(part[4].str());
+    for (std::string word; words >> word;) consent.agreed.push_back(word);
+    consent.on_screen = part[5] == "screen";
+    return consent;
+}
+
 }  // namespace
 
 std::optional<curriculum::StudyProtocol> published_study(Store& store, const std::string& study_id,
@@ -127,20 +148,27 @@ void record_consent(Store& store, const std::string& study_id, const std::string
     if (!signature.empty()) store.records().save_consent_signature(study_id, code, signature);
 }
 
+std::map<std::string, GivenConsent> given_consents(Store& store, const std::string& study_id) {
+    std::map<std::string, GivenConsent> given;
+    for (const StepRecord& step : store.studies().steps(study_id)) {
+        if (step.state != StepState::kDone || step.superseded()) continue;
+        if (auto consent = consent_of(step.detail)) {
+            consent->at_utc = step.at_utc;
+            given[step.participant] = std::move(*consent);
+        }
+    }
+    return given;
+}
+
 bool has_agreed(Store& store, const std::string& study_id, const std::string& code,
                 const std::string& statement) {
     bool usable = false;
     for (const ParticipantRecord& one : store.studies().participants(study_id))
         usable = usable || (one.code == code && one.usable());
-    std::string last;  // of the steps in which there is one
-    for (const StepRecord& step : store.studies().steps(study_id))
-        if (step.participant == code && step.state == StepState::kDone && !step.superseded() &&
-            step.detail.find(kAgreed) != std::string::npos)
-            last = step.detail;
-    if (!usable || last.empty()) return false;
-    const size_t from = last.find(kAgreed) + std::string(kAgreed).size();
-    const std::string list = " " + last.substr(from, last.find(';', from) - from) + " ";
-    return list.find(" " + statement + " ") != std::string::npos;
+    const auto given = given_consents(store, study_id);
+    const auto found = given.find(code);
+    return usable && found != given.end() &&
+           std::ranges::find(found->second.agreed, statement) != found->second.agreed.end();
 }
 
 int64_t submit_answers(Store& store, const curriculum::Questionnaire& questionnaire,

@@ -300,8 +300,8 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
             ++data.participants_left_out;
         }
     }
-    data.forms.push_back(
-        participants_form(all, store.records().states(study_id), protocol, options));
+    data.forms.push_back(participants_form(all, store.records().states(study_id),
+                                           db::given_consents(store, study_id), protocol, options));
     for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);

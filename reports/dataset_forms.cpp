@@ -22,6 +22,30 @@ Field code_field(const std::string& id, const std::string& label, std::vector<Co
     return field;
 }
 
+/// The consent that was given, where the protocol asks for one. What the hand wrote is in no
+/// export.
+void add_consent_fields(Form& form) {
+    form.fields.push_back(text_field("consent_utc", "Consent given (UTC)"));
+    form.fields.push_back(text_field("consent_version", "Version of the consent text"));
+    form.fields.back().kind = FieldKind::kDecimal;
+    form.fields.push_back(text_field("consent_language", "Language of the consent text"));
+    form.fields.push_back(text_field("consent_agreed", "Statements agreed to"));
+    form.fields.push_back(text_field("consent_checksum", "Checksum of the text that was read"));
+    form.fields.push_back(
+        code_field("consent_signed", "Signed", {{0, "on paper"}, {1, "on screen"}}));
+}
+
+void fill_consent(Row& row, const db::GivenConsent& consent) {
+    row.values["consent_utc"] = consent.at_utc;
+    row.values["consent_version"] = std::to_string(consent.version);
+    row.values["consent_language"] = consent.language;
+    std::string agreed;
+    for (const std::string& each : consent.agreed) agreed += (agreed.empty() ? "" : " ") + each;
+    if (!agreed.empty()) row.values["consent_agreed"] = agreed;
+    row.values["consent_checksum"] = consent.text_checksum;
+    row.values["consent_signed"] = consent.on_screen ? "1" : "0";
+}
+
 /// Lock and signature of the record. Who signed is a name, though none of a participant.
 void add_care_fields(Form& form, const DatasetOptions& options) {
     form.fields.push_back(code_field("record_locked", "Record locked", {{0, "no"}, {1, "yes"}}));
@@ -76,6 +100,7 @@ void add_visits(Form& form, int visits, const std::function<int(const Row&)>& vi
 
 Form participants_form(const std::vector<db::ParticipantRecord>& all,
                        const std::map<std::string, db::RecordState>& states,
+                       const std::map<std::string, db::GivenConsent>& consents,
                        const std::optional<curriculum::StudyProtocol>& protocol,
                        const DatasetOptions& options) {
     Form form;
@@ -107,6 +132,8 @@ Form participants_form(const std::vector<db::ParticipantRecord>& all,
                 {static_cast<int>(i), protocol->arms->names[i].in(options.language)});
         form.fields.push_back(arm);
     }
+    const bool consent = protocol && protocol->needs_consent();
+    if (consent) add_consent_fields(form);
     add_care_fields(form, options);
     for (const db::ParticipantRecord& each : all) {
         Row row;
@@ -120,6 +147,8 @@ Form participants_form(const std::vector<db::ParticipantRecord>& all,
         row.values["protocol_version"] = std::to_string(each.protocol_version);
         if (protocol && protocol->arms && each.arm >= 0)
             row.values["arm"] = std::to_string(each.arm);
+        const auto given = consents.find(each.code);
+        if (consent && given != consents.end()) fill_consent(row, given->second);
         const auto state = states.find(each.code);
         fill_care(row, state == states.end() ? db::RecordState{} : state->second, options);
         form.rows.push_back(std::move(row));

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "db/consent.h"
 #include "db/study_records.h"
 #include "reports/dataset.h"
 
@@ -23,8 +24,10 @@ void number_rows(Form& form);
 /// @param visit_of number of a row's visit, from 1.
 void add_visits(Form& form, int visits, const std::function<int(const Row&)>& visit_of);
 /// @param states by code; a record that was never locked nor signed may be absent.
+/// @param consents by code; shown where the protocol asks for one.
 [[nodiscard]] Form participants_form(const std::vector<db::ParticipantRecord>& all,
                                      const std::map<std::string, db::RecordState>& states,
+                                     const std::map<std::string, db::GivenConsent>& consents,
                                      const std::optional<curriculum::StudyProtocol>& protocol,
                                      const DatasetOptions& options);
 

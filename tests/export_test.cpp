@@ -11,6 +11,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include "curriculum/study.h"
+#include "db/study_conduct.h"
 #include "db/study_records.h"
 #include "tests/export_fixture.h"
 
@@ -211,6 +213,42 @@ TEST_F(Export, WhoWithdrewAndWantedItIsInNoFile) {
     write("csv");
     EXPECT_THAT(read_text(out("s1_kinds.csv")), Not(HasSubstr(codes[1])));
     EXPECT_THAT(read_text(out("s1_participants.csv")), HasSubstr(codes[1])) << "the tombstone";
+}
+
+TEST_F(Export, WhoConsentedToWhatAndWhenIsInEveryFormat) {
+    constexpr const char* kStudy = "face_content_validity";
+    const curriculum::StudyProtocol protocol = curriculum::load_study(kStudy);
+    db::DefinitionRecord study;
+    study.kind = "study";
+    study.id = kStudy;
+    study.version = protocol.version;
+    study.json = protocol.json;
+    store->definitions().publish(study);
+    std::vector<std::string> agreed;
+    for (const auto& statement : protocol.consent.statements) agreed.push_back(statement.id);
+    const std::string one = store->studies().new_participant(kStudy, true);
+    const std::string two = store->studies().new_participant(kStudy, true);
+    (void)store->studies().new_participant(kStudy, true);
+    db::record_consent(*store, kStudy, one, "pl", agreed);
+    db::record_consent(*store, kStudy, two, "en", agreed, "M0 0L1 1");
+    const reports::ExportSource source{reports::study_dataset(*store, kStudy, {false, "en"}),
+                                       reports::recordings_of(*store)};
+    for (const auto& format : reports::export_formats()) {
+        if (std::string(format.name) == "motion-bids") continue;
+        EXPECT_NO_THROW(export_dataset(source, format.name, out(format.name))) << format.name;
+    }
+    const Rows rows =
+        reports::parse_csv(read_text(out("csv/face_content_validity_participants.csv")));
+    EXPECT_EQ(at(rows, 1, "consent_version"), std::to_string(protocol.consent.version));
+    EXPECT_EQ(at(rows, 1, "consent_language"), "pl");
+    EXPECT_THAT(at(rows, 1, "consent_agreed"), HasSubstr(agreed.front() + " "));
+    EXPECT_EQ(at(rows, 1, "consent_utc").substr(0, 2), "20");
+    EXPECT_EQ(at(rows, 1, "consent_checksum").size(), 64u);
+    EXPECT_EQ(at(rows, 1, "consent_signed"), "0");
+    EXPECT_EQ(at(rows, 2, "consent_signed"), "1");
+    EXPECT_EQ(at(rows, 3, "consent_utc"), "") << "who gave none";
+    EXPECT_THAT(read_text(out("odm/face_content_validity_odm.xml")),
+                HasSubstr("ItemOID=\"I.participants.consent_language\" Value=\"pl\""));
 }
 
 TEST_F(Export, LockAndSignatureOfARecordAreInEveryFormat) {
