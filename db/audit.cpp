@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/audit.h"
 
+#include <QDateTime>
+
 #include "db/audit_check.h"
 #include "db/store_context.h"
 
@@ -104,6 +106,53 @@ void Audit::trust_station(const std::string& station) {
     UnitOfWork work(connection_);
     context_.append_audit("station.trust", "station " + fingerprint(key), key);
     work.commit();
+}
+
+TrailHead Audit::head() {
+    connection_.begin_operation("read the end of the audit trail of");
+    context_.need(Action::kBackup);
+    TrailHead head;
+    {
+        Statement first(connection_, "SELECT chain FROM audit ORDER BY id LIMIT 1");
+        if (first.run().next()) head.store = first.text("chain");
+    }
+    {
+        Statement last(connection_, "SELECT id, chain FROM audit ORDER BY id DESC LIMIT 1");
+        if (last.run().next()) {
+            head.entry = last.integer("id");
+            head.chain = last.text("chain");
+        }
+    }
+    head.at_utc = QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString();
+    head.station = context_.station.public_key();
+    if (!head.station.empty()) head.signature = context_.station.sign(trail_statement(head));
+    return head;
+}
+
+void Audit::check_head(const TrailHead& head, std::vector<std::string>& problems) {
+    connection_.begin_operation("look into the audit trail of");
+    context_.need(Action::kBackup);
+    const std::string said = "audit: the statement of " + head.at_utc;
+    if (head.station.empty())
+        problems.push_back(said + " is not signed");
+    else if (!trusted_stations(context_).contains(head.station))
+        problems.push_back(said + " was signed by the station " + fingerprint(head.station) +
+                           ", which no computer of this store trusts");
+    std::string begun, there;
+    {
+        Statement first(connection_, "SELECT chain FROM audit ORDER BY id LIMIT 1");
+        if (first.run().next()) begun = first.text("chain");
+    }
+    if (begun != head.store) {
+        problems.push_back(said + " is of another store, or the trail was written anew");
+        return;
+    }
+    Statement entry(connection_, "SELECT chain FROM audit WHERE id = ?");
+    if (entry.run(head.entry).next()) there = entry.text("chain");
+    if (there != head.chain)
+        problems.push_back(said + " knows entry " + std::to_string(head.entry) +
+                           ", and the trail does not hold it as it was: it was cut off or written "
+                           "anew since then");
 }
 
 void Audit::check_chain(std::vector<std::string>& problems) {

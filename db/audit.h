@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "db/records.h"
+#include "db/trail_head.h"
 
 namespace placode::db {
 
@@ -42,6 +43,10 @@ class Audit {
     /// (db/signature.h) of one that has written here, or the public key of any. Throws kNotFound
     /// for what is neither, kConflict for one that is trusted.
     void trust_station(const std::string& station);
+    /// Where the trail ends now, signed by this computer where it has a key.
+    [[nodiscard]] TrailHead head();
+    /// Adds to `problems` what this trail does not hold of an earlier end of it.
+    void check_head(const TrailHead& head, std::vector<std::string>& problems);
     /// Adds what does not fit (db/audit_check.h) to `problems`, for Store::check().
     void check_chain(std::vector<std::string>& problems);
 

@@ -14,6 +14,7 @@
 #include "db/station.h"
 #include "db/store.h"
 #include "db/store_url.h"
+#include "db/trail_head.h"
 
 namespace placode::db {
 namespace {
@@ -77,7 +78,9 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
         throw StoreError(Kind::kDamaged,
                          operation + ": the file is not a backup of a store; nothing was changed");
     const auto store = open_store("sqlite:" + copy);
-    const auto problems = store->check();
+    auto problems = store->check();
+    const std::string stated = head_file_of(backup_path);
+    if (fs::exists(stated)) store->audit().check_head(read_trail_head(stated), problems);
     if (!problems.empty())
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");

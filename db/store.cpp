@@ -45,12 +45,15 @@ void keep_checked_copy(Connection& connection, const std::string& path,
     sync_folder_of(path);
 }
 
-/// What the whole check says about a copy.
-std::string first_problem(const std::string& path, const StoreOptions& options) {
+/// What the whole check says about a copy. @param head where its trail ends
+std::string first_problem(const std::string& path, const StoreOptions& options,
+                          TrailHead* head = nullptr) {
     StoreUrl url;
     url.path = path;
     url.shown = "sqlite:" + path;
-    const auto problems = Store(std::make_unique<StoreContext>(url, options)).check();
+    Store copy(std::make_unique<StoreContext>(url, options));
+    const auto problems = copy.check();
+    if (head != nullptr) *head = copy.audit().head();
     return problems.empty() ? "" : problems.front();
 }
 
@@ -184,12 +187,16 @@ void Store::backup(const std::string& path) {
     if (!connection.is_sqlite())
         connection.fail(StoreError::Kind::kRefused,
                         "a PostgreSQL store is backed up on its server, with pg_dump");
-    if (std::filesystem::exists(path))
-        connection.fail(StoreError::Kind::kConflict,
-                        path + " exists and is not overwritten; give another name");
-    keep_checked_copy(connection, path, [this](const std::string& copy) {
-        return first_problem(copy, context_->options);
+    for (const std::string& file : {path, head_file_of(path)})
+        if (std::filesystem::exists(file))
+            connection.fail(StoreError::Kind::kConflict,
+                            file + " exists and is not overwritten; give another name");
+    TrailHead head;
+    keep_checked_copy(connection, path, [this, &head](const std::string& copy) {
+        return first_problem(copy, context_->options, &head);
     });
+    // A computer that cannot keep a key signs nothing.
+    if (!head.station.empty()) write_trail_head(head, head_file_of(path));
     UnitOfWork work(connection);
     context_->append_audit("store.backup", path, "");
     work.commit();

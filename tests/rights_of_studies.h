@@ -154,6 +154,14 @@ inline std::vector<Method> methods_of_the_store() {
          {{Action::kManageUsers}},
          {},
          [](Call& c) { c.store.audit().trust_station(db::new_key_pair().public_key); }},
+        {"audit.head", {{Action::kBackup}}, {}, [](Call& c) { (void)c.store.audit().head(); }},
+        {"audit.check_head",
+         {{Action::kBackup}},
+         {},
+         [](Call& c) {
+             std::vector<std::string> problems;
+             c.store.audit().check_head({}, problems);
+         }},
         {"audit.check_chain",
          {{Action::kBackup}},
          {},

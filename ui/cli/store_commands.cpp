@@ -14,10 +14,12 @@ namespace {
 using db::Action;
 using db::Scope;
 
-int check(const Context& context) {
+int check(const Context& context, const std::vector<std::string>& heads) {
     Session session(context, Missing::kRefuse);
     session.need(Action::kBackup, Scope::kOther);
-    const auto problems = session.store().check();
+    auto problems = session.store().check();
+    for (const std::string& head : heads)
+        session.store().audit().check_head(db::read_trail_head(head), problems);
     std::string text;
     for (const std::string& problem : problems) text += problem + "\n";
     if (problems.empty())
@@ -129,11 +131,30 @@ int audit(const Context& context, int limit) {
     return 0;
 }
 
+int audit_head(const Context& context, const std::string& path) {
+    Session session(context, Missing::kRefuse);
+    session.need(Action::kBackup, Scope::kOther);
+    const db::TrailHead head = session.store().audit().head();
+    db::write_trail_head(head, path);
+    print(context, {{"file", path}, {"entry", head.entry}, {"station", head.station}},
+          "wrote " + path + ": the trail ends at entry " + std::to_string(head.entry) +
+              "; keep it away from this computer, and compare with `placodectl check --head " +
+              path + "`");
+    return 0;
+}
+
 }  // namespace
 
 void add_store_commands(CLI::App& app, Context& context) {
-    app.add_subcommand("check", "Checks the store: file, references, audit trail, recordings")
-        ->callback([&context] { context.run = [&context] { return check(context); }; });
+    auto heads = std::make_shared<std::vector<std::string>>();
+    CLI::App* check_command =
+        app.add_subcommand("check", "Checks the store: file, references, audit trail, recordings");
+    check_command
+        ->add_option("--head", *heads,
+                     "What `audit --head` or a backup once said of the trail's end")
+        ->type_name("FILE");
+    check_command->callback(
+        [&context, heads] { context.run = [&context, heads] { return check(context, *heads); }; });
 
     auto file = std::make_shared<std::string>();
     CLI::App* backup_command =
@@ -161,8 +182,16 @@ void add_store_commands(CLI::App& app, Context& context) {
     CLI::App* audit_command = app.add_subcommand("audit", "Shows the audit trail, newest first");
     audit_command->add_option("--limit", *limit, "Number of entries")
         ->check(CLI::Range(1, 1000000));
-    audit_command->callback(
-        [&context, limit] { context.run = [&context, limit] { return audit(context, *limit); }; });
+    auto head = std::make_shared<std::string>();
+    audit_command
+        ->add_option("--head", *head,
+                     "Instead: writes where the trail ends, signed, to FILE, to be kept elsewhere")
+        ->type_name("FILE");
+    audit_command->callback([&context, limit, head] {
+        context.run = [&context, limit, head] {
+            return head->empty() ? audit(context, *limit) : audit_head(context, *head);
+        };
+    });
 }
 
 }  // namespace placode::cli
