@@ -22,6 +22,23 @@ std::vector<int64_t> ids_of(Connection& connection, const char* sql, int64_t use
     return ids;
 }
 
+/// An earlier version wrote out who signed a participant's record.
+void forget_signatures_name(StoreContext& context, int64_t user_id) {
+    const std::string kept = user_object(user_id);
+    std::vector<std::pair<std::string, std::string>> records;
+    {
+        Statement query(context.connection,
+                        "SELECT DISTINCT study_id, code FROM record_events WHERE by_login = ? AND "
+                        "by_name <> by_login");
+        query.run(kept);
+        while (query.next()) records.emplace_back(query.text(0), query.text(1));
+    }
+    if (records.empty()) return;
+    for (const auto& [study, code] : records) context.touch("participant", {study, code});
+    Statement(context.connection, "UPDATE record_events SET by_name = by_login WHERE by_login = ?")
+        .run(kept);
+}
+
 }  // namespace
 
 void Accounts::request_erasure(int64_t user_id, const std::string& reason) {
@@ -76,8 +93,9 @@ void Accounts::erase(int64_t user_id, bool with_attempts) {
     for (const int64_t id :
          ids_of(connection_, "SELECT id FROM course_assignments WHERE account_id = ?", user_id))
         context_.touch("assignment", id);
+    forget_signatures_name(context_, user_id);
     Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?")
-        .run(login_key(user.login));
+        .run(failures_key(user.login));
     for (const char* table : {"persons", "account_pins", "group_members", "course_assignments",
                               "course_grants", "certificates"})
         Statement(connection_, std::string("DELETE FROM ") + table + " WHERE account_id = ?")

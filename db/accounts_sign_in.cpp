@@ -58,13 +58,13 @@ SignIn Accounts::confirm(const std::string& login, const std::string& password) 
 }
 
 SignIn Accounts::check_password(const std::string& login, const std::string& password) {
-    const std::string key = login_key(login);
+    const std::string key = login_key(login), failures = failures_key(login);
     int64_t id = 0;
     std::string hash;
     {
         // The try is counted before the password is looked at, so that tries in parallel count too.
         UnitOfWork work(connection_);
-        if (const int wait = wait_before_sign_in(key); wait > 0) {
+        if (const int wait = wait_before_sign_in(failures); wait > 0) {
             work.commit();
             return {SignInOutcome::kThrottled, std::nullopt, wait};
         }
@@ -75,7 +75,7 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
                   "INSERT INTO sign_in_failures (login_key, failures, last_ms) VALUES (?, 1, ?) ON "
                   "CONFLICT (login_key) DO UPDATE SET failures = sign_in_failures.failures + 1, "
                   "last_ms = excluded.last_ms")
-            .run(key, now);
+            .run(failures, now);
         Statement account(connection_,
                           "SELECT a.id, a.password_hash FROM accounts a JOIN persons p ON "
                           "p.account_id = a.id WHERE p.login_key = ?");
@@ -100,7 +100,7 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
     const UserRecord user = context_.need_user(id);
     UnitOfWork work(connection_);
     context_.touch("user", id);
-    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(key);
+    Statement(connection_, "DELETE FROM sign_in_failures WHERE login_key = ?").run(failures);
     if (user.active && !context_.options.cheap_passwords && password_needs_rehash(hash))
         Statement(connection_, "UPDATE accounts SET password_hash = ? WHERE id = ?")
             .run(hash_password(password, false), id);

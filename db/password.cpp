@@ -8,6 +8,7 @@
 #include <QString>
 #include <array>
 
+#include "db/packing.h"
 #include "db/store_error.h"
 
 namespace placode::db {
@@ -48,6 +49,8 @@ std::string login_key(const std::string& login) {
         .toCaseFolded()
         .toStdString();
 }
+
+std::string failures_key(const std::string& login) { return checksum_hex(login_key(login)); }
 
 std::optional<std::string> password_problem(const std::string& login, const std::string& password) {
     const auto length = QString::fromStdString(password).toUcs4().size();

@@ -31,5 +31,8 @@ void need_sodium();
 
 /// Key by which logins are compared: trimmed, compatibility-composed, without case.
 [[nodiscard]] std::string login_key(const std::string& login);
+/// Under which wrong passwords are counted: a checksum, because people type names that are gone, or
+/// a password, into the field of the log-in.
+[[nodiscard]] std::string failures_key(const std::string& login);
 
 }  // namespace placode::db

@@ -48,6 +48,7 @@ constexpr std::array kRights{
     TableRight{"step_notes", "", true},
     TableRight{"participant_devices", "device, chosen_by, chosen_utc", true},
     TableRight{"consent_signatures", "path", true},
+    TableRight{"record_events", "by_name"},
     TableRight{"withdrawals", "mode, reason, withdrawn_by, withdrawn_utc"},
 };
 

@@ -35,14 +35,21 @@ std::string StoreContext::kept_name(const std::string& login) {
     return query.run(login_key(login)).next() ? user_object(query.integer(0)) : login;
 }
 
-std::string StoreContext::shown_name(const std::string& kept) {
+std::string StoreContext::shown_name(const std::string& kept) { return person_of(kept, "login"); }
+
+std::string StoreContext::shown_display_name(const std::string& kept) {
+    return person_of(kept, "display_name");
+}
+
+std::string StoreContext::person_of(const std::string& kept, const char* column) {
     constexpr std::string_view kUser = "user ";
     int64_t id = 0;
     const char* const end = kept.data() + kept.size();
     if (!kept.starts_with(kUser) ||
         std::from_chars(kept.data() + kUser.size(), end, id).ptr != end || id <= 0)
         return kept;
-    Statement query(connection, "SELECT login FROM persons WHERE account_id = ?");
+    Statement query(connection,
+                    std::string("SELECT ") + column + " FROM persons WHERE account_id = ?");
     return query.run(id).next() ? query.text(0) : kept;
 }
 

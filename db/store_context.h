@@ -75,6 +75,8 @@ struct StoreContext {
     /// What was kept, for people: the log-in, "user 12" once that account was erased, and a name
     /// that an earlier version wrote out.
     [[nodiscard]] std::string shown_name(const std::string& kept);
+    /// As shown_name(), but the name that the person has.
+    [[nodiscard]] std::string shown_display_name(const std::string& kept);
     /// The same for rows that were read: PostgreSQL gives one answer at a time, so never within
     /// one.
     template <class Row>
@@ -124,6 +126,8 @@ struct StoreContext {
     void need_unlocked(const std::string& study_id, const std::string& code);
 
  private:
+    /// What `persons` says of a kept name in this column; the kept name where it says nothing.
+    [[nodiscard]] std::string person_of(const std::string& kept, const char* column);
     void write_trail();
     void write_entry(TrailEntry entry, std::string& previous);
     void remember_trail() noexcept;

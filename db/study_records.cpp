@@ -125,7 +125,7 @@ void StudyRecords::sign(const std::string& study_id, const std::string& code,
                          "it is signed already, by " + found->second.signature->name);
     RecordEvent event =
         event_of(study_id, code, RecordEventKind::kSigned, user_object(who.user->id));
-    event.name = who.user->display_name;
+    event.name = event.login;  // The number: the name goes with the person.
     event.remark = meaning;
     event.checksum = checksum_of(study_id, code);
     insert_event(event);
@@ -170,7 +170,7 @@ std::vector<RecordEvent> StudyRecords::events(const std::string& study_id) {
         found.push_back(std::move(event));
     }
     context_.show_names(found, &RecordEvent::login);
-    context_.show_names(found, &RecordEvent::name);
+    for (RecordEvent& event : found) event.name = context_.shown_display_name(event.name);
     return found;
 }
 
