@@ -4,10 +4,12 @@
 #
 # Installs what is missing, builds everything and runs all tests; under Xvfb where there is no display.
 #   ./test.sh [CTEST ARGUMENTS]        e.g. ./test.sh -R contact
+#   ./test.sh --long [SECONDS]         what takes hours, as often as it should be tried (scripts/long.sh)
 set -euo pipefail
 cd "$(dirname "$0")"
 . scripts/prepare.sh
 placode_prepare release all
+[ "${1:-}" != --long ] || exec scripts/long.sh "${@:2}"
 built_s=$SECONDS
 export XDG_RUNTIME_DIR=${XDG_RUNTIME_DIR:-$(d=/tmp/placode-runtime-$(id -u); mkdir -p -m 700 "$d"; echo "$d")}
 

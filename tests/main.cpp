@@ -20,23 +20,26 @@ void need_a_file(const testing::TestInfo& test, const std::string& stem) {
     std::exit(2);
 }
 
-/// Patterns of all tests that do not stand in `file`.cpp, joined by colons; `found` counts the
-/// others.
+/// Patterns of all tests that do not stand in `file`.cpp, joined by colons, whole suites as one;
+/// `found` counts the others.
 std::string elsewhere(const std::string& file, int& found) {
     const testing::UnitTest& all = *testing::UnitTest::GetInstance();
     std::string out;
     for (int s = 0; s < all.total_test_suite_count(); ++s) {
         const testing::TestSuite& suite = *all.GetTestSuite(s);
+        std::string others;
+        int here = 0;
         for (int t = 0; t < suite.total_test_count(); ++t) {
             const testing::TestInfo& test = *suite.GetTestInfo(t);
             const std::string stem = std::filesystem::path(test.file()).stem();
             need_a_file(test, stem);
-            if (stem == file) {
-                ++found;
-            } else {
-                out += std::string(":") + suite.name() + "." + test.name();
-            }
+            if (stem == file)
+                ++here;
+            else
+                others += std::string(":") + suite.name() + "." + test.name();
         }
+        found += here;
+        out += here > 0 ? others : std::string(":") + suite.name() + ".*";
     }
     return out.empty() ? out : out.substr(1);
 }

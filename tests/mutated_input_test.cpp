@@ -2,55 +2,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever a loader is given, it loads or refuses with its own exception: no crash, no hang, no
 // other exception. Every loader gets files of the project, changed at random from a fixed seed.
-// PLACODE_MUTATIONS=N tries N changes of each file; scripts/check.sh asan runs the same under
-// AddressSanitizer and UBSan.
+// PLACODE_MUTATIONS=N tries N changes of each file. scripts/fuzz.sh lets libFuzzer look for more,
+// under AddressSanitizer and UBSan.
 
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
-#include <functional>
-#include <iterator>
+#include <filesystem>
 
-#include "assessment/csv_reader.h"
-#include "assessment/signal_file.h"
-#include "curriculum/course.h"
-#include "curriculum/definitions.h"
-#include "curriculum/norm_pack.h"
-#include "curriculum/questionnaire.h"
-#include "curriculum/standard.h"
-#include "curriculum/study.h"
-#include "curriculum/task.h"
-#include "db/recording_chunks.h"
-#include "db/seals.h"
-#include "db/store_error.h"
-#include "db/store_url.h"
-#include "db/void_reason.h"
-#include "haptics/station.h"
 #include "sim/core/random.h"
-#include "sim/mesh/mesh.h"
-#include "sim/mesh_io/mesh_io.h"
+#include "tests/bars.h"
+#include "tests/loaders.h"
 
 using namespace placode;
+using namespace placode::test;
 namespace fs = std::filesystem;
 
 namespace THIS_TEST {
-
-const fs::path kRoot = PLACODE_SOURCE_DIR;
-
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-std::vector<fs::path> files_in(const char* folder, const std::string& ending) {
-    std::vector<fs::path> found;
-    for (const auto& entry : fs::directory_iterator(kRoot / folder))
-        if (entry.path().extension() == ending) found.push_back(entry.path());
-    std::sort(found.begin(), found.end());
-    return found;
-}
 
 /// What breaks parsers: ends of ranges, wrong types, brackets, other encodings.
 const std::vector<std::string>& words() {
@@ -127,85 +96,7 @@ std::string mutated(std::string text, sim::SplitMix64& random) {
     return text;
 }
 
-struct Loader {
-    const char* name;
-    std::vector<fs::path> files;
-    std::function<void(const std::string&)> load;  ///< True exceptions come through.
-};
-
-void PrintTo(const Loader& loader, std::ostream* out) { *out << loader.name; }
-
-/// For readers of files: the text under a name with the ending that tells the format.
-std::string as_file(const std::string& text, const std::string& name) {
-    const fs::path path =
-        fs::temp_directory_path() / ("placode-mutated-" + std::to_string(::getpid()) + "-" + name);
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
-}
-
-template <class Load>
-std::function<void(const std::string&)> from_file(const std::string& name, Load load) {
-    return [name, load](const std::string& text) {
-        const std::string path = as_file(text, name);
-        try {
-            (void)load(path);
-        } catch (...) {
-            fs::remove(path);
-            throw;
-        }
-        fs::remove(path);
-    };
-}
-
-std::vector<Loader> loaders() {
-    using namespace curriculum;
-    const auto text = [](auto load) {
-        return [load](const std::string& json) { (void)load(json, "mutated"); };
-    };
-    std::vector<Loader> all{
-        {"task", files_in("data/tasks", ".json"), text(load_task_text)},
-        {"course", files_in("data/courses", ".json"), text(load_course_text)},
-        {"study", files_in("data/studies", ".json"), text(load_study_text)},
-        {"questionnaire", files_in("data/questionnaires", ".json"), text(load_questionnaire_text)},
-        {"standard", files_in("data/courses", ".json"), text(load_standard_text)},
-        {"norm_pack", files_in("data/courses", ".json"), text(load_norm_pack)},
-        {"signed_norms", files_in("data/courses", ".json"), text(load_signed_norms)},
-        {"csv", files_in("tests/data/statistics", ".csv"),
-         [](const std::string& csv) { (void)assessment::read_csv(csv); }},
-        {"signal", files_in("tests/data/motion", ".csv"),
-         from_file("signal.csv", assessment::read_signal_file)},
-        {"station",
-         {kRoot / "tests/data/README.md"},
-         [](const std::string& conf) { (void)haptics::Station::parse(conf, "mutated"); }},
-        {"recording_header", files_in("data/tasks", ".json"),
-         [](const std::string& json) { (void)db::header_from_json(json); }},
-        {"store_url",
-         {kRoot / "tests/data/README.md"},
-         [](const std::string& url) { (void)db::parse_store_url("postgresql://" + url); }},
-        {"seals",
-         {kRoot / "tests/data/README.md"},
-         [](const std::string& lines) { (void)db::seals_of_text(lines); }},
-        {"void_reasons",
-         {kRoot / "tests/data/README.md"},
-         [](const std::string& reasons) { (void)db::void_reasons(reasons); }},
-    };
-    for (const char* ending : {".msh", ".vtk", ".vtu"})
-        all.push_back({ending + 1, files_in("tests/data/meshes", ending),
-                       from_file(std::string("mesh") + ending, sim::read_mesh_file)});
-    return all;
-}
-
 class MutatedInput : public testing::TestWithParam<Loader> {};
-
-/// What a loader may say; everything else is a fault of ours.
-bool is_refusal(const std::exception& error) {
-    return dynamic_cast<const curriculum::DefinitionError*>(&error) != nullptr ||
-           dynamic_cast<const db::StoreError*>(&error) != nullptr ||
-           dynamic_cast<const haptics::DeviceError*>(&error) != nullptr ||
-           dynamic_cast<const sim::MeshError*>(&error) != nullptr ||
-           dynamic_cast<const assessment::CsvError*>(&error) != nullptr ||
-           dynamic_cast<const assessment::SignalError*>(&error) != nullptr;
-}
 
 /// Milliseconds in truth: the limit is for what hangs.
 void load(const Loader& loader, const std::string& text, const std::string& what) {
@@ -224,19 +115,26 @@ INSTANTIATE_TEST_SUITE_P(Loaders, MutatedInput, testing::ValuesIn(loaders()),
 
 TEST_P(MutatedInput, IsLoadedOrRefused) {
     const Loader& loader = GetParam();
-    ASSERT_FALSE(loader.files.empty());
+    const std::vector<Seed> seeds = loader.seeds();
+    ASSERT_FALSE(seeds.empty());
     const char* set = std::getenv("PLACODE_MUTATIONS");
-    const int each = set != nullptr ? std::atoi(set) : 500;
-    for (const fs::path& file : loader.files) {
-        const std::string whole = content(file);
-        ASSERT_FALSE(whole.empty()) << file;
-        sim::SplitMix64 random(std::hash<std::string>{}(file.filename().string()));
+    const int each = set != nullptr ? std::atoi(set) : times(500, 20000);
+    for (const Seed& seed : seeds) {
+        ASSERT_FALSE(seed.content.empty()) << seed.name;
+        sim::SplitMix64 random(std::hash<std::string>{}(seed.name));
         for (int i = 0; i < each; ++i)
-            load(loader, mutated(whole, random),
-                 file.filename().string() + " change " + std::to_string(i));
+            load(loader, mutated(seed.content, random), seed.name + " change " + std::to_string(i));
     }
     for (const std::string& word : words()) load(loader, word, "\"" + word + "\"");
     load(loader, "", "nothing");
+}
+
+/// What libFuzzer found once (scripts/fuzz.sh), so that it never comes back.
+TEST_P(MutatedInput, WhatWasFoundOnceIsLoadedOrRefused) {
+    const fs::path found = fs::path(PLACODE_SOURCE_DIR) / "tests/data/fuzz" / GetParam().name;
+    if (!fs::exists(found)) GTEST_SKIP() << "nothing was found";
+    for (const auto& entry : fs::directory_iterator(found))
+        load(GetParam(), content_of(entry.path()), entry.path().filename().string());
 }
 
 }  // namespace THIS_TEST

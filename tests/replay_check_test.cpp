@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "tests/attempt_fixture.h"
+#include "tests/bars.h"
 
 using namespace placode;
 using namespace placode::curriculum;
@@ -18,7 +19,8 @@ using sim::Recording;
 
 namespace THIS_TEST {
 
-Recording attempt(const std::string& task, double seconds, const std::string& level = "expert") {
+Recording attempt(const std::string& task, double seconds, const std::string& level = "expert",
+                  uint64_t seed = 3) {
     AttemptOptions options;
     options.device = "script:" + level;
     options.fast = true;
@@ -27,18 +29,27 @@ Recording attempt(const std::string& task, double seconds, const std::string& le
     const Task loaded = load_task(task);
     options.steps = loaded.steps;
     const auto recording = std::make_shared<Recording>();
-    AttemptRunner runner(loaded, 3, options, std::make_unique<test::MemorySink>(recording));
+    AttemptRunner runner(loaded, seed, options, std::make_unique<test::MemorySink>(recording));
     runner.start();
     runner.wait();
     return std::move(*recording);
 }
 
 TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
-    for (const std::string& id : list_definitions("tasks")) {
-        const Recording honest = attempt(id, 1.5, "novice");
-        ASSERT_GT(honest.samples.size(), 100U) << id;
-        const ReplayVerdict verdict = check_replay(honest, load_task(id), 2);
-        EXPECT_TRUE(verdict.identical) << id << ": " << verdict.difference;
+    // In a long run 500 of all tasks, by three levels of operators, each to a time of its own.
+    test::Bar bar("honest attempts that replay otherwise");
+    const std::vector<std::string> tasks = list_definitions("tasks");
+    constexpr const char* kLevels[]{"novice", "expert", "intermediate"};
+    const int rounds = test::times(1, 1 + 500 / static_cast<int>(tasks.size()));
+    for (int round = 0; round < rounds; ++round) {
+        for (const std::string& id : tasks) {
+            const Recording honest =
+                attempt(id, 1.5 + round % 7, kLevels[round % 3], 3 + static_cast<uint64_t>(round));
+            ASSERT_GT(honest.samples.size(), 100U) << id;
+            const ReplayVerdict verdict = check_replay(honest, load_task(id), 2);
+            EXPECT_TRUE(verdict.identical) << id << " " << round << ": " << verdict.difference;
+            bar.tried(verdict.identical);
+        }
     }
 }
 

@@ -20,6 +20,7 @@
 #include "db/signature.h"
 #include "db/study_conduct.h"
 #include "sim/core/random.h"
+#include "tests/bars.h"
 #include "tests/store_cases.h"
 
 using namespace placode;
@@ -210,6 +211,7 @@ TEST_P(SealsTest, EveryColumnOfEveryTableIsSealedOrNamedHere) {
 }
 
 TEST_P(SealsTest, AThousandRandomEditsAreFoundAThousandTimes) {
+    Bar bar("random edits of a store that are not found");
     RawConnection pen = forger();
     sim::SplitMix64 random(20261125);
     std::set<std::string> seen;
@@ -219,8 +221,10 @@ TEST_P(SealsTest, AThousandRandomEditsAreFoundAThousandTimes) {
         if (!edit) continue;
         ++made;
         seen.insert(edit->table + "." + edit->column);
-        EXPECT_THAT(all_of(store->check()), HasSubstr("seals: "))
+        const std::string found = all_of(store->check());
+        EXPECT_THAT(found, HasSubstr("seals: "))
             << edit->table << "." << edit->column << " WHERE " << edit->row;
+        bar.tried(found.find("seals: ") != std::string::npos);
         QSqlQuery back(pen.handle());
         // PostgreSQL moves a row that changes: it is found by what was written.
         if (is_sqlite()) {
