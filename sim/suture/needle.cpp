@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/suture/needle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/suture/arc_tangent.h"
+
+namespace placode::sim {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kThickest = 0.1;  // of the wire's radius to the circle's
+
+}  // namespace
+
+Needle::Needle(const NeedleSpec& spec) : spec_(spec) {
+    need_within("needle.arc_m", spec.arc_m, 5e-3, 40e-3);
+    need_within("needle.wire_radius_m", spec.wire_radius_m, 0.05e-3,
+                std::min(0.5e-3, kThickest * spec.arc_m / kPi));
+    need_within("needle.density_kg_m3", spec.density_kg_m3, 1000, 25000);
+    const double r = radius_m_ = spec.arc_m / kPi;
+    const double m = mass_kg_ =
+        spec.density_kg_m3 * kPi * spec.wire_radius_m * spec.wire_radius_m * spec.arc_m;
+    // Half a thin ring: about its centre m R^2 / 2, m R^2 / 2, m R^2.
+    const double d = 2 * r / kPi;
+    centre_m_ = Vec3(0, d, 0);
+    inertia_ = Vec3(m * r * r / 2 - m * d * d, m * r * r / 2, m * r * r - m * d * d);
+}
+
+ArcPoint Needle::at(double s_m) const noexcept {
+    const double c = std::cos(s_m / radius_m_), s = std::sin(s_m / radius_m_);
+    return {Vec3(radius_m_ * c, radius_m_ * s, 0), Vec3(-s, c, 0), Vec3(c, s, 0)};
+}
+
+ArcFoot Needle::foot(const Vec3& p_N) const noexcept {
+    ArcFoot f;
+    const double x = p_N.x(), y = p_N.y();
+    f.ring_m = std::sqrt(x * x + y * y);
+    f.radial_m = f.ring_m - radius_m_;
+    f.across_m = p_N.z();
+    if (!(f.ring_m > 0)) return f;
+    f.radial = Vec3(x / f.ring_m, y / f.ring_m, 0);
+    f.back = Vec3(-f.radial.y(), f.radial.x(), 0);
+    // From the arc's middle, so that the seam lies opposite to it: the tangent of half the angle,
+    // each half of the plane by the form that does not cancel there.
+    const double beyond = x != 0 ? -(f.ring_m - y) / x : 1e18;
+    const double half = y >= 0 ? -x / (f.ring_m + y) : beyond;
+    f.s_m = radius_m_ * (kPi / 2 + 2 * arc_tangent(half));
+    return f;
+}
+
+double Needle::nearest_m(const Vec3& p_N) const noexcept {
+    return std::clamp(foot(p_N).s_m, 0.0, spec_.arc_m);
+}
+
+}  // namespace placode::sim
