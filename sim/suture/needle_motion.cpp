@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/suture/needle_motion.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/as_index.h"
+
+namespace placode::sim {
+namespace {
+
+using Vec6 = Eigen::Matrix<double, 6, 1>;
+using Mat6 = Eigen::Matrix<double, 6, 6>;
+using Mat36 = Eigen::Matrix<double, 3, 6>;
+
+constexpr double kMostTurnRad = 0.1;  // of the needle in one Newton step
+constexpr double kMostWay = 0.2;      // the same, in radii of its circle
+// A bond at its bound is a spring in the first step and none in the next: three do, the fourth is
+// for those whose way turns.
+constexpr int kMostSteps = 4;
+constexpr double kEnough = 1e-7;  // radians, or radii: less than a nanometre
+
+/// Small turn that takes `from` to `to` [rad].
+Vec3 turn_between(const Quat& from, const Quat& to) noexcept {
+    Quat d = to * from.conjugate();
+    if (d.w() < 0) d.coeffs() = -d.coeffs();
+    return 2 / std::max(d.w(), 1e-3) * d.vec();
+}
+
+void turn_by(Quat& q, const Vec3& by) noexcept {
+    q = Quat(1, 0.5 * by.x(), 0.5 * by.y(), 0.5 * by.z()) * q;
+    q.coeffs() *= 1 / std::sqrt(q.squaredNorm());
+}
+
+/// How a place of the body moves with (way of the centre of mass, turn).
+Mat36 motion_of(const Vec3& from_centre) noexcept {
+    Mat36 j;
+    j.leftCols<3>().setIdentity();
+    const Vec3& r = from_centre;
+    j.rightCols<3>() << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+    return j;
+}
+
+/// Where the hold wants the needle, and how far it is from there.
+struct HoldError {
+    HoldError(const NeedleHold& hold, const Pose& X_WN) noexcept {
+        target = hold.hand * hold.X_HN;
+        grip = X_WN * hold.grip_N;
+        way = grip - target * hold.grip_N;
+        turn = turn_between(target.q, X_WN.q);
+    }
+    Pose target;
+    Vec3 grip, way, turn;
+};
+
+double energy_of(const JawSpec& jaws, const HoldError& e) noexcept {
+    return 0.5 * jaws.pull_n_m * e.way.squaredNorm() +
+           0.5 * jaws.turn_n_m_rad * e.turn.squaredNorm();
+}
+
+void feel(const JawSpec& jaws, NeedleHold& hold, const HoldError& e) noexcept {
+    hold.force_n = -jaws.pull_n_m * e.way;
+    hold.torque_n_m = -jaws.turn_n_m_rad * e.turn;
+}
+
+/// Along the wire: the needle runs on its arc through the jaws, about its own centre.
+void slip_along(const Suture& suture, SutureState& state, SutureReport& report) noexcept {
+    const JawSpec& jaws = suture.spec().jaws;
+    NeedleHold& hold = state.hold;
+    const double pull = hold.force_n.dot(state.needle.q * hold.back_N);
+    const double most = 2 * jaws.friction * jaws.force_n;
+    if (std::abs(pull) <= most) return;
+    // The hand pulls the grip towards the swage: the target comes after it, towards the point.
+    const double way = std::copysign((std::abs(pull) - most) / jaws.pull_n_m, pull);
+    const double before = hold_energy(suture, state);
+    const double angle = way / suture.needle().radius_m();
+    Quat turn = Quat::Identity();
+    turn_by(turn, Vec3(0, 0, -angle));
+    hold.X_HN.q = hold.X_HN.q * turn;
+    hold.arc_m += way;
+    hold.grip_N = turn.conjugate() * hold.grip_N;
+    hold.back_N = turn.conjugate() * hold.back_N;
+    feel(jaws, hold, HoldError(hold, state.needle));
+    state.work.jaws += before - hold_energy(suture, state);
+    tell(report, {SutureEventKind::kSlipped, Tissue::kSkin, std::abs(pull), Vec3::Zero(), -1});
+    if (hold.arc_m >= 0 && hold.arc_m <= suture.needle().arc_m()) return;
+    state.work.jaws += hold_energy(suture, state);  // drawn out of the jaws
+    let_go_needle(state);
+}
+
+/// About the grip.
+void slip_round(const Suture& suture, SutureState& state, SutureReport& report) noexcept {
+    const JawSpec& jaws = suture.spec().jaws;
+    NeedleHold& hold = state.hold;
+    const double torque = hold.torque_n_m.norm();
+    const double most = jaws.friction * jaws.force_n * jaws.width_m;
+    if (torque <= most) return;
+    const double before = hold_energy(suture, state);
+    const HoldError e(hold, state.needle);
+    Pose target = e.target;
+    turn_by(target.q, (1 - most / torque) * e.turn);
+    target.p = e.grip - e.way - target.q * hold.grip_N;  // the grip's target stays
+    hold.X_HN = hold.hand.inverse() * target;
+    hold.X_HN.q.normalize();
+    feel(jaws, hold, HoldError(hold, state.needle));
+    state.work.jaws += before - hold_energy(suture, state);
+    tell(report, {SutureEventKind::kTurned, Tissue::kSkin, torque, Vec3::Zero(), -1});
+}
+
+}  // namespace
+
+void tell(SutureReport& report, const SutureEvent& event) noexcept {
+    if (report.event_count == kMostSutureEvents)
+        report.dropped = true;
+    else
+        report.events[as_index(report.event_count++)] = event;
+}
+
+double hold_energy(const Suture& suture, const SutureState& state) noexcept {
+    if (state.hold.held == 0) return 0;
+    return energy_of(suture.spec().jaws, HoldError(state.hold, state.needle));
+}
+
+double kinetic_energy(const Needle& needle, const SutureState& state) noexcept {
+    const Vec3 w_N = state.needle.q.conjugate() * state.w;
+    return 0.5 * needle.mass_kg() * state.v.squaredNorm() +
+           0.5 * w_N.dot(needle.inertia_kg_m2().cwiseProduct(w_N));
+}
+
+void begin_needle(const Suture& /*suture*/, SutureState& state, SutureScratch& scratch,
+                  const Pose& X_WH) noexcept {
+    scratch.start = state.needle;
+    state.hold.hand = X_WH;
+    state.hold.hand.q.coeffs() *= 1 / std::sqrt(X_WH.q.squaredNorm());
+}
+
+namespace {
+
+/// One Newton step; returns how far it went, in radii and radians, or -1 where it is not finite.
+double newton_step(const Suture& suture, SutureState& state, const SutureScratch& scratch,
+                   double h_s) noexcept {
+    const Needle& needle = suture.needle();
+    const SutureSpec& spec = suture.spec();
+    const Vec3 centre = state.needle * needle.centre_m();
+    const Mat3 r = state.needle.q.toRotationMatrix();
+    Mat6 hessian = Mat6::Zero();
+    Vec6 gradient = Vec6::Zero();
+    // Inertia: from where it would have gone.
+    const double per_h = 1 / h_s, held = per_h * per_h * (1 + spec.drag_per_s * h_s);
+    const Vec3 way = centre - scratch.start * needle.centre_m();
+    const Vec3 turned = turn_between(scratch.start.q, state.needle.q);
+    const double m = needle.mass_kg();
+    const Mat3 inertia = r * needle.inertia_kg_m2().asDiagonal() * r.transpose();
+    gradient.head<3>() = m * (held * way - per_h * state.v - spec.gravity_m_s2);
+    gradient.tail<3>() = inertia * (held * turned - per_h * state.w);
+    hessian.topLeftCorner<3, 3>().diagonal().setConstant(m * held);
+    hessian.bottomRightCorner<3, 3>() = held * inertia;
+    if (state.hold.held != 0) {
+        const HoldError e(state.hold, state.needle);
+        const Mat36 j = motion_of(e.grip - centre);
+        gradient += spec.jaws.pull_n_m * (j.transpose() * e.way);
+        hessian += spec.jaws.pull_n_m * (j.transpose() * j);
+        gradient.tail<3>() += spec.jaws.turn_n_m_rad * e.turn;
+        hessian.bottomRightCorner<3, 3>().diagonal().array() += spec.jaws.turn_n_m_rad;
+    }
+    const PosedNeedle posed(needle, state.needle);
+    for (int n = 0; n < scratch.bond_count; ++n) {
+        const Vec3& p = scratch.places[as_index(n)];
+        const BondForce f = force_of(posed, scratch.bonds[as_index(n)], p, true);
+        const Mat36 j = motion_of(p - centre);
+        gradient -= j.transpose() * f.gradient;
+        hessian += j.transpose() * f.stiffness * j;
+    }
+    Vec6 step = -hessian.llt().solve(gradient);
+    const double far = step.head<3>().norm() / needle.radius_m(), turn = step.tail<3>().norm();
+    const double over = std::max(far / kMostWay, turn / kMostTurnRad);
+    if (!std::isfinite(over)) return -1;
+    if (over > 1) step /= over;
+    turn_by(state.needle.q, step.tail<3>());
+    state.needle.p = centre + step.head<3>() - state.needle.q * needle.centre_m();
+    return std::max(far, turn);
+}
+
+}  // namespace
+
+void solve_needle(const Suture& suture, SutureState& state, const SuturedTissue& tissue,
+                  SutureScratch& scratch, double h_s) noexcept {
+    for (int n = 0; n < scratch.bond_count; ++n)
+        scratch.places[as_index(n)] = place_of(tissue.state, scratch.bonds[as_index(n)]);
+    for (int i = 0; i < kMostSteps; ++i) {
+        const double gone = newton_step(suture, state, scratch, h_s);
+        if (!(gone > kEnough)) break;
+    }
+}
+
+void finish_needle(const Suture& suture, SutureState& state, const SutureScratch& scratch,
+                   const Pose& X_WH_before, double h_s, SutureReport& report) noexcept {
+    const Needle& needle = suture.needle();
+    const bool finite = state.needle.p.allFinite() && state.needle.q.coeffs().allFinite();
+    if (!finite) {
+        report.not_finite = true;
+        state.needle = scratch.start;
+        state.v = state.w = Vec3::Zero();
+    } else {
+        state.v = (state.needle * needle.centre_m() - scratch.start * needle.centre_m()) / h_s;
+        state.w = turn_between(scratch.start.q, state.needle.q) / h_s;
+    }
+    NeedleHold& hold = state.hold;
+    if (hold.held == 0) return;
+    const HoldError e(hold, state.needle);
+    const Vec3 force = hold.force_n, torque = hold.torque_n_m;
+    feel(suture.spec().jaws, hold, e);
+    // Both ends of the way with half the force: exact for a spring.
+    const Pose before = X_WH_before * hold.X_HN;
+    state.work.hand +=
+        0.5 * (force + hold.force_n).dot(e.target * hold.grip_N - before * hold.grip_N) +
+        0.5 * (torque + hold.torque_n_m).dot(turn_between(before.q, e.target.q));
+    slip_along(suture, state, report);
+    if (hold.held != 0) slip_round(suture, state, report);
+}
+
+}  // namespace placode::sim
