@@ -127,10 +127,13 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
         ASSERT_EQ(made.status, 0) << made.err << made.out;
         ASSERT_EQ(shell("sleep 1.1").status, 0);  // names have seconds
     }
+    // Each with the statement of its trail's end beside it, which goes with it.
     const auto kept = backups();
-    ASSERT_EQ(kept.size(), 2u);
+    ASSERT_EQ(kept.size(), 4u);
+    EXPECT_EQ(kept[1], kept[0] + ".head");
+    EXPECT_EQ(kept[3], kept[2] + ".head");
     const Outcome people = run("placodectl", "--store sqlite:" + file("data/placode/backups/") +
-                                                 kept.back() + " user list");
+                                                 kept[2] + " user list");
     EXPECT_THAT(people.out, HasSubstr("anna"));
     // A store that is broken takes no good copy with it.
     write_text(file("data/placode/placode.db"), "this was a store");
