@@ -156,10 +156,11 @@ void ShellStudyTest::consentNeedsEveryStatement() {
     shell.window().grab().save(shell.shotFile("62_consent_missing"));
     auto* paper = shell.find<QCheckBox>("signed_on_paper");
     paper->setFocus();
+    QTest::qWait(100);  // the page scrolls to it
     const int place = given->mapToGlobal(QPoint(0, 0)).y();
     QTest::keyClick(paper, Qt::Key_Space);
     QVERIFY(given->isEnabled());
-    QCoreApplication::processEvents();
+    QTest::qWait(100);
     QVERIFY2(given->mapToGlobal(QPoint(0, 0)).y() == place, "not while somebody reaches for it");
     given->setFocus();
     QTest::keyClick(given, Qt::Key_Return);

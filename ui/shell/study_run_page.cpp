@@ -192,7 +192,7 @@ class StudyRunPage : public Page {
         QPushButton* agree = make_button(context_, tr("I consent"), "primary", "check");
         agree->setObjectName("consent_given");
         agree->setEnabled(false);
-        QLabel* missing = make_hint();
+        QLabel* missing = make_label({}, "small");
         missing->setObjectName("consent_missing");
         const auto update = [boxes, agree, pad, on_paper, missing] {
             pad->setEnabled(!on_paper->isChecked());
@@ -204,8 +204,12 @@ class StudyRunPage : public Page {
             if (!on_paper->isChecked() && pad->path().isEmpty())
                 still << tr("the signature, or the mark that it was signed on paper");
             agree->setEnabled(still.isEmpty());
-            missing->setText(tr("To consent there is still missing: %1.").arg(still.join("; ")));
-            missing->setVisible(!still.isEmpty());
+            // It never grows shorter: nothing moves while somebody reaches for a button.
+            missing->setMinimumHeight(missing->height());
+            missing->setText(
+                still.isEmpty()
+                    ? tr("Nothing is missing.")
+                    : tr("To consent there is still missing: %1.").arg(still.join("; ")));
         };
         for (const auto& [box, unused] : boxes) connect(box, &QCheckBox::toggled, this, update);
         connect(on_paper, &QCheckBox::toggled, this, update);
@@ -223,13 +227,15 @@ class StudyRunPage : public Page {
         QPushButton* refuse = make_button(context_, tr("I do not consent"), "secondary", "close");
         refuse->setObjectName("consent_refused");
         connect(refuse, &QPushButton::clicked, this, [this] { refuseConsent(); });
-        layout->addWidget(missing);
         update();
         auto* answer = new QHBoxLayout;
         answer->addStretch();
         answer->addWidget(refuse);
         answer->addWidget(agree);
         layout->addLayout(answer);
+        // Below the buttons, which stay where they are when it grows longer.
+        missing->setAlignment(Qt::AlignRight);
+        layout->addWidget(missing);
     }
 
     /// Nothing of who does not consent may be used.

@@ -4909,6 +4909,10 @@
         <translation>podpis albo zaznaczenie, że podpisano na papierze</translation>
     </message>
     <message>
+        <source>Nothing is missing.</source>
+        <translation>Niczego nie brakuje.</translation>
+    </message>
+    <message>
         <source>To consent there is still missing: %1.</source>
         <translation>Do zgody brakuje jeszcze: %1.</translation>
     </message>
