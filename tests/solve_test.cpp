@@ -197,16 +197,16 @@ struct MethodCase {
 };
 void PrintTo(const MethodCase& m, std::ostream* out) { *out << m.method; }
 
-class EveryMethod : public ::testing::TestWithParam<MethodCase> {};
+class SolveByMethod : public ::testing::TestWithParam<MethodCase> {};
 // 5 kPa, 1 mm: Co .14 at 32 substeps, where xpbd sweeps there and back in turns.
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+INSTANTIATE_TEST_SUITE_P(Methods, SolveByMethod,
                          ::testing::Values(MethodCase{"vbd", 4, 1e-3}, MethodCase{"vbd", 8, 1e-3},
                                            MethodCase{"xpbd", 32, 1e-3},
                                            MethodCase{"xpbd_pair", 32, 0.01},
                                            MethodCase{"explicit", 12, 1e-3},
                                            MethodCase{"newton", 1, 1e-6}));
 
-TEST_P(EveryMethod, UniaxialStretchMeetsTheClosedForm) {
+TEST_P(SolveByMethod, UniaxialStretchMeetsTheClosedForm) {
     // a 1.2, nu .45: J 1.016667, b .920447, P = 8516.922 Pa x E / 50 kPa.
     const MethodCase c = GetParam();
     const SolveResult r = run(cube(
@@ -225,7 +225,7 @@ TEST_P(EveryMethod, UniaxialStretchMeetsTheClosedForm) {
     EXPECT_NEAR(r.sample_time_s.back(), 0.5, 1e-9);
 }
 
-TEST_P(EveryMethod, ALoadedCubeCarriesTheSum) {
+TEST_P(SolveByMethod, ALoadedCubeCarriesTheSum) {
     const MethodCase c = GetParam();
     const SolveResult r = run(cube(
         R"("fixed": [{"box_m": [[0,0,0],[0,1,1]]}], "damping_per_s": 60,
@@ -241,7 +241,7 @@ TEST_P(EveryMethod, ALoadedCubeCarriesTheSum) {
     EXPECT_NEAR(r.reaction_n.z(), -0.0002 + weight, c.tolerance * 0.0004 + 4e-7);
 }
 
-TEST_P(EveryMethod, AFreeCubeFallsByTheParabola) {
+TEST_P(SolveByMethod, AFreeCubeFallsByTheParabola) {
     const MethodCase c = GetParam();
     if (std::string(c.method) == "newton") return;  // quasi-static
     const SolveResult r = run(cube(
@@ -255,7 +255,7 @@ TEST_P(EveryMethod, AFreeCubeFallsByTheParabola) {
     EXPECT_NEAR(r.kinetic_energy_j, 0.5 * 8e-6 * std::pow(9.81 * t, 2), 1e-2 * 4e-6);
 }
 
-TEST_P(EveryMethod, StartsThatRecoverComeBackToTheRestShape) {
+TEST_P(SolveByMethod, StartsThatRecoverComeBackToTheRestShape) {
     const MethodCase c = GetParam();
     if (std::string(c.method) == "explicit") return;  // below its limit for small strain only
     for (const char* kind : {"flat", "mirror", "point", "stretch"}) {

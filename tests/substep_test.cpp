@@ -56,12 +56,12 @@ double farthest(const SoftBodyState& a, const SoftBodyState& b) {
     return worst;
 }
 
-class EveryMethod : public ::testing::TestWithParam<Method> {};
+class SubstepByMethod : public ::testing::TestWithParam<Method> {};
 
-INSTANTIATE_TEST_SUITE_P(Methods, EveryMethod,
+INSTANTIATE_TEST_SUITE_P(Methods, SubstepByMethod,
                          ::testing::Values(Method::kVbd, Method::kXpbd, Method::kXpbdPair));
 
-TEST_P(EveryMethod, GivesTheSameBitsWithAnyNumberOfThreads) {
+TEST_P(SubstepByMethod, GivesTheSameBitsWithAnyNumberOfThreads) {
     const SoftBody body(slab_spec(GetParam()));
     uint64_t expected = 0;
     for (int threads = 1; threads <= 8; ++threads) {
@@ -114,7 +114,7 @@ TEST(Substep, SweepsThereAndBackDependNeitherOnThreadsNorOnTheInstructionSet) {
     }
 }
 
-TEST_P(EveryMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {
+TEST_P(SubstepByMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {
     SoftBodySpec spec = slab_spec(GetParam());
     spec.solver.iterations = 2;
     const SoftBody body(std::move(spec));
@@ -133,7 +133,7 @@ TEST_P(EveryMethod, TheThreeCallsAndRunSubstepsAreTheSameBits) {
     EXPECT_EQ(state_hash(a), state_hash(b));
 }
 
-TEST_P(EveryMethod, EveryInstructionSetAgrees) {
+TEST_P(SubstepByMethod, EveryInstructionSetAgrees) {
     const SoftBody body(slab_spec(GetParam()));
     Workers workers(1);
     SoftBodyState reference(body);
@@ -157,7 +157,7 @@ TEST_P(EveryMethod, EveryInstructionSetAgrees) {
     EXPECT_GE(tried, 1);
 }
 
-TEST_P(EveryMethod, TheUnitSystemDoesNotMatter) {
+TEST_P(SubstepByMethod, TheUnitSystemDoesNotMatter) {
     // Millimetres, grams, seconds: stress in g / (mm s^2) = Pa, forces in uN.
     SoftBodySpec si = slab_spec(GetParam());
     SoftBodySpec mm = si;
@@ -189,7 +189,7 @@ TEST_P(EveryMethod, TheUnitSystemDoesNotMatter) {
     EXPECT_GT(moved, 1e-5);
 }
 
-TEST_P(EveryMethod, RecoversFromMirroredAndFlatShapes) {
+TEST_P(SubstepByMethod, RecoversFromMirroredAndFlatShapes) {
     // Courant number .27: small enough for XPBD.
     for (const float factor : {-1.0F, 0.0F}) {
         SoftBodySpec spec;
@@ -216,7 +216,7 @@ TEST_P(EveryMethod, RecoversFromMirroredAndFlatShapes) {
     }
 }
 
-TEST_P(EveryMethod, ContactVerticesAreLeftAloneByTheSweep) {
+TEST_P(SubstepByMethod, ContactVerticesAreLeftAloneByTheSweep) {
     const SoftBody body(slab_spec(GetParam()));
     SoftBodyState state(body);
     poke(state, 1e-4F);
@@ -239,7 +239,7 @@ TEST_P(EveryMethod, ContactVerticesAreLeftAloneByTheSweep) {
     EXPECT_GT(moved, body.vertex_count() / 2);
 }
 
-TEST_P(EveryMethod, HeldVerticesFollowTheCallerOnly) {
+TEST_P(SubstepByMethod, HeldVerticesFollowTheCallerOnly) {
     const SoftBody body(slab_spec(GetParam()));
     SoftBodyState state(body);
     Workers workers(1);
@@ -256,7 +256,7 @@ TEST_P(EveryMethod, HeldVerticesFollowTheCallerOnly) {
     EXPECT_LT(elastic_force(body, state, held).z(), 0);
 }
 
-TEST_P(EveryMethod, ExternalForcesAccelerateByTheirSumOverTheMass) {
+TEST_P(SubstepByMethod, ExternalForcesAccelerateByTheirSumOverTheMass) {
     SoftBodySpec spec = slab_spec(GetParam());
     spec.fixed.clear();
     spec.springs.clear();
@@ -301,7 +301,7 @@ TEST(Substep, AForceOnAHeldBodyIsBalancedByTheTissue) {
     EXPECT_LT(answer.head<2>().norm(), 1e-6);
 }
 
-TEST_P(EveryMethod, ABodyShrunkToAPointIsSeededFromItsRestShape) {
+TEST_P(SubstepByMethod, ABodyShrunkToAPointIsSeededFromItsRestShape) {
     SoftBodySpec spec = slab_spec(GetParam());
     spec.fixed.clear();
     spec.springs.clear();
@@ -330,7 +330,7 @@ TEST_P(EveryMethod, ABodyShrunkToAPointIsSeededFromItsRestShape) {
     }
 }
 
-TEST_P(EveryMethod, AVertexThatIsNotFiniteIsPutBackAndReported) {
+TEST_P(SubstepByMethod, AVertexThatIsNotFiniteIsPutBackAndReported) {
     const SoftBody body(slab_spec(GetParam()));
     SoftBodyState state(body);
     Workers workers(2);
@@ -358,7 +358,7 @@ TEST_P(EveryMethod, AVertexThatIsNotFiniteIsPutBackAndReported) {
     for (const Float4& v : state.v) EXPECT_TRUE(std::isfinite(v.x + v.y + v.z));
 }
 
-TEST_P(EveryMethod, ATetherPullsOneWayAndBreaks) {
+TEST_P(SubstepByMethod, ATetherPullsOneWayAndBreaks) {
     // Two cubes, one fixed, one hanging from a tether: the tether carries its weight.
     SoftBodySpec spec;
     TetMesh low = box_mesh(Vec3(1e-3, 1e-3, 1e-3), {1, 1, 1}, Tissue::kPlacode);
