@@ -132,8 +132,8 @@ TEST_F(Install, TheDailyBackupIsCheckedAndOldOnesGo) {
     ASSERT_EQ(kept.size(), 4u);
     EXPECT_EQ(kept[1], kept[0] + ".head");
     EXPECT_EQ(kept[3], kept[2] + ".head");
-    const Outcome people = run("placodectl", "--store sqlite:" + file("data/placode/backups/") +
-                                                 kept[2] + " user list");
+    const Outcome people = run(
+        "placodectl", "--store sqlite:" + file("data/placode/backups/") + kept[2] + " user list");
     EXPECT_THAT(people.out, HasSubstr("anna"));
     // A store that is broken takes no good copy with it.
     write_text(file("data/placode/placode.db"), "this was a store");
