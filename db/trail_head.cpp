@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "db/trail_head.h"
 
+#include <QSaveFile>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <sstream>
 
@@ -67,12 +67,14 @@ void write_trail_head(const TrailHead& head, const std::string& path) {
     if (fs::exists(path))
         throw StoreError(Kind::kConflict,
                          path + " exists and is not overwritten; give another name");
+    // In one step: a half of it beside a backup would keep that from being restored.
+    QSaveFile file(QString::fromStdString(path));
+    const std::string text = trail_head_text(head);
+    if (!file.open(QIODevice::WriteOnly) ||
+        file.write(text.data(), static_cast<qint64>(text.size())) < 0 || !file.commit())
+        throw StoreError(Kind::kUnavailable,
+                         path + " cannot be written: " + file.errorString().toStdString());
     try {
-        std::ofstream out(path, std::ios::binary);
-        out << trail_head_text(head);
-        out.close();
-        if (!out) throw StoreError(Kind::kUnavailable, path + " cannot be written");
-        sync_file(path);
         sync_folder_of(path);
     } catch (const fs::filesystem_error& error) {
         throw StoreError(Kind::kUnavailable, path + " cannot be written: " + error.what());
