@@ -24,10 +24,13 @@ for loader in "${loaders[@]}"; do
   corpus=build/fuzz/corpus/$loader found=build/fuzz/found/$loader log=build/fuzz/$loader.log
   mkdir -p "$corpus" "$found"
   "$fuzz" --seeds "$corpus"
+  ended=0
   "$fuzz" -max_total_time="$seconds" -max_len=65536 -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=512 \
-    -print_final_stats=1 -artifact_prefix="$found/" "$corpus" >"$log" 2>&1 || status=1
+    -print_final_stats=1 -artifact_prefix="$found/" "$corpus" >"$log" 2>&1 || ended=1
   runs=$(awk '/stat::number_of_executed_units/ {print $2}' "$log")
   bad=$(find "$found" -type f | wc -l)
+  # A fuzzer that could not run has found nothing either.
+  [ "$bad" -gt 0 ] || bad=$ended
   [ "$bad" -eq 0 ] || status=1
   printf '%-20s %12s %8s\n' "$loader" "${runs:-0}" "$bad"
   [ -z "${PLACODE_BARS:-}" ] || echo "fuzzed: $loader,${runs:-0},$bad,$seconds" >>"$PLACODE_BARS"

@@ -19,6 +19,7 @@ inline int times(int sample, int all) {
 /// A line of the table, written when the test ends: name, tried, failed, seconds.
 class Bar {
  public:
+    /// @pre no comma in the name: the table is read as CSV.
     explicit Bar(const char* name) : name_(name) {}
     Bar(const Bar&) = delete;
     Bar& operator=(const Bar&) = delete;

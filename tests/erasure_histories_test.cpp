@@ -115,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(Engines, ErasureHistories, testing::Values("Sqlite", "P
                          engine_name);
 
 TEST_P(ErasureHistories, LeaveNoNameBehind) {
-    Bar bar(is_sqlite() ? "erasures that left a name, SQLite"
-                        : "erasures that left a name, PostgreSQL");
+    Bar bar(is_sqlite() ? "erasures that left a name (SQLite)"
+                        : "erasures that left a name (PostgreSQL)");
     if (!is_sqlite()) {  // A database of its own for each takes long.
         Life life;
         life.open = [this] { return open(); };
