@@ -15,6 +15,12 @@ AuditRecord read_audit(const Statement& row) {
             row.text("action"), row.text("object"), row.text("detail")};
 }
 
+/// Of the making of the store, which tells it from every other one; "" in an empty one.
+std::string first_chain(Connection& connection) {
+    Statement first(connection, "SELECT chain FROM audit ORDER BY id LIMIT 1");
+    return first.run().next() ? first.text("chain") : std::string();
+}
+
 }  // namespace
 
 Audit::Audit(StoreContext& context) : context_(context), connection_(context.connection) {}
@@ -112,10 +118,7 @@ TrailHead Audit::head() {
     connection_.begin_operation("read the end of the audit trail of");
     context_.need(Action::kBackup);
     TrailHead head;
-    {
-        Statement first(connection_, "SELECT chain FROM audit ORDER BY id LIMIT 1");
-        if (first.run().next()) head.store = first.text("chain");
-    }
+    head.store = first_chain(connection_);
     {
         Statement last(connection_, "SELECT id, chain FROM audit ORDER BY id DESC LIMIT 1");
         if (last.run().next()) {
@@ -138,15 +141,11 @@ void Audit::check_head(const TrailHead& head, std::vector<std::string>& problems
     else if (!trusted_stations(context_).contains(head.station))
         problems.push_back(said + " was signed by the station " + fingerprint(head.station) +
                            ", which no computer of this store trusts");
-    std::string begun, there;
-    {
-        Statement first(connection_, "SELECT chain FROM audit ORDER BY id LIMIT 1");
-        if (first.run().next()) begun = first.text("chain");
-    }
-    if (begun != head.store) {
+    if (first_chain(connection_) != head.store) {
         problems.push_back(said + " is of another store, or the trail was written anew");
         return;
     }
+    std::string there;
     Statement entry(connection_, "SELECT chain FROM audit WHERE id = ?");
     if (entry.run(head.entry).next()) there = entry.text("chain");
     if (there != head.chain)

@@ -21,8 +21,9 @@ struct GivenConsent {
 };
 
 /// The last consent of everybody who gave one, by code; also of who withdrew.
-[[nodiscard]] std::map<std::string, GivenConsent> given_consents(Store& store,
-                                                                 const std::string& study_id);
+/// @param steps of a study, oldest first
+[[nodiscard]] std::map<std::string, GivenConsent> given_consents(
+    const std::vector<StepRecord>& steps);
 
 /// Whether the participant's consent, the last that was recorded, names the statement ("data") of
 /// the protocol. False for who gave none, and for who withdrew and wanted the data unused.

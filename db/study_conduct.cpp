@@ -16,8 +16,6 @@
 namespace placode::db {
 namespace {
 
-/// In the detail of a consent's step, before the ids of the statements.
-constexpr const char* kAgreed = ", agreed: ";
 constexpr size_t kLongestConsent = 4000;  // std::regex goes one call deeper with every letter
 
 /// What was read on screen, as one text.
@@ -140,17 +138,17 @@ void record_consent(Store& store, const std::string& study_id, const std::string
     std::string list;
     for (const std::string& each : agreed) list += (list.empty() ? "" : " ") + each;
     step.detail = "consent version " + std::to_string(protocol->consent.version) + ", " + language +
-                  ", text " + checksum_hex(consent_text(protocol->consent, language)) + kAgreed +
-                  list +
+                  ", text " + checksum_hex(consent_text(protocol->consent, language)) +
+                  ", agreed: " + list +
                   (signature.empty() ? "; signed on paper"
                                      : "; signed on screen, " + checksum_hex(signature));
     store.studies().record_step(step);
     if (!signature.empty()) store.records().save_consent_signature(study_id, code, signature);
 }
 
-std::map<std::string, GivenConsent> given_consents(Store& store, const std::string& study_id) {
+std::map<std::string, GivenConsent> given_consents(const std::vector<StepRecord>& steps) {
     std::map<std::string, GivenConsent> given;
-    for (const StepRecord& step : store.studies().steps(study_id)) {
+    for (const StepRecord& step : steps) {
         if (step.state != StepState::kDone || step.superseded()) continue;
         if (auto consent = consent_of(step.detail)) {
             consent->at_utc = step.at_utc;
@@ -165,7 +163,7 @@ bool has_agreed(Store& store, const std::string& study_id, const std::string& co
     bool usable = false;
     for (const ParticipantRecord& one : store.studies().participants(study_id))
         usable = usable || (one.code == code && one.usable());
-    const auto given = given_consents(store, study_id);
+    const auto given = given_consents(store.studies().steps(study_id));
     const auto found = given.find(code);
     return usable && found != given.end() &&
            std::ranges::find(found->second.agreed, statement) != found->second.agreed.end();

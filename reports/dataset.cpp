@@ -300,8 +300,9 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
             ++data.participants_left_out;
         }
     }
+    auto steps = store.studies().steps(study_id);
     data.forms.push_back(participants_form(all, store.records().states(study_id),
-                                           db::given_consents(store, study_id), protocol, options));
+                                           db::given_consents(steps), protocol, options));
     for (auto& record : store.studies().answers(study_id))
         if (usable.contains(record.participant)) data.answers.push_back(std::move(record));
     add_questionnaires(store, options, data);
@@ -309,7 +310,6 @@ Dataset study_dataset(db::Store& store, const std::string& study_id,
     std::set<int64_t> seen;
     std::map<int64_t, const db::StepRecord*> step_of;
     int visits = 1;
-    auto steps = store.studies().steps(study_id);
     std::stable_sort(steps.begin(), steps.end(),
                      [](const auto& a, const auto& b) { return a.participant < b.participant; });
     for (const auto& step : steps) {

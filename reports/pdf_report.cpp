@@ -192,11 +192,7 @@ QString metric_row(const assessment::MetricDefinition& definition, double value,
     return QStringLiteral(
                "<tr><td width='46%'>%1</td><td align='right' width='14%'>%2</td><td "
                "width='14%'>&nbsp;%3</td><td style='color:#5f666e'>%4</td></tr>")
-        .arg(counts ? QStringLiteral("<b>%1</b>").arg(name) : name,
-             in_minutes(definition, value)   ? minute_second(value)
-             : is_ceiling(definition, value) ? QStringLiteral("≥ ") + number(value, 0)
-             : is_count(definition, value)   ? number(value, 0)
-                                             : metric_number(value),
+        .arg(counts ? QStringLiteral("<b>%1</b>").arg(name) : name, metric_text(definition, value),
              in_minutes(definition, value) ? QStringLiteral("min")
                                            : unit_sign(definition.unit).toHtmlEscaped(),
              better_word(definition.direction));

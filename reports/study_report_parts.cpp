@@ -3,6 +3,7 @@
 #include "reports/study_report_parts.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "curriculum/study.h"
@@ -34,14 +35,15 @@ void write_analysis_table(Paper& paper, const Analysis& analysis) {
     for (const Figure& figure : analysis.figures) paper.figure(figure);
 }
 
-/// What a step is called on the screen; its id where the protocol has no name for it.
-QString step_title(const StudyReport& report, const std::string& id) {
-    if (report.data.definition_json.empty()) return safe(id);
+/// What the steps are called on the screen, by id; those that have a name.
+std::map<std::string, std::string> step_titles(const StudyReport& report) {
+    std::map<std::string, std::string> titles;
+    if (report.data.definition_json.empty()) return titles;
     const auto protocol =
         curriculum::load_study_text(report.data.definition_json, "study " + report.data.id);
     for (const auto& step : protocol.steps)
-        if (step.id == id && !step.title.en.empty()) return safe(step.title.en);
-    return safe(id);
+        if (!step.title.en.empty()) titles[step.id] = step.title.en;
+    return titles;
 }
 
 }  // namespace
@@ -81,10 +83,14 @@ void write_deviations(Paper& paper, const StudyReport& report) {
         "void "
         "are in no analysis.",
         {"kind", "n", "participants"}, "lrr", counts);
-    for (const db::Deviation& each : report.data.deviations)
-        list.push_back({safe(each.participant), step_title(report, each.step),
+    const auto titles = step_titles(report);
+    for (const db::Deviation& each : report.data.deviations) {
+        const auto title = titles.find(each.step);
+        list.push_back({safe(each.participant),
+                        safe(title == titles.end() ? each.step : title->second),
                         deviation_title(each.kind, Language::kEnglish),
                         deviation_words(each, Language::kEnglish).toHtmlEscaped()});
+    }
     paper.table("Every deviation, by code.", {"code", "step", "kind", "what happened"}, "llll",
                 list);
 }

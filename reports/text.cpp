@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "assessment/tissue_metrics.h"
+#include "reports/words.h"
 
 namespace placode::reports {
 
@@ -47,6 +48,12 @@ bool is_count(const assessment::MetricDefinition& metric, double value) {
 bool is_ceiling(const assessment::MetricDefinition& metric, double value) {
     return (metric.id == "placode_peak_cem43_min" && value >= assessment::kLargestDoseMin) ||
            (metric.id == "placode_arrhenius" && value >= assessment::kLargestDamage);
+}
+
+QString metric_text(const assessment::MetricDefinition& metric, double value) {
+    if (in_minutes(metric, value)) return minute_second(value);
+    if (is_ceiling(metric, value)) return QStringLiteral("≥ ") + number(value, 0);
+    return is_count(metric, value) ? number(value, 0) : metric_number(value);
 }
 
 QString unit_sign(std::string_view unit) {

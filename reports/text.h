@@ -28,6 +28,8 @@ namespace placode::reports {
 [[nodiscard]] bool is_ceiling(const assessment::MetricDefinition& metric, double value);
 /// A time of a minute or more: written "9:08" with the unit "min", as every length of time.
 [[nodiscard]] bool in_minutes(const assessment::MetricDefinition& metric, double value);
+/// The value of a metric as report and portal print it; its unit is "min" where in_minutes().
+[[nodiscard]] QString metric_text(const assessment::MetricDefinition& metric, double value);
 /// "mm3" as it is printed: "mm³"; "C" as "°C".
 [[nodiscard]] QString unit_sign(std::string_view unit);
 /// "Passed", "Not yet", "Failed".

@@ -8,8 +8,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/refused_field.h"
+
 namespace placode::sim {
 namespace THIS_TEST {
+
+using test::refused;
 
 constexpr double kPi = std::numbers::pi;
 
@@ -17,17 +21,6 @@ NeedleSpec of_arc(double arc_m) {
     NeedleSpec spec;
     spec.arc_m = arc_m;
     return spec;
-}
-
-/// The field that is refused, with the message's text.
-template <class Build>
-std::string refused(Build&& build) {
-    try {
-        build();
-    } catch (const SutureError& error) {
-        return error.field() + "|" + error.what();
-    }
-    return "taken";
 }
 
 TEST(Needle, IsAHalfCircleOfItsArc) {

@@ -7,19 +7,12 @@
 
 #include <cmath>
 
+#include "tests/refused_field.h"
+
 namespace placode::sim {
 namespace THIS_TEST {
 
-/// The field that is refused, with the message's text.
-template <class Build>
-std::string refused(Build&& build) {
-    try {
-        build();
-    } catch (const SutureError& error) {
-        return error.field() + "|" + error.what();
-    }
-    return "taken";
-}
+using test::refused;
 
 TEST(Suture, StrengthsAndJawsThatCannotBeAreRefused) {
     const auto with = [](auto&& change) {

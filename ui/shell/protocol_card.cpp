@@ -27,8 +27,7 @@ namespace placode::ui {
 namespace {
 
 constexpr int kShownParticipants = 8;  ///< Of participants, before the table scrolls.
-constexpr int kChooserWidth = 420;
-constexpr int kShortestReason = 10;  ///< Characters, for names to leave.
+constexpr int kShortestReason = 10;    ///< Characters, for names to leave.
 constexpr const char* kDeviceSetting = "study_device";
 
 /// Those that are published, and those that are shipped and could be.
@@ -67,16 +66,8 @@ class ProtocolCard : public QFrame {
 
  private:
     QComboBox* chooser(const std::vector<std::string>& ids) {
-        auto* box = new QComboBox;
+        QComboBox* box = make_study_chooser(context_, ids, study_);
         box->setObjectName("study");
-        box->setAccessibleName(tr("Study"));
-        for (const std::string& id : ids) {
-            const auto published = db::published_study(context_.store(), id);
-            box->addItem(context_.in((published ? *published : curriculum::load_study(id)).title),
-                         qstr(id));
-        }
-        box->setMaximumWidth(kChooserWidth);
-        box->setCurrentIndex(box->findData(qstr(study_)));
         connect(box, &QComboBox::activated, this, [this, box] {
             study_ = box->currentData().toString().toStdString();
             again();

@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "curriculum/definitions.h"
 #include "db/study_conduct.h"
 #include "ui/shell/parts.h"
 
@@ -20,7 +21,10 @@ constexpr const char* kSetting = "study";
 }  // namespace
 
 QString study_title(AppContext& context, const std::string& study) {
-    const auto protocol = db::published_study(context.store(), study);
+    auto protocol = db::published_study(context.store(), study);
+    const auto shipped = curriculum::list_definitions("studies");
+    if (!protocol && std::find(shipped.begin(), shipped.end(), study) != shipped.end())
+        protocol = curriculum::load_study(study);
     const QString title = protocol ? context.in(protocol->title) : QString();
     return title.isEmpty() ? qstr(study) : title;
 }

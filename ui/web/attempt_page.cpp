@@ -107,11 +107,7 @@ Html metrics_card(const db::AttemptDetail& detail, const reports::TaskScope& sco
             const auto value = detail.metrics.find(metric.id);
             if (!value) continue;
             const bool minutes = reports::in_minutes(metric, *value);
-            const Text shown =
-                text(minutes                               ? reports::minute_second(*value)
-                     : reports::is_ceiling(metric, *value) ? "≥ " + reports::number(*value, 0)
-                     : reports::is_count(metric, *value)   ? reports::number(*value, 0)
-                                                           : reports::metric_number(*value));
+            const Text shown = text(reports::metric_text(metric, *value));
             table.row({text(std::string(metric.name)), shown,
                        minutes ? text("min") : text(reports::unit_sign(metric.unit)),
                        text(reports::group_title(group.group))});
