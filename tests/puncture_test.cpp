@@ -201,8 +201,8 @@ TEST(Puncture, PassagesGoWithTheirTissue) {
     const int before = block->needle.passage_count;
     ASSERT_GT(before, 3);
     const int32_t tet = block->needle.passages[0].at.tet;
-    block->faces.remove_tet(block->surface, block->body.mesh(), block->tissue_state.tet_alive, tet);
     remove_tet(block->body, block->tissue_state, tet);
+    block->faces.remove_tet(block->surface, block->body.mesh(), block->tissue_state.tet_alive, tet);
     block->rest(1);
     EXPECT_TRUE(block->saw(SutureEventKind::kLost));
     EXPECT_LT(block->needle.passage_count, before);
