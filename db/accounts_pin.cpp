@@ -80,7 +80,7 @@ SignIn Accounts::unlock(int64_t user_id, const std::string& pin) {
         context_.touch("user", user_id);
         Statement(connection_, "DELETE FROM account_pins WHERE account_id = ? AND failures >= ?")
             .run(user_id, kPinTries);
-        context_.append_audit_as("unknown", "sign_in.wrong_pin", user_object(user_id), "");
+        context_.append_audit("sign_in.wrong_pin", user_object(user_id), "");
         work.commit();
         return {};
     }

@@ -93,7 +93,9 @@ SignIn Accounts::check_password(const std::string& login, const std::string& pas
     }
     if (!verify_password(hash, password)) {
         UnitOfWork work(connection_);
-        context_.append_audit_as("unknown", "sign_in.wrong_password", user_object(id), "");
+        // Under the name of who is signed in, if anybody: a proctor's password is typed in a
+        // trainee's session, for example.
+        context_.append_audit("sign_in.wrong_password", user_object(id), "");
         work.commit();
         return {};
     }

@@ -97,6 +97,25 @@ TEST_P(StoreTest, AWrongPasswordIsNotToldFromAnUnknownLogin) {
     EXPECT_FALSE(store->accounts().sign_in("anna", "").user.has_value());
 }
 
+TEST_P(StoreTest, AWrongPasswordIsToldUnderWhoeverIsSignedIn) {
+    const auto store = open();
+    const int64_t anna = store->accounts().create(trainee("anna"));
+    db::NewUser proctor = trainee("ewa");
+    proctor.roles = static_cast<db::Roles>(db::Role::kEducator);
+    store->accounts().create(proctor);
+    const auto last = [&] {
+        const db::AuditRecord entry = open()->audit().trail(1).front();
+        EXPECT_EQ(entry.action, "sign_in.wrong_password");
+        return entry.actor;
+    };
+    store->sign_out();
+    (void)store->accounts().sign_in("ewa", "wrong password");
+    EXPECT_EQ(last(), "unknown");
+    ASSERT_EQ(store->accounts().sign_in("anna", kPassword).outcome, db::SignInOutcome::kOk);
+    (void)store->accounts().confirm("ewa", "wrong password");
+    EXPECT_EQ(last(), "anna") << "tried in the session of user " << anna;
+}
+
 TEST_P(StoreTest, ThePasswordItselfIsNowhere) {
     open()->accounts().create(trainee("anna"));
     const std::string hash = raw().value("SELECT password_hash FROM accounts");
