@@ -107,6 +107,19 @@ std::optional<std::vector<int>> answer_indices(const std::string& answer) {
     }
 }
 
+std::string question_mark(const Questionnaire& questionnaire, const QuestionnaireItem& item,
+                          const Answers* answers) {
+    const auto lettered = [](const QuestionnaireItem& each) { return each.id.size() <= 2; };
+    if (lettered(item)) return item.id;
+    int place = 0;
+    for (const QuestionnaireItem& each : questionnaire.items) {
+        const bool seen = answers == nullptr || is_shown(questionnaire, each, *answers);
+        place += !lettered(each) && seen ? 1 : 0;
+        if (&each == &item) break;
+    }
+    return std::to_string(place);
+}
+
 bool is_shown(const Questionnaire& questionnaire, const QuestionnaireItem& item,
               const Answers& answers) {
     if (!item.show_if) return true;

@@ -89,6 +89,11 @@ using Answers = std::map<std::string, std::string>;
 /// False when branching hides the item from somebody with these answers.
 [[nodiscard]] bool is_shown(const Questionnaire& questionnaire, const QuestionnaireItem& item,
                             const Answers& answers);
+/// How people call the question: "A" where an instrument letters its items as it was printed, else
+/// its place among the unlettered ones. With `answers`, only those that are shown are counted.
+[[nodiscard]] std::string question_mark(const Questionnaire& questionnaire,
+                                        const QuestionnaireItem& item,
+                                        const Answers* answers = nullptr);
 
 /// What is wrong with one answer that is given ("190 is above 120"), or nothing.
 [[nodiscard]] std::optional<std::string> check_answer(const QuestionnaireItem& item,

@@ -52,6 +52,17 @@ TEST(Questionnaire, ShipsTheSeedPapersItemsWordForWord) {
     }
 }
 
+TEST(Questionnaire, CallsAQuestionAsTheParticipantSeesIt) {
+    Questionnaire q = sample();
+    EXPECT_EQ(question_mark(q, q.items[0]), "A");  // as it was printed
+    EXPECT_EQ(question_mark(q, q.items[1]), "1");
+    EXPECT_EQ(question_mark(q, q.items[3]), "3");
+    q.items[2].show_if = ShowIf{"age", {"30"}};
+    const Answers hides{{"age", "31"}}, shows{{"age", "30"}};
+    EXPECT_EQ(question_mark(q, q.items[3], &hides), "2") << "a hidden question leaves no gap";
+    EXPECT_EQ(question_mark(q, q.items[3], &shows), "3");
+}
+
 TEST(Questionnaire, AcceptsACompleteSetOfAnswers) {
     EXPECT_FALSE(check_answers(sample(), {{"A", "5"}, {"age", "42.5"}, {"choice", "1"}}));
     EXPECT_FALSE(check_answers(sample(), {{"A", "1"}, {"age", "18"}, {"comment", "=1+1"}}));

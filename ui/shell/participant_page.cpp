@@ -152,12 +152,8 @@ class ParticipantPage : public Page {
 
     /// Questions are counted as they are seen: one that an answer hides leaves no gap.
     [[nodiscard]] QString markOf(const QuestionnaireItem& item) const {
-        int number = 0;
-        for (const QuestionnaireItem& each : questionnaire_.items) {
-            if (curriculum::is_shown(questionnaire_, each, answers_) || showsAll()) ++number;
-            if (&each == &item) break;
-        }
-        return QString::number(number);
+        return qstr(
+            curriculum::question_mark(questionnaire_, item, showsAll() ? nullptr : &answers_));
     }
     [[nodiscard]] QString headingOf(const QuestionnaireItem& item) const {
         QString text = markOf(item) + "  " + context_.in(item.text);

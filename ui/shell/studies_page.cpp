@@ -153,11 +153,8 @@ class StudiesPage : public Page {
             const std::optional<double> mean = assessment::mean_of(values);
             const std::optional<double> sd = assessment::sample_sd(values);
             const int n = static_cast<int>(values.size());
-            table->setItem(
-                row, 0,
-                make_cell(item.id.size() <= 2
-                              ? qstr(item.id)
-                              : QString::number(&item - questionnaire_.items.data() + 1)));
+            table->setItem(row, 0,
+                           make_cell(qstr(curriculum::question_mark(questionnaire_, item))));
             table->setItem(row, 1, make_cell(context_.in(item.text)));
             table->item(row, 1)->setToolTip(context_.in(item.text));
             table->setItem(row, 2, make_number_cell(QString::number(n), n));

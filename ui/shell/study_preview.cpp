@@ -30,7 +30,8 @@ void add_questions(AppContext& context, QVBoxLayout* layout, const std::string& 
     const auto questionnaire = newest_questionnaire(context, id);
     layout->addWidget(make_label(context.in(questionnaire.introduction), "muted"));
     for (const auto& item : questionnaire.items) {
-        QString text = qstr(item.id) + "  " + context.in(item.text);
+        QString text =
+            qstr(curriculum::question_mark(questionnaire, item)) + "  " + context.in(item.text);
         if (item.kind == curriculum::ItemKind::kLikert)
             text += QString("   [%1 %2 … %3 %4]")
                         .arg(item.scale_min)
