@@ -50,6 +50,19 @@ std::vector<AuditRecord> Audit::trail(int limit) {
     return trail;
 }
 
+std::vector<AuditRecord> Audit::of_action(const std::string& action) {
+    connection_.begin_operation("read the audit trail of");
+    context_.need(Action::kViewAudit);
+    Statement query(connection_,
+                    "SELECT id, at_utc, actor, action, object, detail FROM audit WHERE action = ? "
+                    "ORDER BY id");
+    query.run(action);
+    std::vector<AuditRecord> found;
+    while (query.next()) found.push_back(read_audit(query));
+    context_.show_names(found, &AuditRecord::actor);
+    return found;
+}
+
 std::optional<AuditRecord> Audit::first() {
     connection_.begin_operation("read the beginning of the audit trail of");
     context_.need(Action::kUseStore);

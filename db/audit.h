@@ -33,6 +33,8 @@ class Audit {
     void write(const std::string& actor, const std::string& action, const std::string& object,
                const std::string& detail);
     [[nodiscard]] std::vector<AuditRecord> trail(int limit);  ///< Newest first.
+    /// Oldest first.
+    [[nodiscard]] std::vector<AuditRecord> of_action(const std::string& action);
     /// The making of the store, which tells it from every other one; nullopt in an empty one.
     [[nodiscard]] std::optional<AuditRecord> first();
     /// Who has written into the trail, in the order of their first entries.

@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "db/durable_file.h"
+#include "db/erasure.h"
 #include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
@@ -72,8 +73,30 @@ void put_log_aside(const std::string& path, const std::string& aside) {
     sync_folder_of(path);
 }
 
+/// Whoever was erased in the store that is replaced, and which store that is. Read without opening
+/// it as a store, which would bring an older one up to date. One that cannot be read says nothing.
+std::vector<ErasedPerson> erased_meanwhile(const std::string& path, std::string& store_id) {
+    std::vector<AuditRecord> entries;
+    sqlite3* database = nullptr;
+    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
+    const SqlitePointer owner(database);
+    if (code != SQLITE_OK) return {};
+    RawStatement first(database, "SELECT chain FROM audit ORDER BY id LIMIT 1");
+    if (first.prepared() != SQLITE_OK || first.step() != SQLITE_ROW) return {};
+    store_id = first.text(0);
+    RawStatement erased(database, "SELECT object, detail FROM audit WHERE action = 'user.erase'");
+    if (erased.prepared() != SQLITE_OK) return {};
+    while (erased.step() == SQLITE_ROW) {
+        AuditRecord entry;
+        entry.object = erased.text(0);
+        entry.detail = erased.text(1);
+        entries.push_back(std::move(entry));
+    }
+    return people_of(entries);
+}
+
 void prove(const std::string& copy, const std::string& backup_path, const std::string& operation,
-           const std::string& actor) {
+           const std::string& actor, const std::string& replaced_path) {
     if (!is_marked_as_store(copy))
         throw StoreError(Kind::kDamaged,
                          operation + ": the file is not a backup of a store; nothing was changed");
@@ -85,6 +108,10 @@ void prove(const std::string& copy, const std::string& backup_path, const std::s
         throw StoreError(Kind::kDamaged, operation + ": the backup is damaged (" +
                                              problems.front() + "); nothing was changed");
     store->audit().write(actor, "store.restore", backup_path, "");
+    // A person who asked to be erased does not come back with a backup.
+    std::string replaced;
+    const auto erased = erased_meanwhile(replaced_path, replaced);
+    if (replaced == store->audit().head().store) erase_again(*store, erased);
 }
 
 }  // namespace
@@ -110,7 +137,7 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         prepare_sqlite_file(fresh, operation);  // Folder, and file with mode 0600.
         fs::copy_file(backup_path, fresh, fs::copy_options::overwrite_existing);
         fs::permissions(fresh, fs::perms::owner_read | fs::perms::owner_write);
-        prove(fresh, backup_path, operation, actor);
+        prove(fresh, backup_path, operation, actor, target.path);
         // The backup's trail ends earlier, and that is right. Before the exchange: a kill in
         // between leaves a computer that remembers nothing, never one that suspects.
         Station(target).forget();

@@ -6,10 +6,12 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <sstream>
 
+#include "db/erasure.h"
 #include "reports/people_file.h"
 #include "sim/core/counted.h"
 #include "ui/cli/people.h"
@@ -21,7 +23,7 @@ using db::Action;
 using db::Scope;
 
 struct PeopleOptions {
-    std::string file, out, login, name, code, group, until, note, reason, confirm;
+    std::string file, out, login, name, code, group, until, note, reason, confirm, certificate;
     std::vector<std::string> roles{"trainee"};
     bool dry_run = false, with_attempts = false, remove = false, recordings = false;
 };
@@ -207,11 +209,38 @@ int erase(const Context& context, const PeopleOptions& options) {
     if (options.confirm != user.login)
         throw InputError("user erase: this cannot be undone; repeat the login with --confirm " +
                          user.login);
-    as_input([&] { session.store().accounts().erase(user.id, options.with_attempts); });
-    print(context, {{"user_id", user.id}, {"with_attempts", options.with_attempts}},
-          "erased; attempts " +
-              std::string(options.with_attempts ? "went as well" : "stay without a name"));
-    return 0;
+    // Before anything is gone for good.
+    std::ofstream certificate;
+    if (!options.certificate.empty()) {
+        if (std::filesystem::exists(options.certificate))
+            throw InputError(options.certificate +
+                             " exists and is not overwritten; give another "
+                             "name");
+        certificate.open(options.certificate);
+        if (!certificate) throw InputError(options.certificate + ": cannot be written there");
+    }
+    const db::Erasure done = as_input([&] {
+        return db::erase_person(session.store(), store_url_of(context), user.id,
+                                options.with_attempts);
+    });
+    if (certificate.is_open()) certificate << db::erasure_certificate(done);
+    std::string text =
+        "erased; attempts " +
+        std::string(options.with_attempts ? "went as well" : "stay without a name") +
+        (done.cleaned.empty() ? ""
+                              : "; also in " + sim::counted(done.cleaned.size(), "copy", "copies"));
+    Json left = Json::array();
+    for (const db::LeftCopy& each : done.left) {
+        left.push_back({{"path", each.path}, {"why", each.why}});
+        text += "\nmay still hold the person: " + each.path + ": " + each.why;
+    }
+    print(context,
+          {{"user_id", user.id},
+           {"with_attempts", options.with_attempts},
+           {"copies", done.cleaned},
+           {"left", left}},
+          text);
+    return done.left.empty() ? 0 : 1;
 }
 
 void add_erasure_commands(CLI::App& user, const std::shared_ptr<PeopleOptions>& options,
@@ -237,6 +266,8 @@ void add_erasure_commands(CLI::App& user, const std::shared_ptr<PeopleOptions>& 
     erased->add_option("login", options->login, "Login or number")->required();
     erased->add_option("--confirm", options->confirm, "The login once more");
     erased->add_flag("--with-attempts", options->with_attempts, "The attempts go as well");
+    erased->add_option("--certificate", options->certificate,
+                       "FILE.txt to write: what was erased where, signed, without the name");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <QHBoxLayout>
 #include <QLineEdit>
 
+#include "db/erasure.h"
 #include "reports/export.h"
 #include "reports/people_file.h"
 #include "ui/shell/day_text.h"
@@ -188,6 +189,16 @@ class AdmissionsPage : public Page {
         layout->addWidget(with_attempts_);
         none_ = make_label(tr("Nobody has asked."), "muted");
         layout->addWidget(none_);
+        left_ = make_label({}, "warn");
+        left_->setObjectName("erasure_left");
+        left_->hide();
+        layout->addWidget(left_);
+        certificate_ =
+            make_button(context_, tr("Save the certificate of erasure"), "secondary", "download");
+        certificate_->setObjectName("erasure_certificate");
+        certificate_->hide();
+        connect(certificate_, &QPushButton::clicked, this, [this] { saveCertificate(); });
+        layout->addWidget(certificate_, 0, Qt::AlignLeft);
         return make_card(layout);
     }
 
@@ -238,12 +249,46 @@ class AdmissionsPage : public Page {
                                    "without a name. This cannot be undone."),
                      tr("Erase")))
             return;
-        context_.guard(tr("Erasing the person"), [&] {
+        const bool may = context_.guard(tr("Erasing the person"), [&] {
             context_.require(db::Action::kErase,
                              db::scope_between(context_.store(), context_.user().id, id));
-            context_.store().accounts().erase(id, attempts);
-            showRequests();
-            Q_EMIT notice(tr("%1 was erased.").arg(name));
+        });
+        if (!may) return;
+        const auto erasure = std::make_shared<db::Erasure>();
+        context_.background(
+            this, tr("Erasing the person"),
+            [erasure, id, attempts, url = context_.storeUrl()](db::Store& store) {
+                *erasure = db::erase_person(store, url, id, attempts);
+            },
+            [this, erasure, name](bool done) {
+                showRequests();
+                if (done) erased(*erasure, name);
+            });
+    }
+
+    void erased(const db::Erasure& erasure, const QString& name) {
+        erasure_ = erasure;
+        QString said = tr("%1 was erased.").arg(name);
+        if (!erasure.cleaned.empty())
+            said += ' ' +
+                    tr("Backups and other copies cleaned as well: %1.").arg(erasure.cleaned.size());
+        QStringList left;
+        for (const db::LeftCopy& each : erasure.left) left << qstr(each.path);
+        left_->setText(tr("These copies may still hold the person; delete them:") + '\n' +
+                       left.join('\n'));
+        left_->setVisible(!left.isEmpty());
+        certificate_->show();
+        Q_EMIT notice(said);
+    }
+
+    void saveCertificate() {
+        const QString path = context_.askSaveFile(
+            this, tr("Save the certificate of erasure"),
+            QString("placode-erasure-%1.txt").arg(erasure_.user_id), tr("Text (*.txt)"));
+        if (path.isEmpty()) return;
+        context_.guard(tr("Writing the certificate"), [&] {
+            reports::save_file(path.toStdString(), db::erasure_certificate(erasure_));
+            Q_EMIT written(tr("Certificate written: %1").arg(path), path);
         });
     }
 
@@ -252,6 +297,9 @@ class AdmissionsPage : public Page {
     QDateEdit* until_ = nullptr;
     QTableWidget *invitations_ = nullptr, *requests_ = nullptr;
     QCheckBox* with_attempts_ = nullptr;
+    db::Erasure erasure_;  ///< The last one.
+    QLabel* left_ = nullptr;
+    QPushButton* certificate_ = nullptr;
     QLabel* none_ = nullptr;
 };
 

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "db/erasure.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "db/sql_connection.h"
+#include "db/station.h"
+#include "db/store_url.h"
+
+namespace placode::db {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWithAttempts = "with attempts";  // In the trail: Accounts::erase().
+
+/// Of a file: PATH.before-update-TIME and PATH.replaced-TIME.
+std::vector<std::string> kept_beside(const std::string& path, bool of_updates_only = false) {
+    std::vector<std::string> found;
+    std::error_code none;
+    const fs::path file = path;
+    for (const auto& entry : fs::directory_iterator(file.parent_path(), none)) {
+        const std::string name = entry.path().filename().string();
+        const auto begins = [&](const char* kind) {
+            return name.starts_with(file.filename().string() + kind);
+        };
+        const bool log = name.ends_with("-wal") || name.ends_with("-shm");
+        if (!log && (begins(".before-update-") || (!of_updates_only && begins(".replaced-"))))
+            found.push_back(entry.path().string());
+    }
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+enum class CopyResult : uint8_t { kCleaned, kHeldNobody };
+
+/// Throws what opening and erasing throw.
+CopyResult erase_in_copy(const std::string& path, const Erasure& erasure) {
+    const std::string url = "sqlite:" + path;
+    // Retention goes by age: the copy is not a newer one for this.
+    const auto age = fs::last_write_time(path);
+    CopyResult result = CopyResult::kHeldNobody;
+    {
+        const auto copy = open_store(url);
+        copy->act_as("erasure of copies");
+        if (copy->audit().head().store != erasure.store)
+            throw StoreError(StoreError::Kind::kRefused, "is a copy of another store");
+        if (erase_again(*copy, {{erasure.user_id, erasure.with_attempts}}) > 0)
+            result = CopyResult::kCleaned;
+        else if (copy->accounts().find(erasure.user_id))
+            throw StoreError(StoreError::Kind::kRefused, "the person is its only administrator");
+    }
+    // An older copy was brought up to date for it, and kept as it was before.
+    for (const std::string& before : kept_beside(path, true)) fs::remove(before);
+    Station(parse_store_url(url)).forget();
+    fs::last_write_time(path, age);
+    return result;
+}
+
+std::string lines_of(const char* head, const std::vector<std::string>& lines) {
+    if (lines.empty()) return {};
+    std::string text = std::string(head) + "\n";
+    for (const std::string& line : lines) text += "  " + line + "\n";
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> copies_of(Store& store, const std::string& url) {
+    const StoreUrl parsed = parse_store_url(url);
+    if (parsed.engine != Engine::kSqlite || parsed.path == ":memory:") return {};
+    std::vector<std::string> found = kept_beside(fs::absolute(parsed.path).string());
+    for (const AuditRecord& entry : store.audit().of_action("store.backup"))
+        if (fs::is_regular_file(entry.object)) found.push_back(fs::absolute(entry.object).string());
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts) {
+    Erasure done{user_id, with_attempts, utc_now(), {}, {}, {}, {}};
+    store.accounts().erase(user_id, with_attempts);
+    std::vector<std::string> copies;
+    try {
+        done.store = store.audit().head().store;
+        std::set<std::string> gone;
+        for (const AuditRecord& entry : store.audit().of_action("store.backup"))
+            if (!fs::exists(entry.object)) gone.insert(entry.object);
+        done.gone.assign(gone.begin(), gone.end());
+        copies = copies_of(store, url);
+    } catch (const std::exception& error) {
+        done.left.push_back(
+            {"all copies", std::string("their list cannot be read: ") + error.what()});
+    }
+    for (const std::string& path : copies) {
+        try {
+            if (erase_in_copy(path, done) == CopyResult::kCleaned) done.cleaned.push_back(path);
+        } catch (const std::exception& error) {
+            done.left.push_back({path, error.what()});
+        }
+    }
+    return done;
+}
+
+std::vector<ErasedPerson> people_of(const std::vector<AuditRecord>& entries) {
+    std::vector<ErasedPerson> people;
+    for (const AuditRecord& entry : entries) {
+        const std::string number = entry.object.substr(entry.object.find(' ') + 1);
+        if (!number.empty() && number.find_first_not_of("0123456789") == std::string::npos)
+            people.push_back({std::stoll(number), entry.detail == kWithAttempts});
+    }
+    return people;
+}
+
+int erase_again(Store& store, const std::vector<ErasedPerson>& people) {
+    int erased = 0;
+    for (const ErasedPerson& person : people) {
+        if (!store.accounts().find(person.user_id)) continue;
+        try {
+            store.accounts().erase(person.user_id, person.with_attempts);
+            ++erased;
+        } catch (const StoreError& error) {
+            if (error.kind() != StoreError::Kind::kRefused) throw;
+        }
+    }
+    return erased;
+}
+
+std::string erasure_certificate(const Erasure& erasure) {
+    std::string text = "Placode: certificate of erasure\n";
+    text += "account " + std::to_string(erasure.user_id) + " of the store " +
+            erasure.store.substr(0, 16) + ", " + erasure.at_utc + "\n";
+    text += "removed: name, log-in, password, PIN, groups, assignments, grants, certificates; ";
+    text += erasure.with_attempts ? "the attempts as well\n" : "attempts stay without a name\n";
+    text += lines_of("erased as well in these copies:", erasure.cleaned);
+    std::vector<std::string> left;
+    for (const LeftCopy& each : erasure.left) left.push_back(each.path + ": " + each.why);
+    text += lines_of("may still hold the person (delete them):", left);
+    text += lines_of(
+        "backups that are not where they were made (a restore of them erases again, as long as the "
+        "store that they replace says so):",
+        erasure.gone);
+    Station station;
+    const std::string key = station.public_key(), signature = station.sign(text);
+    if (!signature.empty()) text += "station " + key + "\nsignature " + signature + "\n";
+    return text;
+}
+
+}  // namespace placode::db

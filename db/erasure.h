@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Erasing a person from a store and from every copy of it that Placode made and that can be
+// reached: backups, and the files that updates and restores keep beside an embedded store. The
+// audit trail is the register of the backups. What cannot be reached is named, and a restore of it
+// erases again.
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "db/store.h"
+
+namespace placode::db {
+
+/// A copy that may still hold the person.
+struct LeftCopy {
+    std::string path, why;
+};
+
+struct Erasure {
+    int64_t user_id = 0;
+    bool with_attempts = false;
+    std::string at_utc, store;         ///< When; which store (TrailHead::store).
+    std::vector<std::string> cleaned;  ///< Copies that held the person, and do not any more.
+    std::vector<LeftCopy> left;
+    std::vector<std::string> gone;  ///< Backups that are not where they were made.
+};
+
+/// Files with copies of the embedded store at `url` that are there now: beside it, and backups that
+/// its trail names. Of a server: none.
+[[nodiscard]] std::vector<std::string> copies_of(Store& store, const std::string& url);
+
+/// As Accounts::erase(), which it throws as; then the copies, where nothing throws any more.
+/// @param url of the store, as it was opened.
+Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool with_attempts);
+
+/// Who was erased in a store, and whether with the attempts: by account.
+struct ErasedPerson {
+    int64_t user_id = 0;
+    bool with_attempts = false;
+};
+/// @param entries "user.erase" of its trail.
+[[nodiscard]] std::vector<ErasedPerson> people_of(const std::vector<AuditRecord>& entries);
+/// Erases those who are still there; how many. A person who cannot be erased stays.
+int erase_again(Store& store, const std::vector<ErasedPerson>& people);
+
+/// What was done, signed by this computer where it has a key: for whom it concerns. No name.
+[[nodiscard]] std::string erasure_certificate(const Erasure& erasure);
+
+}  // namespace placode::db
