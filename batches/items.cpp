@@ -75,7 +75,7 @@ const curriculum::Task* Worker::task(const std::string& key, const std::string& 
     if (entry == nullptr) return nullptr;
     const auto ref = entry->at("ref").get<std::string>();
     auto known = tasks_.find(ref);
-    if (known == tasks_.end()) known = tasks_.emplace(ref, task_of_entry(*entry)).first;
+    if (known == tasks_.end()) known = tasks_.emplace(ref, task_of_entry(*entry, folder_)).first;
     return &known->second;
 }
 

@@ -40,8 +40,10 @@ struct Manifest {
 
 /// A task as a manifest names it. @param ref id of a shipped task, or path of a JSON file.
 [[nodiscard]] Json task_entry(const std::string& ref);
-/// The task again. Throws BatchError when its text is another one now.
-[[nodiscard]] curriculum::Task task_of_entry(const Json& entry);
+/// The task again, a copy in the batch's folder first. Throws BatchError when its text is another
+/// one now.
+[[nodiscard]] curriculum::Task task_of_entry(const Json& entry,
+                                             const std::filesystem::path& folder);
 /// The entry of that ref, null when there is none.
 [[nodiscard]] const Json* entry_of(const Manifest& manifest, const std::string& key,
                                    const std::string& value);
@@ -53,7 +55,12 @@ void write_manifest(const std::filesystem::path& folder, Manifest& manifest);
 /// it.
 [[nodiscard]] Manifest read_manifest(const std::filesystem::path& folder);
 
-/// A file that the manifest names: from the batch's folder, else absolute.
+/// Where a batch that was brought here keeps an input, by its SHA-256.
+[[nodiscard]] std::filesystem::path own_input(const std::filesystem::path& folder,
+                                              const std::string& sha256,
+                                              const std::string& ending = {});
+
+/// A file that the manifest names: what was brought, from the batch's folder, else absolute.
 [[nodiscard]] std::filesystem::path input_path(const std::filesystem::path& folder,
                                                const Json& item);
 

@@ -98,7 +98,8 @@ Manifest plan_rollouts(const RolloutsOrder& order) {
     for (const std::string& ref : order.tasks) {
         const Json entry = task_entry(ref);
         if (!order.scene_changes_json.empty())
-            (void)curriculum::with_scene_changes(task_of_entry(entry), order.scene_changes_json);
+            (void)curriculum::with_scene_changes(task_of_entry(entry, {}),
+                                                 order.scene_changes_json);
         if (entry_of(manifest, "id", entry["id"].get<std::string>()) != nullptr)
             throw BatchError(Kind::kBadInput, "task " + entry["id"].get<std::string>() +
                                                   ": named twice; expected each once");

@@ -209,6 +209,7 @@ void add_batch_commands(CLI::App& app, Context& context) {
     batch->require_subcommand(1);
     add_batch_plan_command(*batch, context);
     add_batch_forecast_command(*batch, context);
+    add_batch_queue_commands(*batch, context);
     auto options = std::make_shared<BatchOptions>();
     add(*batch, context, options, "run",
         "Does what is missing, by worker processes on this computer", run)

@@ -96,7 +96,7 @@ void write_probes(std::ostream& out, const sim::VerificationScene& scene,
 }
 
 template <class Write>
-void write_file(const std::filesystem::path& path, Write&& write) {
+void write_with(const std::filesystem::path& path, Write&& write) {
     std::ofstream out(path, std::ios::binary);
     write(out);
     out.flush();
@@ -122,10 +122,10 @@ int solve(const Context& context, const SolveOptions& options) {
     make_folder(options.out);
     const std::filesystem::path folder = options.out;
     const Json summary = summary_of(scene, result);
-    write_file(folder / "vertices.csv",
+    write_with(folder / "vertices.csv",
                [&](std::ostream& out) { write_vertices(out, scene, result); });
-    write_file(folder / "probes.csv", [&](std::ostream& out) { write_probes(out, scene, result); });
-    write_file(folder / "summary.json", [&](std::ostream& out) {
+    write_with(folder / "probes.csv", [&](std::ostream& out) { write_probes(out, scene, result); });
+    write_with(folder / "summary.json", [&](std::ostream& out) {
         out << summary.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     });
     for (const std::string& warning : result.warnings)
