@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QListWidget>
+#include <QMenu>
 #include <QRadioButton>
 
 #include "assessment/standard_setting.h"
@@ -32,6 +33,7 @@ class ShellEducatorTest : public QObject {
     void todayShowsTheNewestAttemptsOfTrainees();
     void cohortShowsWhoIsStuckAndWhoRegressed();
     void cohortLeadsToTheAttemptsAndIsExported();
+    void cohortAndPersonAreReportedOnPaper();
     void standardComesFromTwoGroups();
     void metricsWithoutEvidenceAreFlagged();
     void judgesEstimateAPassMark();
@@ -161,6 +163,39 @@ void ShellEducatorTest::cohortLeadsToTheAttemptsAndIsExported() {
     QVERIFY(shell.click("help_0"));
     QVERIFY(shell.arrives(PageId::kAttempts));
     QCOMPARE(shell.find<QComboBox>("filter_person")->currentText(), kNames[0]);
+}
+
+void ShellEducatorTest::cohortAndPersonAreReportedOnPaper() {
+    ShellHarness& shell = *shell_;
+    const auto is_pdf = [](const QString& path) {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) && file.size() > 5000 && file.read(5) == "%PDF-";
+    };
+    auto* of_person = shell.find<QPushButton>("trainee_report");
+    QVERIFY(of_person != nullptr && of_person->isEnabled());
+    shell.save_as = shell.path("anna.pdf");
+    QVERIFY(shell.click("trainee_report"));
+    QVERIFY(shell.bannerSays("anna.pdf", 30));
+    QVERIFY(is_pdf(shell.save_as));
+    shell.find<QComboBox>("filter_person")->setCurrentIndex(0);
+    QVERIFY(!of_person->isEnabled() && !of_person->toolTip().isEmpty());
+    // Everybody, and a group by its name.
+    const int64_t group = shell.owner().groups().create("Spring");
+    QVERIFY(shell.click("rail_cohort"));
+    QVERIFY(shell.arrives(PageId::kCohort));
+    const auto* menu = shell.find<QPushButton>("cohort_report")->menu();
+    QVERIFY(menu != nullptr);
+    QCOMPARE(menu->actions().size(), 2);
+    QCOMPARE(menu->actions()[1]->text(), QString("Of the group Spring"));
+    for (int i = 0; i < 2; ++i) {
+        shell.save_as = shell.path(QString("cohort_%1.pdf").arg(i));
+        menu->actions()[i]->trigger();
+        QVERIFY(shell.bannerSays(QString("cohort_%1.pdf").arg(i), 30));
+        QVERIFY(is_pdf(shell.save_as));
+    }
+    const auto trail = shell.owner().audit().trail(3);
+    QCOMPARE(trail[0].action, std::string("report.cohort"));
+    QCOMPARE(trail[0].object, "group " + std::to_string(group));
 }
 
 void ShellEducatorTest::standardComesFromTwoGroups() {

@@ -55,6 +55,7 @@ class ShellTrainingTest : public QObject {
     void theNextExamHasAnotherCase();
     void masteredCourseGivesTheCertificate();
     void educatorReviewsAndRemarks();
+    void educatorGrantsMoreAttempts();
     void attemptsAreSeenSideBySide();
     void pinBringsBackToThePageThatWasLocked();
     void ownDataAreSavedAndErasureIsAskedAndDone();
@@ -209,6 +210,8 @@ void ShellTrainingTest::traineeIsToldTheControlsAndPractises() {
     QCOMPARE(attempts[1].task_id, std::string(kTask));
     QVERIFY(attempts[1].exam.course_id.empty());
     QVERIFY(attempts[1].points >= 70);
+    const QString standing = shell.text("course_standing");
+    QVERIFY2(standing.startsWith("Mastered in the course: "), qPrintable(standing));
 }
 
 void ShellTrainingTest::examNeedsItsProctor() {
@@ -364,6 +367,45 @@ void ShellTrainingTest::educatorReviewsAndRemarks() {
     const auto remarks = shell.owner().reviews().comments(attempts[4].id);
     QCOMPARE(remarks.size(), size_t{1});
     QCOMPARE(remarks[0].text, std::string("Open the jaws before you turn."));
+}
+
+void ShellTrainingTest::educatorGrantsMoreAttempts() {
+    ShellHarness& shell = *shell_;
+    QVERIFY(shell.click("rail_courses"));
+    QVERIFY(shell.arrives(PageId::kCourses));
+    auto* table = shell.find<QTableWidget>("courses_table");
+    for (int row = 0; row < table->rowCount(); ++row)
+        if (table->item(row, 1)->text() == "lift_exam") table->selectRow(row);
+    QTest::qWait(50);  // The card of the course before goes.
+    // Only the exam has a limit.
+    QCOMPARE(shell.find<QComboBox>("grant_stage")->count(), 1);
+    auto* person = shell.find<QComboBox>("grant_person");
+    person->setCurrentText("nobody of this name");
+    QVERIFY(shell.click("grant"));
+    QVERIFY(shell.bannerSays("There is nobody called"));
+    person->setCurrentIndex(person->findText("Nina Nowak (nina)"));
+    const QString before = shell.text("grant_standing");
+    QVERIFY2(before.startsWith("Attempts made: ") && before.contains("left: "), qPrintable(before));
+    QVERIFY(shell.click("grant"));
+    QVERIFY(shell.bannerSays("A grant needs a reason"));
+    shell.find<QSpinBox>("grant_attempts")->setValue(2);
+    QVERIFY(shell.type("grant_reason", "Device repaired"));
+    QVERIFY(shell.click("grant"));
+    QVERIFY(shell.bannerSays("More attempts for Nina Nowak (nina): 2."));
+    const auto grants = shell.owner().courses().grants(shell.idOf("nina"));
+    QCOMPARE(grants.size(), size_t{1});
+    QCOMPARE(grants[0].attempts, 2);
+    QCOMPARE(grants[0].stage_id, std::string("lift_as_exam"));
+    QCOMPARE(grants[0].reason, std::string("Device repaired"));
+    const QString after = shell.text("grant_standing");
+    QVERIFY2(after.contains("2 granted on") && after.contains("(Device repaired)"),
+             qPrintable(after));
+    QVERIFY(shell.fitsInBothSizes("78_grants"));
+    // Back to the result that was reviewed.
+    QVERIFY(shell.click("rail_attempts"));
+    QVERIFY(shell.arrives(PageId::kAttempts));
+    Q_EMIT shell.find<QTableWidget>("attempts_table")->cellActivated(0, 0);
+    QVERIFY(shell.arrives(PageId::kResult));
 }
 
 void ShellTrainingTest::attemptsAreSeenSideBySide() {

@@ -4,16 +4,16 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QCompleter>
 #include <QCoreApplication>
 #include <QDateEdit>
 #include <QHBoxLayout>
-#include <map>
+#include <QLineEdit>
 
 #include "db/access.h"
 #include "db/course_conduct.h"
 #include "ui/shell/day_text.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/trainee_chooser.h"
 
 namespace placode::ui {
 namespace {
@@ -47,15 +47,10 @@ class AssignCard : public QFrame {
         both->setSpacing(kSpace12);
         auto* row = new QHBoxLayout;
         row->setSpacing(kSpace16);
-        target_ = new QComboBox;
-        target_->setObjectName("assign_target");
-        target_->setMinimumWidth(180);
-        target_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        target_->setEditable(true);  // Types to find one among a thousand.
-        target_->setInsertPolicy(QComboBox::NoInsert);
-        target_->completer()->setCompletionMode(QCompleter::PopupCompletion);
-        target_->completer()->setFilterMode(Qt::MatchContains);
+        target_ = make_search_list("assign_target");
         addTargets();
+        target_->setCurrentIndex(-1);  // Nobody is given a course by being first in a list.
+        target_->lineEdit()->setPlaceholderText(tr("Type a name, or choose from the list"));
         both->addLayout(make_field(tr("Person or group"), target_));
         const QDate today = QDate::currentDate();
         from_ = date(today, "assign_from");
@@ -94,22 +89,13 @@ class AssignCard : public QFrame {
             if (context_.may(db::Action::kAssignCourses, db::scope_of_group(group, self)))
                 target_->addItem(tr("Group %1").arg(qstr(group.name)),
                                  QVariant::fromValue<qint64>(-group.id));
-        std::map<int64_t, const db::UserRecord*> by_id;
-        const auto users = store.accounts().list();
-        for (const db::UserRecord& user : users) by_id[user.id] = &user;
-        for (const int64_t id : db::reached_people(store, self)) {
-            const db::UserRecord& user = *by_id.at(id);
-            if (!user.active || !db::has_role(user.roles, db::Role::kTrainee)) continue;
-            target_->addItem(QString("%1 (%2)").arg(qstr(user.display_name), qstr(user.login)),
-                             QVariant::fromValue<qint64>(id));
-        }
+        add_trainees(context_, target_);
     }
 
     void assign() {
         context_.guard(tr("Assigning the course"), [this] {
-            // What is typed may be the beginning of a name only.
-            const int row = target_->findText(target_->currentText(), Qt::MatchContains);
-            if (row < 0 || target_->currentText().isEmpty())
+            const int row = chosen_row(target_);
+            if (row < 0)
                 throw Refusal(tr("There is nobody called \"%1\" whom you may assign a course; "
                                  "choose one of the list.")
                                   .arg(target_->currentText()));
@@ -169,7 +155,7 @@ class AssignCard : public QFrame {
             table_->setItem(row, 3, make_cell(day_text(each.due_utc)));
             table_->setItem(
                 row, 4,
-                make_cell(each.ended_utc.empty() ? tr("holds")
+                make_cell(each.ended_utc.empty() ? tr("active")
                                                  : tr("ended %1").arg(day_text(each.ended_utc))));
             table_->setItem(row, 5, make_cell({}));
             if (!each.ended_utc.empty()) continue;

@@ -9,6 +9,7 @@
 #include "ui/shell/attempts_table.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/training.h"
+#include "ui/shell/training_reports.h"
 
 namespace placode::ui {
 namespace {
@@ -81,6 +82,10 @@ class AttemptsPage : public Page {
         row->addLayout(make_field(tr("Person"), person_));
         row->addLayout(make_field(tr("Task"), task_));
         row->addStretch();
+        report_ = make_trainee_report_button(context_, *this, tr("Report of this person"), [this] {
+            return person_->currentData().toLongLong();
+        });
+        row->addWidget(report_, 0, Qt::AlignBottom);
         layout->addLayout(row);
         for (QComboBox* box : {person_, task_})
             connect(box, &QComboBox::currentIndexChanged, this, [this] {
@@ -117,6 +122,8 @@ class AttemptsPage : public Page {
             : page.total == 0
                 ? tr("There is no such attempt.")
                 : tr("Shown: %1 to %2 of %3").arg(offset_ + 1).arg(offset_ + rows).arg(page.total));
+        report_->setEnabled(filter.user_id != 0);
+        report_->setToolTip(filter.user_id != 0 ? QString() : tr("Choose a person first."));
         newer_->setEnabled(offset_ > 0);
         older_->setEnabled(offset_ + rows < page.total);
         for (QPushButton* button : {newer_, older_}) button->setVisible(page.total > kRows);
@@ -126,7 +133,7 @@ class AttemptsPage : public Page {
     QComboBox *person_ = nullptr, *task_ = nullptr;
     QLabel* count_ = nullptr;
     QVBoxLayout* list_ = nullptr;
-    QPushButton *newer_ = nullptr, *older_ = nullptr;
+    QPushButton *newer_ = nullptr, *older_ = nullptr, *report_ = nullptr;
     QTableWidget* table_ = nullptr;
 };
 

@@ -23,6 +23,7 @@
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
 #include "ui/shell/training.h"
+#include "ui/shell/training_reports.h"
 
 namespace placode::ui {
 namespace {
@@ -74,6 +75,9 @@ class CohortPage : public Page {
         save->setObjectName("cohort_export");
         save->setEnabled(!people_.empty());
         connect(save, &QPushButton::clicked, this, [this] { exportTable(); });
+        QPushButton* report = make_cohort_report_button(context, *this);
+        report->setEnabled(!people_.empty());
+        head->addWidget(report);
         head->addWidget(save);
         column->addLayout(head);
         if (people_.empty()) {

@@ -9,6 +9,7 @@
 #include "db/course_conduct.h"
 #include "ui/shell/assign_card.h"
 #include "ui/shell/course_words.h"
+#include "ui/shell/grants_card.h"
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/table_width.h"
@@ -104,9 +105,11 @@ class CoursesPage : public Page {
         const QString id = selected();
         if (id.isEmpty()) return;
         context_.guard(tr("Reading the course"), [&] {
-            body_->addWidget(courseCard(db::find_course(context_.store(), id.toStdString())));
-            body_->addWidget(make_assign_card(
-                context_, id.toStdString(), [this](const QString& what) { Q_EMIT notice(what); }));
+            const Course course = db::find_course(context_.store(), id.toStdString());
+            const auto say = [this](const QString& what) { Q_EMIT notice(what); };
+            body_->addWidget(courseCard(course));
+            body_->addWidget(make_assign_card(context_, course.id, say));
+            if (QWidget* grants = make_grants_card(context_, course, say)) body_->addWidget(grants);
         });
     }
 

@@ -15,6 +15,7 @@
 #include "ui/shell/pages.h"
 #include "ui/shell/parts.h"
 #include "ui/shell/training.h"
+#include "ui/shell/training_reports.h"
 
 namespace placode::ui {
 namespace {
@@ -47,6 +48,8 @@ class HistoryPage : public Page {
         const int asked = tasks_->findData(place.state.value("task"));
         tasks_->setCurrentIndex(asked >= 0 ? asked : tasks_->findData(qstr(all_.back().task_id)));
         head->addWidget(tasks_);
+        head->addWidget(make_trainee_report_button(context, *this, tr("Report"),
+                                                   [&context] { return context.user().id; }));
         connect(tasks_, &QComboBox::currentIndexChanged, this, [this] { showTask(); });
         body_ = new QVBoxLayout;
         body_->setSpacing(kSpace16);

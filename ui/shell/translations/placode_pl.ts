@@ -210,6 +210,14 @@
 <context>
     <name>AttemptsPage</name>
     <message>
+        <source>Report of this person</source>
+        <translation>Raport tej osoby</translation>
+    </message>
+    <message>
+        <source>Choose a person first.</source>
+        <translation>Najpierw wybierz osobę.</translation>
+    </message>
+    <message>
         <source>Attempts of all trainees</source>
         <translation>Próby wszystkich uczestników szkolenia</translation>
     </message>
@@ -426,6 +434,18 @@
 </context>
 <context>
     <name>AuditWords</name>
+    <message>
+        <source>took recordings out for a batch</source>
+        <translation>pobrano nagrania do przetwarzania wsadowego</translation>
+    </message>
+    <message>
+        <source>queued a batch for idle stations</source>
+        <translation>przekazano zadanie wsadowe wolnym stanowiskom</translation>
+    </message>
+    <message>
+        <source>took a batch out of the queue</source>
+        <translation>usunięto zadanie wsadowe z kolejki</translation>
+    </message>
     <message>
         <source>trusted a station</source>
         <translation>uznano stanowisko za zaufane</translation>
@@ -1742,6 +1762,10 @@
 </context>
 <context>
     <name>HistoryPage</name>
+    <message>
+        <source>Report</source>
+        <translation>Raport</translation>
+    </message>
     <message>
         <source>History</source>
         <translation>Historia</translation>
@@ -3810,6 +3834,10 @@
 <context>
     <name>ResultPage</name>
     <message>
+        <source>Mastered in the course: %1.</source>
+        <translation>Zaliczono w kursie: %1.</translation>
+    </message>
+    <message>
         <source>The losses add up to %1 points; a score does not go below 0.</source>
         <translation>Straty dają razem %1 pkt; wynik nie spada poniżej 0.</translation>
     </message>
@@ -5517,6 +5545,22 @@
 </context>
 <context>
     <name>placode::ui::MainWindow</name>
+    <message>
+        <source>Training</source>
+        <translation>Szkolenie</translation>
+    </message>
+    <message>
+        <source>Teaching</source>
+        <translation>Nauczanie</translation>
+    </message>
+    <message>
+        <source>Research</source>
+        <translation>Badania</translation>
+    </message>
+    <message>
+        <source>This centre</source>
+        <translation>Ośrodek</translation>
+    </message>
     <message>
         <source>Writing the audit</source>
         <translation>Zapis w dzienniku</translation>
@@ -7439,6 +7483,30 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>AdmissionsPage</name>
     <message>
+        <source>Save the certificate of erasure</source>
+        <translation>Zapisz zaświadczenie o usunięciu</translation>
+    </message>
+    <message>
+        <source>Backups and other copies cleaned as well: %1.</source>
+        <translation>Wyczyszczono też kopie zapasowe i inne kopie: %1.</translation>
+    </message>
+    <message>
+        <source>These copies may still hold the person; delete them:</source>
+        <translation>Te kopie mogą jeszcze zawierać dane tej osoby; usuń je:</translation>
+    </message>
+    <message>
+        <source>Text (*.txt)</source>
+        <translation>Tekst (*.txt)</translation>
+    </message>
+    <message>
+        <source>Writing the certificate</source>
+        <translation>Zapis zaświadczenia</translation>
+    </message>
+    <message>
+        <source>Certificate written: %1</source>
+        <translation>Zaświadczenie zapisane: %1</translation>
+    </message>
+    <message>
         <source>Invitations and requests</source>
         <translation>Zaproszenia i prośby</translation>
     </message>
@@ -7594,6 +7662,10 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>AssignCard</name>
     <message>
+        <source>Type a name, or choose from the list</source>
+        <translation>Wpisz nazwisko albo wybierz z listy</translation>
+    </message>
+    <message>
         <source>Assignments</source>
         <translation>Przydziały</translation>
     </message>
@@ -7650,7 +7722,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Przydzielono: %1.</translation>
     </message>
     <message>
-        <source>holds</source>
+        <source>active</source>
         <translation>obowiązuje</translation>
     </message>
     <message>
@@ -7984,7 +8056,7 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
         <translation>Zapisano kurs: %1</translation>
     </message>
     <message>
-        <source>Here stands what a trainee will see.</source>
+        <source>What a trainee sees first appears here.</source>
         <translation>Tu będzie widać to, co zobaczy kursant.</translation>
     </message>
     <message>
@@ -9933,8 +10005,8 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
 <context>
     <name>placode::ui::HelpWindow</name>
     <message>
-        <source>Placode: help</source>
-        <translation>Placode: pomoc</translation>
+        <source>Help</source>
+        <translation>Pomoc</translation>
     </message>
     <message>
         <source>Search the manual</source>
@@ -10009,6 +10081,112 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>DEMONSTRATION</source>
         <translation>DEMONSTRACJA</translation>
+    </message>
+</context>
+<context>
+    <name>TrainingReports</name>
+    <message>
+        <source>Write the report</source>
+        <translation>Zapisz raport</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Zapis raportu</translation>
+    </message>
+    <message>
+        <source>Writing the audit</source>
+        <translation>Zapis w dzienniku</translation>
+    </message>
+    <message>
+        <source>Report written: %1</source>
+        <translation>Raport zapisany: %1</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Raport</translation>
+    </message>
+    <message>
+        <source>Of everybody</source>
+        <translation>Wszystkich</translation>
+    </message>
+    <message>
+        <source>Of the group %1</source>
+        <translation>Grupy %1</translation>
+    </message>
+</context>
+<context>
+    <name>GrantsCard</name>
+    <message>
+        <source>Type a name, or choose from the list</source>
+        <translation>Wpisz nazwisko albo wybierz z listy</translation>
+    </message>
+    <message>
+        <source>More attempts</source>
+        <translation>Dalsze próby</translation>
+    </message>
+    <message>
+        <source>For somebody whose attempts at a stage were used up, or spoilt by what was not their fault. The grant and its reason stay in the audit.</source>
+        <translation>Dla osoby, która wyczerpała próby na danym etapie albo której próby zepsuło coś niezależnego od niej. Przyznanie i jego powód zostają w dzienniku.</translation>
+    </message>
+    <message>
+        <source>Person</source>
+        <translation>Osoba</translation>
+    </message>
+    <message>
+        <source>Stage with a limit of attempts</source>
+        <translation>Etap z ograniczoną liczbą prób</translation>
+    </message>
+    <message>
+        <source>Attempts</source>
+        <translation>Próby</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Powód</translation>
+    </message>
+    <message>
+        <source>e.g. the device was repaired</source>
+        <translation>np. naprawiono urządzenie</translation>
+    </message>
+    <message>
+        <source>Grant</source>
+        <translation>Przyznaj</translation>
+    </message>
+    <message>
+        <source>Reading where the person stands</source>
+        <translation>Odczyt postępu osoby</translation>
+    </message>
+    <message>
+        <source>Attempts made: %1</source>
+        <translation>Wykonane próby: %1</translation>
+    </message>
+    <message>
+        <source>left: %1</source>
+        <translation>zostało: %1</translation>
+    </message>
+    <message>
+        <source>%1 granted on %2 by %3 (%4)</source>
+        <translation>%1 przyznano %2, przyznał(a) %3 (%4)</translation>
+    </message>
+    <message>
+        <source>Granting attempts</source>
+        <translation>Przyznawanie prób</translation>
+    </message>
+    <message>
+        <source>There is nobody called &quot;%1&quot; whom you teach; choose one of the list.</source>
+        <translation>Nie ma wśród Twoich podopiecznych osoby „%1”; wybierz kogoś z listy.</translation>
+    </message>
+    <message>
+        <source>A grant needs a reason: why is this person to have more attempts than others?</source>
+        <translation>Przyznanie wymaga powodu: dlaczego ta osoba ma mieć więcej prób niż inne?</translation>
+    </message>
+    <message>
+        <source>More attempts for %1: %2.</source>
+        <translation>Dalsze próby dla %1: %2.</translation>
     </message>
 </context>
 </TS>
