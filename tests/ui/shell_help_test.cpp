@@ -30,6 +30,7 @@ class ShellHelpTest : public QObject {
     void cleanupTestCase() { shell_.reset(); }
     void f1OpensTheChapterOfThePage();
     void linksHeadingsAndHistoryLeadThere();
+    void picturesAreShownAsTheyAre();
     void searchFindsWithoutAccents();
     void everythingIsNamedAndFits();
     void searchOverEverythingOpensTheManual();
@@ -102,6 +103,28 @@ void ShellHelpTest::linksHeadingsAndHistoryLeadThere() {
     QCOMPARE(help()->shown(), QString("study-data.md"));
     press("help_contents");
     QCOMPARE(help()->shown(), QString("index.md"));
+}
+
+void ShellHelpTest::picturesAreShownAsTheyAre() {
+    open_help(shell_->context(), &shell_->window(), "admin-setup.md");
+    help()->resize(820, 700);
+    QTest::qWait(200);
+    const auto* view = help()->findChild<ManualView*>();
+    QTextBlock block = view->document()->begin();
+    while (block.isValid() && !block.text().contains(QChar::ObjectReplacementCharacter))
+        block = block.next();
+    QVERIFY(block.isValid());
+    const QString name = block.begin().fragment().charFormat().toImageFormat().name();
+    const auto shown =
+        view->document()->resource(QTextDocument::ImageResource, QUrl(name)).value<QImage>();
+    QVERIFY(shown.width() > 100);
+    // Made smaller without grain: nine pixels of the page's ground are one colour.
+    const QRgb ground = shown.pixel(8, shown.height() / 2);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) QCOMPARE(shown.pixel(8 + x, shown.height() / 2 + y), ground);
+    // And no empty third below it.
+    const double high = view->document()->documentLayout()->blockBoundingRect(block).height();
+    QVERIFY2(high < 1.1 * shown.height() + 30, qPrintable(QString::number(high)));
 }
 
 void ShellHelpTest::searchFindsWithoutAccents() {

@@ -70,7 +70,7 @@ HelpWindow::HelpWindow(AppContext& context, QWidget* main_window)
 void HelpWindow::build() {
     delete content_;
     manual_ = load_manual(context_.language());
-    setWindowTitle(tr("Placode: help"));
+    setWindowTitle(tr("Help"));  // The name of the program follows.
     setWindowIcon(line_icon("help", context_.colors().accent));
     content_ = new QWidget;
     auto* all = new QVBoxLayout(content_);

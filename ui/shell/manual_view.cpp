@@ -67,7 +67,9 @@ void ManualView::setHeadings() {
     for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
         QTextBlockFormat format = block.blockFormat();
         const int level = format.headingLevel();
-        format.setLineHeight(135, QTextBlockFormat::ProportionalHeight);
+        // Not of a picture: a third of its height would stay empty below it.
+        if (!block.text().contains(QChar::ObjectReplacementCharacter))
+            format.setLineHeight(135, QTextBlockFormat::ProportionalHeight);
         if (level > 0) {
             format.setTopMargin(level == 1 ? 0 : 20);
             format.setBottomMargin(8);
@@ -123,8 +125,10 @@ QVariant ManualView::loadResource(int type, const QUrl& name) {
     if (type != QTextDocument::ImageResource) return {};  // Nothing else belongs to a page.
     QImage picture(QFileInfo(path_).path() + "/" + name.path());
     const int room = set_for_ - 2 * kAroundText - 4;
+    // A picture of few colours would be made grainy to keep to them.
     if (!picture.isNull() && room > 50 && picture.width() > room)
-        picture = picture.scaledToWidth(room, Qt::SmoothTransformation);
+        picture = picture.convertToFormat(QImage::Format_RGB32)
+                      .scaledToWidth(room, Qt::SmoothTransformation);
     return picture;
 }
 
