@@ -101,6 +101,7 @@ class ShellMessagesTest : public QObject {
     void whoMayNotIsToldWhoCan();
     void damagedLeftoversAreToldInWords();
     void aReplayGoesBesideItsControls();
+    void aReplayLeavesTheTimeLineInSight();
 
  private:
     [[nodiscard]] Notices* notices() const { return shell_->window().findChild<Notices*>(); }
@@ -544,7 +545,7 @@ void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {
     for (const QString& name : folder.entryList({"*.cpp"})) {
         // Never from the shell, but for a station's log-in, whose sentence is looked for below.
         if (name == "load_generator.cpp" || name == "reading_store.cpp" ||
-            name == "station_role.cpp")
+            name == "station_role.cpp" || name == "work_queue.cpp" || name == "erasure.cpp")
             continue;
         QFile file(folder.filePath(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -623,6 +624,27 @@ void ShellMessagesTest::aReplayGoesBesideItsControls() {
     QVERIFY(!both[0].intersects(both[1]));
     QVERIFY(replay_place({QRect(0, 0, 400, 300)}, QRect(0, 0, 400, 300), QRect(0, 0, 400, 300))
                 .isNull());
+}
+
+void ShellMessagesTest::aReplayLeavesTheTimeLineInSight() {
+    QWidget window;
+    const QRect screen = window.screen()->availableGeometry();
+    window.setGeometry(screen.adjusted(0, 40, -100, -40));  // No room beside it.
+    QWidget controls(&window), line(&window);
+    controls.setGeometry(0, 0, window.width(), 200);
+    line.setGeometry(0, 200, window.width(), 150);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    const auto covers = [](const QRect& place, const QWidget& part) {
+        return place.intersects(QRect(part.mapToGlobal(QPoint(0, 0)), part.size()));
+    };
+    QVERIFY(covers(replay_place(controls), line));
+    const QRect place = replay_place(controls, &line);
+    QVERIFY(place.isValid() && !covers(place, line) && !covers(place, controls));
+    // A line that leaves no room gives way: to watch is what the person came for.
+    line.resize(window.width(), window.height() - 200);
+    const QRect over = replay_place(controls, &line);
+    QVERIFY(over.isValid() && !covers(over, controls));
 }
 
 }  // namespace placode::ui

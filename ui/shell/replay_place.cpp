@@ -60,12 +60,19 @@ QRect replay_place(const std::vector<QRect>& screens, const QRect& window, const
     return 2 * area(free) >= area(above_page) ? free : above_page;
 }
 
-QRect replay_place(const QWidget& controls) {
+QRect replay_place(const QWidget& controls, const QWidget* also) {
     std::vector<QRect> screens;
     for (const QScreen* screen : QGuiApplication::screens())
         screens.push_back(screen->availableGeometry());
+    const QRect window = controls.window()->frameGeometry();
     const QRect here(controls.mapToGlobal(QPoint(0, 0)), controls.size());
-    return replay_place(screens, controls.window()->frameGeometry(), here);
+    if (also != nullptr) {
+        const QRect seen = also->visibleRegion().boundingRect();
+        const QRect both = here.united(seen.translated(also->mapToGlobal(QPoint(0, 0))));
+        const QRect place = replay_place(screens, window, both);
+        if (!place.isNull()) return place;
+    }
+    return replay_place(screens, window, here);
 }
 
 std::vector<QRect> two_of(const QRect& place) {

@@ -15,8 +15,9 @@ namespace placode::ui {
 /// where nothing of a useful size is left. All on the desktop [px].
 [[nodiscard]] QRect replay_place(const std::vector<QRect>& screens, const QRect& window,
                                  const QRect& controls);
-/// The same for a page on its screens now; `controls` are what has to stay in sight.
-[[nodiscard]] QRect replay_place(const QWidget& controls);
+/// The same for a page on its screens now; `controls` are what has to stay in sight, and `also`
+/// stays in sight as far as it is seen now where that leaves room for a picture.
+[[nodiscard]] QRect replay_place(const QWidget& controls, const QWidget* also = nullptr);
 /// Two windows side by side in a place for one.
 [[nodiscard]] std::vector<QRect> two_of(const QRect& place);
 

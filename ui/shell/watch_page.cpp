@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QProgressBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <cmath>
 #include <utility>
 
@@ -23,6 +24,7 @@ namespace placode::ui {
 namespace {
 
 constexpr double kSpeeds[]{0.1, 0.25, 0.5, 1, 2, 4, 8};
+constexpr int kLaidOutMs = 50;
 
 class WatchPage : public Page {
     Q_DECLARE_TR_FUNCTIONS(WatchPage)
@@ -191,8 +193,12 @@ class WatchPage : public Page {
                 file_ = file;
                 showLedger(*recording);
                 refresh();
-                // Whoever comes here has asked to watch.
-                if (std::exchange(begin_, false)) start(from_s_);
+                // Whoever comes here has asked to watch. The window goes where it leaves the time
+                // line in sight, which has its place only after the page was laid out.
+                if (begin_)
+                    QTimer::singleShot(kLaidOutMs, this, [this] {
+                        if (std::exchange(begin_, false) && !replay_->running()) start(from_s_);
+                    });
             },
             {"reading", record_.duration_s});
     }
@@ -264,7 +270,7 @@ class WatchPage : public Page {
 
     void start(double from_s) {
         context_.guard(tr("Starting the replay"), [&] {
-            replay_->setPlace(replay_place(*steer_));
+            replay_->setPlace(replay_place(*steer_, ledger_));
             replay_->start(file_, camera_->currentData().toString(),
                            speed_->currentData().toDouble(), from_s);
         });
