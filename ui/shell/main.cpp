@@ -93,8 +93,11 @@ int refuse_password() {
 
 constexpr QSize kFrame{4, 40};  ///< Of the desktop around a window [px].
 
-/// A desk at 200 % has half the pixels: what would hang over its edge is shrunk, then maximised.
-void show_on_screen(QWidget& window) {
+/// As it was left. A desk at 200 % has half the pixels: what would hang over its edge is shrunk,
+/// then maximised.
+void show_on_screen(QWidget& window, const QByteArray& as_left) {
+    if (!as_left.isEmpty()) window.restoreGeometry(as_left);
+    if (window.isMaximized()) return window.show();
     const QSize room = window.screen()->availableGeometry().size() - kFrame;
     window.setMinimumSize(window.minimumSize().boundedTo(room));
     const bool fits = window.size().boundedTo(room) == window.size();
@@ -147,7 +150,8 @@ int main(int argc, char** argv) {
     options.theme = parser.value("theme");
     placode::ui::AppContext context(options);
     placode::ui::MainWindow window(context);
-    show_on_screen(window);
+    show_on_screen(
+        window, context.settings().value(placode::ui::MainWindow::kGeometrySetting).toByteArray());
     window.begin();
     if (parser.isSet("time-pages"))
         return placode::ui::measure_pages(context, window, parser.value("time-pages"));

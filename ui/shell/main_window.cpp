@@ -266,7 +266,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
          !confirm(this, tr("Close Placode while an attempt is running?"),
                   tr("The attempt ends. Its recording is kept and offered at the next start."),
                   tr("Close"), tr("Stay here")));
-    stay ? event->ignore() : event->accept();
+    if (stay) return event->ignore();
+    context_.settings().setValue(kGeometrySetting, saveGeometry());
+    event->accept();
 }
 
 }  // namespace placode::ui

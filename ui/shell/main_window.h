@@ -26,6 +26,8 @@ class MainWindow : public QMainWindow {
  public:
     explicit MainWindow(AppContext& context);
 
+    /// Where the window stood and how large it was when it was closed.
+    static constexpr const char* kGeometrySetting = "window_geometry";
     /// Opens the store and shows set-up, log-in or, when that fails, why and "Try again".
     void begin();
     void open(const Place& place);
@@ -44,7 +46,19 @@ class MainWindow : public QMainWindow {
 
  private:
     void buildFrame();
+    struct RailPage {
+        PageId id;
+        QString text, icon;
+        bool wanted = false;  ///< By what the user may.
+    };
+    struct RailSection {
+        QString heading;
+        std::vector<RailPage> pages;
+    };
     [[nodiscard]] QWidget* buildRail();
+    [[nodiscard]] std::vector<RailSection> railSections();
+    [[nodiscard]] static QLabel* railHeading(const QString& text);
+    [[nodiscard]] QToolButton* railButton(const RailPage& page);
     [[nodiscard]] QWidget* buildTopBar();
     void addUserMenu(QHBoxLayout* bar);
     void addSwitch(QHBoxLayout* bar);

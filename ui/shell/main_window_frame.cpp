@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The frame around the pages: rail and top bar.
+// The frame around the pages: top bar, and the rail's room (its pages: main_window_rail.cpp).
 #include <QActionGroup>
 #include <QApplication>
 #include <QHBoxLayout>
@@ -73,7 +73,7 @@ void MainWindow::buildFrame() {
     auto* row = new QHBoxLayout(frame);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(0);
-    rail_ = buildRail();
+    rail_ = scrolling(buildRail());
     row->addWidget(rail_);
     auto* right = new QVBoxLayout;
     right->setSpacing(0);
@@ -101,85 +101,13 @@ void MainWindow::narrowRail() {
             button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly
                                               : Qt::ToolButtonTextBesideIcon);
     if (auto* name = rail_->findChild<QLabel*>("rail_mark")) name->setVisible(!narrow);
+    for (QLabel* heading : rail_->findChildren<QLabel*>("rail_heading"))
+        heading->setText(narrow ? QString(QChar::Nbsp) : heading->accessibleName());
     for (const auto& [button, page] : rail_buttons_) {
         button->setToolButtonStyle(narrow ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
         button->setToolTip(narrow ? button->accessibleName() : QString());
     }
     fit_name(bar_, width() - (rail_->isHidden() ? 0 : rail_->maximumWidth()));
-}
-
-QWidget* MainWindow::buildRail() {
-    auto* rail = new QFrame;
-    rail->setProperty("role", "rail");
-    rail->setObjectName("rail");
-    rail->setFixedWidth(kRailWidth);
-    rail->setAccessibleName(tr("Pages"));
-    auto* layout = new QVBoxLayout(rail);
-    layout->setContentsMargins(kSpace12, kSpace16, kSpace12, kSpace16);
-    layout->setSpacing(kSpace4);
-    auto* mark = new QHBoxLayout;
-    mark->setContentsMargins(kSpace12, 0, 0, kSpace16);
-    auto* picture = new QLabel;
-    picture->setPixmap(line_icon("placode", context_.colors().accent).pixmap(28, 28));
-    mark->addWidget(picture);
-    mark->addSpacing(kSpace8);
-    QLabel* name = make_label("Placode", "title");
-    name->setObjectName("rail_mark");
-    mark->addWidget(name, 1);
-    layout->addLayout(mark);
-    rail_buttons_.clear();
-    const auto add = [&](PageId page, const QString& text, const QString& icon, bool wanted) {
-        if (!wanted) return;
-        auto* button = new QToolButton;
-        button->setProperty("role", "rail");
-        button->setObjectName("rail_" + icon);
-        button->setText(" " + text);
-        button->setAccessibleName(text);
-        button->setIcon(line_icon(icon, context_.colors().muted));
-        button->setIconSize(QSize(20, 20));
-        button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        button->setMinimumHeight(kTouchTarget);
-        connect(button, &QToolButton::clicked, this, [this, page] {
-            open({page, 0, {}, page == PageId::kHistory ? historyState() : QVariantMap{}});
-            updateFrame();
-        });
-        layout->addWidget(button);
-        rail_buttons_.emplace_back(button, page);
-    };
-    using db::Action;
-    using db::Scope;
-    const bool trains = context_.signedIn() && context_.may(Action::kPerformAttempt) &&
-                        (db::has_role(context_.user().roles, db::Role::kTrainee) ||
-                         db::has_role(context_.user().roles, db::Role::kEducator));
-    add(PageId::kToday, tr("Today"), "today", trains);
-    add(PageId::kCourse, tr("Course"), "course", trains);
-    add(PageId::kHistory, tr("History"), "history", trains);
-    add(PageId::kAttempts, tr("Attempts"), "attempts",
-        context_.may(Action::kViewAttempts, Scope::kOther));
-    const bool teaches = context_.may(Action::kViewAttempts, Scope::kOther);
-    add(PageId::kCohort, tr("Cohort"), "cohort", teaches);
-    add(PageId::kRatings, tr("Ratings"), "ratings", teaches);
-    add(PageId::kStandards, tr("Standards"), "standards", teaches);
-    add(PageId::kCourses, tr("Courses"), "courses",
-        context_.may(Action::kManageCourses, Scope::kOther));
-    add(PageId::kGroups, tr("Groups"), "groups",
-        context_.may(Action::kManageGroups, Scope::kGroup));
-    add(PageId::kNorms, tr("Norms"), "norms", context_.may(Action::kSetStandards, Scope::kOther));
-    const bool studies = context_.may(Action::kRunQuestionnaire);
-    add(PageId::kStudies, tr("Studies"), "studies", studies);
-    add(PageId::kStudyData, tr("Data"), "data", studies);
-    add(PageId::kStudyResults, tr("Results"), "results", context_.may(Action::kExportStudy));
-    add(PageId::kProtocols, tr("Protocols"), "protocols", studies);
-    add(PageId::kPeople, tr("People"), "people", context_.may(Action::kManageUsers, Scope::kOther));
-    add(PageId::kDevices, tr("Devices"), "devices",
-        teaches || context_.may(Action::kBackup, Scope::kOther));
-    add(PageId::kHealth, tr("Health"), "health", context_.may(Action::kBackup, Scope::kOther));
-    add(PageId::kAudit, tr("Audit"), "audit", context_.may(Action::kViewAudit, Scope::kOther));
-    layout->addStretch();
-    return scrolling(rail);
 }
 
 QWidget* MainWindow::buildTopBar() {

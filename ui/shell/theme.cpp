@@ -77,6 +77,7 @@ QLabel[role="title"] { font-size: 20px; font-weight: 600; }
 QLabel[role="heading"] { font-size: 16px; font-weight: 600; }
 QLabel[role="muted"] { color: @muted@; }
 QLabel[role="small"] { color: @muted@; font-size: 12px; }
+QLabel[role="rail_heading"] { color: @muted@; font-size: 12px; font-weight: 600; padding: 8px 12px 0 12px; }
 QLabel[role="good"] { color: @good@; font-weight: 600; }
 QLabel[role="warn"] { color: @warn@; font-weight: 600; }
 QLabel[role="critical"] { color: @critical@; font-weight: 600; }
