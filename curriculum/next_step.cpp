@@ -80,13 +80,13 @@ LocalText why_start(const Case& c) {
     const int times = c.stage.consecutive;
     const std::string n = std::to_string(times);
     LocalText text{"\"" + c.title.en +
-                       "\" is the first open stage in which no attempt of yours counts yet. "
+                       "\" is your next stage: no attempt of yours counts there yet. "
                        "To master it, reach at least " +
                        points(c.stage.benchmark_points) + " points" +
                        (times == 1 ? ", once." : ", " + n + " times in a row."),
                    "„" + c.title.pl +
-                       "” to pierwszy otwarty etap, w którym nie liczy się jeszcze żadna Twoja "
-                       "próba. Aby go zaliczyć, zdobądź co najmniej " +
+                       "” to Twój następny etap: nie liczy się w nim jeszcze żadna Twoja próba. "
+                       "Aby go zaliczyć, zdobądź co najmniej " +
                        points_pl(c.stage.benchmark_points) + " pkt" +
                        (times == 1 ? ", jeden raz." : ", " + n + " razy z rzędu.")};
     add_limit(c, text);

@@ -90,7 +90,9 @@ class AuditPage : public Page {
     /// Behind the words stands what the store wrote, where it says it otherwise.
     static QTableWidgetItem* thingCell(const std::string& written, const AuditNames& names) {
         QTableWidgetItem* cell = make_cell(audit_thing(qstr(written), names));
-        if (cell->text() != qstr(written)) cell->setToolTip(cell->text() + '\n' + qstr(written));
+        // Long ones are cut in the list.
+        cell->setToolTip(cell->text() != qstr(written) ? cell->text() + '\n' + qstr(written)
+                                                       : cell->text());
         return cell;
     }
 

@@ -306,9 +306,10 @@ class CourseEditorPage : public Page {
         const auto progress = curriculum::course_progress(course, {});
         preview_->addWidget(make_label(context_.in(course.title), "title"));
         const auto next = curriculum::next_step(course, progress, db::task_titles(course), {}, "");
-        QLabel* why = make_label(course.stages.empty() ? tr("Here stands what a trainee will see.")
-                                                       : context_.in(next.reason),
-                                 "muted");
+        QLabel* why =
+            make_label(course.stages.empty() ? tr("What a trainee sees first appears here.")
+                                             : context_.in(next.reason),
+                       "muted");
         why->setObjectName("preview_next");
         preview_->addWidget(why);
         for (size_t i = 0; i < course.stages.size(); ++i) {

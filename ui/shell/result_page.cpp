@@ -97,6 +97,14 @@ class ResultPage : public Page {
             left->setObjectName("exam_standing");
             layout->addWidget(left);
         }
+        if (own && db::counts(record) && record.exam.course_id.empty() &&
+            record.study.study.empty()) {
+            if (const QString words = course_words(context_, record); !words.isEmpty()) {
+                QLabel* next = make_label(words);
+                next->setObjectName("course_standing");
+                layout->addWidget(next);
+            }
+        }
         if (!db::counts(record)) {
             QLabel* why = make_label(why_not_counted(record, exam_, own), "warn");
             why->setObjectName("void_for_cause");

@@ -12,7 +12,9 @@
 #include "db/attempt_counting.h"
 #include "db/void_reason.h"
 #include "reports/words.h"
+#include "ui/shell/day_text.h"
 #include "ui/shell/parts.h"
+#include "ui/shell/training.h"
 
 namespace placode::ui {
 namespace {
@@ -73,6 +75,28 @@ QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& sta
     else
         said << StandingText::tr("The attempt is kept, and does not count for the course.");
     return said.join(' ');
+}
+
+QString course_words(AppContext& context, const db::AttemptRecord& record) {
+    QString words;
+    // A course that cannot be read leaves the result as it is.
+    (void)context.problemOf([&] {
+        const Training training = load_training(context);
+        for (const db::AttemptRecord& each : training.attempts)
+            if (each.id > record.id && db::counts(each)) return;
+        for (const TrainingStage& stage : training.stages) {
+            if (stage.task_id != record.task_id || stage.rule.mode == curriculum::StageMode::kExam)
+                continue;
+            const bool mastered = stage.progress.status == curriculum::StageStatus::kMastered;
+            if (mastered)
+                words = StandingText::tr("Mastered in the course: %1.")
+                            .arg(training.taskTitle(context, stage.task_id)) +
+                        " ";
+            words += with_day_words(context.in(training.next.reason));
+            return;
+        }
+    });
+    return words;
 }
 
 QWidget* make_replay_bar(AppContext& context, int64_t attempt_id) {

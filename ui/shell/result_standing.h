@@ -21,6 +21,10 @@ namespace placode::ui {
 [[nodiscard]] QString why_not_counted(const db::AttemptRecord& record, const ExamStanding& standing,
                                       bool own);
 
+/// Of an own attempt that counts: that its stage of the course is mastered, and what is next. Empty
+/// where a newer one counts, or the course has no such stage.
+[[nodiscard]] QString course_words(AppContext& context, const db::AttemptRecord& record);
+
 /// Follows the replay of this attempt, and has it begun; the window builds the page anew at the
 /// end.
 [[nodiscard]] QWidget* make_replay_bar(AppContext& context, int64_t attempt_id);
