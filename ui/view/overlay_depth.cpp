@@ -87,7 +87,9 @@ void Overlay::depth() {
 void Overlay::height(int tool, double gap) {
     Vec2 tip;
     if (!place_of(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p, tip)) return;
-    label(beside(tool, tip) + Vec2(0, 1.2 * unit_), number(gap, 0) + " mm", kMuted, Align::kCentre);
+    const double side = beside(tool, tip).x() < tip.x() ? -1 : 1;
+    label(tip + Vec2(1.2 * side, 1.2) * unit_, phrase("%1 mm above", number(gap, 0)), kMuted,
+          side < 0 ? Align::kRight : Align::kLeft);
 }
 
 /// Where the gauge stands: beside the tip, away from its shaft, and over no ring and no label.
