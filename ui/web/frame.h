@@ -18,9 +18,8 @@ struct Reader {
     std::string path;        ///< Of the page: marked in the rail.
 };
 
-/// The whole document.
-[[nodiscard]] std::string document(const std::string& title, const Html& body,
-                                   const Reader& reader = {});
+/// The whole document, in the language that is spoken.
+[[nodiscard]] std::string document(const Text& title, const Html& body, const Reader& reader = {});
 
 [[nodiscard]] std::string_view style_sheet();
 
