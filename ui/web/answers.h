@@ -42,6 +42,10 @@ struct Answer {
 /// What is wrong with a request that asks for no page.
 [[nodiscard]] Answer refusal(int status);
 
+/// Path and query as a browser asks for them, without a language that is chosen in it; always on
+/// this host.
+[[nodiscard]] std::string address_of(const Request& request);
+
 /// A value in the header of cookies; empty where there is none.
 [[nodiscard]] std::string cookie_of(const std::string& header, const std::string& name);
 

@@ -38,6 +38,28 @@ Html rail(const Reader& reader) {
     return out;
 }
 
+/// One entry of the switch, named in its own language.
+Html language_entry(const Reader& reader, std::string_view code, std::string_view name) {
+    const bool asks = reader.address.find('?') != std::string::npos;
+    Html out;
+    out << "<li><a href=\"" << text(reader.address) << text(asks ? "&"sv : "?"sv)
+        << text(std::string_view(kLanguageKey)) << "=" << text(code) << "\" hreflang=\""
+        << text(code) << "\" lang=\"" << text(code) << "\" aria-label=\"" << text(name) << "\"";
+    if (code == spoken_code()) out << " aria-current=\"true\"";
+    out << ">"
+        << text(QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size())).toUpper())
+        << "</a></li>";
+    return out;
+}
+
+Html languages(const Reader& reader) {
+    Html out;
+    out << "<nav class=\"languages\" aria-label=\"" << say("Language") << "\"><ul>"
+        << language_entry(reader, "en", "EN, English") << language_entry(reader, "pl", "PL, polski")
+        << "</ul></nav>";
+    return out;
+}
+
 }  // namespace
 
 std::string document(const Text& title, const Html& body, const Reader& reader) {
@@ -51,9 +73,10 @@ std::string document(const Text& title, const Html& body, const Reader& reader) 
            "href=\"/style.css\"></head>\n<body><a class=\"skip\" href=\"#content\">"
         << say("Skip to the content") << "</a>\n<header><a class=\"brand\" href=\"/\">" << placode
         << "</a>";
+    if (reader.user != nullptr) out << rail(reader);
+    out << languages(reader);
     if (reader.user != nullptr)
-        out << rail(reader)
-            << "<form class=\"out\" method=\"post\" action=\"/sign-out\"><input type=\"hidden\" "
+        out << "<form class=\"out\" method=\"post\" action=\"/sign-out\"><input type=\"hidden\" "
                "name=\"form_token\" value=\""
             << text(reader.form_token) << "\"><span class=\"small\">"
             << text(reader.user->display_name) << "</span> <button type=\"submit\">"

@@ -18,6 +18,7 @@ constexpr Polish kPolish[] = {
     {"Norms", "Normy"},
     {"Studies", "Badania"},
     {"People", "Osoby"},
+    {"Language", "Język"},
     {"Skip to the content", "Przejdź do treści"},
     {"Sign out", "Wyloguj się"},
     {"Placode, for reading only: what is to be changed is changed in the program on the station. "

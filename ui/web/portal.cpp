@@ -110,6 +110,7 @@ Answer Portal::answer_or_throw(const Request& request) {
         sheet.body = style_sheet();
         return sheet;
     }
+    if (auto chosen = choose_language(request)) return *chosen;
     const Signed who = signed_in(request);
     if (request.path == "/sign-in")
         return who.session.account != 0 ? redirect("/") : sign_in_form({}, 200);
@@ -136,7 +137,7 @@ Answer Portal::page(const Request& request, const Signed& who) {
         return answer;
     }
     Visit visit{*store, tasks_, *user, now_utc(), {}, request.query};
-    const Reader reader{&visit.user, who.session.form_token, request.path};
+    const Reader reader{&visit.user, who.session.form_token, request.path, address_of(request)};
     for (const Route& route : routes())
         if (const auto parts = match(route, request.path)) {
             visit.parts = *parts;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "ui/web/answers.h"
@@ -48,8 +49,11 @@ class Portal {
     [[nodiscard]] Answer page(const Request& request, const Signed& who);
     [[nodiscard]] Answer show(const Route& route, Visit& visit, const Reader& reader);
     // portal_language.cpp
-    /// The one the browser asks for.
-    [[nodiscard]] static QLocale language_of(const Request& request);
+    /// The one that was chosen, else the one the browser asks for.
+    [[nodiscard]] QLocale language_of(const Request& request) const;
+    /// To the same page with the choice kept; nothing where none is made.
+    [[nodiscard]] std::optional<Answer> choose_language(const Request& request) const;
+    [[nodiscard]] std::string language_name() const;
     // portal_sign_in.cpp
     [[nodiscard]] Answer sign_in_form(const Html& said, int status);
     [[nodiscard]] Answer sign_in(const Request& request);

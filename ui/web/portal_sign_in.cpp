@@ -39,7 +39,9 @@ Answer Portal::sign_in_form(const Html& said, int status) {
          << say("Sign in") << "</button></form></section>\n";
     Answer answer;
     answer.status = status;
-    answer.body = document(say("Sign in"), body);
+    Reader nobody;
+    nobody.address = "/sign-in";
+    answer.body = document(say("Sign in"), body, nobody);
     answer.headers.emplace_back("Set-Cookie", cookie(form_name(), token));
     return answer;
 }
