@@ -205,6 +205,12 @@ function(placode_ui_programs)
   add_library(placode_web STATIC ${web_sources})
   target_link_libraries(placode_web PUBLIC placode_reports PkgConfig::HTTPLIB)
   placode_precompile(placode_web <QPainter> <QString>)
+  # The reports' words in Polish are the shell's; under a name of its own, because one file has one rule.
+  set(polish_ts ${PROJECT_SOURCE_DIR}/ui/shell/translations/placode_pl.ts)
+  set(polish ${CMAKE_CURRENT_BINARY_DIR}/web/placode_pl.qm)
+  add_custom_command(OUTPUT ${polish} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/web
+    COMMAND Qt6::lrelease -silent ${polish_ts} -qm ${polish} DEPENDS ${polish_ts} VERBATIM)
+  qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
   placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl placode_web)
   placode_several_at_once(placode_shell placode_attempt placode_view placodectl)

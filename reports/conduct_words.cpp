@@ -3,7 +3,6 @@
 // Words for what became of an attempt beside its score: void for cause, deviations of a study.
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include "db/attempt_counting.h"
 #include "reports/text.h"
@@ -20,7 +19,7 @@ class Speaker {
                                                : QCoreApplication::translate("Deviation", english);
     }
     [[nodiscard]] QString seconds(double s) const {
-        const QLocale locale = language_ == Language::kEnglish ? QLocale::c() : QLocale();
+        const QLocale locale = language_ == Language::kEnglish ? QLocale::c() : spoken();
         return (*this)("%1 s").arg(locale.toString(s, 'f', s < 10 ? 1 : 0));
     }
     [[nodiscard]] QString times(int n) const {

@@ -3,7 +3,6 @@
 // Damage on the anatomy at rest: twelve clock sectors by three regions, the number of entries in
 // each, and a sign at every place. Or the energy that went into the tissue, in J/mm2.
 
-#include <QLocale>
 #include <QPainterPath>
 #include <algorithm>
 #include <array>
@@ -168,7 +167,7 @@ void draw_energy(QPainter& painter, const QRectF& where, const sim::Recording& r
     draw_text(painter, QRectF(bar.right() + 4, bar.top() - 6, 54, 20),
               Qt::AlignLeft | Qt::AlignVCenter,
               QStringLiteral("%1 J/mm²")
-                  .arg(QLocale().toString(most / area_mm2, 'f', most / area_mm2 < 10 ? 1 : 0)),
+                  .arg(spoken().toString(most / area_mm2, 'f', most / area_mm2 < 10 ? 1 : 0)),
               style.muted, 0.92 * style.font_px);
     draw_text(painter, QRectF(bar.left() - 16, bar.top() - 6, 12, 20),
               Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("0"), style.muted,

@@ -76,8 +76,15 @@ struct FlowNumbers {
     std::vector<std::pair<std::string, int>> reached;  ///< Step of the protocol, participants.
     int analysed = 0;
 };
+/// What the boxes say, for a page in another language than English.
+struct FlowWords {
+    std::string enrolled = "enrolled", left = "withdrew, data not used or erased",
+                kept = "withdrew, data to date are used", consented = "consented",
+                analysed = "answers or attempts analysed";
+};
 /// Who took part, who left, who is analysed.
 [[nodiscard]] Figure flow_figure(const std::string& id, const std::string& title,
-                                 const FlowNumbers& numbers, const ChartStyle& style);
+                                 const FlowNumbers& numbers, const ChartStyle& style,
+                                 const FlowWords& words = {});
 
 }  // namespace placode::reports

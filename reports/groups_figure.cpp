@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contrasting groups: the scores of both as points under their normal curves, the cut between them.
 
-#include <QLocale>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
@@ -67,8 +66,8 @@ void draw_groups(QPainter& painter, const QRectF& where,
     painter.setPen(QPen(colour(style.text), 2));
     painter.drawLine(QPointF(cut, plot.top() - 2), QPointF(cut, plot.bottom() + 2.8 * px));
     draw_text(painter, QRectF(cut - 166, plot.top() + px, 160, 1.5 * px), Qt::AlignRight,
-              figure_word("cut at %1").arg(QLocale().toString(result.cut_score, 'f', 1)),
-              style.text, px, true);
+              figure_word("cut at %1").arg(spoken().toString(result.cut_score, 'f', 1)), style.text,
+              px, true);
     painter.restore();
 }
 

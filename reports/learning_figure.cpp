@@ -26,8 +26,7 @@ void draw_axes(QPainter& painter, const Panel& panel, const QString& name, bool 
         painter.setPen(QPen(colour(style.line), 0.8));
         painter.drawLine(QPointF(panel.plot.left(), y), QPointF(panel.plot.right(), y));
         draw_text(painter, QRectF(panel.plot.left() - 46, y - 8, 40, 16),
-                  Qt::AlignRight | Qt::AlignVCenter, QString::number(tick, 'g', 4), style.muted,
-                  11);
+                  Qt::AlignRight | Qt::AlignVCenter, tick_text(tick), style.muted, 11);
     }
     draw_text(painter, QRectF(panel.plot.left() - 46, panel.plot.top() - 18, 400, 16),
               Qt::AlignLeft, name, style.muted, 11);
@@ -112,9 +111,11 @@ void draw_learning(QPainter& painter, const QRectF& where, const std::vector<Lea
     }
     draw_axes(painter, sums, figure_word("CUSUM of attempts not passed"), true, style);
     draw_limit(painter, sums, limits.h1_upper,
-               figure_word("h1 %1 unacceptable").arg(number(limits.h1_upper, 2)), style);
+               figure_word("h1 %1 unacceptable").arg(with_spoken_sign(number(limits.h1_upper, 2))),
+               style);
     draw_limit(painter, sums, limits.h0_lower,
-               figure_word("h0 %1 acceptable").arg(number(limits.h0_lower, 2)), style);
+               figure_word("h0 %1 acceptable").arg(with_spoken_sign(number(limits.h0_lower, 2))),
+               style);
     for (const auto& path : paths)
         draw_line(painter, sums, path, 0, QPen(colour(style.muted), 0.9), 1.6);
 }
@@ -180,7 +181,7 @@ Figure learning_figure(const std::string& id, const std::string& title,
 }
 
 Figure flow_figure(const std::string& id, const std::string& title, const FlowNumbers& numbers,
-                   const ChartStyle& style) {
+                   const ChartStyle& style, const FlowWords& words) {
     std::vector<Box> boxes;
     const auto add = [&](const std::string& text, int n, bool aside) {
         boxes.push_back(
@@ -192,13 +193,13 @@ Figure flow_figure(const std::string& id, const std::string& title, const FlowNu
         add(text, n, aside);
         figure.csv += csv_line({harmless(text), std::to_string(n)});
     };
-    both("enrolled", numbers.enrolled, false);
+    both(words.enrolled, numbers.enrolled, false);
     const int left = numbers.stopped + numbers.erased;
-    if (left > 0) both("withdrew, data not used or erased", left, true);
-    if (numbers.kept > 0) both("withdrew, data to date are used", numbers.kept, true);
-    if (numbers.consented >= 0) both("consented", numbers.consented, false);
+    if (left > 0) both(words.left, left, true);
+    if (numbers.kept > 0) both(words.kept, numbers.kept, true);
+    if (numbers.consented >= 0) both(words.consented, numbers.consented, false);
     for (const auto& [step, n] : numbers.reached) both(step, n, false);
-    both("answers or attempts analysed", numbers.analysed, false);
+    both(words.analysed, numbers.analysed, false);
     figure.id = id;
     figure.title = title;
     figure.caption = "Flow of participants.";

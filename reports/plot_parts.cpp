@@ -5,6 +5,8 @@
 #include <QFontMetricsF>
 #include <cmath>
 
+#include "reports/words.h"
+
 namespace placode::reports {
 namespace {
 
@@ -33,6 +35,8 @@ std::vector<double> round_ticks(double low, double high, int count) {
         ticks.push_back(std::abs(tick) < 1e-9 * step ? 0 : tick);
     return ticks;
 }
+
+QString tick_text(double tick) { return with_spoken_sign(QString::number(tick, 'g', 4)); }
 
 void draw_text(QPainter& painter, const QRectF& where, int alignment, const QString& text, QRgb ink,
                double px, bool bold) {

@@ -22,6 +22,9 @@ struct LinearScale {
 /// About `count` round values from low to high.
 [[nodiscard]] std::vector<double> round_ticks(double low, double high, int count);
 
+/// What stands at a tick.
+[[nodiscard]] QString tick_text(double tick);
+
 /// Text in a rectangle; what is too long is shortened with an ellipsis.
 void draw_text(QPainter& painter, const QRectF& where, int alignment, const QString& text, QRgb ink,
                double px, bool bold = false);

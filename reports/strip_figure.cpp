@@ -23,7 +23,7 @@ void draw_axis(QPainter& painter, const QRectF& plot, const LinearScale& x, cons
         painter.setPen(QPen(colour(style.line), 0.8));
         painter.drawLine(QPointF(x.at(tick), plot.top()), QPointF(x.at(tick), plot.bottom()));
         draw_text(painter, QRectF(x.at(tick) - 40, plot.bottom() + 2, 80, 14), Qt::AlignCenter,
-                  QString::number(tick, 'g', 4), style.muted, 11);
+                  tick_text(tick), style.muted, 11);
     }
     draw_text(painter, QRectF(plot.left(), plot.bottom() + 16, plot.width(), 14), Qt::AlignCenter,
               name, style.muted, 11);

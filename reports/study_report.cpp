@@ -358,7 +358,7 @@ StudyReport read_study_report(db::Store& store, const std::string& study_id,
     return report;
 }
 
-FlowNumbers flow_numbers(const StudyReport& report) {
+FlowNumbers flow_numbers(const StudyReport& report, const std::string& language) {
     FlowNumbers flow;
     flow.enrolled = static_cast<int>(report.everybody.size());
     for (const auto& each : report.everybody) {
@@ -393,7 +393,7 @@ FlowNumbers flow_numbers(const StudyReport& report) {
             flow.consented = n;
         else if (step.kind == curriculum::StepKind::kQuestionnaire ||
                  step.kind == curriculum::StepKind::kProcedure)
-            flow.reached.emplace_back(step.title.en.empty() ? step.id : step.title.en, n);
+            flow.reached.emplace_back(step.title.en.empty() ? step.id : step.title.in(language), n);
     }
     return flow;
 }

@@ -33,7 +33,9 @@ struct StudyReport {
                                             const std::string& language = "en");
 
 /// Of everybody who was enrolled; consented is -1 where the protocol asks for none.
-[[nodiscard]] FlowNumbers flow_numbers(const StudyReport& report);
+/// @param language of the steps' titles.
+[[nodiscard]] FlowNumbers flow_numbers(const StudyReport& report,
+                                       const std::string& language = "en");
 
 /// All figures that the data allow. The figures do not refer to `report`.
 [[nodiscard]] std::vector<Figure> study_figures(const StudyReport& report,

@@ -3,13 +3,16 @@
 #include "reports/words.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <cmath>
+#include <utility>
 
 namespace placode::reports {
 namespace {
 
 using sim::EventKind;
+
+// Asked for by functions that know no reader: it goes with the thread that makes the page.
+thread_local std::optional<QLocale> spoken_here;
 
 QString translated(const char* context, const char* english) {
     return QCoreApplication::translate(context, english);
@@ -21,7 +24,7 @@ QString times_words(int count) {
     return translated("Reason", "%1 times").arg(count);
 }
 
-QString local(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
+QString local(double value, int decimals) { return spoken().toString(value, 'f', decimals); }
 
 /// A number as a reason has it, with the decimal sign of the language; beyond a million as it is.
 std::string local_number(const std::string& number) {
@@ -109,13 +112,22 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
 
 }  // namespace
 
+Speaking::Speaking(const QLocale& language) : before_(std::exchange(spoken_here, language)) {}
+Speaking::~Speaking() { spoken_here = before_; }
+
+QLocale spoken() { return spoken_here.value_or(QLocale()); }
+
+QString with_spoken_sign(QString number) {
+    return spoken_here ? number.replace('.', spoken_here->decimalPoint()) : number;
+}
+
 QString figure_word(const char* english) { return translated("Figure", english); }
 
 QString reason_words(const assessment::Reason& reason) {
     const assessment::ReasonMeaning& meaning = reason.meaning;
     std::string said = reason.text;
     if (!meaning.pattern.empty()) {
-        const bool own = QLocale().language() == QLocale::Polish && !meaning.pattern_pl.empty();
+        const bool own = spoken().language() == QLocale::Polish && !meaning.pattern_pl.empty();
         assessment::ReasonWords words = assessment::english_places(meaning, reason.points);
         words.value = local_number(words.value);
         words.points = local_number(words.points);

@@ -5,7 +5,9 @@
 // where no translator is installed. The shell's translation file lists them
 // (translatable_strings.cpp).
 
+#include <QLocale>
 #include <QString>
+#include <optional>
 
 #include "assessment/ledger.h"
 #include "assessment/scoring.h"
@@ -13,6 +15,25 @@
 #include "db/study_deviations.h"
 
 namespace placode::reports {
+
+/// While it lives, words and numbers of this thread are in that language, whatever the program's
+/// is: a server speaks to several readers at once, each in a thread. The words still come from the
+/// program's translators, which may ask spoken() (ui/web/words.cpp).
+class Speaking {
+ public:
+    explicit Speaking(const QLocale& language);
+    ~Speaking();
+    Speaking(const Speaking&) = delete;
+    Speaking& operator=(const Speaking&) = delete;
+
+ private:
+    std::optional<QLocale> before_;
+};
+/// What this thread speaks; where nothing was said of it, the program's.
+[[nodiscard]] QLocale spoken();
+/// A number as it stands in every report ("3.5"), with the decimal sign of who is spoken to; as it
+/// is where no language was said.
+[[nodiscard]] QString with_spoken_sign(QString number);
 
 /// A word of the figures, translated.
 [[nodiscard]] QString figure_word(const char* english);

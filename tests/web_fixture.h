@@ -89,13 +89,17 @@ class Browser {
                            body.find('"', at + before.size()) - at - before.size());
     }
     std::map<std::string, std::string> cookies;
+    std::string languages;  ///< Accept-Language; empty: the browser says nothing.
 
  private:
     [[nodiscard]] httplib::Headers headers() const {
         std::string line;
         for (const auto& [name, value] : cookies)
             line += (line.empty() ? "" : "; ") + name + "=" + value;
-        return line.empty() ? httplib::Headers{} : httplib::Headers{{"Cookie", line}};
+        httplib::Headers all;
+        if (!line.empty()) all.emplace("Cookie", line);
+        if (!languages.empty()) all.emplace("Accept-Language", languages);
+        return all;
     }
     Seen keep(const httplib::Result& result) {
         if (!result) return {};

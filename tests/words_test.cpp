@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QTranslator>
 #include <set>
+#include <thread>
 
 #include "curriculum/definitions.h"
 #include "curriculum/task.h"
@@ -110,6 +111,27 @@ TEST(Words, EveryScoreKeepsWhatItsReasonsMean) {
     }
     rubric.attempted_by = {"energy_j"};
     EXPECT_FALSE(assessment::score_attempt(rubric, {}, {}).reasons[0].meaning.pattern.empty());
+}
+
+// A portal answers several readers at once, each in a thread.
+TEST_F(WordsTest, AThreadMaySpeakAnotherLanguageThanTheProgram) {
+    const QLocale polish(QLocale::Polish);
+    assessment::Reason reason = reason_of("My own words, {value} {unit}.", 12.25, 0, 0, "dwell_s");
+    reason.meaning.pattern_pl = "Moje własne słowa, {value} {unit}.";
+    EXPECT_EQ(with_spoken_sign("3.5"), QString("3.5"));
+    std::thread([&] {
+        const Speaking here(polish);
+        EXPECT_EQ(spoken().language(), QLocale::Polish);
+        EXPECT_EQ(reason_words(reason), QString("Moje własne słowa, 12,2 s."));
+        EXPECT_EQ(with_spoken_sign("3.5"), QString("3,5"));
+        {
+            const Speaking again(QLocale::c());
+            EXPECT_EQ(with_spoken_sign("3.5"), QString("3.5"));
+        }
+        EXPECT_EQ(spoken().language(), QLocale::Polish);
+        std::thread([] { EXPECT_EQ(spoken(), QLocale()); }).join();
+    }).join();
+    EXPECT_EQ(spoken(), QLocale());
 }
 
 TEST_F(WordsTest, WhatAnOlderProgramScoredStays) {

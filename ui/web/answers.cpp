@@ -2,19 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/web/answers.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+
+#include "ui/web/words.h"
 
 namespace placode::web {
 namespace {
 
-/// "you may not ...; an educator can" without what was being done and where the store lies.
-std::string refusal_words(const db::StoreError& error) {
-    std::string words = error.what();
-    const size_t begin = words.find("you may not");
-    if (begin == std::string::npos) return "You may not see this.";
-    words = words.substr(begin) + ".";
-    words[0] = 'Y';
-    return words;
+/// "you may not ...; an educator can" without what was being done and where the store lies, in the
+/// words that the shell has for it.
+Text refusal_words(const db::StoreError& error) {
+    const std::string said = error.what(), before = "you may not ", between = "; ", after = " can";
+    const size_t begin = said.find(before), middle = said.find(between, begin);
+    const size_t end = said.rfind(after);
+    if (begin == std::string::npos || middle == std::string::npos || end == std::string::npos ||
+        end < middle + between.size())
+        return say("You may not see this.");
+    const auto rights = [](const std::string& english) {
+        return QCoreApplication::translate("Rights", english.c_str());
+    };
+    const size_t what = begin + before.size(), who = middle + between.size();
+    return text(
+        rights("You may not %1; %2 can.")
+            .arg(rights(said.substr(what, middle - what)), rights(said.substr(who, end - who))));
 }
 
 }  // namespace
@@ -39,10 +50,10 @@ Answer redirect(const std::string& to) {
     return answer;
 }
 
-Answer message(int status, const std::string& title, const Html& words, const Reader& reader) {
+Answer message(int status, const Text& title, const Html& words, const Reader& reader) {
     Html body;
-    body << "<h1>" << text(title) << "</h1>\n<p>" << words << "</p>\n";
-    if (reader.user != nullptr) body << "<p>" << link("/", Html("Back to my page")) << "</p>\n";
+    body << "<h1>" << title << "</h1>\n<p>" << words << "</p>\n";
+    if (reader.user != nullptr) body << "<p>" << link("/", say("Back to my page")) << "</p>\n";
     Answer answer;
     answer.status = status;
     answer.body = document(title, body, reader);
@@ -53,37 +64,38 @@ Answer trouble(const db::StoreError& error, const Reader& reader) {
     using Kind = db::StoreError::Kind;
     switch (error.kind()) {
         case Kind::kRefused:
-            return message(403, "Not for you", text(refusal_words(error)), reader);
+            return message(403, say("Not for you"), refusal_words(error), reader);
         case Kind::kNotFound:
-            return message(404, "Not there", Html("What this page is about is not in the store."),
-                           reader);
+            return message(404, say("Not there"),
+                           say("What this page is about is not in the store."), reader);
         case Kind::kLocked:
         case Kind::kUnavailable:
-            return message(503, "Not now",
-                           Html("The store cannot be reached at the moment. Try again."), reader);
+            return message(503, say("Not now"),
+                           say("The store cannot be reached at the moment. Try again."), reader);
         default:
-            return message(500, "Something is wrong",
-                           Html("The store cannot be read. Whoever runs this computer finds the "
-                                "reason in the program's log."),
+            return message(500, say("Something is wrong"),
+                           say("The store cannot be read. Whoever runs this computer finds the "
+                               "reason in the program's log."),
                            reader);
     }
 }
 
 Answer fault(const Reader& reader) {
     return message(
-        500, "Something is wrong",
-        Html("The page could not be made. Whoever runs this computer finds the reason in "
-             "the program's log."),
+        500, say("Something is wrong"),
+        say("The page could not be made. Whoever runs this computer finds the reason in the "
+            "program's log."),
         reader);
 }
 
 Answer refusal(int status) {
-    if (status == 404) return message(404, "Not there", Html("There is no such page."));
+    if (status == 404) return message(404, say("Not there"), say("There is no such page."));
     if (status == 405)
-        return message(405, "For reading only", Html("Nothing can be sent to this page."));
+        return message(405, say("For reading only"), say("Nothing can be sent to this page."));
     if (status == 413 || status == 414)
-        return message(status, "Too long", Html("The request is longer than any page asks for."));
-    return message(status, "Not understood", Html("The request cannot be read."));
+        return message(status, say("Too long"),
+                       say("The request is longer than any page asks for."));
+    return message(status, say("Not understood"), say("The request cannot be read."));
 }
 
 std::string cookie_of(const std::string& header, const std::string& name) {

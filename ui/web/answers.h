@@ -17,7 +17,8 @@ struct Request {
     std::string method;  ///< "GET" also stands for HEAD.
     std::string path;    ///< Decoded, without the query.
     std::map<std::string, std::string> query, form;
-    std::string cookies;  ///< The header.
+    std::string cookies;    ///< The header.
+    std::string languages;  ///< The header Accept-Language.
 };
 
 struct Answer {
@@ -32,7 +33,7 @@ struct Answer {
 
 [[nodiscard]] Answer redirect(const std::string& to);
 /// A page of a heading and a sentence.
-[[nodiscard]] Answer message(int status, const std::string& title, const Html& words,
+[[nodiscard]] Answer message(int status, const Text& title, const Html& words,
                              const Reader& reader = {});
 /// What the store's trouble is to somebody at a browser; the log says it exactly.
 [[nodiscard]] Answer trouble(const db::StoreError& error, const Reader& reader);
@@ -40,6 +41,10 @@ struct Answer {
 [[nodiscard]] Answer fault(const Reader& reader = {});
 /// What is wrong with a request that asks for no page.
 [[nodiscard]] Answer refusal(int status);
+
+/// Path and query as a browser asks for them, without a language that is chosen in it; always on
+/// this host.
+[[nodiscard]] std::string address_of(const Request& request);
 
 /// A value in the header of cookies; empty where there is none.
 [[nodiscard]] std::string cookie_of(const std::string& header, const std::string& name);

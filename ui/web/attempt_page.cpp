@@ -12,60 +12,115 @@
 #include "reports/metric_groups.h"
 #include "reports/text.h"
 #include "reports/words.h"
-#include "sim/core/counted.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
+
+using namespace std::string_view_literals;
+
 namespace {
 
 Html counting(const db::AttemptRecord& record) {
     const QString why = reports::not_counted_words(record);
     Html out;
     if (why.isEmpty())
-        out << "It counts.";
+        out << say("It counts.");
     else
-        out << "It does not count: " << text(why) << ".";
+        out << say("It does not count: %1.", text(why));
     return out;
+}
+
+Text end_words(sim::EndReason reason) {
+    switch (reason) {
+        case sim::EndReason::kRunning:
+            return say("running");
+        case sim::EndReason::kFinished:
+            return say("finished");
+        case sim::EndReason::kTimeLimit:
+            return say("time limit");
+        case sim::EndReason::kClosed:
+            return say("closed@attempt");
+        case sim::EndReason::kInterrupted:
+            return say("interrupted");
+    }
+    return dash();
+}
+
+/// As the shell calls them; names of products stay as the station keeps them.
+Text device_words(const std::string& device) {
+    if (device == "mouse") return say("mouse");
+    if (device == "keyboard") return say("keyboard");
+    if (device == "gamepad") return say("gamepad");
+    if (device == "script:expert") return say("scripted expert");
+    if (device == "script:intermediate") return say("scripted intermediate");
+    if (device == "script:novice") return say("scripted novice");
+    return text(device);
+}
+
+Text group_words(reports::MetricGroup group) {
+    switch (group) {
+        case reports::MetricGroup::kTime:
+            return say("Time and view");
+        case reports::MetricGroup::kIncision:
+            return say("Incision");
+        case reports::MetricGroup::kPlacode:
+            return say("Placode@part");
+        case reports::MetricGroup::kTissue:
+            return say("Tissue");
+        case reports::MetricGroup::kResection:
+            return say("Grasping and resection");
+        case reports::MetricGroup::kEnergy:
+            return say("Energy and heat");
+        case reports::MetricGroup::kForce:
+            return say("Force");
+        case reports::MetricGroup::kMotion:
+            return say("Motion");
+        case reports::MetricGroup::kHands:
+            return say("Both hands");
+        case reports::MetricGroup::kPractice:
+            return say("Steps of the exercise");
+    }
+    return dash();
 }
 
 Html facts(const Visit& visit, const db::AttemptRecord& record) {
     Facts list;
     if (record.study.study.empty())
-        list.add(Html("Person"), link("/people/" + std::to_string(record.user_id),
-                                      text(name_or_number(record.user_name, record.user_id))));
+        list.add(say("Person"), link("/people/" + std::to_string(record.user_id),
+                                     text(name_or_number(record.user_name, record.user_id))));
     else
-        list.add(Html("Participant"), text(record.study.participant + ", " + record.study.study));
-    list.add(Html("Task"), text(visit.tasks.of(record.task_id).title));
-    list.add(Html("Started"), Html(moment(record.started_utc)) << " UTC");
-    list.add(Html("Length"), text(reports::duration_words(record.duration_s)));
-    list.add(Html("End"), text(reports::end_word(record.end)));
-    list.add(Html("Device"), text(record.device));
+        list.add(say("Participant"), text(record.study.participant + ", " + record.study.study));
+    list.add(say("Task"), text(visit.tasks.of(record.task_id).title));
+    list.add(say("Started"), Html(moment(record.started_utc)) << text(" UTC"sv));
+    list.add(say("Length"), text(reports::duration_words(record.duration_s)));
+    list.add(say("End"), end_words(record.end));
+    list.add(say("Device"), device_words(record.device));
     if (!record.exam.course_id.empty()) {
-        list.add(Html("Exam"), text(record.exam.course_id + ", " + record.exam.stage_id));
-        list.add(Html("Proctor"), text(record.exam.proctor));
+        list.add(say("Exam"), text(record.exam.course_id + ", " + record.exam.stage_id));
+        list.add(say("Proctor"), text(record.exam.proctor));
     }
-    if (record.demonstration) list.add(Html("Mark"), Html("DEMONSTRATION, simulated data"));
-    list.add(Html("Scored by"),
-             text(record.rubric_id + " " + std::to_string(record.rubric_version) + ", metric set " +
-                  std::to_string(record.metric_set_version)));
+    if (record.demonstration) list.add(say("Mark"), say("DEMONSTRATION, simulated data"));
+    list.add(say("Scored by"), say("%1 %2, metric set %3", text(record.rubric_id),
+                                   text(record.rubric_version), text(record.metric_set_version)));
     return list.html();
 }
 
 Html reasons_card(const assessment::Score& score) {
     Html body;
     if (score.reasons.empty()) {
-        body << "<p>No point was lost.</p>";
-        return card(Html("What cost points"), body);
+        body << "<p>" << say("No point was lost.") << "</p>";
+        return card(say("What cost points"), body);
     }
-    Table table("Reasons, the most costly first", {{"Reason"}, {"At"}, {"Points", true}});
+    Table table(say("Reasons, the most costly first"),
+                {{say("Reason")}, {say("At@time")}, {say("Points"), true}});
     for (const assessment::Reason& each : score.reasons) {
         Html words = text(reports::reason_words(each));
-        if (each.critical) words << " " << badge(Html("critical"), "critical");
-        table.row({words, each.time_s >= 0 ? text(reports::minute_second(each.time_s)) : text("–"),
+        if (each.critical) words << " " << badge(say("critical"), Tone::kCritical);
+        table.row({words, each.time_s >= 0 ? text(reports::minute_second(each.time_s)) : dash(),
                    points(-each.points)});
     }
     body << table.html();
-    return card(Html("What cost points"), body);
+    return card(say("What cost points"), body);
 }
 
 Html ledger_card(const db::AttemptDetail& detail, const reports::TaskScope& scope) {
@@ -77,69 +132,71 @@ Html ledger_card(const db::AttemptDetail& detail, const reports::TaskScope& scop
     const reports::LedgerPicture timeline = reports::ledger_picture(recording, scope);
     Html body;
     if (timeline.entries.empty()) {
-        body << "<p>Nothing was harmed that the ledger watches.</p>";
-        return card(Html("Damage ledger"), body);
+        body << "<p>" << say("Nothing was harmed that the ledger watches.") << "</p>";
+        return card(say("Damage ledger"), body);
     }
     const auto height = static_cast<int>(reports::ledger_height({}));
-    body << picture("Damage ledger on a time line",
-                    "Phases above, one lane for each kind of harm; the table below lists the "
-                    "entries.",
+    body << picture(words("Damage ledger on a time line"),
+                    words("Phases above, one lane for each kind of harm; the table below lists the "
+                          "entries."),
                     900, height,
                     [&](QPainter& painter, const QRectF& where, const reports::ChartStyle& style) {
                         reports::draw_ledger(painter, where, timeline, style);
                     });
-    Table table(sim::counted(timeline.entries.size(), "entry", "entries") + " of the damage ledger",
-                {{"At"}, {"What"}});
+    Table table(say_count(timeline.entries.size(), "%1 entry of the damage ledger",
+                          "%1 entries of the damage ledger"),
+                {{say("At@time")}, {say("What")}});
     for (const assessment::LedgerEntry& entry : timeline.entries) {
-        Html words = text(reports::ledger_words(entry));
-        if (entry.has_place) words << ", " << text(entry.hour) << " o'clock";
-        if (entry.critical) words << " " << badge(Html("critical"), "critical");
-        table.row({text(reports::minute_second(entry.from_s)), words});
+        Html what = text(reports::ledger_words(entry));
+        if (entry.has_place) what << ", " << say("%1 o'clock", text(entry.hour));
+        if (entry.critical) what << " " << badge(say("critical"), Tone::kCritical);
+        table.row({text(reports::minute_second(entry.from_s)), what});
     }
     body << table.html();
-    return card(Html("Damage ledger"), body);
+    return card(say("Damage ledger"), body);
 }
 
 Html metrics_card(const db::AttemptDetail& detail, const reports::TaskScope& scope) {
-    Table table("What was measured", {{"Metric"}, {"Value", true}, {"Unit"}, {"Part"}});
+    Table table(say("What was measured"),
+                {{say("Metric")}, {say("Value"), true}, {say("Unit")}, {say("Part")}});
     for (const reports::GroupedMetrics& group : reports::grouped_metrics(detail.metrics, scope))
         for (const assessment::MetricDefinition& metric : group.metrics) {
             const auto value = detail.metrics.find(metric.id);
             if (!value) continue;
             const bool minutes = reports::in_minutes(metric, *value);
-            const Text shown = text(reports::metric_text(metric, *value));
-            table.row({text(std::string(metric.name)), shown,
-                       minutes ? text("min") : text(reports::unit_sign(metric.unit)),
-                       text(reports::group_title(group.group))});
+            const Text shown = number_text(reports::metric_text(metric, *value));
+            table.row({metric_words(metric), shown,
+                       minutes ? text("min"sv) : text(reports::unit_sign(metric.unit)),
+                       group_words(group.group)});
         }
     Html body;
     if (!table.empty()) body << table.html();
-    if (body.empty()) body << "<p class=\"muted\">None was kept.</p>";
-    return card(Html("Metrics"), body);
+    if (body.empty()) body << "<p class=\"muted\">" << say("None was kept.") << "</p>";
+    return card(say("Metrics"), body);
 }
 
 Html remarks_card(const Visit& visit, int64_t attempt) {
     Html body;
     for (const db::CommentRecord& each : visit.store.reviews().comments(attempt)) {
-        body << "<blockquote><p>" << (each.text.empty() ? text("(a mark)") : text(each.text))
+        body << "<blockquote><p>" << (each.text.empty() ? say("(a mark)") : text(each.text))
              << "</p><footer>" << text(each.author_name);
-        if (each.time_s >= 0) body << ", at " << text(reports::minute_second(each.time_s));
+        if (each.time_s >= 0)
+            body << ", " << say("at %1", text(reports::minute_second(each.time_s)));
         body << ", " << day(each.at_utc) << "</footer></blockquote>";
     }
-    if (body.empty()) body << "<p class=\"muted\">Nobody has remarked on it.</p>";
-    return card(Html("Remarks"), body);
+    if (body.empty()) body << "<p class=\"muted\">" << say("Nobody has remarked on it.") << "</p>";
+    return card(say("Remarks"), body);
 }
 
 Html later_scores_card(const Visit& visit, int64_t attempt) {
     const auto rescores = visit.store.attempts().rescores(attempt);
     if (rescores.empty()) return {};
-    Table table("Later scores; the first one never changes",
-                {{"Scored on"}, {"Points", true}, {"Result"}, {"Rubric"}});
+    Table table(say("Later scores; the first one never changes"),
+                {{say("Scored on")}, {say("Points"), true}, {say("Result")}, {say("Rubric")}});
     for (const db::RescoreRecord& each : rescores)
-        table.row({day(each.scored_utc), points(each.score.points),
-                   text(reports::verdict_word(each.score.verdict)),
+        table.row({day(each.scored_utc), points(each.score.points), verdict(each.score.verdict),
                    text(each.score.rubric_id + " " + std::to_string(each.score.rubric_version))});
-    return card(Html("Later scores"), table.html());
+    return card(say("Later scores"), table.html());
 }
 
 reports::TaskScope scope_of_task(const db::AttemptDetail& detail) {
@@ -158,14 +215,15 @@ PageText attempt_page(const Visit& visit) {
     const db::AttemptDetail detail = visit.store.attempts().detail(id);
     const reports::TaskScope scope = scope_of_task(detail);
     Html body;
-    body << "<h1>Attempt #" << text(id) << "</h1>\n<p class=\"verdict\"><strong>"
-         << points(detail.record.points) << "</strong> of 100 points "
-         << points_and_verdict(detail.record) << "</p><p>" << counting(detail.record) << "</p>\n"
-         << "<section class=\"card\"><h2>About it</h2>" << facts(visit, detail.record)
-         << "</section>\n"
-         << reasons_card(detail.score) << ledger_card(detail, scope) << metrics_card(detail, scope)
-         << remarks_card(visit, id) << later_scores_card(visit, id);
-    return {"Attempt " + std::to_string(id), body};
+    Html score;
+    score << "<strong>" << points(detail.record.points) << "</strong>";
+    body << "<h1>" << say("Attempt #%1", text(id)) << "</h1>\n<p class=\"verdict\">"
+         << say("%1 of 100 points", score) << " " << verdict_badge(detail.record) << "</p><p>"
+         << counting(detail.record) << "</p>\n"
+         << card(say("About it"), facts(visit, detail.record)) << reasons_card(detail.score)
+         << ledger_card(detail, scope) << metrics_card(detail, scope) << remarks_card(visit, id)
+         << later_scores_card(visit, id);
+    return {say("Attempt %1", text(id)), body};
 }
 
 }  // namespace placode::web

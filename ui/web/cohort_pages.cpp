@@ -8,7 +8,6 @@
 #include <set>
 
 #include "curriculum/utc_time.h"
-#include "sim/core/counted.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
@@ -48,7 +47,7 @@ Cohort read_cohort(const Visit& visit) {
 
 Html cell_of(const Person& person, const std::string& task) {
     const auto found = person.tasks.find(task);
-    if (found == person.tasks.end()) return Html("–");
+    if (found == person.tasks.end()) return dash();
     const CohortCell& cell = found->second;
     Html out;
     out << points(cell.last) << " " << standing_badge(cell.standing) << " <span class=\"small\">"
@@ -57,18 +56,18 @@ Html cell_of(const Person& person, const std::string& task) {
 }
 
 /// The heading with the ways between the views of a cohort, and the choice of a group.
-Html head(const Visit& visit, Markup title, const std::string& path,
+Html head(const Visit& visit, const Text& title, const std::string& path,
           const std::vector<Choice>& further) {
     std::vector<Choice> all{group_choice(visit)};
     all.insert(all.end(), further.begin(), further.end());
     const std::string same = query({{"group", visit.asked("group")}});
     Html out;
     out << "<h1>" << title << "</h1>\n"
-        << views("Cohort", path + same,
-                 {{"/cohort" + same, "People by tasks"},
-                  {"/help" + same, "Who needs help"},
-                  {"/refreshers" + same, "Due for a refresher"},
-                  {"/scores" + same, "Scores of a task"}})
+        << views(say("Cohort"), path + same,
+                 {{"/cohort" + same, say("People by tasks")},
+                  {"/help" + same, say("Who needs help")},
+                  {"/refreshers" + same, say("Due for a refresher")},
+                  {"/scores" + same, say("Scores of a task")}})
         << choices(path, all);
     return out;
 }
@@ -111,16 +110,18 @@ Html curve_link(const Visit& visit, const db::TaskStanding& standing) {
 
 PageText cohort_page(const Visit& visit) {
     const Cohort cohort = read_cohort(visit);
-    Html body = head(visit, "Cohort", "/cohort", {});
+    Html body = head(visit, say("Cohort"), "/cohort", {});
     if (cohort.people.empty()) {
-        body << "<p class=\"muted\">Nobody here has an attempt that counts.</p>";
-        return {"Cohort", body};
+        body << "<p class=\"muted\">" << say("Nobody here has an attempt that counts.") << "</p>";
+        return {say("Cohort"), body};
     }
     const Part part = part_of(visit, static_cast<int64_t>(cohort.people.size()));
-    std::vector<Column> columns{{"Person"}, {"Last seen"}};
-    for (const std::string& task : cohort.tasks) columns.push_back({visit.tasks.of(task).title});
-    Table table(sim::counted(cohort.people.size(), "person with attempts", "people with attempts"),
-                columns);
+    std::vector<Column> columns{{say("Person")}, {say("Last seen")}};
+    for (const std::string& task : cohort.tasks)
+        columns.push_back({text(visit.tasks.of(task).title)});
+    Table table(
+        say_count(cohort.people.size(), "%1 person with attempts", "%1 people with attempts"),
+        columns);
     for (int64_t i = part.first; i < part.past; ++i) {
         const Person& person = cohort.people[static_cast<size_t>(i)];
         std::vector<Html> cells{link("/people/" + std::to_string(person.id), text(person.name)),
@@ -129,9 +130,9 @@ PageText cohort_page(const Visit& visit) {
         table.row(cells);
     }
     body << "<section class=\"card\">" << table.html()
-         << pager(part, "/cohort", {{"group", visit.asked("group")}})
-         << "<p class=\"small\">Last score, standing and number of attempts.</p></section>\n";
-    return {"Cohort", body};
+         << pager(part, "/cohort", {{"group", visit.asked("group")}}) << "<p class=\"small\">"
+         << say("Last score, standing and number of attempts.") << "</p></section>\n";
+    return {say("Cohort"), body};
 }
 
 PageText help_page(const Visit& visit) {
@@ -146,17 +147,17 @@ PageText help_page(const Visit& visit) {
     }
     const size_t stuck = list.size();
     list.insert(list.end(), regressed.begin(), regressed.end());
-    Html body = head(visit, "Who needs help", "/help", {});
+    Html body = head(visit, say("Who needs help"), "/help", {});
     const Part part = part_of(visit, static_cast<int64_t>(list.size()));
-    Table table(std::to_string(stuck) + " stuck, " + std::to_string(regressed.size()) +
-                    " regressed; who is stuck stands first",
-                {{"Person"},
-                 {"Task"},
-                 {"Standing"},
-                 {"Last", true},
-                 {"Best", true},
-                 {"Attempts", true},
-                 {"Last on"}});
+    Table table(say("%1 stuck, %2 regressed; who is stuck stands first", text(stuck),
+                    text(regressed.size())),
+                {{say("Person")},
+                 {say("Task")},
+                 {say("Standing")},
+                 {say("Last"), true},
+                 {say("Best"), true},
+                 {say("Attempts"), true},
+                 {say("Last on")}});
     for (const db::TaskStanding& each : part_of_list(list, part))
         table.row({person_link(each), curve_link(visit, each),
                    standing_badge(assessment::judge_standing(each.trials).standing),
@@ -164,68 +165,71 @@ PageText help_page(const Visit& visit) {
                    day(each.last_utc)});
     body << "<section class=\"card\">";
     if (list.empty())
-        body << "<p>Nobody is stuck or regressed.</p>";
+        body << "<p>" << say("Nobody is stuck or regressed.") << "</p>";
     else
         body << table.html() << pager(part, "/help", {{"group", visit.asked("group")}});
-    body << "<p class=\"small\">" << standings_explained()
-         << " It points at people to look at and does not judge them.</p></section>\n";
-    return {"Who needs help", body};
+    body << "<p class=\"small\">" << standings_explained() << " "
+         << say("It points at people to look at and does not judge them.") << "</p></section>\n";
+    return {say("Who needs help"), body};
 }
 
 PageText refreshers_page(const Visit& visit) {
     const bool later = visit.asked("after") == "5";
     const std::vector<Due> due = due_people(visit, later ? kSecondDays : kFirstDays);
-    Html body = head(visit, "Due for a refresher", "/refreshers",
+    Html body = head(visit, say("Due for a refresher"), "/refreshers",
                      {{"after",
-                       "Not practised for",
+                       say("Not practised for"),
                        later ? "5" : "1",
-                       {{"1", "1 month or longer"}, {"5", "5 months or longer"}}}});
+                       {{"1", say("1 month or longer")}, {"5", say("5 months or longer")}}}});
     const Part part = part_of(visit, static_cast<int64_t>(due.size()));
-    Table table(sim::counted(due.size(), "person and task", "people and tasks") +
-                    " passed once and not practised since, the longest first",
-                {{"Person"},
-                 {"Task"},
-                 {"Due"},
-                 {"Last on"},
-                 {"Days ago", true},
-                 {"Last", true},
-                 {"Best", true}});
+    Table table(
+        say_count(due.size(),
+                  "%1 person and task passed once and not practised since, the longest first",
+                  "%1 people and tasks passed once and not practised since, the longest first"),
+        {{say("Person")},
+         {say("Task")},
+         {say("Due")},
+         {say("Last on")},
+         {say("Days ago"), true},
+         {say("Last"), true},
+         {say("Best"), true}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const Due& each = due[static_cast<size_t>(i)];
         table.row({person_link(each.standing), curve_link(visit, each.standing),
-                   each.days >= kSecondDays ? badge(Html("since 5 months"), "critical")
-                                            : badge(Html("since 1 month"), "warn"),
+                   each.days >= kSecondDays ? badge(say("since 5 months"), Tone::kCritical)
+                                            : badge(say("since 1 month"), Tone::kWarn),
                    day(each.standing.last_utc), text(each.days), points(each.standing.last_points),
                    points(each.standing.best_points)});
     }
     body << "<section class=\"card\">";
     if (due.empty())
-        body << "<p>Nobody is due.</p>";
+        body << "<p>" << say("Nobody is due.") << "</p>";
     else
         body << table.html()
              << pager(part, "/refreshers",
                       {{"group", visit.asked("group")}, {"after", visit.asked("after")}});
-    body
-        << "<p class=\"small\">A month is 30 days and counts from the last attempt that counts, of "
-           "tasks with at least one pass. When a stage of a course is to be refreshed by the "
-           "course's own rule stands on the person's page.</p></section>\n";
-    return {"Due for a refresher", body};
+    body << "<p class=\"small\">"
+         << say("A month is 30 days and counts from the last attempt that counts, of tasks with at "
+                "least one pass. When a stage of a course is to be refreshed by the course's own "
+                "rule stands on the person's page.")
+         << "</p></section>\n";
+    return {say("Due for a refresher"), body};
 }
 
 PageText scores_page(const Visit& visit) {
     const std::vector<std::string> tasks = visit.store.attempts().tasks();
-    Choice choice{"task", "Task", visit.asked("task"), {}};
+    Choice choice{"task", say("Task"), visit.asked("task"), {}};
     for (const std::string& task : tasks)
-        choice.values.emplace_back(task, visit.tasks.of(task).title);
+        choice.values.emplace_back(task, text(visit.tasks.of(task).title));
     if (std::find(tasks.begin(), tasks.end(), choice.chosen) == tasks.end())
         choice.chosen = tasks.empty() ? "" : tasks.front();
-    Html body = head(visit, "Scores of a task", "/scores", {choice});
+    Html body = head(visit, say("Scores of a task"), "/scores", {choice});
     if (tasks.empty()) {
-        body << "<p class=\"muted\">There are no attempts yet.</p>";
-        return {"Scores of a task", body};
+        body << "<p class=\"muted\">" << say("There are no attempts yet.") << "</p>";
+        return {say("Scores of a task"), body};
     }
     std::vector<reports::StripGroup> groups{
-        {"first attempt", {}}, {"last attempt", {}}, {"best attempt", {}}};
+        {words("first attempt"), {}}, {words("last attempt"), {}}, {words("best attempt"), {}}};
     for (const db::TaskStanding& each :
          visit.store.attempts().standings(visit.number("group"), choice.chosen)) {
         groups[0].values.push_back(each.first_points);
@@ -235,18 +239,21 @@ PageText scores_page(const Visit& visit) {
     const std::string title = visit.tasks.of(choice.chosen).title;
     Html drawing;
     if (groups[0].values.empty())
-        drawing << "<p>Nobody here has an attempt at it that counts.</p>";
+        drawing << "<p>" << say("Nobody here has an attempt at it that counts.") << "</p>";
     else
         drawing << figure([&](const reports::ChartStyle& style) {
-            reports::Figure strip = reports::strip_figure("scores", "Scores: " + title,
-                                                          "score [points of 100]", groups, style);
-            strip.caption = sim::counted(groups[0].values.size(), "person", "people") +
-                            ". Every point is a person; box: quartiles, line: median, diamond: "
-                            "mean.";
+            reports::Figure strip =
+                reports::strip_figure("scores", words("Scores: %1", {title}),
+                                      words("score [points of 100]"), groups, style);
+            strip.caption = words_count(
+                groups[0].values.size(),
+                "%1 person. Every point is a person; box: quartiles, line: median, diamond: mean.",
+                "%1 people. Every point is a person; box: quartiles, line: median, diamond: "
+                "mean.");
             return strip;
         });
     body << card(text(title), drawing);
-    return {"Scores of a task", body};
+    return {say("Scores of a task"), body};
 }
 
 }  // namespace placode::web

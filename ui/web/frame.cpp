@@ -3,11 +3,15 @@
 #include "ui/web/frame.h"
 
 #include "db/access.h"
+#include "ui/web/words.h"
 
 namespace placode::web {
+
+using namespace std::string_view_literals;
+
 namespace {
 
-Html rail_entry(const Reader& reader, const std::string& path, Markup words) {
+Html rail_entry(const Reader& reader, const std::string& path, const Text& words) {
     Html out;
     out << "<li><a href=\"" << text(path) << "\"";
     if (reader.path == path) out << " aria-current=\"page\"";
@@ -21,39 +25,67 @@ Html rail(const Reader& reader) {
         return db::allowed(reader.user->roles, action, db::Scope::kOther);
     };
     Html out;
-    out << "<nav class=\"rail\" aria-label=\"Main\"><ul>" << rail_entry(reader, "/", "My page");
+    out << "<nav class=\"rail\" aria-label=\"" << say("Main") << "\"><ul>"
+        << rail_entry(reader, "/", say("My page"));
     if (may(db::Action::kViewAttempts))
-        out << rail_entry(reader, "/cohort", "Cohort")
-            << rail_entry(reader, "/attempts", "Attempts")
-            << rail_entry(reader, "/standards", "Standards")
-            << rail_entry(reader, "/norms", "Norms");
-    if (may(db::Action::kRunQuestionnaire)) out << rail_entry(reader, "/studies", "Studies");
-    if (may(db::Action::kViewPersonalData)) out << rail_entry(reader, "/people", "People");
+        out << rail_entry(reader, "/cohort", say("Cohort"))
+            << rail_entry(reader, "/attempts", say("Attempts"))
+            << rail_entry(reader, "/standards", say("Standards"))
+            << rail_entry(reader, "/norms", say("Norms"));
+    if (may(db::Action::kRunQuestionnaire)) out << rail_entry(reader, "/studies", say("Studies"));
+    if (may(db::Action::kViewPersonalData)) out << rail_entry(reader, "/people", say("People"));
     out << "</ul></nav>";
+    return out;
+}
+
+/// One entry of the switch, named in its own language.
+Html language_entry(const Reader& reader, std::string_view code, std::string_view name) {
+    const bool asks = reader.address.find('?') != std::string::npos;
+    Html out;
+    out << "<li><a href=\"" << text(reader.address) << text(asks ? "&"sv : "?"sv)
+        << text(std::string_view(kLanguageKey)) << "=" << text(code) << "\" hreflang=\""
+        << text(code) << "\" lang=\"" << text(code) << "\" aria-label=\"" << text(name) << "\"";
+    if (code == spoken_code()) out << " aria-current=\"true\"";
+    out << ">"
+        << text(QString::fromUtf8(code.data(), static_cast<qsizetype>(code.size())).toUpper())
+        << "</a></li>";
+    return out;
+}
+
+Html languages(const Reader& reader) {
+    Html out;
+    out << "<nav class=\"languages\" aria-label=\"" << say("Language") << "\"><ul>"
+        << language_entry(reader, "en", "EN, English") << language_entry(reader, "pl", "PL, polski")
+        << "</ul></nav>";
     return out;
 }
 
 }  // namespace
 
-std::string document(const std::string& title, const Html& body, const Reader& reader) {
+std::string document(const Text& title, const Html& body, const Reader& reader) {
+    const Text placode = text("Placode"sv);
     Html out;
-    out << "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << text(title)
-        << " · Placode</title><meta name=\"viewport\" content=\"width=device-width, "
+    out << "<!doctype html>\n<html lang=\"" << text(spoken_code())
+        << "\"><head><meta charset=\"utf-8\"><title>" << title << " · " << placode
+        << "</title><meta name=\"viewport\" content=\"width=device-width, "
            "initial-scale=1\"><meta name=\"color-scheme\" content=\"light dark\"><link "
            "rel=\"icon\" href=\"data:,\"><link rel=\"stylesheet\" "
-           "href=\"/style.css\"></head>\n<body><a class=\"skip\" href=\"#content\">Skip to the "
-           "content</a>\n<header><a class=\"brand\" href=\"/\">Placode</a>";
+           "href=\"/style.css\"></head>\n<body><a class=\"skip\" href=\"#content\">"
+        << say("Skip to the content") << "</a>\n<header><a class=\"brand\" href=\"/\">" << placode
+        << "</a>";
+    if (reader.user != nullptr) out << rail(reader);
+    out << languages(reader);
     if (reader.user != nullptr)
-        out << rail(reader)
-            << "<form class=\"out\" method=\"post\" action=\"/sign-out\"><input type=\"hidden\" "
+        out << "<form class=\"out\" method=\"post\" action=\"/sign-out\"><input type=\"hidden\" "
                "name=\"form_token\" value=\""
             << text(reader.form_token) << "\"><span class=\"small\">"
-            << text(reader.user->display_name)
-            << "</span> <button type=\"submit\">Sign out</button></form>";
+            << text(reader.user->display_name) << "</span> <button type=\"submit\">"
+            << say("Sign out") << "</button></form>";
     out << "</header>\n<main id=\"content\" tabindex=\"-1\">\n"
-        << body
-        << "</main>\n<footer>Placode, for reading only: what is to be changed is changed in the "
-           "program on the station. Times are UTC.</footer></body></html>\n";
+        << body << "</main>\n<footer>"
+        << say("Placode, for reading only: what is to be changed is changed in the program on the "
+               "station. Times are UTC.")
+        << "</footer></body></html>\n";
     return out.str();
 }
 

@@ -16,11 +16,15 @@ struct Reader {
     const db::UserRecord* user = nullptr;
     std::string form_token;  ///< Of the form that signs out.
     std::string path;        ///< Of the page: marked in the rail.
+    /// Of the page, with its query: the switch of languages leads there.
+    std::string address = "/";
 };
 
-/// The whole document.
-[[nodiscard]] std::string document(const std::string& title, const Html& body,
-                                   const Reader& reader = {});
+/// The key in a query that asks for a language from now on: "/cohort?group=3&language=pl".
+inline constexpr const char* kLanguageKey = "language";
+
+/// The whole document, in the language that is spoken.
+[[nodiscard]] std::string document(const Text& title, const Html& body, const Reader& reader = {});
 
 [[nodiscard]] std::string_view style_sheet();
 

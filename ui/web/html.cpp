@@ -36,7 +36,6 @@ std::string escaped(std::string_view words) {
 }
 
 Text text(std::string_view words) { return {escaped(words)}; }
-Text text(const char* words) { return text(std::string_view(words)); }
 Text text(const QString& words) { return text(words.toStdString()); }
 
 std::string path_part(const std::string& words) {
@@ -47,7 +46,7 @@ std::string query(const std::vector<QueryPart>& parts) {
     std::string out;
     for (const QueryPart& part : parts) {
         if (part.value.empty()) continue;
-        out += (out.empty() ? "?" : "&") + part.key + "=" + path_part(part.value);
+        out += (out.empty() ? "?" : "&") + path_part(part.key) + "=" + path_part(part.value);
     }
     return out;
 }
@@ -58,7 +57,7 @@ Html link(const std::string& address, const Html& words) {
     return out;
 }
 
-Table::Table(std::string caption, std::vector<Column> columns)
+Table::Table(Text caption, std::vector<Column> columns)
     : caption_(std::move(caption)), columns_(std::move(columns)) {}
 
 void Table::row(const std::vector<Html>& cells) {
@@ -78,22 +77,36 @@ void Table::row(const std::vector<Html>& cells) {
 Html Table::html() const {
     Html out;
     // It can be reached by the keyboard, because what is scrolled has to be.
-    out << "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" << text(caption_)
-        << "\"><table><caption>" << text(caption_) << "</caption><thead><tr>";
+    out << "<div class=\"scroll\" role=\"region\" tabindex=\"0\" aria-label=\"" << caption_
+        << "\"><table><caption>" << caption_ << "</caption><thead><tr>";
     for (const Column& column : columns_) {
         if (column.number)
             out << "<th scope=\"col\" class=\"number\">";
         else
             out << "<th scope=\"col\">";
-        out << text(column.title) << "</th>";
+        out << column.title << "</th>";
     }
     out << "</tr></thead><tbody>\n" << body_ << "</tbody></table></div>\n";
     return out;
 }
 
-Html badge(const Html& words, Markup tone) {
+Html badge(const Html& words, Tone tone) {
     Html out;
-    out << "<span class=\"badge " << tone << "\">" << words << "</span>";
+    switch (tone) {
+        case Tone::kPlain:
+            out << "<span class=\"badge\">";
+            break;
+        case Tone::kGood:
+            out << "<span class=\"badge good\">";
+            break;
+        case Tone::kWarn:
+            out << "<span class=\"badge warn\">";
+            break;
+        case Tone::kCritical:
+            out << "<span class=\"badge critical\">";
+            break;
+    }
+    out << words << "</span>";
     return out;
 }
 

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pages as text. What somebody typed can only get in escaped: markup is what stands in this
-// program's source, known to the compiler, and everything else is Text.
+// program's source, known to the compiler, and everything else is Text. Markup says nothing: words
+// come from words.h, in the reader's language, and the compiler refuses others.
 
 #include <QString>
 #include <concepts>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,10 +17,28 @@ namespace placode::web {
 /// `&`, `<`, `>` and both quotes as entities; a NUL is left out. For text and attributes alike.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// Markup from the source of this program.
+/// True for letters outside tags, and in the attributes that are read out.
+[[nodiscard]] constexpr bool says_something(std::string_view markup) {
+    const size_t open = markup.find('<'), close = markup.find('>');
+    // A piece may begin within a tag.
+    bool in_tag = close < open || (open == std::string_view::npos && markup.find('"') != open);
+    for (const char c : markup) {
+        if (c == '<' || c == '>') in_tag = c == '<';
+        if (!in_tag && ((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'))) return true;
+    }
+    for (const std::string_view read_out : {"label=\"", "alt=\"", "title=\"", "placeholder=\""}) {
+        const size_t at = markup.find(read_out);
+        if (at != std::string_view::npos && at + read_out.size() < markup.size()) return true;
+    }
+    return false;
+}
+
+/// Markup from the source of this program, without words.
 struct Markup {
     std::string_view text;
-    consteval Markup(const char* literal) : text(literal) {}  // NOLINT: meant to be implicit
+    consteval Markup(const char* literal) : text(literal) {  // NOLINT: meant to be implicit
+        if (says_something(text)) throw "words belong into say() of ui/web/words.h";
+    }
 };
 
 /// What is shown as it is, whatever stands in it.
@@ -26,7 +46,7 @@ struct Text {
     std::string escaped_text;
 };
 [[nodiscard]] Text text(std::string_view words);
-[[nodiscard]] Text text(const char* words);
+Text text(const char* words) = delete;  ///< say("...") translates; a name or a sign is "–"sv.
 [[nodiscard]] Text text(const QString& words);
 [[nodiscard]] Text text(std::integral auto number) { return text(std::to_string(number)); }
 
@@ -55,7 +75,7 @@ class Html {
     std::string text_;
 };
 
-/// "key=value&...", percent-encoded; empty values are left out. With the question mark.
+/// "key=value&...", both percent-encoded; empty values are left out. With the question mark.
 struct QueryPart {
     std::string key, value;
 };
@@ -67,7 +87,7 @@ struct QueryPart {
 [[nodiscard]] Html link(const std::string& address, const Html& words);
 
 struct Column {
-    std::string title;
+    Text title;
     bool number = false;  ///< Set to the right, figures of one width.
 };
 
@@ -75,20 +95,21 @@ struct Column {
 /// the page is narrow; the first cell of a row is its head.
 class Table {
  public:
-    Table(std::string caption, std::vector<Column> columns);
+    Table(Text caption, std::vector<Column> columns);
     void row(const std::vector<Html>& cells);
     [[nodiscard]] bool empty() const noexcept { return rows_ == 0; }
     [[nodiscard]] Html html() const;
 
  private:
-    std::string caption_;
+    Text caption_;
     std::vector<Column> columns_;
     Html body_;
     int rows_ = 0;
 };
 
-/// A word with a tone that says the same by colour: "good", "warn", "critical" or "".
-[[nodiscard]] Html badge(const Html& words, Markup tone);
+/// A word, and a tone that says the same by colour.
+enum class Tone : uint8_t { kPlain, kGood, kWarn, kCritical };
+[[nodiscard]] Html badge(const Html& words, Tone tone);
 
 /// Name and value, one under the other.
 class Facts {

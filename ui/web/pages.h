@@ -19,7 +19,7 @@ namespace placode::web {
 
 inline constexpr int kRowsOfPage = 25;
 
-/// There is no such page, or what it names is not there.
+/// There is no such page, or what it names is not there; in the reader's words.
 class NotThere : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ class NotThere : public std::runtime_error {
 class Tasks {
  public:
     struct Known {
-        std::string title;
+        std::string title;  ///< In the reader's language.
         double pass_points = 0;
         bool shipped = false;  ///< False: an attempt names it, and this program has no such task.
     };
@@ -38,8 +38,12 @@ class Tasks {
     [[nodiscard]] double pass_points(db::Store& store, const std::string& task_id);
 
  private:
+    struct Shipped {
+        curriculum::LocalText title;
+        double pass_points = 0;
+    };
     std::mutex mutex_;
-    std::map<std::string, Known> known_;
+    std::map<std::string, Shipped> shipped_;
 };
 
 /// Somebody who is signed in asks for a page.
@@ -61,7 +65,7 @@ struct Visit {
 };
 
 struct PageText {
-    std::string title;
+    Text title;
     Html body;
 };
 

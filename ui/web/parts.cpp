@@ -3,7 +3,10 @@
 #include "ui/web/parts.h"
 
 #include <QByteArray>
+#include <QCoreApplication>
+#include <QDate>
 #include <QPainter>
+#include <QRegularExpression>
 #include <algorithm>
 #include <mutex>
 
@@ -13,6 +16,9 @@
 #include "reports/words.h"
 
 namespace placode::web {
+
+using namespace std::string_view_literals;
+
 namespace {
 
 /// The dark theme of the shell (ui/shell/theme.cpp); the light one is the style's own.
@@ -28,75 +34,119 @@ std::string data_address(const std::string& svg) {
     return "data:image/svg+xml;base64," + QByteArray::fromStdString(svg).toBase64().toStdString();
 }
 
+/// English days stay ISO 8601; other languages have the month as a word, as in the shell.
+QString day_words(const QString& iso) {
+    const QDate day = QDate::fromString(iso, Qt::ISODate);
+    if (spoken_code() == "en" || !day.isValid()) return iso;
+    return reports::spoken().toString(day, QStringLiteral("d MMM yyyy"));
+}
+
 }  // namespace
+
+Text dash() { return text("–"sv); }
 
 Html moment(const std::string& utc) {
     if (utc.size() < 16) return day(utc);
     Html out = day(utc);
-    out << " " << text(utc.substr(11, 5));
+    out << text(spoken_code() == "en" ? " "sv : ", "sv) << text(utc.substr(11, 5));
     return out;
 }
 
 // In one piece: a browser would break it at its hyphens.
 Html day(const std::string& utc) {
     Html out;
-    out << "<span class=\"day\">" << text(utc.empty() ? "–" : utc.substr(0, 10)) << "</span>";
+    out << "<span class=\"day\">"
+        << (utc.empty() ? dash() : text(day_words(QString::fromStdString(utc.substr(0, 10)))))
+        << "</span>";
     return out;
+}
+
+Text with_days(const std::string& sentence) {
+    static const QRegularExpression iso(QStringLiteral("\\b\\d{4}-\\d{2}-\\d{2}\\b"));
+    QString words = QString::fromStdString(sentence);
+    for (QRegularExpressionMatch found = iso.match(words); found.hasMatch();) {
+        const QString said = day_words(found.captured());
+        words.replace(found.capturedStart(), found.capturedLength(), said);
+        found = iso.match(words, found.capturedStart() + said.size());
+    }
+    return text(words);
 }
 
 Text points(double value) {
     const QString number = reports::number(value, 1);
-    return text(number.startsWith('-') ? QString::fromUtf8("−") + number.mid(1) : number);
+    return number_text(number.startsWith('-') ? QString::fromUtf8("−") + number.mid(1) : number);
 }
 
-Html points_and_verdict(const db::AttemptRecord& attempt) {
-    if (!db::counts(attempt)) return badge(Html("does not count"), "");
-    const Html word = text(reports::verdict_word(attempt.verdict));
+Text verdict(assessment::Verdict verdict) {
+    switch (verdict) {
+        case assessment::Verdict::kPassed:
+            return say("Passed");
+        case assessment::Verdict::kNotYet:
+            return say("Not yet");
+        case assessment::Verdict::kFailed:
+            return say("Failed");
+        case assessment::Verdict::kNotAttempted:
+            return say("Not attempted");
+    }
+    return dash();
+}
+
+Html verdict_badge(const db::AttemptRecord& attempt) {
+    if (!db::counts(attempt)) return badge(say("does not count"), Tone::kPlain);
+    const Text word = verdict(attempt.verdict);
     switch (attempt.verdict) {
         case assessment::Verdict::kPassed:
-            return badge(word, "good");
+            return badge(word, Tone::kGood);
         case assessment::Verdict::kFailed:
-            return badge(word, "critical");
+            return badge(word, Tone::kCritical);
         default:
-            return badge(word, "warn");
+            return badge(word, Tone::kWarn);
     }
 }
 
+Html demonstration_badge() { return badge(say("DEMONSTRATION"), Tone::kWarn); }
+
 Html standing_badge(assessment::Standing standing) {
-    const Html word = text(assessment::standing_name(standing));
     switch (standing) {
+        case assessment::Standing::kNotTried:
+            return badge(say("not tried"), Tone::kPlain);
+        case assessment::Standing::kLearning:
+            return badge(say("learning"), Tone::kPlain);
         case assessment::Standing::kPassing:
-            return badge(word, "good");
+            return badge(say("passing"), Tone::kGood);
         case assessment::Standing::kRegressed:
-            return badge(word, "warn");
+            return badge(say("regressed"), Tone::kWarn);
         case assessment::Standing::kStuck:
-            return badge(word, "critical");
-        default:
-            return badge(word, "");
+            return badge(say("stuck"), Tone::kCritical);
     }
+    return dash();
 }
 
 Text standings_explained() {
-    return text("Stuck: none of the last " + std::to_string(assessment::kStuckTrials) +
-                " attempts passed and no gain of " +
-                reports::number(assessment::kProgressPoints, 0).toStdString() +
-                " points. Regressed: passed before, but neither of the last two attempts.");
+    return say(
+        "Stuck: none of the last %1 attempts passed and no gain of %2 points. Regressed: passed "
+        "before, but neither of the last two attempts.",
+        text(assessment::kStuckTrials), text(reports::number(assessment::kProgressPoints, 0)));
+}
+
+Text metric_words(const assessment::MetricDefinition& metric) {
+    return text(QCoreApplication::translate("Metric", std::string(metric.name).c_str()));
 }
 
 std::string role_words(db::Roles roles) {
-    std::string words;
-    const auto add = [&](db::Role role, const char* word) {
-        if (db::has_role(roles, role)) words += (words.empty() ? "" : ", ") + std::string(word);
+    std::string all;
+    const auto add = [&](db::Role role, const std::string& word) {
+        if (db::has_role(roles, role)) all += (all.empty() ? "" : ", ") + word;
     };
-    add(db::Role::kTrainee, "trainee");
-    add(db::Role::kEducator, "educator");
-    add(db::Role::kCoordinator, "coordinator");
-    add(db::Role::kAdministrator, "administrator");
-    return words;
+    add(db::Role::kTrainee, words("trainee"));
+    add(db::Role::kEducator, words("educator"));
+    add(db::Role::kCoordinator, words("coordinator"));
+    add(db::Role::kAdministrator, words("administrator"));
+    return all;
 }
 
 std::string name_or_number(const std::string& name, int64_t id) {
-    return name.empty() ? "number " + std::to_string(id) : name;
+    return name.empty() ? words("number %1", {std::to_string(id)}) : name;
 }
 
 Html picture(
@@ -154,16 +204,17 @@ Html pager(const Part& part, const std::string& path, std::vector<QueryPart> par
         all.push_back({"page", std::to_string(page + 1)});
         return path + query(all);
     };
-    out << "<nav class=\"pager\" aria-label=\"Pages of the list\">";
-    if (part.page > 0) out << link(to(part.page - 1), Html("← Before"));
-    out << "<span>" << text(part.first + 1) << " to " << text(part.past) << " of "
-        << text(part.total) << "</span>";
-    if (part.past < part.total) out << link(to(part.page + 1), Html("Next →"));
+    out << "<nav class=\"pager\" aria-label=\"" << say("Pages of the list") << "\">";
+    if (part.page > 0) out << link(to(part.page - 1), say("← Before"));
+    out << "<span>"
+        << say("%1 to %2 of %3", text(part.first + 1), text(part.past), text(part.total))
+        << "</span>";
+    if (part.past < part.total) out << link(to(part.page + 1), say("Next →"));
     out << "</nav>\n";
     return out;
 }
 
-Html views(Markup label, const std::string& here, const std::vector<View>& all) {
+Html views(const Text& label, const std::string& here, const std::vector<View>& all) {
     Html out;
     out << "<nav aria-label=\"" << label << "\"><ul class=\"ways\">";
     for (const View& each : all) {
@@ -179,40 +230,43 @@ Html choices(const std::string& path, const std::vector<Choice>& all) {
     Html out;
     out << "<form class=\"choices\" method=\"get\" action=\"" << text(path) << "\">";
     for (const Choice& choice : all) {
-        out << "<div><label for=\"" << text(choice.name) << "\">" << text(choice.label)
+        out << "<div><label for=\"" << text(choice.name) << "\">" << choice.label
             << "</label><select id=\"" << text(choice.name) << "\" name=\"" << text(choice.name)
             << "\">";
         for (const auto& [value, words] : choice.values) {
             out << "<option value=\"" << text(value) << "\"";
-            if (value == choice.chosen) out << " selected";
-            out << ">" << text(words) << "</option>";
+            if (value == choice.chosen) out << " selected=\"\"";
+            out << ">" << words << "</option>";
         }
         out << "</select></div>";
     }
-    out << "<button type=\"submit\">Show</button></form>\n";
+    out << "<button type=\"submit\">" << say("Show") << "</button></form>\n";
     return out;
 }
 
 Choice group_choice(const Visit& visit) {
-    Choice choice{"group", "Group", visit.asked("group"), {{"", "Everybody"}}};
+    Choice choice{"group", say("Group"), visit.asked("group"), {{"", say("Everybody")}}};
     for (const db::GroupRecord& group : visit.store.groups().list())
-        choice.values.emplace_back(std::to_string(group.id), group.name);
+        choice.values.emplace_back(std::to_string(group.id), text(group.name));
     return choice;
 }
 
-Html attempts_table(const Visit& visit, const std::string& caption,
+Html attempts_table(const Visit& visit, const Text& caption,
                     const std::vector<db::AttemptRecord>& attempts, bool with_person) {
-    std::vector<Column> columns{{"Attempt"}, {"Started (UTC)"}};
-    if (with_person) columns.push_back({"Person"});
-    for (const Column& each : std::vector<Column>{
-             {"Task"}, {"Points", true}, {"Result"}, {"Why it does not count"}, {"Length", true}})
+    std::vector<Column> columns{{say("Attempt")}, {say("Started (UTC)")}};
+    if (with_person) columns.push_back({say("Person")});
+    for (const Column& each : std::vector<Column>{{say("Task")},
+                                                  {say("Points"), true},
+                                                  {say("Result")},
+                                                  {say("Why it does not count")},
+                                                  {say("Length"), true}})
         columns.push_back(each);
     Table table(caption, columns);
     for (const db::AttemptRecord& each : attempts) {
         Html number;
         number << "#" << text(each.id);
         Html task = text(visit.tasks.of(each.task_id).title);
-        if (each.demonstration) task << " " << badge(Html("DEMONSTRATION"), "warn");
+        if (each.demonstration) task << " " << demonstration_badge();
         std::vector<Html> cells{link("/attempts/" + std::to_string(each.id), number),
                                 moment(each.started_utc)};
         if (with_person)
@@ -222,9 +276,9 @@ Html attempts_table(const Visit& visit, const std::string& caption,
                                           text(name_or_number(each.user_name, each.user_id))));
         cells.push_back(task);
         cells.emplace_back(points(each.points));
-        cells.push_back(points_and_verdict(each));
+        cells.push_back(verdict_badge(each));
         const QString why = reports::not_counted_words(each);
-        cells.emplace_back(why.isEmpty() ? text("–") : text(why));
+        cells.emplace_back(why.isEmpty() ? dash() : text(why));
         cells.emplace_back(text(reports::duration_words(each.duration_s)));
         table.row(cells);
     }

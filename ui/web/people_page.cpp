@@ -5,23 +5,23 @@
 #include <QString>
 #include <map>
 
-#include "sim/core/counted.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
 namespace {
 
 std::map<int64_t, std::string> groups_by_person(const Visit& visit) {
-    std::map<int64_t, std::string> words;
+    std::map<int64_t, std::string> lines;
     for (const db::GroupRecord& group : visit.store.groups().list()) {
-        const auto add = [&](int64_t person, const char* role) {
-            std::string& line = words[person];
-            line += (line.empty() ? "" : ", ") + group.name + role;
+        const auto add = [&](int64_t person, const std::string& how) {
+            std::string& line = lines[person];
+            line += (line.empty() ? "" : ", ") + how;
         };
-        for (const int64_t person : group.members) add(person, "");
-        for (const int64_t person : group.educators) add(person, " (teaches)");
+        for (const int64_t person : group.members) add(person, group.name);
+        for (const int64_t person : group.educators)
+            add(person, words("%1 (teaches)", {group.name}));
     }
-    return words;
+    return lines;
 }
 
 bool fits(const db::UserRecord& user, const QString& words) {
@@ -32,10 +32,11 @@ bool fits(const db::UserRecord& user, const QString& words) {
 
 Html search_form(const std::string& words) {
     Html out;
-    out << "<form class=\"choices\" method=\"get\" action=\"/people\"><div><label "
-           "for=\"find\">Name or log-in</label><input id=\"find\" name=\"find\" type=\"search\" "
-           "maxlength=\"100\" value=\""
-        << text(words) << "\"></div><button type=\"submit\">Find</button></form>\n";
+    out << "<form class=\"choices\" method=\"get\" action=\"/people\"><div><label for=\"find\">"
+        << say("Name or log-in")
+        << "</label><input id=\"find\" name=\"find\" type=\"search\" maxlength=\"100\" value=\""
+        << text(words) << "\"></div><button type=\"submit\">" << say("Find")
+        << "</button></form>\n";
     return out;
 }
 
@@ -49,27 +50,32 @@ PageText people_page(const Visit& visit) {
     const auto groups = groups_by_person(visit);
     const bool sees_scores = visit.may(db::Action::kViewAttempts);
     const Part part = part_of(visit, static_cast<int64_t>(people.size()));
-    Table table(sim::counted(people.size(), "account"),
-                {{"Person"}, {"Log-in"}, {"Roles"}, {"Groups"}, {"State"}, {"Since"}});
+    Table table(say_count(people.size(), "%1 account", "%1 accounts"), {{say("Person")},
+                                                                        {say("Log-in")},
+                                                                        {say("Roles")},
+                                                                        {say("Groups")},
+                                                                        {say("State")},
+                                                                        {say("Since")}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::UserRecord& each = people[static_cast<size_t>(i)];
         const Html name = text(name_or_number(each.display_name, each.id));
         const auto of = groups.find(each.id);
-        Html state = each.active ? badge(Html("open"), "good") : badge(Html("closed"), "");
-        if (each.demonstration) state << " " << badge(Html("DEMONSTRATION"), "warn");
+        Html state = each.active ? badge(say("open@account"), Tone::kGood)
+                                 : badge(say("closed@account"), Tone::kPlain);
+        if (each.demonstration) state << " " << demonstration_badge();
         table.row({sees_scores ? link("/people/" + std::to_string(each.id), name) : name,
                    text(each.login), text(role_words(each.roles)),
-                   of == groups.end() ? text("–") : text(of->second), state,
-                   day(each.created_utc)});
+                   of == groups.end() ? dash() : text(of->second), state, day(each.created_utc)});
     }
     Html body;
-    body << "<h1>People</h1>\n" << search_form(wanted) << "<section class=\"card\">";
+    body << "<h1>" << say("People") << "</h1>\n"
+         << search_form(wanted) << "<section class=\"card\">";
     if (people.empty())
-        body << "<p class=\"muted\">Nobody has that name.</p>";
+        body << "<p class=\"muted\">" << say("Nobody has that name.") << "</p>";
     else
         body << table.html() << pager(part, "/people", {{"find", wanted}});
     body << "</section>\n";
-    return {"People", body};
+    return {say("People"), body};
 }
 
 }  // namespace placode::web

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/web/portal.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <chrono>
 #include <ctime>
@@ -62,7 +63,10 @@ bool is_too_long(const Request& request) {
 Portal::Portal(PortalOptions options)
     : options_(std::move(options)), sessions_(options_.now_s ? options_.now_s : steady_s) {
     if (!options_.log) options_.log = [](const std::string&) {};
+    QCoreApplication::installTranslator(&polish_);
 }
+
+Portal::~Portal() { QCoreApplication::removeTranslator(&polish_); }
 
 Portal::Signed Portal::signed_in(const Request& request) {
     const std::string token = cookie_of(request.cookies, session_name());
@@ -72,18 +76,24 @@ Portal::Signed Portal::signed_in(const Request& request) {
 
 Answer Portal::answer(const Request& request) noexcept {
     try {
-        return answer_or_throw(request);
-    } catch (const std::exception& error) {
-        options_.log(request.method + " " + request.path.substr(0, kLongestPath) + ": " +
-                     error.what());
-    }
-    try {
+        const reports::Speaking here(language_of(request));
+        try {
+            return answer_or_throw(request);
+        } catch (const std::exception& error) {
+            options_.log(request.method + " " + request.path.substr(0, kLongestPath) + ": " +
+                         error.what());
+        }
         return fault();
     } catch (const std::exception&) {
         Answer bare;
         bare.status = 500;
         return bare;
     }
+}
+
+Answer Portal::refuse(const Request& request, int status) {
+    const reports::Speaking here(language_of(request));
+    return refusal(status);
 }
 
 Answer Portal::answer_or_throw(const Request& request) {
@@ -100,6 +110,7 @@ Answer Portal::answer_or_throw(const Request& request) {
         sheet.body = style_sheet();
         return sheet;
     }
+    if (auto chosen = choose_language(request)) return *chosen;
     const Signed who = signed_in(request);
     if (request.path == "/sign-in")
         return who.session.account != 0 ? redirect("/") : sign_in_form({}, 200);
@@ -126,32 +137,30 @@ Answer Portal::page(const Request& request, const Signed& who) {
         return answer;
     }
     Visit visit{*store, tasks_, *user, now_utc(), {}, request.query};
+    const Reader reader{&visit.user, who.session.form_token, request.path, address_of(request)};
     for (const Route& route : routes())
         if (const auto parts = match(route, request.path)) {
             visit.parts = *parts;
-            return show(route, visit, who.session, request.path);
+            return show(route, visit, reader);
         }
-    return message(404, "Not there", Html("There is no such page."),
-                   {&*user, who.session.form_token, request.path});
+    return message(404, say("Not there"), say("There is no such page."), reader);
 }
 
-Answer Portal::show(const Route& route, Visit& visit, const Session& session,
-                    const std::string& path) {
-    const Reader reader{&visit.user, session.form_token, path};
+Answer Portal::show(const Route& route, Visit& visit, const Reader& reader) {
     try {
         const PageText made = route.page(visit);
         Answer answer;
         answer.body = document(made.title, made.body, reader);
         return answer;
     } catch (const NotThere& problem) {
-        return message(404, "Not there", text(problem.what()), reader);
+        return message(404, say("Not there"), text(std::string_view(problem.what())), reader);
     } catch (const db::StoreError& error) {
         if (error.kind() != db::StoreError::Kind::kRefused &&
             error.kind() != db::StoreError::Kind::kNotFound)
-            options_.log(path + ": " + error.what());
+            options_.log(reader.path + ": " + error.what());
         return trouble(error, reader);
     } catch (const std::exception& error) {
-        options_.log(path + ": " + error.what());
+        options_.log(reader.path + ": " + error.what());
         return fault(reader);
     }
 }

@@ -7,11 +7,13 @@
 #include <functional>
 #include <map>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "ui/web/answers.h"
 #include "ui/web/pages.h"
 #include "ui/web/sessions.h"
+#include "ui/web/words.h"
 
 namespace placode::web {
 
@@ -26,9 +28,15 @@ struct PortalOptions {
 /// Any thread: every page opens a store of its own.
 class Portal {
  public:
+    /// @pre a QGuiApplication.
     explicit Portal(PortalOptions options);
+    ~Portal();
+    Portal(const Portal&) = delete;
+    Portal& operator=(const Portal&) = delete;
     /// Never throws.
     [[nodiscard]] Answer answer(const Request& request) noexcept;
+    /// What is wrong with a request that asks for no page, in the language of who asks.
+    [[nodiscard]] Answer refuse(const Request& request, int status);
 
  private:
     /// The session of the request with its token; account 0 = none.
@@ -39,8 +47,13 @@ class Portal {
     [[nodiscard]] Signed signed_in(const Request& request);
     [[nodiscard]] Answer answer_or_throw(const Request& request);
     [[nodiscard]] Answer page(const Request& request, const Signed& who);
-    [[nodiscard]] Answer show(const Route& route, Visit& visit, const Session& session,
-                              const std::string& path);
+    [[nodiscard]] Answer show(const Route& route, Visit& visit, const Reader& reader);
+    // portal_language.cpp
+    /// The one that was chosen, else the one the browser asks for.
+    [[nodiscard]] QLocale language_of(const Request& request) const;
+    /// To the same page with the choice kept; nothing where none is made.
+    [[nodiscard]] std::optional<Answer> choose_language(const Request& request) const;
+    [[nodiscard]] std::string language_name() const;
     // portal_sign_in.cpp
     [[nodiscard]] Answer sign_in_form(const Html& said, int status);
     [[nodiscard]] Answer sign_in(const Request& request);
@@ -54,6 +67,7 @@ class Portal {
     PortalOptions options_;
     Sessions sessions_;
     Tasks tasks_;
+    ReportsInPolish polish_;
     std::timed_mutex door_;  ///< One sign-in at a time: each fills 64 MB with its password.
 };
 

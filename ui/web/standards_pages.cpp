@@ -5,24 +5,33 @@
 #include "db/signature.h"
 #include "db/standards.h"
 #include "reports/text.h"
-#include "sim/core/counted.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
+
+using namespace std::string_view_literals;
+
 namespace {
 
-std::string origin_of(const db::StandardRecord& set) {
+Text origin_of(const db::StandardRecord& set) {
     const curriculum::PassStandard& standard = set.standard;
     if (standard.method == "angoff")
-        return sim::counted(standard.angoff.judges, "judge") + ", standard error " +
-               reports::number(standard.angoff.se_points, 1).toStdString();
-    const auto share = [](double wrong) {
-        return reports::number(100 * wrong, 0).toStdString() + " %";
-    };
-    return "contrasting groups: " + std::to_string(standard.novice.n) + " novices, " +
-           std::to_string(standard.expert.n) +
-           " experts; novices who pass: " + share(standard.novice.theoretical_wrong) +
-           " by the curves, " + share(standard.novice.observed_wrong) + " observed";
+        return say_count(standard.angoff.judges, "%1 judge, standard error %2",
+                         "%1 judges, standard error %2",
+                         number_text(reports::number(standard.angoff.se_points, 1)));
+    const auto share = [](double wrong) { return text(reports::number(100 * wrong, 0)); };
+    return say(
+        "contrasting groups, novices: %1, experts: %2; novices who pass: %3 % by the curves, "
+        "%4 % observed",
+        text(standard.novice.n), text(standard.expert.n), share(standard.novice.theoretical_wrong),
+        share(standard.novice.observed_wrong));
+}
+
+/// A level of another centre may be any word.
+Text level_words(const std::string& level) {
+    if (level == "expert") return say("experts");
+    if (level == "novice") return say("novices");
+    return text(level);
 }
 
 /// Norms are for who sets standards: the page of the shell asks the same.
@@ -32,24 +41,34 @@ void need_educator(const Visit& visit) {
                              db::refusal(db::Action::kSetStandards));
 }
 
-std::string groups_of(const curriculum::NormPack& pack) {
-    std::string words;
-    for (const curriculum::NormGroup& group : pack.groups)
-        words += (words.empty() ? "" : ", ") + group.level + ": " +
-                 sim::counted(group.persons, "person", "people");
-    return words;
+Html groups_of(const curriculum::NormPack& pack) {
+    Html all;
+    for (const curriculum::NormGroup& group : pack.groups) {
+        if (!all.empty()) all << ", ";
+        all << say_count(group.persons, "%2: %1 person", "%2: %1 people", level_words(group.level));
+    }
+    return all;
 }
 
 Html bands_of(const curriculum::NormGroup& group) {
-    Table table(group.level + ", " + sim::counted(group.persons, "person", "people") + ", " +
-                    sim::counted(group.attempts, "attempt"),
-                {{"Metric"}, {"n", true}, {"Mean", true}, {"SD", true}, {"Unit"}});
+    const Text people =
+        say_count(group.persons, "%2: %1 person", "%2: %1 people", level_words(group.level));
+    Table table(say_count(group.attempts, "%2, %1 attempt", "%2, %1 attempts", people),
+                {{say("Metric")},
+                 {text("n"sv), true},
+                 {say("Mean"), true},
+                 {say("SD"), true},
+                 {say("Unit")}});
     for (const curriculum::NormMetric& metric : group.metrics) {
         const auto* known = assessment::metric_definition(metric.id);
-        const auto value = [](double number) { return text(reports::metric_number(number)); };
-        table.row({known != nullptr ? text(std::string(known->name)) : text(metric.id),
-                   text(metric.band.n), value(metric.band.mean), value(metric.band.sd),
-                   known != nullptr ? text(reports::unit_sign(known->unit)) : text("points")});
+        const auto value = [](double number) {
+            return number_text(reports::metric_number(number));
+        };
+        const Text name = known != nullptr        ? metric_words(*known)
+                          : metric.id == "points" ? say("Points")
+                                                  : text(metric.id);
+        table.row({name, text(metric.band.n), value(metric.band.mean), value(metric.band.sd),
+                   known != nullptr ? text(reports::unit_sign(known->unit)) : say("points")});
     }
     return table.html();
 }
@@ -59,47 +78,62 @@ Html bands_of(const curriculum::NormGroup& group) {
 PageText standards_page(const Visit& visit) {
     const std::vector<std::string> tasks = visit.store.attempts().tasks();
     Html body;
-    body << "<h1>Standards</h1>\n<section class=\"card\">";
-    Table table("Pass marks that hold now",
-                {{"Task"}, {"Pass mark", true}, {"Set on"}, {"By"}, {"From"}, {"Reason"}});
+    body << "<h1>" << say("Standards") << "</h1>\n<section class=\"card\">";
+    Table table(say("Pass marks that hold now"), {{say("Task")},
+                                                  {say("Pass mark"), true},
+                                                  {say("Set on")},
+                                                  {say("By")},
+                                                  {say("From")},
+                                                  {say("Reason")}});
     for (const std::string& task : tasks) {
         const Tasks::Known known = visit.tasks.of(task);
         if (const auto set = db::standard_at(visit.store, task))
             table.row({text(known.title), points(set->standard.pass_points), day(set->set_utc),
-                       text(set->set_by), text(origin_of(*set)),
-                       text(set->reason.empty() ? "–" : set->reason)});
+                       text(set->set_by), origin_of(*set),
+                       set->reason.empty() ? dash() : text(set->reason)});
         else
-            table.row({text(known.title), known.shipped ? points(known.pass_points) : text("–"),
-                       text("–"), text("–"), text("the task's own mark"), text("–")});
+            table.row({text(known.title), known.shipped ? points(known.pass_points) : dash(),
+                       dash(), dash(), say("the task's own mark"), dash()});
     }
     if (table.empty())
-        body << "<p class=\"muted\">There are no attempts yet.</p>";
+        body << "<p class=\"muted\">" << say("There are no attempts yet.") << "</p>";
     else
         body << table.html();
-    body << "<p class=\"small\">An attempt keeps the verdict of its day. Standards are set in "
-            "Placode, on the page Standards.</p></section>\n";
-    return {"Standards", body};
+    body
+        << "<p class=\"small\">"
+        << say("An attempt keeps the verdict of its day. Standards are set in Placode, on the page "
+               "Standards.")
+        << "</p></section>\n";
+    return {say("Standards"), body};
 }
 
 PageText norms_page(const Visit& visit) {
     need_educator(visit);
     Html body;
-    body << "<h1>Norms</h1>\n<section class=\"card\">";
-    Table table("Norm packs", {{"Task"}, {"Centre"}, {"Made"}, {"Groups"}, {"Key"}, {"Use"}});
+    body << "<h1>" << say("Norms") << "</h1>\n<section class=\"card\">";
+    Table table(say("Norm packs"), {{say("Task")},
+                                    {say("Centre")},
+                                    {say("Made")},
+                                    {say("Groups")},
+                                    {say("Key")},
+                                    {say("Use")}});
     for (const db::NormPackRecord& each : visit.store.norms().list({}))
         table.row({link("/norms/" + std::to_string(each.id),
                         text(visit.tasks.of(each.pack.task_id).title)),
-                   text(each.pack.centre), day(each.pack.made_utc), text(groups_of(each.pack)),
+                   text(each.pack.centre), day(each.pack.made_utc), groups_of(each.pack),
                    text(db::fingerprint(each.norms.public_key)),
-                   each.in_use ? badge(Html("in use"), "good") : Html("–")});
+                   each.in_use ? badge(say("in use"), Tone::kGood) : Html(dash())});
     if (table.empty())
-        body << "<p class=\"muted\">There are no packs yet.</p>";
+        body << "<p class=\"muted\">" << say("There are no packs yet.") << "</p>";
     else
         body << table.html();
-    body << "<p class=\"small\">Bands of persons' means, never of fewer than "
-         << text(curriculum::kLeastNormGroup)
-         << " people and never a single attempt, signed by their centre.</p></section>\n";
-    return {"Norms", body};
+    body
+        << "<p class=\"small\">"
+        << say("Bands of persons' means, never of fewer than %1 people and never a single attempt, "
+               "signed by their centre.",
+               text(curriculum::kLeastNormGroup))
+        << "</p></section>\n";
+    return {say("Norms"), body};
 }
 
 PageText norm_pack_page(const Visit& visit) {
@@ -109,18 +143,18 @@ PageText norm_pack_page(const Visit& visit) {
         if (each.id != id) continue;
         const std::string title = visit.tasks.of(each.pack.task_id).title;
         Html body;
-        body << "<h1>Norms: " << text(title) << "</h1><p>" << link("/norms", Html("All packs"))
-             << " · " << text(each.pack.centre) << ", made on " << day(each.pack.made_utc)
-             << ", rubric "
-             << text(each.pack.rubric_id + " " + std::to_string(each.pack.rubric_version));
-        if (each.in_use) body << " " << badge(Html("in use"), "good");
-        if (each.pack.demonstration) body << " " << badge(Html("DEMONSTRATION"), "warn");
+        const Text head = say("Norms: %1", text(title));
+        body << "<h1>" << head << "</h1><p>" << link("/norms", say("All packs")) << " · "
+             << say("%1, made on %2, rubric %3 %4", text(each.pack.centre), day(each.pack.made_utc),
+                    text(each.pack.rubric_id), text(each.pack.rubric_version));
+        if (each.in_use) body << " " << badge(say("in use"), Tone::kGood);
+        if (each.pack.demonstration) body << " " << demonstration_badge();
         body << "</p>\n";
         for (const curriculum::NormGroup& group : each.pack.groups)
             body << "<section class=\"card\">" << bands_of(group) << "</section>\n";
-        return {"Norms: " + title, body};
+        return {head, body};
     }
-    throw NotThere("There is no such norm pack.");
+    throw NotThere(words("There is no such norm pack."));
 }
 
 }  // namespace placode::web

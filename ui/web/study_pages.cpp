@@ -10,7 +10,6 @@
 #include "reports/attempt_counts.h"
 #include "reports/study_report.h"
 #include "reports/words.h"
-#include "sim/core/counted.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
@@ -20,23 +19,23 @@ namespace {
 std::string study_of(const Visit& visit) {
     const auto ids = visit.store.studies().ids();
     if (visit.parts.empty() || std::find(ids.begin(), ids.end(), visit.parts[0]) == ids.end())
-        throw NotThere("There is no such study.");
+        throw NotThere(words("There is no such study."));
     return visit.parts[0];
 }
 
 std::string title_of(const Visit& visit, const std::string& study) {
     const auto protocol = db::published_study(visit.store, study);
-    return protocol && !protocol->title.en.empty() ? protocol->title.en : study;
+    return protocol && !protocol->title.en.empty() ? in_words(protocol->title) : study;
 }
 
 Html head(const std::string& study, const std::string& title, const std::string& view) {
     const std::string path = "/studies/" + path_part(study);
     Html out;
     out << "<h1>" << text(title) << "</h1>\n"
-        << views("Study", path + view,
-                 {{path, "Flow and records"},
-                  {path + "/entries", "Double entry and corrections"},
-                  {path + "/deviations", "Deviations"}});
+        << views(say("Study"), path + view,
+                 {{path, say("Flow and records")},
+                  {path + "/entries", say("Double entry and corrections")},
+                  {path + "/deviations", say("Deviations")}});
     return out;
 }
 
@@ -45,24 +44,26 @@ using States = std::map<std::string, db::RecordState>;
 /// Who signed is a name, and not shown here.
 Html record_words(const States& states, const std::string& code) {
     const auto found = states.find(code);
-    if (found == states.end() || !found->second.locked) return badge(Html("open"), "");
+    if (found == states.end() || !found->second.locked)
+        return badge(say("open@record"), Tone::kPlain);
     const db::RecordState& state = found->second;
-    if (!state.signature) return badge(Html("locked"), "good");
+    if (!state.signature) return badge(say("locked@record"), Tone::kGood);
     Html out;
     if (state.signature_fits)
-        out << badge(Html("locked and signed"), "good");
+        out << badge(say("locked and signed"), Tone::kGood);
     else
-        out << badge(Html("CHANGED AFTER THE SIGNATURE"), "critical");
+        out << badge(say("CHANGED AFTER THE SIGNATURE"), Tone::kCritical);
     out << " " << day(state.signature->at_utc) << ", " << text(state.signature->remark);
     return out;
 }
 
 Html state_words(const db::Progress& progress) {
-    if (progress.participant.withdrawal) return badge(Html("withdrew"), "warn");
-    if (progress.total > 0 && progress.next.empty()) return badge(Html("complete"), "good");
-    Html out = badge(Html("under way"), "");
+    if (progress.participant.withdrawal) return badge(say("withdrew"), Tone::kWarn);
+    if (progress.total > 0 && progress.next.empty()) return badge(say("complete"), Tone::kGood);
+    Html out = badge(say("under way"), Tone::kPlain);
     if (!progress.open_because.empty())
-        out << " to be done again: " << text(reports::not_done_words(progress.open_because));
+        out << " "
+            << say("to be done again: %1", text(reports::not_done_words(progress.open_because)));
     return out;
 }
 
@@ -70,7 +71,13 @@ std::string step_title(const std::optional<curriculum::StudyProtocol>& protocol,
                        const std::string& step) {
     if (step.empty()) return "–";
     const auto* known = protocol ? protocol->step(step) : nullptr;
-    return known != nullptr && !known->title.en.empty() ? known->title.en : step;
+    return known != nullptr && !known->title.en.empty() ? in_words(known->title) : step;
+}
+
+reports::FlowWords flow_words() {
+    return {words("enrolled"), words("withdrew, data not used or erased"),
+            words("withdrew, data to date are used"), words("consented"),
+            words("answers or attempts analysed")};
 }
 
 Html sums(const std::vector<db::Progress>& progress, const States& states, size_t differences,
@@ -85,20 +92,20 @@ Html sums(const std::vector<db::Progress>& progress, const States& states, size_
         });
     };
     Facts list;
-    list.add(Html("Participants"), text(progress.size()));
+    list.add(say("Participants"), text(progress.size()));
     list.add(
-        Html("Complete"),
+        say("Complete@participants"),
         text(count([](const db::Progress& each) { return each.total > 0 && each.next.empty(); })));
-    list.add(Html("Withdrew"), text(count([](const db::Progress& each) {
+    list.add(say("Withdrew@participants"), text(count([](const db::Progress& each) {
                  return each.participant.withdrawal.has_value();
              })));
-    list.add(Html("Locked"),
+    list.add(say("Locked@records"),
              text(in_state([](const db::RecordState& state) { return state.locked; })));
     list.add(
-        Html("Signed"),
+        say("Signed@records"),
         text(in_state([](const db::RecordState& state) { return state.signature.has_value(); })));
-    list.add(Html("Open differences"), text(differences));
-    list.add(Html("Corrections"), text(corrections));
+    list.add(say("Open differences"), text(differences));
+    list.add(say("Corrections"), text(corrections));
     return list.html();
 }
 
@@ -107,13 +114,13 @@ Html records_card(const Visit& visit, const std::string& study,
                   const std::vector<db::AnswerRecord>& answers) {
     const auto protocol = db::published_study(visit.store, study);
     const Part part = part_of(visit, static_cast<int64_t>(progress.size()));
-    Table table("Records by code", {{"Code"},
-                                    {"State"},
-                                    {"Steps", true},
-                                    {"Next step"},
-                                    {"Answers", true},
-                                    {"Record"},
-                                    {"Last step on"}});
+    Table table(say("Records by code"), {{say("Code")},
+                                         {say("State")},
+                                         {say("Steps"), true},
+                                         {say("Next step")},
+                                         {say("Answers"), true},
+                                         {say("Record")},
+                                         {say("Last step on")}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::Progress& each = progress[static_cast<size_t>(i)];
         const std::string& code = each.participant.code;
@@ -121,33 +128,31 @@ Html records_card(const Visit& visit, const std::string& study,
             return record.participant == code;
         });
         table.row({text(code), state_words(each),
-                   each.total == 0
-                       ? text("–")
-                       : text(std::to_string(each.done) + " of " + std::to_string(each.total)),
+                   each.total == 0 ? dash() : say("%1 of %2", text(each.done), text(each.total)),
                    text(step_title(protocol, each.next)), text(sets), record_words(states, code),
                    day(each.last_utc)});
     }
     Html body;
     body << table.html() << pager(part, "/studies/" + path_part(study), {});
-    return card(Html("Records"), body);
+    return card(say("Records"), body);
 }
 
 }  // namespace
 
 PageText studies_page(const Visit& visit) {
     Html body;
-    body << "<h1>Studies</h1>\n<section class=\"card\">";
-    Table table("Studies with participants or a published protocol",
-                {{"Study"}, {"Id"}, {"Participants", true}});
+    body << "<h1>" << say("Studies") << "</h1>\n<section class=\"card\">";
+    Table table(say("Studies with participants or a published protocol"),
+                {{say("Study")}, {say("Id")}, {say("Participants"), true}});
     for (const std::string& id : visit.store.studies().ids())
         table.row({link("/studies/" + path_part(id), text(title_of(visit, id))), text(id),
                    text(visit.store.studies().participants(id).size())});
     if (table.empty())
-        body << "<p class=\"muted\">There is no study yet.</p>";
+        body << "<p class=\"muted\">" << say("There is no study yet.") << "</p>";
     else
         body << table.html();
     body << "</section>\n";
-    return {"Studies", body};
+    return {say("Studies"), body};
 }
 
 PageText study_page(const Visit& visit) {
@@ -156,24 +161,27 @@ PageText study_page(const Visit& visit) {
     Html body = head(study, title, "");
     const auto progress = db::study_progress(visit.store, study);
     if (progress.empty()) {
-        body << "<p class=\"muted\">Nobody takes part yet.</p>";
-        return {title, body};
+        body << "<p class=\"muted\">" << say("Nobody takes part yet.") << "</p>";
+        return {text(title), body};
     }
     const reports::StudyReport report = reports::read_study_report(visit.store, study);
     const size_t differences = db::entry_differences(visit.store, study).size();
     if (report.data.demonstration)
-        body << "<p>" << badge(Html("DEMONSTRATION, simulated data"), "warn") << "</p>";
-    body << card(Html("At a glance"),
+        body << "<p>" << badge(say("DEMONSTRATION, simulated data"), Tone::kWarn) << "</p>";
+    body << card(say("At a glance"),
                  sums(progress, report.record_states, differences, report.corrections.size()));
-    const reports::FlowNumbers flow = reports::flow_numbers(report);
+    const reports::FlowNumbers flow = reports::flow_numbers(report, spoken_code());
     Html drawing = figure([&](const reports::ChartStyle& style) {
-        return reports::flow_figure("flow", "Flow of participants", flow, style);
+        reports::Figure drawn =
+            reports::flow_figure("flow", words("Flow of participants"), flow, style, flow_words());
+        drawn.caption = words("Flow of participants.");
+        return drawn;
     });
     const QString uncounted = reports::uncounted_words(reports::attempt_counts(report.data));
     if (!uncounted.isEmpty()) drawing << "<p>" << text(uncounted) << "</p>";
-    body << card(Html("Flow"), drawing)
+    body << card(say("Flow"), drawing)
          << records_card(visit, study, progress, report.record_states, report.data.answers);
-    return {title, body};
+    return {text(title), body};
 }
 
 PageText entries_page(const Visit& visit) {
@@ -182,31 +190,38 @@ PageText entries_page(const Visit& visit) {
     const auto differences = db::entry_differences(visit.store, study);
     const size_t entered = visit.store.records().second_entries(study).size();
     Html open;
-    open << "<p>" << text(sim::counted(entered, "sheet was", "sheets were"))
-         << " typed a second time.</p>";
+    open << "<p>"
+         << say_count(entered, "%1 sheet was typed a second time.",
+                      "%1 sheets were typed a second time.")
+         << "</p>";
     const Part part = part_of(visit, static_cast<int64_t>(differences.size()));
-    Table table(sim::counted(differences.size(), "open difference"),
-                {{"Code"}, {"Questionnaire"}, {"Item"}, {"First entry"}, {"Second entry"}});
-    const auto answer = [](const std::string& words) { return text(words.empty() ? "–" : words); };
+    Table table(say_count(differences.size(), "%1 open difference", "%1 open differences"),
+                {{say("Code")},
+                 {say("Questionnaire")},
+                 {say("Item")},
+                 {say("First entry")},
+                 {say("Second entry")}});
+    const auto answer = [](const std::string& said) { return said.empty() ? dash() : text(said); };
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::EntryDifference& each = differences[static_cast<size_t>(i)];
         table.row({text(each.participant), text(each.questionnaire_id), text(each.item),
                    answer(each.first), answer(each.second)});
     }
     if (differences.empty())
-        open << "<p>There are no open differences.</p>";
+        open << "<p>" << say("There are no open differences.") << "</p>";
     else
         open << table.html() << pager(part, "/studies/" + path_part(study) + "/entries", {});
-    Table changed("Corrections, with the old answer",
-                  {{"On"}, {"Item"}, {"Before"}, {"After"}, {"Reason"}});
+    Table changed(say("Corrections, with the old answer"),
+                  {{say("On")}, {say("Item")}, {say("Before")}, {say("After")}, {say("Reason")}});
     for (const db::Correction& each : visit.store.records().corrections(study))
         changed.row({day(each.at_utc), text(each.item), answer(each.old_answer),
                      answer(each.new_answer), text(each.reason)});
     Html body = head(study, title, "/entries");
-    body << card(Html("Double entry"), open)
-         << card(Html("Corrections"),
-                 changed.empty() ? Html("<p class=\"muted\">None.</p>") : changed.html());
-    return {title + ": double entry", body};
+    Html none;
+    none << "<p class=\"muted\">" << say("None.") << "</p>";
+    body << card(say("Double entry"), open)
+         << card(say("Corrections"), changed.empty() ? none : changed.html());
+    return {say("%1: double entry", text(title)), body};
 }
 
 PageText deviations_page(const Visit& visit) {
@@ -215,24 +230,28 @@ PageText deviations_page(const Visit& visit) {
     const auto protocol = db::published_study(visit.store, study);
     const auto deviations = db::study_deviations(visit.store, study);
     const Part part = part_of(visit, static_cast<int64_t>(deviations.size()));
-    Table table(sim::counted(deviations.size(), "deviation or note", "deviations and notes"),
-                {{"Code"}, {"Step"}, {"Kind"}, {"What"}, {"On"}});
+    Table table(say_count(deviations.size(), "%1 deviation or note", "%1 deviations and notes"),
+                {{say("Code")}, {say("Step")}, {say("Kind")}, {say("What")}, {say("On")}});
     for (int64_t i = part.first; i < part.past; ++i) {
         const db::Deviation& each = deviations[static_cast<size_t>(i)];
         Html step = text(step_title(protocol, each.step));
-        if (each.visit > 1) step << ", visit " << text(each.visit);
+        if (each.visit > 1) step << ", " << say("visit %1", text(each.visit));
         table.row({text(each.participant), step, text(reports::deviation_title(each.kind)),
                    text(reports::deviation_words(each)), day(each.at_utc)});
     }
     Html body = head(study, title, "/deviations");
-    body << "<section class=\"card\"><h2>Deviations</h2>";
+    Html list;
     if (deviations.empty())
-        body << "<p>All went as the protocol says.</p>";
+        list << "<p>" << say("All went as the protocol says.") << "</p>";
     else
-        body << table.html() << pager(part, "/studies/" + path_part(study) + "/deviations", {});
-    body << "<p class=\"small\">Nobody writes these down: they follow from steps, attempts and the "
-            "events of their recordings. Notes are the coordinator's.</p></section>\n";
-    return {title + ": deviations", body};
+        list << table.html() << pager(part, "/studies/" + path_part(study) + "/deviations", {});
+    list
+        << "<p class=\"small\">"
+        << say("Nobody writes these down: they follow from steps, attempts and the events of their "
+               "recordings. Notes are the coordinator's.")
+        << "</p>";
+    body << card(say("Deviations"), list);
+    return {say("%1: deviations", text(title)), body};
 }
 
 }  // namespace placode::web

@@ -40,7 +40,13 @@ header { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 24px; pad
 .rail a:hover, .ways a:hover { background: var(--hover); }
 .rail a[aria-current], .ways a[aria-current] { background: var(--accent-soft); color: var(--accent); }
 .ways { margin: 0 0 16px -12px; }
-.out { display: flex; align-items: center; gap: 12px; margin-left: auto; }
+.languages { margin-left: auto; }
+.languages ul { display: flex; gap: 4px; margin: 0; padding: 0; list-style: none; }
+.languages a { display: block; min-width: 44px; padding: 10px 8px; border-radius: 8px; text-align: center;
+  text-decoration: none; font-weight: 600; color: var(--muted); }
+.languages a:hover { background: var(--hover); }
+.languages a[aria-current] { background: var(--accent-soft); color: var(--accent); }
+.out { display: flex; align-items: center; gap: 12px; }
 main { max-width: 1240px; margin: 0 auto; padding: 24px; }
 footer { max-width: 1240px; margin: 0 auto; padding: 8px 24px 32px; color: var(--muted); font-size: 14px; }
 h1 { font-size: 28px; line-height: 1.25; margin: 0 0 8px; overflow-wrap: anywhere; }

@@ -5,6 +5,7 @@
 #include "curriculum/definitions.h"
 #include "db/standards.h"
 #include "ui/web/pages.h"
+#include "ui/web/words.h"
 
 namespace placode::web {
 namespace {
@@ -21,22 +22,21 @@ int64_t whole_number(const std::string& words) {
 
 Tasks::Known Tasks::of(const std::string& task_id) {
     const std::lock_guard lock(mutex_);
-    if (const auto found = known_.find(task_id); found != known_.end()) return found->second;
-    Known known{task_id, 0, false};
+    auto found = shipped_.find(task_id);
     // An id, never a path: it may come from an address.
     const bool is_id =
         task_id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_-") == std::string::npos;
     try {
-        if (is_id && !task_id.empty()) {
+        // What is asked for in addresses must not fill the memory: only tasks are kept.
+        if (found == shipped_.end() && is_id && !task_id.empty()) {
             const curriculum::Task task = curriculum::load_task(task_id);
-            known = {task.title.en, task.rubric.pass_points, true};
+            found = shipped_.emplace(task_id, Shipped{task.title, task.rubric.pass_points}).first;
         }
     } catch (const curriculum::DefinitionError&) {
         // A task that no longer ships: its id is title enough.
     }
-    // What is asked for in addresses must not fill the memory.
-    if (known.shipped) known_[task_id] = known;
-    return known;
+    if (found == shipped_.end()) return {task_id, 0, false};
+    return {in_words(found->second.title), found->second.pass_points, true};
 }
 
 double Tasks::pass_points(db::Store& store, const std::string& task_id) {
@@ -55,7 +55,7 @@ int64_t Visit::number(const std::string& key) const {
 
 int64_t Visit::id(size_t part) const {
     const int64_t value = part < parts.size() ? whole_number(parts[part]) : -1;
-    if (value <= 0) throw NotThere("There is no such page.");
+    if (value <= 0) throw NotThere(words("There is no such page."));
     return value;
 }
 

@@ -48,6 +48,7 @@ Request request_of(const httplib::Request& from) {
     request.method = from.method == "HEAD" ? "GET" : from.method;
     request.path = from.path;
     request.cookies = from.get_header_value("Cookie");
+    request.languages = from.get_header_value("Accept-Language");
     // httplib puts what stands in the address and in the body into one list. A form's values are
     // taken from the body alone: a password in an address would stand in logs.
     for (const auto& [key, value] : from.params)
@@ -111,7 +112,7 @@ struct WebServer::Inside {
         if (request.target.find('?') == std::string::npos &&
             request.get_header_value("Content-Encoding").empty())
             return false;
-        give(refusal(400), response);
+        give(portal.refuse(request_of(request), 400), response);
         return true;
     }
 };
@@ -142,8 +143,9 @@ WebServer::WebServer(PortalOptions options, const ServerLimits& limits)
     server.Post("/sign-in", send);
     server.Post("/sign-out", send);
     // What httplib itself turned away.
-    server.set_error_handler([](const httplib::Request&, httplib::Response& response) {
-        if (!response.has_header("Content-Type")) give(refusal(response.status), response);
+    server.set_error_handler([this](const httplib::Request& request, httplib::Response& response) {
+        if (!response.has_header("Content-Type"))
+            give(inside_->portal.refuse(request_of(request), response.status), response);
     });
 }
 

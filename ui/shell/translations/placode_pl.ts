@@ -9491,11 +9491,11 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>an educator</source>
-        <translation>nauczyciel</translation>
+        <translation>instruktor</translation>
     </message>
     <message>
         <source>an educator or an administrator</source>
-        <translation>nauczyciel lub administrator</translation>
+        <translation>instruktor lub administrator</translation>
     </message>
     <message>
         <source>an administrator</source>
@@ -9507,19 +9507,19 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     </message>
     <message>
         <source>an educator of the group</source>
-        <translation>nauczyciel tej grupy</translation>
+        <translation>instruktor tej grupy</translation>
     </message>
     <message>
         <source>an educator of the group or an administrator</source>
-        <translation>nauczyciel tej grupy lub administrator</translation>
+        <translation>instruktor tej grupy lub administrator</translation>
     </message>
     <message>
         <source>the person, or an educator of the group,</source>
-        <translation>ta osoba lub nauczyciel grupy</translation>
+        <translation>ta osoba lub instruktor grupy</translation>
     </message>
     <message>
         <source>an educator of the group, not the person,</source>
-        <translation>nauczyciel grupy, nie ta osoba</translation>
+        <translation>instruktor grupy, nie ta osoba</translation>
     </message>
     <message>
         <source>the person</source>
