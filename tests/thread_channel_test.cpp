@@ -37,6 +37,7 @@ struct Screw {
 std::unique_ptr<SutureBlock> screwed(const Screw& screw, double friction) {
     BlockOptions options = threaded_block(friction);
     options.youngs_modulus_pa = 20e6;
+    for (SutureStrength& s : options.suture.strength) s.tear_n_m = 1e6;
     auto block = block_of(options);
     lay_along(*block, screw.length_m(), [&](double s) { return screw.place(s); });
     hold(*block, 0, screw.place(0) - 5e-3 * screw.way(0).normalized());
@@ -188,6 +189,47 @@ TEST(ThreadChannel, DrawnOutNothingIsLeft) {
         EXPECT_LT(off_rest_m(*block), 1e-6);
         // All of the thread hangs from the hand.
         EXPECT_NEAR(-thread.pieces[0].stretch_m + end_of(*block, end).spare_m, 0.1, 1e-4);
+    }
+}
+
+/// A straight channel of 0.8 mm, 0.4 mm under the top of the block, drawn upwards by both hands.
+std::unique_ptr<SutureBlock> drawn_up(double strength_n_m) {
+    BlockOptions options = threaded_block();
+    for (SutureStrength& s : options.suture.strength) s.tear_n_m = strength_n_m;
+    auto block = block_of(options);
+    lay_along(*block, 0.8e-3, [](double s) { return Vec3(0.8e-3 * (s - 0.5), 0, -0.4e-3); });
+    hold(*block, 0, Vec3(-0.4e-3, 0, 3e-3));
+    hold(*block, 1, Vec3(0.4e-3, 0, 3e-3));
+    return block;
+}
+
+// A loop through 0.8 mm of tissue, drawn up at both ends: it holds up to the strength times its
+// length and then tears out. Tissue that springs back keeps no books.
+TEST(ThreadChannel, LoopTearsOutAtTheStrengthThatWasSet) {
+    for (const double strength : {100.0, 200.0}) {
+        const auto block = drawn_up(strength);
+        double most = 0;
+        const auto drawn = [&](SutureEventKind until) {
+            for (int i = 0; i < 20000 && !block->saw(until); ++i) {
+                for (const int end : {0, 1}) end_of(*block, end).place_m.z() += 0.5e-6;
+                block->begin_frame();
+                block->substep(Pose{});
+                most = std::max(most, pull_n(*block, 0) + pull_n(*block, 1));
+            }
+        };
+        drawn(SutureEventKind::kCutThrough);
+        ASSERT_TRUE(block->saw(SutureEventKind::kCutThrough));
+        EXPECT_NEAR(most / (strength * 0.8e-3), 1, 0.05);
+        record("share_of_strength", most / (strength * 0.8e-3));
+        drawn(SutureEventKind::kToreOut);
+        EXPECT_EQ(block->needle.thread.channel_count, 0);
+        EXPECT_EQ(block->needle.thread.passage_count, 0);
+        EXPECT_LT(most, strength * 0.8e-3 * 1.05);
+        const ThreadWork& w = block->needle.thread.work;
+        EXPECT_GT(w.torn, 0);
+        EXPECT_LT(w.torn, w.hands);
+        block->rest(400);
+        EXPECT_LT(off_rest_m(*block), 1e-6);
     }
 }
 

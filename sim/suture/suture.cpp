@@ -22,6 +22,7 @@ void check(const SutureSpec& s) {
         need_within("strength.puncture_n", t.puncture_n, 1e-3, 10);
         need_within("strength.cutting_share", t.cutting_share, 0, 1);
         need_within("strength.wall_friction_n_m", t.wall_friction_n_m, 0, 1000);
+        need_within("strength.tear_n_m", t.tear_n_m, 1, 1e6);
     }
     check(s.thread);
     need_within("point_friction", s.point_friction, 0, 5);

@@ -31,6 +31,9 @@ struct SutureStrength {
     double puncture_n = 0.20;       ///< On the point, at which the surface opens: 1e-3 to 10.
     double cutting_share = 0.61;    ///< Of it, that goes on cutting inside: 0 to 1.
     double wall_friction_n_m = 40;  ///< Of needle in channel, by length (0.04 N/mm): 0 to 1000.
+    /// Thread that presses sideways by more, per length, cuts through: 1 to 1e6. 0.5 N on a skin of
+    /// 0.8 mm.
+    double tear_n_m = 600;
 };
 
 struct SutureSpec {
@@ -136,15 +139,17 @@ void fields(Of<SutureState> auto& s, Visit&& visit) {
 }
 
 enum class SutureEventKind : uint8_t {
-    kEntered,    ///< The point opened a surface: force = on the point [N].
-    kLeft,       ///< It came out on the far side: force [N].
-    kWithdrawn,  ///< It was drawn back out of its entry.
-    kSlipped,    ///< The needle slipped in the jaws: force = pull [N].
-    kTurned,     ///< It turned in the jaws: force = torque [N m].
-    kLost,       ///< Tissue of a passage is gone (burned, torn): it was given up.
-    kRanOff,     ///< The swage has gone through a passage.
-    kThreaded,   ///< The swage has left a channel: thread runs through it from end to end.
-    kThreadOut,  ///< An end of the thread has left a channel, which is empty.
+    kEntered,     ///< The point opened a surface: force = on the point [N].
+    kLeft,        ///< It came out on the far side: force [N].
+    kWithdrawn,   ///< It was drawn back out of its entry.
+    kSlipped,     ///< The needle slipped in the jaws: force = pull [N].
+    kTurned,      ///< It turned in the jaws: force = torque [N m].
+    kLost,        ///< Tissue of a passage is gone (burned, torn): it was given up.
+    kRanOff,      ///< The swage has gone through a passage.
+    kThreaded,    ///< The swage has left a channel: thread runs through it from end to end.
+    kThreadOut,   ///< An end of the thread has left a channel, which is empty.
+    kCutThrough,  ///< Thread has cut through the mouth of its channel: force = load [N/m].
+    kToreOut,     ///< And through the last of it: the channel is gone.
 };
 struct SutureEvent {
     SutureEventKind kind = SutureEventKind::kEntered;

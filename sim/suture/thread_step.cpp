@@ -6,6 +6,7 @@
 
 #include "sim/core/as_index.h"
 #include "sim/suture/needle_motion.h"
+#include "sim/suture/thread_tear.h"
 
 namespace placode::sim {
 namespace {
@@ -70,6 +71,7 @@ void finish_thread(const Suture& suture, SutureState& state, const SuturedTissue
     }
     feel_ends(thread, line);
     if (!line.active()) return;
+    tear_channels(suture, state, tissue, line, report);
     for (const int end : {0, 1}) draw_in_end(suture, state, tissue, end, report);
 }
 
