@@ -17,6 +17,7 @@ struct BlockOptions {
     Vec3 size_m = Vec3(0.010, 0.004, 0.003);
     std::array<int, 3> cells{25, 10, 8};
     double youngs_modulus_pa = 200e3;
+    double slit_m = 0;  ///< The block is two halves, this far apart in x; `cells` are those of one.
     int threads = 1;
     SutureSpec suture;
 };
@@ -49,7 +50,7 @@ class SutureBlock {
           tissue_state(body),
           faces(surface, body.mesh(), false),
           needle(suture, X_WN),
-          scratch(body),
+          scratch(body, suture),
           workers(options.threads, Workers::Team::kFixed),
           tissue{body, tissue_state, surface, faces} {}
     SutureBlock(const SutureBlock&) = delete;
@@ -163,11 +164,28 @@ class SutureBlock {
     int frames = 0;
 
  private:
+    static TetMesh block_mesh(const BlockOptions& options) {
+        const Vec3& size = options.size_m;
+        const bool halves = options.slit_m > 0;
+        const double length = halves ? (size.x() - options.slit_m) / 2 : size.x();
+        TetMesh mesh = box_mesh(Vec3(length, size.y(), size.z()), options.cells, Tissue::kSkin);
+        for (Vec3& x : mesh.rest) x -= Vec3(size.x() / 2, size.y() / 2, size.z());
+        if (!halves) return mesh;
+        const auto count = static_cast<int32_t>(mesh.rest.size());
+        const size_t tets = mesh.tets.size();
+        for (int32_t v = 0; v < count; ++v)
+            mesh.rest.push_back(mesh.rest[as_index(v)] + Vec3(length + options.slit_m, 0, 0));
+        for (size_t t = 0; t < tets; ++t) {
+            auto tet = mesh.tets[t];
+            for (int32_t& v : tet) v += count;
+            mesh.tets.push_back(tet);
+            mesh.tissue.push_back(Tissue::kSkin);
+        }
+        return mesh;
+    }
     static SoftBodySpec body_spec(const BlockOptions& options) {
         SoftBodySpec spec;
-        spec.mesh = box_mesh(options.size_m, options.cells, Tissue::kSkin);
-        for (Vec3& x : spec.mesh.rest)
-            x -= Vec3(options.size_m.x() / 2, options.size_m.y() / 2, options.size_m.z());
+        spec.mesh = block_mesh(options);
         spec.mesh = renumbered(spec.mesh, rcm_order(spec.mesh));
         Material material;
         material.youngs_modulus_pa = options.youngs_modulus_pa;

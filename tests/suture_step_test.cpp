@@ -8,7 +8,7 @@
 #include <cstdlib>
 
 #include "count_allocations.h"
-#include "suture_block.h"
+#include "thread_block.h"
 
 namespace placode::sim {
 namespace THIS_TEST {
@@ -143,6 +143,73 @@ TEST(SutureStep, SameBitsAtAnyNumberOfThreads) {
     }
     EXPECT_EQ(hashes[0], hashes[1]);
     EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+/// A needle with thread through a bite, its swage well out of it.
+std::unique_ptr<SutureBlock> threaded(int threads) {
+    BlockOptions options = skin_block();
+    options.threads = threads;
+    options.suture.thread.length_m = 0.05;
+    options.suture.thread.friction.drag_n_m = 10;
+    set_strength(options.suture, 0.05);
+    return bitten(options, 21e-3, 20e-3);
+}
+
+TEST(SutureStep, SameBitsAtAnyNumberOfThreadsWithThreadInTheTissue) {
+    std::vector<uint64_t> hashes;
+    for (const int threads : {1, 2, 3}) {
+        const auto block = threaded(threads);
+        EXPECT_GT(block->needle.thread.passage_count, 6);
+        EXPECT_GT(block->needle.thread.pieces[1].pull_n, 0.01);
+        hashes.push_back(block->hash());
+    }
+    EXPECT_EQ(hashes[0], hashes[1]);
+    EXPECT_EQ(hashes[0], hashes[2]);
+}
+
+// Hands that throw about both ends of a thread: all stays finite and near, whatever tears.
+TEST(SutureStep, BadHandsOnAThreadLeaveEverythingFinite) {
+    uint64_t seed = 7;
+    const auto random = [&] {
+        seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        return static_cast<double>(seed >> 33) / static_cast<double>(1ULL << 31) * 2 - 1;
+    };
+    for (const double barb : {0.0, 300.0}) {
+        BlockOptions options = threaded_block();
+        options.suture.thread.length_m = 0.03;
+        options.suture.thread.friction.barb_n_m = barb;
+        const auto block = block_of(options);
+        lay_bite(*block, 1.2e-3, -2.5e-3);
+        lay_bite(*block, 1.2e-3, 2.5e-3);
+        for (int i = 0; i < 600; ++i) {
+            for (const int end : {0, 1}) {
+                const Vec3 place(4e-3 * random(), 3e-3 * random(), 4e-3 * random());
+                if (i % 50 == 25 * end)
+                    hold(*block, end, place, 1e-3 * (1 + random()));
+                else if (i % 50 == 25 * end + 20)
+                    let_go(*block, end);
+                else if (i % 5 == 0)
+                    end_of(*block, end).place_m = place;
+            }
+            block->rest(1);
+            ASSERT_TRUE(std::isfinite(block->tissue_motion())) << i;
+            ASSERT_TRUE(std::isfinite(thread_energy(block->needle.thread))) << i;
+            ASSERT_LT(off_rest_m(*block), 20e-3) << i;
+        }
+        EXPECT_TRUE(std::all_of(block->tissue_state.contact_vertex.begin(),
+                                block->tissue_state.contact_vertex.end(),
+                                [](uint8_t c) { return c == 0; }));
+    }
+}
+
+TEST(SutureStep, FrameWithThreadNeitherAllocatesNorLocks) {
+    const auto block = threaded(1);
+    const long allocations = placode::test::allocations, locks = placode::test::locks;
+    const int before = block->needle.thread.passage_count;
+    drive_round(*block, 10e-3, 20e-3, [](SutureBlock&) { return true; });
+    EXPECT_EQ(placode::test::allocations, allocations);
+    EXPECT_EQ(placode::test::locks, locks);
+    EXPECT_GT(before, 6);
 }
 
 TEST(SutureStep, FrameNeitherAllocatesNorLocks) {

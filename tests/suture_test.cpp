@@ -39,6 +39,10 @@ TEST(Suture, StrengthsAndJawsThatCannotBeAreRefused) {
     EXPECT_EQ(field([](SutureSpec& s) { s.jaws.turn_n_m_rad = 0; }), "jaws.turn_n_m_rad");
     EXPECT_EQ(field([](SutureSpec& s) { s.point_friction = -1; }), "point_friction");
     EXPECT_EQ(field([](SutureSpec& s) { s.drag_per_s = -1; }), "drag_per_s");
+    EXPECT_EQ(field([](SutureSpec& s) { s.strength[1].tear_n_m = 0; }), "strength.tear_n_m");
+    EXPECT_EQ(field([](SutureSpec& s) { s.thread.length_m = 3; }), "thread.length_m");
+    EXPECT_EQ(field([](SutureSpec& s) { s.thread.stretch_n = 0; }), "thread.stretch_n");
+    EXPECT_EQ(field([](SutureSpec& s) { s.thread.friction.barb_n_m = -1; }), "thread.barb_n_m");
 }
 
 TEST(Suture, HandTakesTheNeedleWhereItIs) {

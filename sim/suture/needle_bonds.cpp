@@ -8,6 +8,7 @@
 #include "sim/contact/contact_law.h"
 #include "sim/core/as_index.h"
 #include "sim/core/event.h"
+#include "sim/suture/thread_vertices.h"
 
 namespace placode::sim {
 namespace {
@@ -75,27 +76,41 @@ double wall_length_m(const SutureState& state, int i) noexcept {
     return length;
 }
 
-void add_bond(SutureScratch& scratch, SoftBodyState& state, const NeedleBond& bond) noexcept {
-    scratch.bonds[as_index(scratch.bond_count++)] = bond;
-    for (size_t k = 0; k < 4; ++k) {
-        int32_t& slot = scratch.slot[as_index(bond.vertex[k])];
+void add_corners(SutureScratch& scratch, SoftBodyState& state,
+                 const std::array<int32_t, 4>& vertices) noexcept {
+    for (const int32_t v : vertices) {
+        int32_t& slot = scratch.slot[as_index(v)];
         if (slot < 0) {
             slot = scratch.colour_count++;
-            scratch.colour[as_index(slot)] = {bond.vertex[k], 0, 0};
-            state.contact_vertex[as_index(bond.vertex[k])] = 1;
+            scratch.colour[as_index(slot)] = {v, 0, 0};
+            state.contact_vertex[as_index(v)] = 1;
         }
         ++scratch.colour[as_index(slot)].count;
     }
 }
 
+void add_bond(SutureScratch& scratch, SoftBodyState& state, const NeedleBond& bond) noexcept {
+    scratch.bonds[as_index(scratch.bond_count++)] = bond;
+    add_corners(scratch, state, bond.vertex);
+}
+
+void add_entry(SutureScratch& scratch, int32_t vertex, int32_t entry) noexcept {
+    SutureScratch::Colour& c = scratch.colour[as_index(scratch.slot[as_index(vertex)])];
+    scratch.incidence[as_index(c.first + c.count++)] = entry;
+}
+
 }  // namespace
 
-SutureScratch::SutureScratch(const SoftBody& body)
+SutureScratch::SutureScratch(const SoftBody& body, const Suture& suture)
     : bonds(kMostBonds),
-      colour(as_index(4 * int64_t{kMostBonds})),
-      incidence(as_index(4 * int64_t{kMostBonds})),
       slot(as_index(body.vertex_capacity()), -1),
-      places(kMostBonds, Vec3::Zero()) {}
+      places(kMostBonds, Vec3::Zero()),
+      thread(suture.spec().thread) {
+    const bool threaded = suture.spec().thread.length_m > 0;
+    const auto corners_at_most = 4 * as_index(kMostBonds + (threaded ? kMostPassages : 0));
+    colour.resize(corners_at_most);
+    incidence.resize(corners_at_most);
+}
 
 double pushed_m(const PosedNeedle& needle, const Vec3& p_W) noexcept {
     return needle.to_N(p_W).y();
@@ -161,6 +176,10 @@ void collect_bonds(const Suture& suture, const SutureState& state, const Sutured
         add_bond(scratch, tissue.state, passage_bond(suture, state, tissue, i));
     if (state.point.mode != PointMode::kFree)
         add_bond(scratch, tissue.state, point_bond(suture, state, tissue));
+    const ThreadState& thread = state.thread;
+    for (int i = 0; i < thread.passage_count; ++i)
+        add_corners(scratch, tissue.state,
+                    corners(tissue.body, tissue.state, thread.passages[as_index(i)].at.tet));
     int sum = 0;
     for (int i = 0; i < scratch.colour_count; ++i) {
         SutureScratch::Colour& c = scratch.colour[as_index(i)];
@@ -173,11 +192,12 @@ void collect_bonds(const Suture& suture, const SutureState& state, const Sutured
         x = {before.x, before.y, before.z, x.w};
     }
     for (int n = 0; n < scratch.bond_count; ++n) {
-        for (int k = 0; k < 4; ++k) {
-            const int32_t v = scratch.bonds[as_index(n)].vertex[as_index(k)];
-            SutureScratch::Colour& c = scratch.colour[as_index(scratch.slot[as_index(v)])];
-            scratch.incidence[as_index(c.first + c.count++)] = 4 * n + k;
-        }
+        for (int k = 0; k < 4; ++k)
+            add_entry(scratch, scratch.bonds[as_index(n)].vertex[as_index(k)], 4 * n + k);
+    }
+    for (int i = 0; i < thread.passage_count; ++i) {
+        const auto& at = corners(tissue.body, tissue.state, thread.passages[as_index(i)].at.tet);
+        for (int k = 0; k < 4; ++k) add_entry(scratch, at[as_index(k)], ~(4 * i + k));
     }
 }
 
@@ -185,30 +205,41 @@ void solve_bonded_vertices(const Suture& suture, const SutureState& state,
                            const SuturedTissue& tissue, SutureScratch& scratch, double h_s,
                            bool backward) noexcept {
     const PosedNeedle needle(suture.needle(), state.needle);
+    scratch.thread.refresh(tissue, state.thread);
     for (int turn = 0; turn < scratch.colour_count; ++turn) {
         const int i = backward ? scratch.colour_count - 1 - turn : turn;
         const SutureScratch::Colour& c = scratch.colour[as_index(i)];
         Float4& x = tissue.state.x[as_index(c.vertex)];
         if (x.w == 0) continue;
         VertexSystem system = vertex_system(tissue.body, tissue.state, c.vertex, h_s);
-        for (int n = c.first; n < c.first + c.count; ++n) {
-            const int32_t entry = scratch.incidence[as_index(n)];
-            const NeedleBond& bond = scratch.bonds[as_index(entry / 4)];
-            const double b = bond.b[as_index(entry % 4)];
+        const std::span<const int32_t> entries(&scratch.incidence[as_index(c.first)],
+                                               as_index(c.count));
+        size_t bonds = 0;
+        for (; bonds < entries.size() && entries[bonds] >= 0; ++bonds) {
+            const NeedleBond& bond = scratch.bonds[as_index(entries[bonds] / 4)];
+            const double b = bond.b[as_index(entries[bonds] % 4)];
             if (b == 0) continue;
             const BondForce f = force_of(needle, bond, place_of(tissue.state, bond), false);
             system.gradient += b * f.gradient;
             system.hessian += b * b * f.stiffness;
         }
+        const auto threaded = entries.subspan(bonds);
+        const bool pulled = scratch.thread.active() && !threaded.empty();
+        if (pulled) add_thread(scratch.thread, state.thread, threaded, system);
         const int origin = origin_of(tissue.state, c.vertex);
         const VertexStep way = vertex_step(
             system, 1, static_cast<double>(tissue.body.shortest_edge_m()[as_index(origin)]));
         if (!way.finite) tissue.state.flags |= kNotFinite;
         if (way.limited) tissue.state.flags |= kStepLimited;
+        const Vec3 before = position(tissue.state, c.vertex);
         x.x += static_cast<float>(way.step.x());
         x.y += static_cast<float>(way.step.y());
         x.z += static_cast<float>(way.step.z());
+        if (pulled)
+            move_thread(scratch.thread, state.thread, threaded,
+                        position(tissue.state, c.vertex) - before);
     }
+    scratch.thread.slide();
 }
 
 void release_bonds(const SuturedTissue& tissue, SutureScratch& scratch) noexcept {

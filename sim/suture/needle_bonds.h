@@ -15,7 +15,7 @@
 #include <array>
 #include <vector>
 
-#include "sim/suture/suture.h"
+#include "sim/suture/thread_line.h"
 
 namespace placode::sim {
 
@@ -61,9 +61,10 @@ struct PosedNeedle {
 /// Lists of a substep. Nothing in it decides the future.
 class SutureScratch {
  public:
-    explicit SutureScratch(const SoftBody& body);
+    SutureScratch(const SoftBody& body, const Suture& suture);
 
-    /// A vertex and its share of the bonds: entries bond * 4 + corner.
+    /// A vertex and its share of the bonds: entries bond * 4 + corner; then of the thread's
+    /// passages: entries ~(passage * 4 + corner), in their order.
     struct Colour {
         int32_t vertex = 0, first = 0, count = 0;
     };
@@ -72,6 +73,7 @@ class SutureScratch {
     std::vector<int32_t> incidence;
     std::vector<int32_t> slot;  ///< (V) into colour, -1 = none.
     std::vector<Vec3> places;   ///< Of the bonds' points, while the needle is solved.
+    ThreadLine thread;
     int bond_count = 0, colour_count = 0;
     Pose start;        ///< The needle when the substep began.
     Pose hand_before;  ///< And the hand.
@@ -86,8 +88,8 @@ class SutureScratch {
 [[nodiscard]] NeedleBond point_bond(const Suture& suture, const SutureState& state,
                                     const SuturedTissue& tissue) noexcept;
 
-/// Bonds of all passages and of the point; their vertices leave the sweep and start where they
-/// were.
+/// Bonds of all passages and of the point, and the thread's passages; their vertices leave the
+/// sweep and start where they were.
 void collect_bonds(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
                    SutureScratch& scratch) noexcept;
 /// One pass over the vertices, there or back.

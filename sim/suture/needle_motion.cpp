@@ -138,8 +138,25 @@ void begin_needle(const Suture& /*suture*/, SutureState& state, SutureScratch& s
 
 namespace {
 
+/// The thread at the swage, slid to where friction holds it: what it gives by sliding is in its
+/// stiffness.
+void add_thread(const Vec3& swage, const Vec3& centre, ThreadLine& line, Vec6& gradient,
+                Mat6& hessian) noexcept {
+    line.place_front(swage);
+    line.slide();
+    const LineSegment& last = line.segment(line.nodes() - 2);
+    const Mat36 j = motion_of(swage - centre);
+    const Mat3 across = Mat3::Identity() - last.along * last.along.transpose();
+    const double pull = line.pull_n(last);
+    gradient += j.transpose() * (pull * last.along);
+    hessian += j.transpose() *
+               (line.front_stiffness() * last.along * last.along.transpose() +
+                pull / last.way_m * across) *
+               j;
+}
+
 /// One Newton step; returns how far it went, in radii and radians, or -1 where it is not finite.
-double newton_step(const Suture& suture, SutureState& state, const SutureScratch& scratch,
+double newton_step(const Suture& suture, SutureState& state, SutureScratch& scratch,
                    double h_s) noexcept {
     const Needle& needle = suture.needle();
     const SutureSpec& spec = suture.spec();
@@ -173,6 +190,8 @@ double newton_step(const Suture& suture, SutureState& state, const SutureScratch
         gradient -= j.transpose() * f.gradient;
         hessian += j.transpose() * f.stiffness * j;
     }
+    if (scratch.thread.active() && state.thread.ends[1].mode == ThreadEndMode::kSwage)
+        add_thread(swage_m(suture, state), centre, scratch.thread, gradient, hessian);
     Vec6 step = -hessian.llt().solve(gradient);
     const double far = step.head<3>().norm() / needle.radius_m(), turn = step.tail<3>().norm();
     const double over = std::max(far / kMostWay, turn / kMostTurnRad);
@@ -193,6 +212,9 @@ void solve_needle(const Suture& suture, SutureState& state, const SuturedTissue&
         const double gone = newton_step(suture, state, scratch, h_s);
         if (!(gone > kEnough)) break;
     }
+    if (state.thread.ends[1].mode != ThreadEndMode::kSwage) return;
+    scratch.thread.place_front(swage_m(suture, state));
+    scratch.thread.slide();
 }
 
 void finish_needle(const Suture& suture, SutureState& state, const SutureScratch& scratch,

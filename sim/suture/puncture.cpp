@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/suture/thread_channel.h"
 
 namespace placode::sim {
 namespace {
@@ -14,7 +15,10 @@ constexpr double kSpacingM = 0.3e-3;     // of passages inside one tet
 constexpr double kNearestM = 0.1e-3;     // a face so close to the last passage gets none
 constexpr double kDrawnBackM = 0.05e-3;  // the point lets the channel close behind it
 constexpr double kLookBackM = 0.5e-3;    // a hand at 0.5 m/s goes a quarter of it in a substep
-constexpr int kMostFaces = 64;           // crossed in one substep
+// Passages go over to the thread when the swage is so far ahead that the way to it has a direction,
+// and come back a little later.
+constexpr double kFollowsM = 0.2e-3, kComesBackM = 0.1e-3;
+constexpr int kMostFaces = 64;  // crossed in one substep
 // Stiffness of a bond against what the tissue answers there at once. Contact has 6; a little less,
 // because several passages share their vertices. Other values were not tried.
 constexpr double kBondRatio = 4;
@@ -107,8 +111,13 @@ class Puncture {
     /// What lies ahead of the point, or behind the swage.
     void leave_passages() noexcept {
         while (state_.passage_count > 0 && coordinate(state_.passage_count - 1) < 0) pop_newest();
-        while (state_.passage_count > 0 && coordinate(0) > suture_.needle().arc_m())
+        const bool threaded = state_.thread.ends[1].mode == ThreadEndMode::kSwage;
+        const double last = suture_.needle().arc_m() + (threaded ? kFollowsM : 0);
+        while (state_.passage_count > 0 && coordinate(0) > last) {
+            if (threaded) take_passage(suture_, state_, tissue_, state_.passages[0], h_s_, report_);
             give_up(0, SutureEventKind::kRanOff);
+        }
+        if (threaded) take_back(last - kComesBackM);
     }
 
  private:
@@ -292,6 +301,21 @@ class Puncture {
             state_.work.made += energy();
         }
         point.since_passage_m = std::max(0.0, gone.gap_m + std::min(0.0, pushed()));
+    }
+
+    /// The swage has come back to passages that the thread had taken over.
+    void take_back(double last_m) noexcept {
+        for (const Passage* p = nullptr; (p = newest_open(state_.thread)) != nullptr;) {
+            const ArcFoot foot = suture_.needle().foot(needle_.to_N(place_of(tissue_, p->at)));
+            if (foot.s_m > last_m || state_.passage_count == kMostPassages) return;
+            auto* const all = state_.passages.data();
+            std::copy_backward(all, all + state_.passage_count, all + state_.passage_count + 1);
+            all[0] = *p;
+            all[0].grips_at_m = foot.s_m;
+            ++state_.passage_count;
+            state_.work.made += passage_energy(0);
+            drop_passage(suture_, state_, tissue_, state_.thread.passage_count - 1);
+        }
     }
 
     void give_up(int i, SutureEventKind kind) noexcept {

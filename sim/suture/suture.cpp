@@ -22,7 +22,9 @@ void check(const SutureSpec& s) {
         need_within("strength.puncture_n", t.puncture_n, 1e-3, 10);
         need_within("strength.cutting_share", t.cutting_share, 0, 1);
         need_within("strength.wall_friction_n_m", t.wall_friction_n_m, 0, 1000);
+        need_within("strength.tear_n_m", t.tear_n_m, 1, 1e6);
     }
+    check(s.thread);
     need_within("point_friction", s.point_friction, 0, 5);
     need_within("gravity_m_s2", s.gravity_m_s2.norm(), 0, 100);
     need_within("drag_per_s", s.drag_per_s, 0, 1000);
@@ -45,6 +47,10 @@ class Hash {
         else
             fields(value, *this);
     }
+    template <class T, size_t N>
+    requires(!kPlainBytes<T>) void add(const std::array<T, N>& values) noexcept {
+        for (const T& value : values) add(value);
+    }
     template <class T>
     void add(const std::vector<T>& values) noexcept {
         for (const T& value : values) add(value);
@@ -56,7 +62,8 @@ class Hash {
 
 Suture::Suture(const SutureSpec& spec) : spec_(spec), needle_(spec.needle) { check(spec_); }
 
-SutureState::SutureState(const Suture& /*suture*/, const Pose& X_WN) : needle(X_WN) {
+SutureState::SutureState(const Suture& suture, const Pose& X_WN)
+    : needle(X_WN), thread(suture.spec().thread) {
     needle.q.normalize();
     passages.resize(kMostPassages);
 }

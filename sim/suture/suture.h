@@ -1,19 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A needle, the jaws that hold it and the channels that it makes: what never changes (Suture), what
-// changes (SutureState), and what a substep tells (SutureReport). How it works: docs/suture.md.
+// A needle, the jaws that hold it, the channels that it makes and the thread that follows: what
+// never changes (Suture), what changes (SutureState), and what a substep tells (SutureReport). How
+// it works: docs/suture.md.
 
 #include <array>
 #include <vector>
 
 #include "sim/core/fields.h"
 #include "sim/suture/needle.h"
-#include "sim/suture/tissue_point.h"
+#include "sim/suture/thread.h"
 
 namespace placode::sim {
 
-inline constexpr int kMostPassages = 1024, kMostSutureEvents = 32;
+inline constexpr int kMostSutureEvents = 32;
 
 /// How a needle is held. Planning values.
 struct JawSpec {
@@ -30,11 +31,15 @@ struct SutureStrength {
     double puncture_n = 0.20;       ///< On the point, at which the surface opens: 1e-3 to 10.
     double cutting_share = 0.61;    ///< Of it, that goes on cutting inside: 0 to 1.
     double wall_friction_n_m = 40;  ///< Of needle in channel, by length (0.04 N/mm): 0 to 1000.
+    /// Thread that presses sideways by more, per length, cuts through: 1 to 1e6. 0.5 N on a skin of
+    /// 0.8 mm.
+    double tear_n_m = 600;
 };
 
 struct SutureSpec {
     NeedleSpec needle;
     JawSpec jaws;
+    ThreadSpec thread;
     std::array<SutureStrength, kTissueCount> strength{};
     /// Of the point on a surface that it has not opened yet, Coulomb: a point bites. 0 to 5.
     double point_friction = 1.0;
@@ -57,24 +62,6 @@ class Suture {
     SutureSpec spec_;
     Needle needle_;
 };
-
-enum class PassageKind : uint8_t { kEntry, kInner, kExit };
-
-/// A place of the tissue through which the needle has gone. Ordered along the needle: the newest,
-/// nearest to its point, is the last.
-struct Passage {
-    TissuePoint at;
-    PassageKind kind = PassageKind::kInner;
-    int32_t channel = 0;    ///< Counts up with every entry.
-    double gap_m = 0;       ///< Cut between the passage before it and this one; 0 at an entry.
-    double hold_n_m = 0;    ///< Stiffness of its bond, for life: a change would make energy.
-    double grips_at_m = 0;  ///< Arc coordinate at which friction holds it.
-};
-template <class Visit>
-void fields(Of<Passage> auto& s, Visit&& visit) {
-    auto& [at, kind, channel, gap_m, hold_n_m, grips_at_m] = s;
-    visit.state(at, kind, channel, gap_m, hold_n_m, grips_at_m);
-}
 
 enum class PointMode : uint8_t {
     kFree,       ///< In no contact.
@@ -143,21 +130,26 @@ struct SutureState {
     int32_t passage_count = 0;
     int32_t channels = 0;  ///< Entries so far.
     SutureWork work;
+    ThreadState thread;
 };
 template <class Visit>
 void fields(Of<SutureState> auto& s, Visit&& visit) {
-    auto& [needle, v, w, hold, point, passages, passage_count, channels, work] = s;
-    visit.state(needle, v, w, hold, point, passages, passage_count, channels, work);
+    auto& [needle, v, w, hold, point, passages, passage_count, channels, work, thread] = s;
+    visit.state(needle, v, w, hold, point, passages, passage_count, channels, work, thread);
 }
 
 enum class SutureEventKind : uint8_t {
-    kEntered,    ///< The point opened a surface: force = on the point [N].
-    kLeft,       ///< It came out on the far side: force [N].
-    kWithdrawn,  ///< It was drawn back out of its entry.
-    kSlipped,    ///< The needle slipped in the jaws: force = pull [N].
-    kTurned,     ///< It turned in the jaws: force = torque [N m].
-    kLost,       ///< Tissue of a passage is gone (burned, torn): it was given up.
-    kRanOff,     ///< The swage has gone through a passage.
+    kEntered,     ///< The point opened a surface: force = on the point [N].
+    kLeft,        ///< It came out on the far side: force [N].
+    kWithdrawn,   ///< It was drawn back out of its entry.
+    kSlipped,     ///< The needle slipped in the jaws: force = pull [N].
+    kTurned,      ///< It turned in the jaws: force = torque [N m].
+    kLost,        ///< Tissue of a passage is gone (burned, torn): it was given up.
+    kRanOff,      ///< The swage has gone through a passage.
+    kThreaded,    ///< The swage has left a channel: thread runs through it from end to end.
+    kThreadOut,   ///< An end of the thread has left a channel, which is empty.
+    kCutThrough,  ///< Thread has cut through the mouth of its channel: force = load [N/m].
+    kToreOut,     ///< And through the last of it: the channel is gone.
 };
 struct SutureEvent {
     SutureEventKind kind = SutureEventKind::kEntered;
@@ -173,6 +165,7 @@ struct SutureReport {
     int event_count = 0;
     double point_force_n = 0;  ///< Of the tissue on the point, against the way it is driven [N].
     double wall_force_n = 0;   ///< Sum of friction along the channels, without sign [N].
+    double thread_pull_n = 0;  ///< The largest along the thread [N].
     double deepest_m = 0;      ///< Largest distance of a passage from the wire's axis [m].
     bool dropped = false;      ///< A list was full.
     bool not_finite = false;   ///< The needle was put back where it was, at rest.

@@ -12,6 +12,7 @@
 // scene without a needle calls nothing.
 
 #include "sim/suture/puncture.h"
+#include "sim/suture/thread_step.h"
 
 namespace placode::sim {
 
@@ -30,7 +31,7 @@ void solve_suture(const Suture& suture, SutureState& state, const SuturedTissue&
 void finish_suture(const Suture& suture, SutureState& state, const SuturedTissue& tissue,
                    SutureScratch& scratch, double h_s, SutureReport& report) noexcept;
 
-/// Stored in all bonds and in the hand's hold [J]; not in the tissue.
+/// Stored in all bonds, in the thread and in the hand's hold [J]; not in the tissue.
 [[nodiscard]] double suture_energy(const Suture& suture, const SutureState& state,
                                    const SuturedTissue& tissue) noexcept;
 
