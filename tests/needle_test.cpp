@@ -71,6 +71,25 @@ TEST(Needle, FootIsFoundInClosedForm) {
     }
 }
 
+TEST(Needle, FootFromAPlaceNearByIsTheSame) {
+    const Needle needle{NeedleSpec{}};
+    for (int i = 0; i <= 300; ++i) {
+        const double from = needle.arc_m() * i / 300;
+        // Up to 0.2 radians away: beyond 0.1 it is found anew.
+        for (int k = -20; k <= 20; ++k) {
+            const ArcPoint at = needle.at(from + 0.01 * k * needle.radius_m());
+            const Vec3 p = at.place_m + 0.2e-3 * at.radial + 0.1e-3 * Vec3::UnitZ();
+            const ArcFoot exact = needle.foot(p);
+            const ArcFoot near = needle.foot_near(p, needle.at(from).radial, from);
+            EXPECT_NEAR(near.s_m, exact.s_m, 2e-15) << i << ' ' << k;
+            EXPECT_EQ(near.radial_m, exact.radial_m);
+            EXPECT_EQ(near.back, exact.back);
+        }
+        EXPECT_EQ(needle.foot_near(needle.at(from).place_m, Vec3::Zero(), 0).s_m,
+                  needle.foot(needle.at(from).place_m).s_m);
+    }
+}
+
 TEST(Needle, NearestIsTheNearestOfManyPlaces) {
     const Needle needle(of_arc(17e-3));
     for (int i = 0; i < 400; ++i) {

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kThickest = 0.1;  // of the wire's radius to the circle's
+constexpr double kNear = 0.1;      // tangent of what foot_near() covers
 
 }  // namespace
 
@@ -35,7 +36,7 @@ ArcPoint Needle::at(double s_m) const noexcept {
     return {Vec3(radius_m_ * c, radius_m_ * s, 0), Vec3(-s, c, 0), Vec3(c, s, 0)};
 }
 
-ArcFoot Needle::foot(const Vec3& p_N) const noexcept {
+ArcFoot Needle::across_from(const Vec3& p_N) const noexcept {
     ArcFoot f;
     const double x = p_N.x(), y = p_N.y();
     f.ring_m = std::sqrt(x * x + y * y);
@@ -44,11 +45,33 @@ ArcFoot Needle::foot(const Vec3& p_N) const noexcept {
     if (!(f.ring_m > 0)) return f;
     f.radial = Vec3(x / f.ring_m, y / f.ring_m, 0);
     f.back = Vec3(-f.radial.y(), f.radial.x(), 0);
+    return f;
+}
+
+ArcFoot Needle::foot(const Vec3& p_N) const noexcept {
+    ArcFoot f = across_from(p_N);
+    if (!(f.ring_m > 0)) return f;
+    const double x = p_N.x(), y = p_N.y();
     // From the arc's middle, so that the seam lies opposite to it: the tangent of half the angle,
     // each half of the plane by the form that does not cancel there.
     const double beyond = x != 0 ? -(f.ring_m - y) / x : 1e18;
     const double half = y >= 0 ? -x / (f.ring_m + y) : beyond;
     f.s_m = radius_m_ * (kPi / 2 + 2 * arc_tangent(half));
+    return f;
+}
+
+ArcFoot Needle::foot_near(const Vec3& p_N, const Vec3& radial, double s_m) const noexcept {
+    ArcFoot f = across_from(p_N);
+    const double across = radial.x() * f.radial.y() - radial.y() * f.radial.x();
+    const double along = radial.x() * f.radial.x() + radial.y() * f.radial.y();
+    if (!(along > 0) || std::abs(across) > kNear * along) return foot(p_N);
+    const double t = across / along, t2 = t * t;
+    // The first term that is left out is below 1e-15 radians.
+    f.s_m =
+        s_m + radius_m_ * t *
+                  (1 - t2 * (1.0 / 3 -
+                             t2 * (1.0 / 5 -
+                                   t2 * (1.0 / 7 - t2 * (1.0 / 9 - t2 * (1.0 / 11 - t2 / 13))))));
     return f;
 }
 

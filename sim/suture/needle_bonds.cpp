@@ -32,7 +32,7 @@ struct BoundedSpring {
 
 BondForce passage_force(const PosedNeedle& needle, const NeedleBond& bond, const Vec3& p_W,
                         bool slope) noexcept {
-    const ArcFoot f = needle.shape.foot(needle.to_N(p_W));
+    const ArcFoot f = needle.shape.foot_near(needle.to_N(p_W), bond.near, bond.near_m);
     const double k = bond.hold_n_m;
     const BoundedSpring along(k, f.s_m - bond.grips_at_m, bond.along_n, slope);
     // ds = R / ring of the way along the circle.
@@ -172,8 +172,14 @@ NeedleBond point_bond(const Suture& suture, const SutureState& state,
 void collect_bonds(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
                    SutureScratch& scratch) noexcept {
     scratch.bond_count = scratch.colour_count = 0;
-    for (int i = 0; i < state.passage_count; ++i)
-        add_bond(scratch, tissue.state, passage_bond(suture, state, tissue, i));
+    const PosedNeedle needle(suture.needle(), state.needle);
+    for (int i = 0; i < state.passage_count; ++i) {
+        NeedleBond bond = passage_bond(suture, state, tissue, i);
+        const ArcFoot foot = needle.shape.foot(needle.to_N(place_of(tissue.state, bond)));
+        bond.near = foot.radial;
+        bond.near_m = foot.s_m;
+        add_bond(scratch, tissue.state, bond);
+    }
     if (state.point.mode != PointMode::kFree)
         add_bond(scratch, tissue.state, point_bond(suture, state, tissue));
     const ThreadState& thread = state.thread;
