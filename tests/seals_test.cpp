@@ -18,6 +18,7 @@
 #include "curriculum/questionnaire.h"
 #include "db/packing.h"
 #include "db/signature.h"
+#include "db/sql_connection.h"
 #include "db/study_conduct.h"
 #include "sim/core/random.h"
 #include "tests/bars.h"
@@ -433,6 +434,32 @@ TEST(SealedObject, ItsLineIsReadBack) {
     ASSERT_EQ(back.size(), 2u);
     EXPECT_EQ((back.at({"participant", {"pilot", "P001-K"}}).after), "ab");
     EXPECT_EQ((back.at({"attempt", {"12"}}).before), "cd");
+}
+
+/// The seal of a participant whose answers were made by these statements.
+std::string seal_of_answers(const std::string& url, RawConnection pen) {
+    const std::vector<std::string> rows{
+        "INSERT INTO participants (study_id, code, number, created_utc) VALUES ('s', 'c', 1, '')",
+        "INSERT INTO answers (study_id, participant, questionnaire_id, questionnaire_version, "
+        "answered_utc, demonstration) VALUES ('s', 'c', 'q', 1, '', 0)",
+        "INSERT INTO answer_items (answer_id, item, answer) VALUES (1, 'a_b', '1'), (1, 'B', '2'), "
+        "(1, 'a1', '3'), (1, 'ą', '4'), (1, 'b', '5')"};
+    for (const std::string& row : rows) EXPECT_TRUE(pen.run(row)) << pen.problem();
+    db::Connection connection(db::parse_store_url(url));
+    return db::seal_of(connection, {"participant", {"s", "c"}});
+}
+
+TEST(Seals, AreTheSameWhateverOrderTheServerSortsTextsIn) {
+    if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+    const TemporaryFolder folder;
+    const std::string file = folder.file("placode.db");
+    const std::string database = world->server().new_database(kSortedAsPeopleDo);
+    for (const std::string& url : {"sqlite:" + file, world->server().url(database)})
+        (void)db::open_store(url);
+    RawConnection server = world->server().connect(database);
+    ASSERT_EQ(server.value("SELECT CASE WHEN 'a_b' < 'a1' AND 'b' < 'B' THEN 1 ELSE 0 END"), "1");
+    EXPECT_EQ(seal_of_answers("sqlite:" + file, {"QSQLITE", file}),
+              seal_of_answers(world->server().url(database), world->server().connect(database)));
 }
 
 }  // namespace THIS_TEST
