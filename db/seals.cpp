@@ -68,7 +68,9 @@ std::string rows_of(const SealPart& part, bool of_one, bool sqlite) {
 }
 
 void add_row(std::string& rows, const Statement& query, size_t first) {
-    for (int i = static_cast<int>(first); i < query.columns(); ++i) add_text(rows, query.text(i));
+    // PostgreSQL's driver makes "0" of a number that is not there, and SQLite's nothing.
+    for (int i = static_cast<int>(first); i < query.columns(); ++i)
+        add_text(rows, query.value(i).isNull() ? std::string() : query.text(i));
     rows += '\n';
 }
 
