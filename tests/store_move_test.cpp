@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 
+#include "db/erasure.h"
 #include "db/reading_store.h"
 #include "db/signature.h"
 #include "sim/core/random.h"
@@ -193,6 +194,22 @@ TEST_F(MoveTest, TheOldPlaceRefusesAndNamesTheNewOne) {
             EXPECT_FALSE(raw(from).run("DELETE FROM " + table) && !rows(from)[table].empty())
                 << table;
     }
+}
+
+TEST_F(MoveTest, AnErasureNamesThePlacesThatTheStoreHasLeft) {
+    fill(file);
+    (void)move(file, server);
+    const db::Erasure there = db::erase_person(*open(server), server, full.anna, true);
+    ASSERT_EQ(there.left.size(), 1u);
+    EXPECT_EQ(there.left[0].path, file);
+    const std::string kept = move(server, file).old_file;
+    const int64_t later = open(file)->accounts().create(trainee("later"));
+    std::set<std::string> left;
+    for (const auto& each : db::erase_person(*open(file), file, later, true).left)
+        left.insert(each.path);
+    ASSERT_EQ(left.size(), 2u);
+    EXPECT_TRUE(left.contains(kept));
+    EXPECT_THAT(*left.rbegin(), HasSubstr("postgresql://"));
 }
 
 // --- places that are not free ------------------------------------------------------------------
