@@ -6,6 +6,7 @@
 
 #include "db/audit_check.h"
 #include "db/store_context.h"
+#include "db/store_place.h"
 
 namespace placode::db {
 namespace {
@@ -13,12 +14,6 @@ namespace {
 AuditRecord read_audit(const Statement& row) {
     return {row.integer("id"),  row.text("at_utc"), row.text("actor"),
             row.text("action"), row.text("object"), row.text("detail")};
-}
-
-/// Of the making of the store, which tells it from every other one; "" in an empty one.
-std::string first_chain(Connection& connection) {
-    Statement first(connection, "SELECT chain FROM audit ORDER BY id LIMIT 1");
-    return first.run().next() ? first.text("chain") : std::string();
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "db/sql_connection.h"
 #include "db/station.h"
+#include "db/store_place.h"
 #include "db/store_url.h"
 
 namespace placode::db {
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kWithAttempts = "with attempts";  // In the trail: Accounts::erase().
 
-/// Of a file: PATH.before-update-TIME and PATH.replaced-TIME.
+/// Of a file: PATH.before-update-TIME, PATH.replaced-TIME and PATH.moved-TIME.
 std::vector<std::string> kept_beside(const std::string& path, bool of_updates_only = false) {
     std::vector<std::string> found;
     std::error_code none;
@@ -28,7 +29,8 @@ std::vector<std::string> kept_beside(const std::string& path, bool of_updates_on
             return name.starts_with(file.filename().string() + kind);
         };
         const bool log = name.ends_with("-wal") || name.ends_with("-shm");
-        if (!log && (begins(".before-update-") || (!of_updates_only && begins(".replaced-"))))
+        if (!log && (begins(".before-update-") ||
+                     (!of_updates_only && (begins(".replaced-") || begins(".moved-")))))
             found.push_back(entry.path().string());
     }
     std::sort(found.begin(), found.end());
@@ -58,6 +60,20 @@ CopyResult erase_in_copy(const std::string& path, const Erasure& erasure) {
     Station(parse_store_url(url)).forget();
     fs::last_write_time(path, age);
     return result;
+}
+
+/// Where the store has been: it is kept there as it was, and closed to every program.
+std::vector<LeftCopy> old_places(Store& store, const std::string& url) {
+    std::vector<LeftCopy> left;
+    const std::string here = place_name(parse_store_url(url));
+    std::set<std::string> seen;
+    for (const AuditRecord& entry : store.audit().of_action("store.move")) {
+        const std::string from = entry.detail.substr(entry.detail.find(' ') + 1);
+        const bool gone = from.starts_with("sqlite:") && !fs::exists(from.substr(7));
+        if (!gone && !same_place(from, here) && seen.insert(from).second)
+            left.push_back({from, "the store moved away from there and is kept as it was"});
+    }
+    return left;
 }
 
 std::string lines_of(const char* head, const std::vector<std::string>& lines) {
@@ -91,6 +107,7 @@ Erasure erase_person(Store& store, const std::string& url, int64_t user_id, bool
             if (!fs::exists(entry.object)) gone.insert(entry.object);
         done.gone.assign(gone.begin(), gone.end());
         copies = copies_of(store, url);
+        done.left = old_places(store, url);
     } catch (const std::exception& error) {
         done.left.push_back(
             {"all copies", std::string("their list cannot be read: ") + error.what()});

@@ -9,6 +9,7 @@
 #include "db/sqlite_file.h"
 #include "db/station_role.h"
 #include "db/store_context.h"
+#include "db/store_place.h"
 
 namespace placode::db {
 namespace {
@@ -43,6 +44,7 @@ std::unique_ptr<Store> open_for_reading(const std::string& url, int64_t account_
             connection.fail(StoreError::Kind::kRefused, "it was opened for reading only");
         },
         {});
+    need_settled(connection);
     need_present_tables(connection, options);
     if (options.station) need_station_role(connection);
     context->become(account_id);

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A backup takes the place of an embedded store. At every moment there is one whole store.
 
-#include <sqlite3.h>
-
 #include <QDateTime>
 #include <array>
 #include <filesystem>
 
 #include "db/durable_file.h"
 #include "db/erasure.h"
+#include "db/held_store.h"
 #include "db/raw_sqlite.h"
 #include "db/sqlite_file.h"
 #include "db/station.h"
@@ -24,54 +23,6 @@ namespace fs = std::filesystem;
 using Kind = StoreError::Kind;
 
 constexpr std::array<const char*, 3> kSuffixes{"", "-wal", "-shm"};
-
-/// Keeps every other program out of the store while its file is exchanged, and folds its log into
-/// it. A damaged file cannot be held: it may be put aside all the same.
-class OldStore {
- public:
-    OldStore(const StoreUrl& url, const std::string& operation) {
-        sqlite3* database = nullptr;
-        int code = sqlite3_open_v2(url.path.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
-        database_.reset(database);
-        sqlite3_busy_timeout(database, url.timeout_ms);
-        // From the first access on and until it is closed. Leaving the write-ahead log is allowed
-        // only to the one program that has the file open.
-        for (const char* sql :
-             {"PRAGMA locking_mode = EXCLUSIVE", "PRAGMA journal_mode = DELETE", "BEGIN EXCLUSIVE"})
-            if (code == SQLITE_OK) code = sqlite3_exec(database, sql, nullptr, nullptr, nullptr);
-        if ((code & 0xff) == SQLITE_BUSY || (code & 0xff) == SQLITE_LOCKED)
-            throw StoreError(
-                Kind::kLocked,
-                operation + ": another program uses the store; close it and try again");
-    }
-
- private:
-    SqlitePointer database_;
-};
-
-// An empty file would open as a new store: a backup is told by its mark before it is opened as one.
-bool is_marked_as_store(const std::string& path) {
-    sqlite3* database = nullptr;
-    const int code = sqlite3_open_v2(path.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
-    const SqlitePointer owner(database);
-    if (code != SQLITE_OK) return false;
-    RawStatement query(database, "PRAGMA application_id");
-    return query.prepared() == SQLITE_OK && query.step() == SQLITE_ROW &&
-           query.integer(0) == kStoreApplicationId;
-}
-
-// The log of a damaged store, which nobody could fold into it: beside the new file it would be
-// taken for its own. Its copy is whole before it goes.
-void put_log_aside(const std::string& path, const std::string& aside) {
-    if (fs::exists(path + "-wal")) {
-        fs::copy_file(path + "-wal", aside + "-wal");
-        sync_file(aside + "-wal");
-        sync_folder_of(aside);
-        fs::remove(path + "-wal");
-    }
-    fs::remove(path + "-shm");
-    sync_folder_of(path);
-}
 
 /// Whoever was erased in the store that is replaced, and which store that is. Read without opening
 /// it as a store, which would bring an older one up to date. One that cannot be read says nothing.
@@ -145,7 +96,7 @@ std::string restore_store(const std::string& url, const std::string& backup_path
         // 2. It takes the place of the old store, which is kept. prove() has closed it: it is one
         // file.
         if (fs::exists(target.path)) {
-            const OldStore held(target, operation);
+            const HeldStore held(target, operation);
             aside =
                 target.path + ".replaced-" +
                 QDateTime::currentDateTimeUtc().toString("yyyyMMdd'T'HHmmsszzz'Z'").toStdString();

@@ -25,10 +25,23 @@ const SealKind& kind_of(const std::string& name) {
 }
 
 template <size_t N>
-std::string listed(const std::array<View, N>& names, const char* before, const char* between) {
+std::string listed(const std::array<View, N>& names) {
     std::string text;
     for (const View name : names)
-        if (!name.empty()) text += (text.empty() ? before : between) + std::string(name);
+        if (!name.empty()) text += (text.empty() ? "" : ", ") + std::string(name);
+    return text;
+}
+
+/// Rows in an order that is the same everywhere: a server sorts texts by its own language, and a
+/// seal has to fit also after the store was moved to another one.
+std::string order_of(const SealPart& part, bool sqlite) {
+    std::string text;
+    for (const View name : part.order) {
+        if (name.empty()) continue;
+        text += (text.empty() ? "" : ", ") + std::string(name);
+        // Of all that orders rows only these are texts.
+        if (!sqlite && name.ends_with("item")) text += " COLLATE \"C\"";
+    }
     return text;
 }
 
@@ -37,10 +50,10 @@ size_t key_columns(const SealPart& part) {
         std::count_if(part.key.begin(), part.key.end(), [](View each) { return !each.empty(); }));
 }
 
-/// @param where "" or " AND ..." of one object's key.
-std::string rows_of(const SealPart& part, bool of_one) {
-    const std::string keys = listed(part.key, "", ", "), order = listed(part.order, "", ", ");
-    std::string sql = "SELECT " + keys + ", " + (order.empty() ? "" : order + ", ") +
+std::string rows_of(const SealPart& part, bool of_one, bool sqlite) {
+    const std::string keys = listed(part.key), also = listed(part.order);
+    const std::string order = order_of(part, sqlite);
+    std::string sql = "SELECT " + keys + ", " + (also.empty() ? "" : also + ", ") +
                       std::string(part.columns) + " FROM " + std::string(part.table);
     if (of_one) {
         const bool has_where = part.table.find(" WHERE ") != View::npos;
@@ -55,7 +68,9 @@ std::string rows_of(const SealPart& part, bool of_one) {
 }
 
 void add_row(std::string& rows, const Statement& query, size_t first) {
-    for (int i = static_cast<int>(first); i < query.columns(); ++i) add_text(rows, query.text(i));
+    // PostgreSQL's driver makes "0" of a number that is not there, and SQLite's nothing.
+    for (int i = static_cast<int>(first); i < query.columns(); ++i)
+        add_text(rows, query.value(i).isNull() ? std::string() : query.text(i));
     rows += '\n';
 }
 
@@ -68,7 +83,7 @@ void add_part(Connection& connection, const SealKind& kind, size_t number,
               std::map<SealedObject, std::string>& texts) {
     const SealPart& part = kind.parts[number];
     const size_t keys = key_columns(part);
-    Statement query(connection, rows_of(part, false));
+    Statement query(connection, rows_of(part, false, connection.is_sqlite()));
     query.run();
     SealedObject object{std::string(kind.name), {}};
     std::string rows;
@@ -110,7 +125,7 @@ std::string seal_of(Connection& connection, const SealedObject& object) {
         for (const std::string& key : object.key)
             values.emplace_back(kind.numeric ? QVariant(qlonglong{std::stoll(key)})
                                              : QVariant(QString::fromStdString(key)));
-        Statement query(connection, rows_of(part, true));
+        Statement query(connection, rows_of(part, true, connection.is_sqlite()));
         query.run_list(values);
         std::string rows;
         while (query.next()) add_row(rows, query, key_columns(part));
@@ -166,7 +181,7 @@ std::vector<SealedTable> sealed_tables() {
         for (const SealPart& part : kind.parts) {
             SealedTable& table = tables.emplace_back();
             table.table = std::string(part.table.substr(0, part.table.find(' ')));
-            std::istringstream columns(rows_of(part, false));
+            std::istringstream columns(rows_of(part, false, true));
             std::string word;
             columns >> word;  // SELECT
             while (columns >> word && word != "FROM") {

@@ -193,6 +193,10 @@ void Connection::fail(const QSqlError& error) {
                                             : diagnose_postgresql(code.toStdString(), error.type());
     std::string said = first_line(error.databaseText());
     if (said.empty()) said = first_line(error.driverText());
+    // "ERROR:  the audit trail is append-only", in the server's language.
+    constexpr size_t kLongestWord = 16;
+    if (const size_t word = said.find(":  "); !is_sqlite() && word < kLongestWord)
+        said.erase(0, word + 3);
     // PostgreSQL does nothing more in a transaction that failed, not even forget a statement.
     if (!is_sqlite()) roll_back();
     // A server connection that broke is opened again by the next operation.

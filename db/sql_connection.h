@@ -87,6 +87,8 @@ class Statement {
     [[nodiscard]] double real(int column) const;  ///< NULL = not a number.
     [[nodiscard]] std::string text(int column) const;
     [[nodiscard]] QByteArray bytes(int column) const;
+    /// As the engine gives it: for rows that are passed on whatever they hold.
+    [[nodiscard]] QVariant value(int column) const { return query_.value(column); }
     /// The same by name: `AS name` in the question, or the column's own. Throws std::logic_error
     /// for a name that the question does not have.
     [[nodiscard]] int64_t integer(std::string_view name) const { return integer(place_of(name)); }

@@ -92,11 +92,6 @@ std::vector<std::string> grants() {
     return sql;
 }
 
-bool owns_tables(Connection& connection) {
-    Statement query(connection, std::string("SELECT CASE WHEN ") + kOwns + " THEN 1 ELSE 0 END");
-    return query.run().next() && query.integer(0) != 0;
-}
-
 }  // namespace
 
 std::vector<std::string> station_role_statements() {
@@ -116,14 +111,17 @@ std::vector<std::string> station_role_statements() {
     return sql;
 }
 
+bool owns_tables(Connection& connection) {
+    Statement query(connection, std::string("SELECT CASE WHEN ") + kOwns + " THEN 1 ELSE 0 END");
+    return query.run().next() && query.integer(0) != 0;
+}
+
 void give_station_role(Connection& connection) {
     if (connection.is_sqlite())
         connection.fail(StoreError::Kind::kRefused,
                         "a store that is a file has no log-ins; this is for a server");
     // For somebody else PostgreSQL would warn, and give nothing.
-    if (!owns_tables(connection))
-        connection.fail(StoreError::Kind::kRefused,
-                        "this log-in does not own the tables; use their owner's");
+    if (!owns_tables(connection)) connection.fail(StoreError::Kind::kRefused, kOnlyTheOwner);
     for (const std::string& each : station_role_statements()) {
         try {
             UnitOfWork work(connection);

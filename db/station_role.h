@@ -26,6 +26,11 @@ void give_station_role(Connection& connection);
 /// After an update: gives the group its rights on new tables, where there is the group.
 void renew_station_role(Connection& connection);
 
+/// Whether this log-in to a server owns tables there, and so may do all with them.
+[[nodiscard]] bool owns_tables(Connection& connection);
+inline constexpr const char* kOnlyTheOwner =
+    "this log-in does not own the tables; use their owner's";
+
 [[nodiscard]] bool has_station_role(Connection& connection);
 
 /// Why the role of this connection can do more than a station should, one line each; empty where it

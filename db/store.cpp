@@ -16,6 +16,7 @@
 #include "db/sqlite_file.h"
 #include "db/station_role.h"
 #include "db/store_context.h"
+#include "db/store_place.h"
 
 namespace placode::db {
 namespace {
@@ -94,6 +95,7 @@ void bring_up_to_date(StoreContext& context) {
     Connection& connection = context.connection;
     connection.begin_operation("open");
     if (connection.is_sqlite()) claim_sqlite_file(connection);
+    need_settled(connection);
     const auto& set = context.options.migrations;
     const bool changed =
         migrate(connection, set.empty() ? embedded_migrations() : set, [&connection] {

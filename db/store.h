@@ -18,6 +18,7 @@
 #include "db/records.h"
 #include "db/reviews.h"
 #include "db/store_error.h"
+#include "db/store_move.h"
 #include "db/store_options.h"
 #include "db/studies.h"
 #include "db/study_records.h"
@@ -74,6 +75,13 @@ class Store final {
     /// SQLite: a consistent copy, which counts when check() finds nothing in it; else it stays as
     /// PATH.failed and kDamaged is thrown.
     void backup(const std::string& path);
+    /// Moves the whole store to another place: a server's, or a file; `url` as for open_store(), on
+    /// a server with the log-in of the tables' owner. All rows are compared before it counts, and
+    /// until then nothing is changed here. Killed or stopped at any moment, the same call goes on;
+    /// behind the closing of this place finish_move() does. Throws kConflict where the new place is
+    /// not free, kDamaged where this store is not sound or the copy is not the same. When it
+    /// has moved, nothing more can be changed through this Store.
+    MoveReport move_to(const std::string& url, const MoveOptions& options = {});
     [[nodiscard]] std::string url() const;  ///< For people: without the password.
 
  private:

@@ -190,6 +190,16 @@ inline std::vector<Method> methods_of_the_store() {
          [](Call& c) { c.store.backup(c.file); },
          false,
          true},  // PostgreSQL has its own.
+        {"store.move_to",
+         {{Action::kBackup}},
+         {},
+         [](Call& c) {
+             db::MoveOptions look;
+             look.dry_run = true;
+             (void)c.store.move_to("sqlite:" + c.file, look);
+         },
+         false,
+         true},  // A file moves to a server only, and a station is not the owner.
         {"store.url", {}, {}, [](Call& c) { (void)c.store.url(); }},
         {"store.act_as",  // A program's name is the program's.
          {{Action::kReplay}},

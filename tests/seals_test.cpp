@@ -15,13 +15,12 @@
 #include <set>
 #include <thread>
 
-#include "curriculum/questionnaire.h"
 #include "db/packing.h"
 #include "db/signature.h"
-#include "db/study_conduct.h"
+#include "db/sql_connection.h"
 #include "sim/core/random.h"
 #include "tests/bars.h"
-#include "tests/store_cases.h"
+#include "tests/full_store.h"
 
 using namespace placode;
 using namespace placode::test;
@@ -39,13 +38,13 @@ class SealsTest : public EngineTest {
  protected:
     void ready() override {
         store = open();
-        fill();
+        FullStore full;
+        full.fill(*store, *open(), folder);
+        anna = full.anna;
+        bert = full.bert;
+        attempt_id = full.attempt_id;
         ASSERT_EQ(all_of(store->check()), "");
     }
-
-    /// A row in nearly every table, each by the program's own way.
-    void fill();
-    void fillStudy(int64_t attempt);
 
     /// Past the store, without its rules and triggers.
     [[nodiscard]] RawConnection forger() const {
@@ -64,79 +63,6 @@ class SealsTest : public EngineTest {
     std::unique_ptr<db::Store> store;
     int64_t anna = 0, bert = 0, attempt_id = 0;
 };
-
-void SealsTest::fill() {
-    anna = store->accounts().create(trainee("anna"));
-    db::NewUser teacher = trainee("bert");
-    teacher.roles = static_cast<db::Roles>(db::Role::kAdministrator) |
-                    static_cast<db::Roles>(db::Role::kEducator);
-    bert = store->accounts().create(teacher);
-    ASSERT_EQ(open()->accounts().sign_in("bert", kPassword).outcome, db::SignInOutcome::kOk);
-    store->act_as("bert");
-    store->accounts().set_pin(anna, "4711");
-    const int64_t group = store->groups().create("Spring");
-    store->groups().set_role(group, anna, db::GroupRole::kMember);
-    store->accounts().invite({0, 1, group, "for the spring", {}, {}, "2099-01-01", {}});
-    write_recording(folder.file("one.placode"));
-    db::AttemptResult result = make_result();
-    result.recording_file = folder.file("one.placode");
-    attempt_id = store->attempts().save(anna, result);
-    db::RescoreRecord rescore;
-    rescore.attempt_id = attempt_id;
-    rescore.metrics = result.metrics;
-    rescore.score = result.score;
-    rescore.score.rubric_version = 5;
-    store->attempts().save_rescore(rescore);
-    db::CommentRecord comment;
-    comment.attempt_id = attempt_id;
-    comment.author_id = bert;
-    comment.text = "slower here";
-    store->reviews().add_comment(comment);
-    db::RatingRecord rating;
-    rating.attempt_id = attempt_id;
-    rating.rater_id = bert;
-    rating.questionnaire_id = "sus";
-    rating.questionnaire_version = 1;
-    rating.answers = {{"q1", "3"}};
-    store->reviews().save_rating(rating);
-    db::GrantRecord grant;
-    grant.user_id = anna;
-    grant.course_id = "fetoscopy";
-    grant.stage_id = "exam";
-    grant.attempts = 2;
-    grant.reason = "power cut";
-    store->courses().grant_attempts(grant);
-    store->accounts().request_erasure(anna, "moves away");
-    fillStudy(store->attempts().save(bert, make_result("scissors_resection")));
-}
-
-void SealsTest::fillStudy(int64_t attempt) {
-    const std::string code = store->studies().new_participant("pilot");
-    const auto sus = curriculum::load_questionnaire("sus");
-    db::AnswerRecord record;
-    record.study_id = "pilot";
-    record.participant = code;
-    record.questionnaire_id = "sus";
-    for (const auto& item : sus.items) record.answers[item.id] = "4";
-    record.changes = {{sus.items[0].id, "3", "4", "2026-01-01T00:00:00Z"}};
-    const int64_t answer = db::submit_answers(*store, sus, record);
-    store->records().correct_answers(answer, 1, {{sus.items[0].id, "2"}}, "a slip");
-    store->records().save_second_entry({answer, record.answers, {}, {}});
-    db::StepRecord step;
-    step.study_id = "pilot";
-    step.participant = code;
-    step.step = "run";
-    step.attempt_id = attempt;
-    step.state = db::StepState::kDone;
-    store->studies().record_step(step);
-    store->records().note_step("pilot", code, 1, "run", "the lamp failed");
-    store->records().repeat_step("pilot", code, 1, "run", "the lamp failed");
-    store->studies().set_participant_device("pilot", code, "mouse");
-    store->records().save_consent_signature("pilot", code, "M1 2 L3 4");
-    store->records().lock("pilot", code);
-    const std::string other = store->studies().new_participant("pilot");
-    store->studies().withdraw("pilot", other, db::WithdrawalMode::kStop, "not given");
-}
 
 /// One value of one row, as somebody with the file or the database may set it.
 struct Edit {
@@ -433,6 +359,46 @@ TEST(SealedObject, ItsLineIsReadBack) {
     ASSERT_EQ(back.size(), 2u);
     EXPECT_EQ((back.at({"participant", {"pilot", "P001-K"}}).after), "ab");
     EXPECT_EQ((back.at({"attempt", {"12"}}).before), "cd");
+}
+
+/// The seals of a participant and an attempt that were made by these statements.
+std::string seals_of_rows(const std::string& url, RawConnection pen) {
+    const std::vector<std::string> rows{
+        "INSERT INTO accounts (id, password_hash, roles, active, demonstration, created_utc) "
+        "VALUES (1, '', 1, 1, 0, '')",
+        "INSERT INTO attempts (id, account_id, task_id, task_version, started_utc, saved_utc, "
+        "duration_s, device, seed, build, end_reason, final_hash, dropped, demonstration, points, "
+        "verdict, rubric_id, rubric_version, metric_set_version) VALUES (1, 1, 't', 1, '', '', "
+        "0.1, '', '', '', 0, '', 0, 0, -1e-300, 0, '', 1, 1)",
+        "INSERT INTO attempt_metrics (attempt_id, position, metric_id, value) VALUES (1, 0, 'm', "
+        "NULL), (1, 1, 'n', 0.30000000000000004)",
+        "INSERT INTO participants (study_id, code, number, created_utc) VALUES ('s', 'c', 1, '')",
+        "INSERT INTO answers (study_id, participant, questionnaire_id, questionnaire_version, "
+        "answered_utc, demonstration) VALUES ('s', 'c', 'q', 1, '', 0)",
+        "INSERT INTO answer_items (answer_id, item, answer) VALUES (1, 'a_b', '1'), (1, 'B', '2'), "
+        "(1, 'a1', '3'), (1, 'ą', '4'), (1, 'b', '5')"};
+    for (const std::string& row : rows) EXPECT_TRUE(pen.run(row)) << pen.problem();
+    db::Connection connection(db::parse_store_url(url));
+    return db::seal_of(connection, {"participant", {"s", "c"}}) + " " +
+           db::seal_of(connection, {"attempt", {"1"}});
+}
+
+TEST(Seals, AreTheSameOnBothEnginesHoweverTheServerSorts) {
+    if (world->server().missing()) GTEST_SKIP() << world->server().problem();
+    const TemporaryFolder folder;
+    const std::string file = folder.file("placode.db");
+    const std::string database = world->server().new_database(kSortedAsPeopleDo);
+    for (const std::string& url : {"sqlite:" + file, world->server().url(database)})
+        (void)db::open_store(url);
+    RawConnection server = world->server().connect(database);
+    ASSERT_EQ(server.value("SELECT CASE WHEN 'a_b' < 'a1' AND 'b' < 'B' THEN 1 ELSE 0 END"), "1");
+    const std::string seals =
+        seals_of_rows(world->server().url(database), world->server().connect(database));
+    EXPECT_EQ(seals_of_rows("sqlite:" + file, {"QSQLITE", file}), seals);
+    // Nothing is not zero.
+    ASSERT_TRUE(server.run("UPDATE attempt_metrics SET value = 0 WHERE value IS NULL"));
+    db::Connection connection(db::parse_store_url(world->server().url(database)));
+    EXPECT_FALSE(seals.ends_with(db::seal_of(connection, {"attempt", {"1"}})));
 }
 
 }  // namespace THIS_TEST

@@ -97,4 +97,12 @@ TEST_P(SqlConnection, AStatementWithoutAnAnswerHasNoColumns) {
     EXPECT_THROW((void)remove.text("id"), std::logic_error);
 }
 
+TEST_P(SqlConnection, WhatTheEngineSaidComesWithoutTheWordBeforeIt) {
+    const auto error = failure_of([&] {
+        db::Statement(*connection, "INSERT INTO measured (id, name) VALUES (?, ?)").run(1, "again");
+    });
+    EXPECT_THAT(error.what(), testing::Not(HasSubstr("ERROR")));
+    EXPECT_THAT(error.what(), HasSubstr(is_sqlite() ? ": UNIQUE" : ": duplicate key"));
+}
+
 }  // namespace THIS_TEST

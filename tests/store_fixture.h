@@ -149,10 +149,12 @@ class PostgresqlServer {
     /// Missing programs are a reason to skip, everything else to fail.
     [[nodiscard]] bool missing() const { return folder_ == nullptr; }
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    [[nodiscard]] std::string new_database() {
+    /// @param options behind CREATE DATABASE NAME; none: texts are sorted by their bytes.
+    [[nodiscard]] std::string new_database(const std::string& options = "") {
         const std::string name = "store" + std::to_string(++databases_);
         RawConnection admin("QPSQL", "postgres", port_, password_);
-        if (!admin.run("CREATE DATABASE " + name)) throw std::runtime_error(admin.problem());
+        if (!admin.run("CREATE DATABASE " + name + " " + options))
+            throw std::runtime_error(admin.problem());
         return name;
     }
     [[nodiscard]] std::string url(const std::string& database) const {
@@ -270,6 +272,10 @@ class World : public testing::Environment {
     std::unique_ptr<QCoreApplication> application_;
     std::unique_ptr<PostgresqlServer> server_;
 };
+
+/// For new_database(): one that sorts texts as people do, as most servers are set up.
+inline constexpr const char* kSortedAsPeopleDo =
+    "TEMPLATE template0 LOCALE_PROVIDER icu ICU_LOCALE 'en-US' LOCALE 'C'";
 
 /// A test that runs on both engines, each time on an empty database:
 /// `INSTANTIATE_TEST_SUITE_P(Engines, ..., testing::Values("Sqlite", "Postgresql"), engine_name)`.

@@ -545,7 +545,8 @@ void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {
     for (const QString& name : folder.entryList({"*.cpp"})) {
         // Never from the shell, but for a station's log-in, whose sentence is looked for below.
         if (name == "load_generator.cpp" || name == "reading_store.cpp" ||
-            name == "station_role.cpp" || name == "work_queue.cpp" || name == "erasure.cpp")
+            name == "station_role.cpp" || name == "work_queue.cpp" || name == "erasure.cpp" ||
+            name == "store_move.cpp")
             continue;
         QFile file(folder.filePath(name));
         QVERIFY(file.open(QIODevice::ReadOnly));
@@ -570,6 +571,19 @@ void ShellMessagesTest::everyRefusalOfTheStoreIsInTheCatalogue() {
     QVERIFY(std::any_of(all.begin(), all.end(), [](const QString& each) {
         return each.startsWith("this log-in to the server can do more than a station should");
     }));
+    // A store that has moved, as its place says so when it is opened, and its triggers later.
+    shell_->context().setLanguage("pl");
+    const QString moved =
+        "open sqlite:/a.db: the store was moved to postgresql://db:5432/p; use that address, or "
+        "bring it back with `placodectl --store postgresql://db:5432/p store move --to "
+        "sqlite:/a.db`";
+    for (const QString& said : {moved, moved + "; nothing was changed"}) {
+        const QString words = store_words(said);
+        QVERIFY2(words.startsWith("Magazyn danych przeniesiono do postgresql://db:5432/p;") &&
+                     words.contains("`placodectl --store postgresql://db:5432/p store move"),
+                 qPrintable(words));
+    }
+    shell_->context().setLanguage("en");
 }
 
 void ShellMessagesTest::whoMayNotIsToldWhoCan() {

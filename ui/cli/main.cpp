@@ -38,7 +38,7 @@ void keep_quiet(QtMsgType type, const QMessageLogContext&, const QString& messag
 
 int run(const cli::Context& context) {
     try {
-        cli::refuse_open_password(context);
+        cli::refuse_open_password("--store", context.store_url);
         return context.run();
     } catch (const cli::InputError& error) {
         return fail(context, 2, error.what());
@@ -81,6 +81,7 @@ int main(int argc, char** argv) {
     app.add_flag("--json", context.json, "One JSON document instead of text");
     cli::add_user_commands(app, context);
     cli::add_store_commands(app, context);
+    cli::add_store_move_command(app, context);
     cli::add_metrics_commands(app, context);
     cli::add_import_command(app, context);
     cli::add_stats_commands(app, context);

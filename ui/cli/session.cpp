@@ -40,27 +40,29 @@ std::string store_url_of(const Context& context) {
     return context.store_url.empty() ? db::default_store_url() : context.store_url;
 }
 
-std::string url_to_open(const Context& context) {
-    const std::string url = store_url_of(context);
+std::string url_to_open(const Context& context) { return url_to_open(store_url_of(context)); }
+
+std::string url_to_open(const std::string& url) {
     const db::StoreUrl parsed = parse_url(url);
     if (!db::needs_password(parsed) || ::isatty(STDIN_FILENO) == 0) return url;
     return db::with_password(url,
                              read_password("PGPASSWORD", "Password for " + parsed.shown, false));
 }
 
-void refuse_open_password(const Context& context) {
-    if (context.store_url.find(":") == std::string::npos) return;
+void refuse_open_password(const std::string& option, const std::string& url) {
+    if (url.find(":") == std::string::npos) return;
     std::string password;
     try {
-        password = db::parse_store_url(context.store_url).password;
+        password = db::parse_store_url(url).password;
     } catch (const db::StoreError&) {
         return;  // The command says what is wrong with the address.
     }
     if (!password.empty())
         throw InputError(
-            "--store: the address holds a password, and everybody on this computer can read it "
-            "there (ps); leave it out, and put it in ~/.pgpass (mode 600) or $PGPASSWORD, or type "
-            "it when asked");
+            option +
+            ": the address holds a password, and everybody on this computer can read it there "
+            "(ps); leave it out, and put it in ~/.pgpass (mode 600) or $PGPASSWORD, or type it "
+            "when asked");
 }
 
 std::string need_local_administrator(const std::string& url) {

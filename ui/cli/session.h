@@ -67,10 +67,11 @@ auto as_input(Work&& work, db::StoreError::Kind also = db::StoreError::Kind::kCo
 
 /// The address to open, with the password of a server typed in where nothing else has it.
 [[nodiscard]] std::string url_to_open(const Context& context);
+[[nodiscard]] std::string url_to_open(const std::string& url);
 
-/// Throws InputError when the address on the command line holds a password: `ps` shows it to
-/// everybody on the computer.
-void refuse_open_password(const Context& context);
+/// Throws InputError when the address behind this option of the command line holds a password: `ps`
+/// shows it to everybody on the computer.
+void refuse_open_password(const std::string& option, const std::string& url);
 
 /// Throws AccessError unless the store is embedded and its file, if it is there, belongs to whoever
 /// runs the program. Returns the name for the audit trail.

@@ -73,6 +73,7 @@ constexpr auto kWords = std::to_array<Words>({
     {"station.save", QT_TRANSLATE_NOOP("AuditWords", "saved the station's devices")},
     {"station.trust", QT_TRANSLATE_NOOP("AuditWords", "trusted a station")},
     {"store.backup", QT_TRANSLATE_NOOP("AuditWords", "made a backup")},
+    {"store.move", QT_TRANSLATE_NOOP("AuditWords", "moved the store")},
     {"store.restore", QT_TRANSLATE_NOOP("AuditWords", "restored a backup")},
     {"store.seal", QT_TRANSLATE_NOOP("AuditWords", "sealed what was there")},
     {"study.answers", QT_TRANSLATE_NOOP("AuditWords", "saved a questionnaire's answers")},

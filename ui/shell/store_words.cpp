@@ -64,6 +64,15 @@ constexpr const char* kSentences[]{
     QT_TRANSLATE_NOOP("StoreWords",
                       "this log-in to the server can do more than a station should (%1); use one "
                       "that is member of placode_station"),
+    // A store that went to another place
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "the store was moved to %1; use that address, or bring it back with `%2`"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "the store was moved to %1; use that address, or bring it back with `%2`; "
+                      "nothing was changed"),
+    QT_TRANSLATE_NOOP("StoreWords",
+                      "a store is being moved here from %1, and that is not finished; go on with "
+                      "`%2`"),
     // Published texts
     QT_TRANSLATE_NOOP("StoreWords",
                       "%1 is published with another text, which is never changed; give your text "

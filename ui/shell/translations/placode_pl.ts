@@ -639,6 +639,10 @@
         <translation>utworzono kopię zapasową</translation>
     </message>
     <message>
+        <source>moved the store</source>
+        <translation>przeniesiono magazyn danych</translation>
+    </message>
+    <message>
         <source>restored a backup</source>
         <translation>przywrócono kopię zapasową</translation>
     </message>
@@ -9543,6 +9547,18 @@ Taki przeczytaliby go uczestnicy, a opublikowanej wersji nigdy się nie zmienia.
     <message>
         <source>this log-in to the server can do more than a station should (%1); use one that is member of placode_station</source>
         <translation>ten login do serwera może więcej niż powinno stanowisko (%1); użyj loginu, który należy do placode_station</translation>
+    </message>
+    <message>
+        <source>the store was moved to %1; use that address, or bring it back with `%2`</source>
+        <translation>magazyn danych przeniesiono do %1; użyj tego adresu albo przenieś go z powrotem poleceniem `%2`</translation>
+    </message>
+    <message>
+        <source>the store was moved to %1; use that address, or bring it back with `%2`; nothing was changed</source>
+        <translation>magazyn danych przeniesiono do %1; użyj tego adresu albo przenieś go z powrotem poleceniem `%2`; niczego nie zmieniono</translation>
+    </message>
+    <message>
+        <source>a store is being moved here from %1, and that is not finished; go on with `%2`</source>
+        <translation>magazyn danych z %1 jest właśnie tu przenoszony i nie jest to zakończone; dokończ poleceniem `%2`</translation>
     </message>
     <message>
         <source>the proctor &quot;%1&quot; has no account here</source>
