@@ -88,7 +88,7 @@ void Overlay::height(int tool, double gap) {
     Vec2 tip;
     if (!place_of(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p, tip)) return;
     const double side = beside(tool, tip).x() < tip.x() ? -1 : 1;
-    label(tip + Vec2(1.2 * side, 1.2) * unit_, phrase("%1 mm above", number(gap, 0)), kMuted,
+    label(tip + Vec2(2.2 * side, 1.2) * unit_, phrase("%1 mm above", number(gap, 0)), kMuted,
           side < 0 ? Align::kRight : Align::kLeft);
 }
 
