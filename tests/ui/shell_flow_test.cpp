@@ -160,7 +160,7 @@ void ShellFlowTest::coordinatorRunsAParticipantAndExports() {
         QVERIFY(shell.arrives(PageId::kParticipant));
         if (participant == 0) shell.shot("09_questionnaire");
         QVERIFY(shell.click("review"));
-        QVERIFY(shell.text("participant_message").startsWith("Questions 1, 2, 3"));
+        QVERIFY(shell.text("participant_message").startsWith("Questions A, B, C"));
         for (const auto& item : curriculum::load_questionnaire("face_validity").items) {
             if (item.kind != curriculum::ItemKind::kLikert) continue;
             auto* radio = shell.find<QRadioButton>(

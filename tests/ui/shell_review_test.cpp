@@ -227,7 +227,7 @@ void ShellReviewTest::replayObeysCameraSpeedPauseAndJump() {
              QString("pause"));
     // Its window stands clear of what it is steered by, where the screen has room for both.
     const QWidget* steer = shell.find<QPushButton>("replay_play")->parentWidget();
-    const QRect wanted = replay_place(*steer);
+    const QRect wanted = replay_place(*steer, ledger());
     // The simulator is called by a script that notes its arguments first: it takes its time.
     QVERIFY2(QTest::qWaitFor([&] { return placeOfReplay().isValid(); }, 20000),
              "the replay was told no place");
@@ -281,6 +281,8 @@ void ShellReviewTest::educatorRemarksAndTheTraineeReadsIt() {
     QVERIFY(QTest::qWaitFor(
         [&] { return shell.window().page()->findChild<QLineEdit*>("comment_text") != nullptr; },
         30000));
+    QVERIFY(QTest::qWaitFor(
+        [&] { return shell.find<QPushButton>("replay_play")->text() == "Pause"; }, kPatienceMs));
     QVERIFY(QTest::qWaitFor([&] { return clock() >= 4; }, kPatienceMs));
     QVERIFY(shell.click("replay_play"));
     QVERIFY(QTest::qWaitFor([&] { return shell.text("replay_said") == "Paused"; }, 20000));
