@@ -16,6 +16,16 @@ AuditRecord read_audit(const Statement& row) {
             row.text("action"), row.text("object"), row.text("detail")};
 }
 
+constexpr const char* kEntries = "SELECT id, at_utc, actor, action, object, detail FROM audit ";
+
+/// What a question that was run has found, with the names that people have now.
+std::vector<AuditRecord> read_entries(StoreContext& context, Statement& query) {
+    std::vector<AuditRecord> entries;
+    while (query.next()) entries.push_back(read_audit(query));
+    context.show_names(entries, &AuditRecord::actor);
+    return entries;
+}
+
 }  // namespace
 
 Audit::Audit(StoreContext& context) : context_(context), connection_(context.connection) {}
@@ -35,41 +45,23 @@ void Audit::write(const std::string& actor, const std::string& action, const std
 std::vector<AuditRecord> Audit::trail(int limit) {
     connection_.begin_operation("read the audit trail of");
     context_.need(Action::kViewAudit);
-    Statement query(connection_,
-                    "SELECT id, at_utc, actor, action, object, detail FROM audit ORDER BY id DESC "
-                    "LIMIT ?");
-    query.run(limit);
-    std::vector<AuditRecord> trail;
-    while (query.next()) trail.push_back(read_audit(query));
-    context_.show_names(trail, &AuditRecord::actor);
-    return trail;
+    Statement query(connection_, std::string(kEntries) + "ORDER BY id DESC LIMIT ?");
+    return read_entries(context_, query.run(limit));
 }
 
 std::vector<AuditRecord> Audit::of_action(const std::string& action) {
     connection_.begin_operation("read the audit trail of");
     context_.need(Action::kViewAudit);
-    Statement query(connection_,
-                    "SELECT id, at_utc, actor, action, object, detail FROM audit WHERE action = ? "
-                    "ORDER BY id");
-    query.run(action);
-    std::vector<AuditRecord> found;
-    while (query.next()) found.push_back(read_audit(query));
-    context_.show_names(found, &AuditRecord::actor);
-    return found;
+    Statement query(connection_, std::string(kEntries) + "WHERE action = ? ORDER BY id");
+    return read_entries(context_, query.run(action));
 }
 
 std::optional<AuditRecord> Audit::first() {
     connection_.begin_operation("read the beginning of the audit trail of");
     context_.need(Action::kUseStore);
-    std::vector<AuditRecord> found;
-    {
-        Statement query(connection_,
-                        "SELECT id, at_utc, actor, action, object, detail FROM audit ORDER BY id "
-                        "LIMIT 1");
-        if (query.run().next()) found.push_back(read_audit(query));
-    }
+    Statement query(connection_, std::string(kEntries) + "ORDER BY id LIMIT 1");
+    const std::vector<AuditRecord> found = read_entries(context_, query.run());
     if (found.empty()) return std::nullopt;
-    context_.show_names(found, &AuditRecord::actor);
     return found.front();
 }
 
