@@ -210,6 +210,8 @@ function(placode_ui_programs)
   set(polish ${CMAKE_CURRENT_BINARY_DIR}/web/placode_pl.qm)
   add_custom_command(OUTPUT ${polish} COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_CURRENT_BINARY_DIR}/web
     COMMAND Qt6::lrelease -silent ${polish_ts} -qm ${polish} DEPENDS ${polish_ts} VERBATIM)
+  file(GLOB review_scripts CONFIGURE_DEPENDS ui/web/review/*.js)
+  qt_add_resources(placode_web placode_web_review PREFIX /web BASE ${PROJECT_SOURCE_DIR}/ui/web FILES ${review_scripts})
   qt_add_resources(placode_web placode_web_polish PREFIX /i18n BASE ${CMAKE_CURRENT_BINARY_DIR}/web FILES ${polish})
   placode_program(placode-web SOURCES ui/web/main.cpp LINK placode_web placode_version CLI11::CLI11)
   placode_optimise_little(placode_shell placodectl placode_web)

@@ -30,6 +30,13 @@ Text refusal_words(const db::StoreError& error) {
 
 }  // namespace
 
+const std::string& policy_with_script() {
+    static const std::string policy =
+        "default-src 'none'; script-src 'self'; connect-src 'self'; style-src 'self'; img-src "
+        "'self' data:; form-action 'self'; frame-ancestors 'none'; base-uri 'none'";
+    return policy;
+}
+
 const std::vector<std::pair<std::string, std::string>>& fixed_headers() {
     static const std::vector<std::pair<std::string, std::string>> headers{
         {"Content-Security-Policy",

@@ -28,7 +28,9 @@ struct Answer {
     std::vector<std::pair<std::string, std::string>> headers;
 };
 
-/// On every answer, whatever it is.
+/// The content security policy of a page that may run the script of this host and fetch from it.
+[[nodiscard]] const std::string& policy_with_script();
+/// On every answer, whatever it is; an answer may bring its own of a name.
 [[nodiscard]] const std::vector<std::pair<std::string, std::string>>& fixed_headers();
 
 [[nodiscard]] Answer redirect(const std::string& to);

@@ -219,7 +219,8 @@ PageText attempt_page(const Visit& visit) {
     score << "<strong>" << points(detail.record.points) << "</strong>";
     body << "<h1>" << say("Attempt #%1", text(id)) << "</h1>\n<p class=\"verdict\">"
          << say("%1 of 100 points", score) << " " << verdict_badge(detail.record) << "</p><p>"
-         << counting(detail.record) << "</p>\n"
+         << counting(detail.record) << "</p>\n<p>"
+         << link("/attempts/" + std::to_string(id) + "/review", say("Look at it in 3D")) << "</p>\n"
          << card(say("About it"), facts(visit, detail.record)) << reasons_card(detail.score)
          << ledger_card(detail, scope) << metrics_card(detail, scope) << remarks_card(visit, id)
          << later_scores_card(visit, id);

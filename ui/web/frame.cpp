@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/web/frame.h"
 
+#include <QFile>
+
 #include "db/access.h"
 #include "ui/web/words.h"
 
@@ -61,6 +63,13 @@ Html languages(const Reader& reader) {
 }
 
 }  // namespace
+
+std::string review_script(const std::string& name) {
+    // A resource of this program: nothing that is asked for leads to a file.
+    QFile file(QStringLiteral(":/web/review/") + QString::fromStdString(name));
+    if (!name.ends_with(".js") || !file.open(QIODevice::ReadOnly)) return {};
+    return file.readAll().toStdString();
+}
 
 std::string document(const Text& title, const Html& body, const Reader& reader) {
     const Text placode = text("Placode"sv);

@@ -27,5 +27,7 @@ inline constexpr const char* kLanguageKey = "language";
 [[nodiscard]] std::string document(const Text& title, const Html& body, const Reader& reader = {});
 
 [[nodiscard]] std::string_view style_sheet();
+/// A script of the one page that shows a picture in motion; empty where there is none of this name.
+[[nodiscard]] std::string review_script(const std::string& name);
 
 }  // namespace placode::web

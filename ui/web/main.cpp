@@ -30,6 +30,7 @@ using namespace placode;
 struct Options {
     std::string store, listen = "127.0.0.1:8377";
     bool behind_tls = false;
+    int review_mib = static_cast<int>(web::kReviewBytes >> 20);
 };
 
 int fail(int status, const std::string& message) {
@@ -98,6 +99,7 @@ int serve(const Options& options) {
     }
     portal.store = at_station();
     portal.behind_tls = options.behind_tls;
+    portal.review_bytes = static_cast<size_t>(options.review_mib) << 20;
     portal.log = log;
     const sigset_t set = endings();
     pthread_sigmask(SIG_BLOCK, &set, nullptr);  // Before any thread is made: they inherit it.
@@ -150,6 +152,10 @@ int main(int argc, char** argv) {
         ->capture_default_str();
     app.add_flag("--behind-tls", options.behind_tls,
                  "Browsers reach it by https: the sign-in's cookie is for https only");
+    app.add_option("--review-memory", options.review_mib,
+                   "Memory for attempts that are looked at in 3D [MiB]")
+        ->check(CLI::Range(16, 65536))
+        ->capture_default_str();
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

@@ -13,6 +13,7 @@
 #include "curriculum/task.h"
 #include "db/access.h"
 #include "db/store.h"
+#include "ui/web/answers.h"
 #include "ui/web/html.h"
 
 namespace placode::web {
@@ -46,10 +47,13 @@ class Tasks {
     std::map<std::string, Shipped> shipped_;
 };
 
+class ReviewMaker;
+
 /// Somebody who is signed in asks for a page.
 struct Visit {
     db::Store& store;
     Tasks& tasks;
+    ReviewMaker& reviews;
     db::UserRecord user;
     std::string now_utc;
     std::vector<std::string> parts;            ///< What stands for `*` in Route::path.
@@ -67,11 +71,14 @@ struct Visit {
 struct PageText {
     Text title;
     Html body;
+    int ask_again_s = 0;  ///< The browser asks for it again after so long; 0: it does not.
+    bool script = false;  ///< It may run the script of this host.
 };
 
 struct Route {
     std::string path;  ///< "/people/*/tasks/*"
     PageText (*page)(const Visit&);
+    Answer (*data)(const Visit&) = nullptr;  ///< What is no page; then `page` is null.
 };
 /// Every page behind the sign-in.
 [[nodiscard]] const std::vector<Route>& routes();
@@ -84,6 +91,10 @@ struct Route {
 [[nodiscard]] PageText attempts_page(const Visit& visit);
 [[nodiscard]] PageText persons_attempts_page(const Visit& visit);
 [[nodiscard]] PageText attempt_page(const Visit& visit);
+// review_page.cpp
+[[nodiscard]] PageText review_page(const Visit& visit);
+[[nodiscard]] Answer review_track(const Visit& visit);
+[[nodiscard]] Answer review_part(const Visit& visit);
 // cohort_pages.cpp
 [[nodiscard]] PageText cohort_page(const Visit& visit);
 [[nodiscard]] PageText help_page(const Visit& visit);

@@ -61,7 +61,11 @@ bool is_too_long(const Request& request) {
 }  // namespace
 
 Portal::Portal(PortalOptions options)
-    : options_(std::move(options)), sessions_(options_.now_s ? options_.now_s : steady_s) {
+    : options_(std::move(options)),
+      sessions_(options_.now_s ? options_.now_s : steady_s),
+      reviews_(options_.review_bytes, [this](const std::string& line) {
+          if (options_.log) options_.log(line);
+      }) {
     if (!options_.log) options_.log = [](const std::string&) {};
     QCoreApplication::installTranslator(&polish_);
 }
@@ -110,6 +114,13 @@ Answer Portal::answer_or_throw(const Request& request) {
         sheet.body = style_sheet();
         return sheet;
     }
+    const std::string scripts = "/review/";
+    if (request.path.starts_with(scripts)) {
+        Answer script;
+        script.type = "text/javascript; charset=utf-8";
+        script.body = review_script(request.path.substr(scripts.size()));
+        return script.body.empty() ? refusal(404) : script;
+    }
     if (auto chosen = choose_language(request)) return *chosen;
     const Signed who = signed_in(request);
     if (request.path == "/sign-in")
@@ -136,7 +147,7 @@ Answer Portal::page(const Request& request, const Signed& who) {
         answer.headers.emplace_back("Set-Cookie", cookie(session_name(), ""));
         return answer;
     }
-    Visit visit{*store, tasks_, *user, now_utc(), {}, request.query};
+    Visit visit{*store, tasks_, reviews_, *user, now_utc(), {}, request.query};
     const Reader reader{&visit.user, who.session.form_token, request.path, address_of(request)};
     for (const Route& route : routes())
         if (const auto parts = match(route, request.path)) {
@@ -148,9 +159,14 @@ Answer Portal::page(const Request& request, const Signed& who) {
 
 Answer Portal::show(const Route& route, Visit& visit, const Reader& reader) {
     try {
+        if (route.data != nullptr) return route.data(visit);
         const PageText made = route.page(visit);
         Answer answer;
         answer.body = document(made.title, made.body, reader);
+        if (made.ask_again_s > 0)
+            answer.headers.emplace_back("Refresh", std::to_string(made.ask_again_s));
+        if (made.script)
+            answer.headers.emplace_back("Content-Security-Policy", policy_with_script());
         return answer;
     } catch (const NotThere& problem) {
         return message(404, say("Not there"), text(std::string_view(problem.what())), reader);

@@ -12,6 +12,7 @@
 
 #include "ui/web/answers.h"
 #include "ui/web/pages.h"
+#include "ui/web/review_maker.h"
 #include "ui/web/sessions.h"
 #include "ui/web/words.h"
 
@@ -23,6 +24,7 @@ struct PortalOptions {
     bool behind_tls = false;         ///< Browsers reach it by https: cookies say Secure.
     std::function<int64_t()> now_s;  ///< Of sessions [s]; empty: the computer's steady clock.
     std::function<void(const std::string&)> log;  ///< What went wrong here, for who runs it.
+    size_t review_bytes = kReviewBytes;           ///< Memory for tracks of attempts.
 };
 
 /// Any thread: every page opens a store of its own.
@@ -68,6 +70,7 @@ class Portal {
     Sessions sessions_;
     Tasks tasks_;
     ReportsInPolish polish_;
+    ReviewMaker reviews_;
     std::timed_mutex door_;  ///< One sign-in at a time: each fills 64 MB with its password.
 };
 

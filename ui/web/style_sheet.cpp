@@ -97,6 +97,16 @@ button:hover { background: var(--hover); }
 .choices > div { flex: 0 1 260px; min-width: 0; }
 .pager { display: flex; flex-wrap: wrap; align-items: center; gap: 8px 24px; }
 .pager a { padding: 10px 0; }
+.review canvas { display: block; width: 100%; height: min(64vh, 62vw); min-height: 220px; margin: 0 0 12px;
+  background: #1b0d0c; border-radius: 8px; touch-action: none; cursor: grab; }
+.review canvas:active { cursor: grabbing; }
+.line { display: flex; align-items: center; gap: 12px; margin: 0 0 12px; }
+.line input { flex: 1 1 auto; min-width: 0; padding: 0; border: 0; accent-color: var(--accent); }
+.line button { min-width: 104px; }
+.line output { white-space: nowrap; font-variant-numeric: tabular-nums; }
+.moment { min-width: 72px; }
+progress { width: min(100%, 460px); height: 12px; accent-color: var(--accent); }
+[hidden] { display: none; }
 @media (max-width: 640px) {
   header { padding: 8px 16px; }
   main { padding: 16px; }

@@ -58,7 +58,11 @@ Request request_of(const httplib::Request& from) {
 
 void give(const Answer& answer, httplib::Response& to) {
     to.status = answer.status;
-    for (const auto& [name, value] : answer.headers) to.set_header(name.c_str(), value);
+    for (const auto& [name, value] : answer.headers) {
+        // A second policy of content would only narrow the first; cookies are several.
+        if (name == "Content-Security-Policy") to.headers.erase(name);
+        to.set_header(name.c_str(), value);
+    }
     if (answer.body.empty()) return to.set_content("", answer.type.c_str());
     // Piece by piece, because httplib would compress a whole one, by brotli with its slowest
     // setting. The web server in front does that better.

@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reports/review_part.h"
+
+#include <QByteArray>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+#include "sim/core/as_index.h"
+
+namespace placode::reports {
+namespace {
+
+using sim::as_index;
+
+static_assert(std::endian::native == std::endian::little, "parts are little-endian");
+
+constexpr uint8_t kOfMarkedTissue = 2;  // of a point of a line; 1: cut there
+constexpr int kZlibLevel = 6;           // 9 takes three times as long for some per cent.
+
+template <class Value>
+void put(std::string& to, const Value& value) {
+    to.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+uint16_t step_of(float metres) {
+    const double steps = (static_cast<double>(metres) - kReviewLeastM) / kReviewStepM;
+    return static_cast<uint16_t>(std::clamp(std::lround(steps), 0L, 65535L));
+}
+
+std::array<uint16_t, 3> place_of(const std::array<float, 3>& metres) {
+    return {step_of(metres[0]), step_of(metres[1]), step_of(metres[2])};
+}
+
+uint8_t share_of(float share) {
+    return static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
+}
+
+/// Small differences of both signs as small numbers: 0, -1, 1, -2, ...
+uint16_t zigzag(uint16_t now, uint16_t before) {
+    const auto change = static_cast<int16_t>(static_cast<uint16_t>(now - before));
+    return static_cast<uint16_t>((static_cast<uint16_t>(change) << 1) ^
+                                 static_cast<uint16_t>(change >> 15));
+}
+
+bool same(const sim::SurfaceTriangle& a, const sim::SurfaceTriangle& b) {
+    return a.vertex == b.vertex && a.tissue == b.tissue && a.fresh == b.fresh;
+}
+
+}  // namespace
+
+void ReviewPart::add(const sim::Snapshot& moment) {
+    if (surfaces_.empty() || surfaces_.back().version != moment.surface_version)
+        surfaces_.push_back({moment.surface_version, moment.triangles});
+    Picture& picture = pictures_.emplace_back();
+    picture.time_s = static_cast<float>(moment.time_s);
+    picture.surface = static_cast<uint32_t>(surfaces_.size() - 1);
+    picture.x.reserve(moment.x.size());
+    for (const auto& x : moment.x) picture.x.push_back(place_of(x));
+    picture.damage.reserve(moment.damage.size());
+    for (const auto& each : moment.damage)
+        picture.damage.push_back({share_of(each[0]), share_of(each[1]), share_of(each[2])});
+    const auto add_line = [&](const auto& line, const std::vector<uint8_t>& cut, uint8_t kind) {
+        for (size_t i = 0; i < line.size(); ++i) {
+            picture.lines.push_back(place_of(line[i]));
+            const bool is_cut = i < cut.size() && cut[i] != 0;
+            picture.line_flags.push_back(static_cast<uint8_t>(kind | (is_cut ? 1 : 0)));
+        }
+    };
+    add_line(moment.contour, moment.contour_cut, 0);
+    add_line(moment.resect_line, moment.resect_cut, kOfMarkedTissue);
+    for (int i = 0; i < moment.tool_count; ++i) {
+        const sim::ToolSnapshot& tool = moment.tools[as_index(i)];
+        const auto& q = tool.pose.q;
+        const float force = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
+        for (const double value :
+             {tool.pose.p.x(), tool.pose.p.y(), tool.pose.p.z(), q.w(), q.x(), q.y(), q.z(),
+              static_cast<double>(tool.jaw_rad), static_cast<double>(force)})
+            picture.tools.push_back(static_cast<float>(value));
+        picture.tool_flags.push_back(static_cast<uint8_t>(
+            (tool.engaged != 0 ? 1 : 0) | (tool.energised != 0 ? 2 : 0) |
+            ((tool.pedals & sim::kPedalCoag) != 0 ? 4 : 0) | (tool.in_contact != 0 ? 8 : 0)));
+    }
+}
+
+/// Vertices that any picture of the part shows, in rising order.
+struct ReviewPart::Numbering {
+    std::vector<int32_t> body;     ///< Vertex of the body by number.
+    std::vector<uint32_t> number;  ///< The other way round.
+    std::vector<uint32_t> born;    ///< First picture that has it, by number: cuts make copies.
+};
+
+ReviewPart::Numbering ReviewPart::numbering() const {
+    Numbering result;
+    std::vector<uint8_t> shown(pictures_.back().x.size(), 0);
+    for (const Surface& surface : surfaces_)
+        for (const sim::SurfaceTriangle& triangle : surface.triangles)
+            for (const int32_t v : triangle.vertex) shown[as_index(v)] = 1;
+    result.number.resize(shown.size(), 0);
+    for (size_t v = 0; v < shown.size(); ++v) {
+        if (shown[v] == 0) continue;
+        result.number[v] = static_cast<uint32_t>(result.body.size());
+        result.body.push_back(static_cast<int32_t>(v));
+        uint32_t born = 0;
+        while (pictures_[born].x.size() <= v) ++born;
+        result.born.push_back(born);
+    }
+    return result;
+}
+
+/// Each surface as what it changes in the one before; the first changes an empty one.
+void ReviewPart::put_surfaces(std::string& words, std::string& bytes,
+                              const Numbering& numbering) const {
+    std::string heads, index, corners, tissues;
+    const std::vector<sim::SurfaceTriangle>* before = nullptr;
+    for (const Surface& surface : surfaces_) {
+        uint32_t edits = 0;
+        for (size_t i = 0; i < surface.triangles.size(); ++i) {
+            const sim::SurfaceTriangle& triangle = surface.triangles[i];
+            if (before != nullptr && i < before->size() && same((*before)[i], triangle)) continue;
+            ++edits;
+            put(index, static_cast<uint32_t>(i));
+            for (const int32_t v : triangle.vertex) put(corners, numbering.number[as_index(v)]);
+            tissues.push_back(static_cast<char>(static_cast<uint8_t>(triangle.tissue) |
+                                                (triangle.fresh != 0 ? 0x80 : 0)));
+        }
+        put(heads, static_cast<uint32_t>(surface.triangles.size()));
+        put(heads, edits);
+        before = &surface.triangles;
+    }
+    words += heads + index + corners;
+    bytes += tissues;
+}
+
+void ReviewPart::put_damage(std::string& bytes, const Numbering& numbering) const {
+    for (size_t p = 0; p < pictures_.size(); ++p)
+        for (size_t kind = 0; kind < 3; ++kind)
+            for (size_t n = 0; n < numbering.body.size(); ++n) {
+                const auto v = as_index(numbering.body[n]);
+                const auto at = [&](size_t picture) {
+                    return pictures_[std::max<size_t>(picture, numbering.born[n])].damage[v][kind];
+                };
+                const int before = p == 0 ? 0 : at(p - 1);
+                bytes.push_back(static_cast<char>(at(p) - before));
+            }
+}
+
+/// Vertex by vertex, picture after picture: what hardly moves makes long runs. Low bytes of all,
+/// then high bytes, which are nearly all zero.
+void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) const {
+    const size_t count = numbering.body.size() + pictures_.back().lines.size();
+    std::string low, high;
+    low.reserve(3 * count * pictures_.size());
+    high.reserve(low.capacity());
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (size_t n = 0; n < count; ++n) {
+            const auto at = [&](size_t picture) {
+                if (n >= numbering.body.size())
+                    return pictures_[picture].lines[n - numbering.body.size()][axis];
+                const size_t first = std::max<size_t>(picture, numbering.born[n]);
+                return pictures_[first].x[as_index(numbering.body[n])][axis];
+            };
+            for (size_t p = 0; p < pictures_.size(); ++p) {
+                const uint16_t value = p == 0 ? at(0) : zigzag(at(p), at(p - 1));
+                low.push_back(static_cast<char>(value & 0xff));
+                high.push_back(static_cast<char>(value >> 8));
+            }
+        }
+    bytes += low + high;
+}
+
+std::string ReviewPart::encoded() const {
+    if (pictures_.empty()) return {};
+    const Numbering vertices = numbering();
+    const Picture& last = pictures_.back();
+    std::string words, bytes;
+    for (const size_t value : {size_t{kReviewPartVersion}, pictures_.size(), vertices.body.size(),
+                               surfaces_.size(), last.lines.size(), last.tool_flags.size()})
+        put(words, static_cast<uint32_t>(value));
+    for (const Picture& picture : pictures_) put(words, picture.time_s);
+    for (const Picture& picture : pictures_) put(words, picture.surface);
+    for (const Picture& picture : pictures_)
+        for (const float value : picture.tools) put(words, value);
+    for (const Picture& picture : pictures_)
+        bytes.append(picture.tool_flags.begin(), picture.tool_flags.end());
+    put_surfaces(words, bytes, vertices);
+    for (const Picture& picture : pictures_)
+        bytes.append(picture.line_flags.begin(), picture.line_flags.end());
+    put_damage(bytes, vertices);
+    put_places(bytes, vertices);
+    words += bytes;
+    // Qt puts the length before the stream, most significant byte first.
+    const QByteArray packed = qCompress(reinterpret_cast<const uchar*>(words.data()),
+                                        static_cast<qsizetype>(words.size()), kZlibLevel);
+    return packed.mid(4).toStdString();
+}
+
+}  // namespace placode::reports

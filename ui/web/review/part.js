@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A part of a track: some seconds of pictures, each as its difference to the one before. Written by
+// reports/review_part.cpp; the layout stands in docs/web.md.
+
+export const FLOATS_OF_TOOL = 9;
+
+export class Part {
+  constructor(buffer) {
+    const [version, pictures, vertices, surfaces, points, tools] = new Uint32Array(buffer, 0, 6);
+    if (version !== 1) throw new Error("version " + version);
+    Object.assign(this, {pictures, vertices, points, tools});
+    let at = 24;
+    const take = (Kind, count) => {
+      const array = new Kind(buffer, at, count);
+      at += array.byteLength;
+      return array;
+    };
+    this.times = take(Float32Array, pictures);
+    this.surfaceOf = take(Uint32Array, pictures);
+    this.toolStates = take(Float32Array, pictures * tools * FLOATS_OF_TOOL);
+    this.heads = take(Uint32Array, 2 * surfaces);
+    let edits = 0;
+    for (let s = 0; s < surfaces; ++s) edits += this.heads[2 * s + 1];
+    this.editIndex = take(Uint32Array, edits);
+    this.editCorners = take(Uint32Array, 3 * edits);
+    this.toolFlags = take(Uint8Array, pictures * tools);
+    this.editTissue = take(Uint8Array, edits);
+    this.pointFlags = take(Uint8Array, pictures * points);
+    this.damageSteps = take(Uint8Array, pictures * 3 * vertices);
+    this.places = vertices + points;
+    this.low = take(Uint8Array, pictures * 3 * this.places);
+    this.high = take(Uint8Array, pictures * 3 * this.places);
+    const most = Math.max(0, ...Array.from({length: surfaces}, (_, s) => this.heads[2 * s]));
+    this.x = new Uint16Array(3 * this.places);     // axis by axis
+    this.damage = new Uint8Array(3 * vertices);    // kind by kind
+    this.corners = new Uint32Array(3 * most);
+    this.tissue = new Uint8Array(most);
+    this.rewind();
+  }
+
+  rewind() {
+    this.picture = -1;
+    this.surface = -1;
+    this.edit = 0;
+    this.triangles = 0;
+    this.x.fill(0);
+    this.damage.fill(0);
+  }
+
+  // The state of picture `wanted`, in x, damage, corners, tissue and triangles.
+  go(wanted) {
+    if (wanted < this.picture) this.rewind();
+    while (this.picture < wanted) this.next();
+  }
+
+  next() {
+    const p = ++this.picture, n = 3 * this.places;
+    for (let i = 0, at = p; i < n; ++i, at += this.pictures) {
+      const value = this.low[at] | (this.high[at] << 8);
+      // Differences are zigzag numbers: 0, -1, 1, -2, ...
+      this.x[i] = p === 0 ? value : this.x[i] + ((value >> 1) ^ -(value & 1));
+    }
+    const kinds = 3 * this.vertices;
+    for (let i = 0; i < kinds; ++i) this.damage[i] += this.damageSteps[p * kinds + i];
+    while (this.surface < this.surfaceOf[p]) {
+      ++this.surface;
+      this.triangles = this.heads[2 * this.surface];
+      for (let e = this.heads[2 * this.surface + 1]; e > 0; --e, ++this.edit) {
+        const t = this.editIndex[this.edit];
+        for (let k = 0; k < 3; ++k) this.corners[3 * t + k] = this.editCorners[3 * this.edit + k];
+        this.tissue[t] = this.editTissue[this.edit];
+      }
+    }
+  }
+}

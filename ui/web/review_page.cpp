@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An attempt in three dimensions: the page, and the track that its script fetches part by part. Who
+// may see the attempt may see this; each request asks the store anew.
+
+#include <QTemporaryDir>
+#include <charconv>
+#include <stdexcept>
+
+#include "assessment/ledger.h"
+#include "db/recording_file.h"
+#include "reports/attempt_figures.h"
+#include "reports/text.h"
+#include "reports/words.h"
+#include "ui/web/parts.h"
+#include "ui/web/review_maker.h"
+
+namespace placode::web {
+
+using namespace std::string_view_literals;
+
+namespace {
+
+constexpr int kAskAgainS = 2;
+constexpr double kLongestS = 3600;  // A track of an hour would take some 100 MB.
+
+std::string key_of(const db::AttemptRecord& record) {
+    // A store that was restored may have another attempt under the number.
+    return std::to_string(record.id) + " of " + record.started_utc + " seed " +
+           std::to_string(record.seed);
+}
+
+sim::Recording recording_of(const Visit& visit, int64_t attempt) {
+    const QTemporaryDir folder;  // For this account only, and gone at the end.
+    if (!folder.isValid())
+        throw std::runtime_error("no temporary folder: " + folder.errorString().toStdString());
+    const std::string file = folder.filePath(QStringLiteral("a.placode")).toStdString();
+    visit.store.attempts().extract_recording(attempt, file);
+    return db::read_recording_file(file);
+}
+
+std::string address_of_attempt(int64_t id) { return "/attempts/" + std::to_string(id); }
+
+Html back(int64_t id) {
+    Html out;
+    out << "<p>" << link(address_of_attempt(id), say("Back to the attempt")) << "</p>\n";
+    return out;
+}
+
+PageText short_page(int64_t id, const Text& words) {
+    Html body;
+    body << "<h1>" << say("Review of attempt #%1", text(id)) << "</h1>\n<p>" << words << "</p>\n"
+         << back(id);
+    return {say("Review of attempt %1", text(id)), body};
+}
+
+PageText waiting_page(int64_t id, const ReviewMaker::Standing& standing) {
+    const int percent = static_cast<int>(100 * standing.share);
+    Html body;
+    body << "<h1>" << say("Review of attempt #%1", text(id)) << "</h1>\n<p role=\"status\">";
+    if (standing.stage == ReviewMaker::Stage::kMaking)
+        body << say("The recording is being simulated again: %1 %.", text(percent));
+    else if (standing.stage == ReviewMaker::Stage::kWaiting)
+        body << say("Another recording is being simulated first.");
+    else
+        body << say("Several recordings wait to be simulated. This page asks again by itself.");
+    body << "</p>\n<p><progress max=\"100\" value=\"" << text(percent) << "\" aria-label=\""
+         << say("Simulated") << "\"></progress></p>\n<p class=\"muted\">"
+         << say("It takes about as long as the attempt, once. The page shows it by itself.")
+         << "</p>\n"
+         << back(id);
+    PageText page{say("Review of attempt %1", text(id)), body};
+    page.ask_again_s = kAskAgainS;
+    return page;
+}
+
+Html choice_of(std::string_view id, const Text& label,
+               const std::vector<std::pair<std::string, Text>>& values) {
+    Html out;
+    out << "<div><label for=\"" << text(id) << "\">" << label << "</label><select id=\"" << text(id)
+        << "\">";
+    for (const auto& [value, words] : values)
+        out << "<option value=\"" << text(value) << "\">" << words << "</option>";
+    out << "</select></div>";
+    return out;
+}
+
+/// Canvas and controls; what the script says stands in attributes, in the reader's language.
+Html viewer(int64_t id) {
+    Html out;
+    out << "<div id=\"review\" class=\"review\" data-track=\""
+        << text(address_of_attempt(id) + "/review/track") << "\" data-part=\""
+        << text(address_of_attempt(id) + "/review/parts/") << "\" data-play=\"" << say("Play")
+        << "\" data-pause=\"" << say("Pause") << "\" data-lost=\""
+        << say("The track is not in memory any more, or you are signed out. Load the page again.")
+        << "\" data-old=\""
+        << say("This browser cannot show it: it needs WebGL 2 and DecompressionStream.")
+        << "\">\n<p id=\"review-said\" class=\"said\" role=\"alert\" hidden></p>\n"
+        << "<canvas id=\"review-picture\" tabindex=\"0\" aria-label=\""
+        << say("Picture of the attempt. Arrow keys turn it, plus and minus bring it nearer.")
+        << "\"></canvas>\n<div class=\"line\"><button type=\"button\" id=\"review-play\">"
+        << say("Play") << "</button><input type=\"range\" id=\"review-time\" min=\"0\" max=\"1\" "
+        << "value=\"0\" step=\"0.1\" aria-label=\"" << say("Time in the attempt")
+        << "\"><output id=\"review-clock\" for=\"review-time\">0:00</output></div>\n"
+        << "<div class=\"choices\">"
+        << choice_of("review-camera"sv, say("Camera"),
+                     {{"scope", say("As the fetoscope saw it")},
+                      {"above", say("From above")},
+                      {"side", say("From the side")},
+                      {"free", say("Free: drag to turn, wheel to come nearer")}})
+        << choice_of("review-speed"sv, say("Speed"),
+                     {{"0.25", text("0.25"sv)},
+                      {"0.5", text("0.5"sv)},
+                      {"1", text("1"sv)},
+                      {"2", text("2"sv)},
+                      {"4", text("4"sv)},
+                      {"8", text("8"sv)}})
+        << "</div>\n<noscript><p>" << say("The picture needs JavaScript.")
+        << "</p></noscript></div>\n<script type=\"module\" src=\"/review/page.js\"></script>\n";
+    return out;
+}
+
+Html moment_button(double time_s) {
+    Html out;
+    out << "<button type=\"button\" class=\"moment\" data-time=\""
+        << text(std::to_string(static_cast<int64_t>(1000 * time_s))) << "\">"
+        << text(reports::minute_second(time_s)) << "</button>";
+    return out;
+}
+
+/// What happened and what was remarked, each with a button that leads there.
+Html moments_card(const Visit& visit, const db::AttemptDetail& detail) {
+    Table table(say("Moments; a click leads there"), {{say("At@time")}, {say("What")}});
+    sim::Recording recording;
+    recording.header.task_id = detail.record.task_id;
+    recording.end.duration_s = detail.record.duration_s;
+    recording.events = detail.events;
+    for (const auto& entry : reports::ledger_picture(recording, {}).entries) {
+        Html what = text(reports::ledger_words(entry));
+        if (entry.has_place) what << ", " << say("%1 o'clock", text(entry.hour));
+        if (entry.critical) what << " " << badge(say("critical"), Tone::kCritical);
+        table.row({moment_button(entry.from_s), what});
+    }
+    for (const assessment::Reason& each : detail.score.reasons)
+        if (each.time_s >= 0)
+            table.row({moment_button(each.time_s), text(reports::reason_words(each))});
+    for (const db::CommentRecord& each : visit.store.reviews().comments(detail.record.id))
+        if (each.time_s >= 0)
+            table.row({moment_button(each.time_s),
+                       Html(each.text.empty() ? say("(a mark)") : text(each.text))
+                           << text(" – "sv) << text(each.author_name)});
+    Html body;
+    if (table.empty())
+        body << "<p class=\"muted\">" << say("Nothing was noted.") << "</p>";
+    else
+        body << table.html();
+    return card(say("Moments"), body);
+}
+
+PageText ready_page(const Visit& visit, const db::AttemptDetail& detail,
+                    const reports::ReviewTrack& track) {
+    const int64_t id = detail.record.id;
+    Html proof;
+    if (track.identical)
+        proof << badge(say("the same"), Tone::kGood) << " "
+              << say("Simulated again from its recording: every recorded state came out the same.");
+    else
+        proof
+            << badge(say("differs"), Tone::kCritical) << " "
+            << say("Simulated again from its recording, it differs from %1 on. What is shown ends "
+                   "there. Another version of the program may be the cause.",
+                   text(reports::minute_second(track.until_s)));
+    Html body;
+    body << "<h1>" << say("Review of attempt #%1", text(id)) << "</h1>\n<p>"
+         << text(visit.tasks.of(detail.record.task_id).title);
+    if (detail.record.demonstration) body << " " << demonstration_badge();
+    body << "</p>\n<p>" << proof << "</p>\n"
+         << viewer(id) << "<p class=\"muted\">"
+         << say("Shapes, burns, cuts and instruments are those of the simulation; colours are "
+                "plain. Blue: planned line, yellow: tissue to be taken out, until it is cut there.")
+         << "</p>\n"
+         << moments_card(visit, detail) << back(id);
+    PageText page{say("Review of attempt %1", text(id)), body};
+    page.script = true;
+    return page;
+}
+
+/// Throws NotThere where the page was never opened, or its track has gone since.
+std::shared_ptr<const reports::ReviewTrack> made_track(const Visit& visit) {
+    const db::AttemptDetail detail = visit.store.attempts().detail(visit.id());
+    const auto standing = visit.reviews.of(key_of(detail.record));
+    if (standing.stage != ReviewMaker::Stage::kReady)
+        throw NotThere(words("There is no such page."));
+    return standing.track;
+}
+
+}  // namespace
+
+PageText review_page(const Visit& visit) {
+    const int64_t id = visit.id();
+    const db::AttemptDetail detail = visit.store.attempts().detail(id);
+    if (detail.record.duration_s > kLongestS)
+        return short_page(id, say("The attempt is longer than an hour; look at it in the program "
+                                  "on the station."));
+    ReviewMaker::Standing standing;
+    try {
+        standing =
+            visit.reviews.ask(key_of(detail.record), [&] { return recording_of(visit, id); });
+    } catch (const db::StoreError& error) {
+        if (error.kind() != db::StoreError::Kind::kNotFound) throw;
+        return short_page(id, say("The attempt was kept without its recording."));
+    }
+    if (standing.stage == ReviewMaker::Stage::kFailed)
+        return short_page(id, say("The recording cannot be simulated by this version of the "
+                                  "program."));
+    if (standing.stage != ReviewMaker::Stage::kReady) return waiting_page(id, standing);
+    return ready_page(visit, detail, *standing.track);
+}
+
+Answer review_track(const Visit& visit) {
+    Answer answer;
+    answer.type = "application/json";
+    answer.body = made_track(visit)->head;
+    return answer;
+}
+
+Answer review_part(const Visit& visit) {
+    const auto track = made_track(visit);
+    const std::string& number = visit.parts.at(1);
+    size_t part = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), part);
+    if (error != std::errc{} || end != number.data() + number.size() || part >= track->parts.size())
+        throw NotThere(words("There is no such page."));
+    Answer answer;
+    answer.type = "application/octet-stream";
+    answer.body = track->parts[part];
+    return answer;
+}
+
+}  // namespace placode::web
