@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "curriculum/json_reader.h"
+#include "sim/core/tool_kind_name.h"
 
 namespace placode::curriculum {
 
@@ -29,10 +30,10 @@ struct EnumName {
 };
 constexpr EnumName<Method> kMethods[]{
     {Method::kXpbd, "xpbd"}, {Method::kXpbdPair, "xpbd_pair"}, {Method::kVbd, "vbd"}};
-constexpr EnumName<ToolKind> kKinds[]{
-    {ToolKind::kScope, "scope"},       {ToolKind::kNeedle, "needle"},
-    {ToolKind::kHook, "hook"},         {ToolKind::kGrasper, "grasper"},
-    {ToolKind::kScissors, "scissors"}, {ToolKind::kProbe, "probe"}};
+constexpr EnumName<ToolKind> named(ToolKind kind) { return {kind, sim::tool_kind_name(kind)}; }
+constexpr EnumName<ToolKind> kKinds[]{named(ToolKind::kScope),    named(ToolKind::kNeedle),
+                                      named(ToolKind::kHook),     named(ToolKind::kGrasper),
+                                      named(ToolKind::kScissors), named(ToolKind::kProbe)};
 constexpr EnumName<Hand> kHands[]{
     {Hand::kRight, "right"}, {Hand::kLeft, "left"}, {Hand::kCamera, "camera"}};
 

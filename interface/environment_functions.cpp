@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "interface/handles.h"
+#include "sim/core/tool_kind_name.h"
 
 using namespace placode;
 using interface::guarded;
@@ -52,7 +53,6 @@ void write_outcome(const environment::StepOutcome& from, placode_outcome* to) {
     std::memcpy(to, &out, std::min(to->size, sizeof out));
 }
 
-constexpr const char* kToolKinds[] = {"scope", "needle", "hook", "grasper", "scissors", "probe"};
 constexpr const char* kHands[] = {"right", "left", "camera"};
 
 const sim::ToolSpec* tool_of(const placode_environment* e, size_t tool) {
@@ -134,7 +134,7 @@ size_t placode_tool_count(const placode_environment* e) {
 
 const char* placode_tool_kind(const placode_environment* e, size_t tool) {
     const sim::ToolSpec* spec = tool_of(e, tool);
-    return spec != nullptr ? kToolKinds[static_cast<size_t>(spec->kind)] : nullptr;
+    return spec != nullptr ? sim::tool_kind_name(spec->kind) : nullptr;
 }
 
 const char* placode_tool_hand(const placode_environment* e, size_t tool) {

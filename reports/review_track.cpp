@@ -11,42 +11,19 @@
 
 #include "curriculum/replay.h"
 #include "reports/review_part.h"
-#include "sim/core/as_index.h"
+#include "sim/core/shared_hand.h"
+#include "sim/core/tool_kind_name.h"
 
 namespace placode::reports {
 namespace {
 
 constexpr int kAsksEveryPictures = 3;
 
-const char* kind_name(sim::ToolKind kind) {
-    switch (kind) {
-        case sim::ToolKind::kScope:
-            return "scope";
-        case sim::ToolKind::kNeedle:
-            return "needle";
-        case sim::ToolKind::kHook:
-            return "hook";
-        case sim::ToolKind::kGrasper:
-            return "grasper";
-        case sim::ToolKind::kScissors:
-            return "scissors";
-        case sim::ToolKind::kProbe:
-            return "probe";
-    }
-    return "needle";
-}
-
-/// An instrument that shares its hand waits outside while the other one is in.
-bool shares_hand(const std::vector<sim::ToolSpec>& tools, const sim::ToolSpec& spec) {
-    return std::count_if(tools.begin(), tools.end(),
-                         [&](const sim::ToolSpec& each) { return each.hand == spec.hand; }) > 1;
-}
-
 QJsonArray tools_of(const std::vector<sim::ToolSpec>& tools) {
     QJsonArray list;
     for (const sim::ToolSpec& spec : tools)
-        list.append(QJsonObject{{"kind", kind_name(spec.kind)},
-                                {"shares_hand", shares_hand(tools, spec)},
+        list.append(QJsonObject{{"kind", sim::tool_kind_name(spec.kind)},
+                                {"shares_hand", sim::shares_hand(tools, spec)},
                                 {"shaft_radius_m", spec.shaft_radius_m},
                                 {"length_m", spec.length_m},
                                 {"tip_radius_m", spec.tip_radius_m},

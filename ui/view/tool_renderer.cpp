@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/shared_hand.h"
 #include "ui/view/tissue_mesh.h"
 
 namespace placode::view {
@@ -223,10 +224,7 @@ std::vector<ShadowCapsule> shadow_capsules(const ToolSpec& spec, const Pose& X_W
 
 bool is_drawn(const std::vector<ToolSpec>& tools, size_t i, const Snapshot& snapshot) {
     if (tools[i].kind == ToolKind::kScope) return false;
-    const bool shares = std::count_if(tools.begin(), tools.end(), [&](const ToolSpec& s) {
-                            return s.hand == tools[i].hand;
-                        }) > 1;
-    return !shares || snapshot.tools[i].engaged != 0;
+    return !shares_hand(tools, tools[i]) || snapshot.tools[i].engaged != 0;
 }
 
 ToolRenderer::ToolRenderer(const std::vector<ToolSpec>& tools) : specs_(tools) {
