@@ -12,6 +12,7 @@
 #include "reports/metric_groups.h"
 #include "reports/text.h"
 #include "reports/words.h"
+#include "ui/web/attempt_parts.h"
 #include "ui/web/parts.h"
 
 namespace placode::web {
@@ -124,12 +125,7 @@ Html reasons_card(const assessment::Score& score) {
 }
 
 Html ledger_card(const db::AttemptDetail& detail, const reports::TaskScope& scope) {
-    // The store keeps the events beside the recording; no sample is needed for the time line.
-    sim::Recording recording;
-    recording.header.task_id = detail.record.task_id;
-    recording.end.duration_s = detail.record.duration_s;
-    recording.events = detail.events;
-    const reports::LedgerPicture timeline = reports::ledger_picture(recording, scope);
+    const reports::LedgerPicture timeline = ledger_of(detail, scope);
     Html body;
     if (timeline.entries.empty()) {
         body << "<p>" << say("Nothing was harmed that the ledger watches.") << "</p>";
@@ -146,12 +142,8 @@ Html ledger_card(const db::AttemptDetail& detail, const reports::TaskScope& scop
     Table table(say_count(timeline.entries.size(), "%1 entry of the damage ledger",
                           "%1 entries of the damage ledger"),
                 {{say("At@time")}, {say("What")}});
-    for (const assessment::LedgerEntry& entry : timeline.entries) {
-        Html what = text(reports::ledger_words(entry));
-        if (entry.has_place) what << ", " << say("%1 o'clock", text(entry.hour));
-        if (entry.critical) what << " " << badge(say("critical"), Tone::kCritical);
-        table.row({text(reports::minute_second(entry.from_s)), what});
-    }
+    for (const assessment::LedgerEntry& entry : timeline.entries)
+        table.row({text(reports::minute_second(entry.from_s)), entry_words(entry)});
     body << table.html();
     return card(say("Damage ledger"), body);
 }
@@ -197,15 +189,6 @@ Html later_scores_card(const Visit& visit, int64_t attempt) {
         table.row({day(each.scored_utc), points(each.score.points), verdict(each.score.verdict),
                    text(each.score.rubric_id + " " + std::to_string(each.score.rubric_version))});
     return card(say("Later scores"), table.html());
-}
-
-reports::TaskScope scope_of_task(const db::AttemptDetail& detail) {
-    try {
-        return reports::scope_of(curriculum::load_task(detail.record.task_id));
-    } catch (const std::exception&) {
-        // It ships no more: what was measured is shown.
-        return {};
-    }
 }
 
 }  // namespace

@@ -97,8 +97,7 @@ void ReviewMaker::work() {
     ::setpriority(PRIO_PROCESS, 0, kNiceness);  // Of this thread alone, on Linux.
     std::unique_lock lock(mutex_);
     while (!ending_) {
-        // The one that has waited longest stands last but for those that were looked at since: who
-        // waits at the page goes first.
+        // Who looked last, and so still waits at the page, goes first.
         const auto next = std::find_if(entries_.begin(), entries_.end(), [](const Entry& each) {
             return each.stage == Stage::kWaiting;
         });

@@ -7,11 +7,10 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "assessment/ledger.h"
 #include "db/recording_file.h"
-#include "reports/attempt_figures.h"
 #include "reports/text.h"
 #include "reports/words.h"
+#include "ui/web/attempt_parts.h"
 #include "ui/web/parts.h"
 #include "ui/web/review_maker.h"
 
@@ -131,16 +130,8 @@ Html moment_button(double time_s) {
 /// What happened and what was remarked, each with a button that leads there.
 Html moments_card(const Visit& visit, const db::AttemptDetail& detail) {
     Table table(say("Moments; a click leads there"), {{say("At@time")}, {say("What")}});
-    sim::Recording recording;
-    recording.header.task_id = detail.record.task_id;
-    recording.end.duration_s = detail.record.duration_s;
-    recording.events = detail.events;
-    for (const auto& entry : reports::ledger_picture(recording, {}).entries) {
-        Html what = text(reports::ledger_words(entry));
-        if (entry.has_place) what << ", " << say("%1 o'clock", text(entry.hour));
-        if (entry.critical) what << " " << badge(say("critical"), Tone::kCritical);
-        table.row({moment_button(entry.from_s), what});
-    }
+    for (const auto& entry : ledger_of(detail, scope_of_task(detail)).entries)
+        table.row({moment_button(entry.from_s), entry_words(entry)});
     for (const assessment::Reason& each : detail.score.reasons)
         if (each.time_s >= 0)
             table.row({moment_button(each.time_s), text(reports::reason_words(each))});
