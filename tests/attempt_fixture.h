@@ -47,17 +47,37 @@ inline curriculum::Task changed_task(
     return curriculum::load_task_text(json, id);
 }
 
-/// One attempt of a scripted operator ("expert", ...), headless, as fast as one thread can.
-inline sim::Recording scripted_attempt(const curriculum::Task& task, const std::string& level) {
+/// A scripted operator ("expert", ...), headless, as fast as one thread can.
+inline curriculum::AttemptOptions scripted(const std::string& level) {
     curriculum::AttemptOptions options;
     options.device = "script:" + level;
     options.fast = true;
     options.threads = 1;
+    return options;
+}
+
+inline sim::Recording recorded(const curriculum::Task& task, uint64_t seed,
+                               const curriculum::AttemptOptions& options) {
     const auto recording = std::make_shared<sim::Recording>();
-    curriculum::AttemptRunner runner(task, 1, options, std::make_unique<MemorySink>(recording));
+    curriculum::AttemptRunner runner(task, seed, options, std::make_unique<MemorySink>(recording));
     runner.start();
     runner.wait();
     return std::move(*recording);
+}
+
+/// One whole attempt.
+inline sim::Recording scripted_attempt(const curriculum::Task& task, const std::string& level) {
+    return recorded(task, 1, scripted(level));
+}
+
+/// The first seconds of one, with the task's steps; 0 = all of it.
+inline sim::Recording scripted_seconds(const std::string& task, double seconds,
+                                       const std::string& level = "expert", uint64_t seed = 3) {
+    const curriculum::Task loaded = curriculum::load_task(task);
+    curriculum::AttemptOptions options = scripted(level);
+    options.duration_s = seconds;
+    options.steps = loaded.steps;
+    return recorded(loaded, seed, options);
 }
 
 }  // namespace placode::test

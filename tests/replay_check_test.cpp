@@ -19,22 +19,6 @@ using sim::Recording;
 
 namespace THIS_TEST {
 
-Recording attempt(const std::string& task, double seconds, const std::string& level = "expert",
-                  uint64_t seed = 3) {
-    AttemptOptions options;
-    options.device = "script:" + level;
-    options.fast = true;
-    options.threads = 1;
-    options.duration_s = seconds;
-    const Task loaded = load_task(task);
-    options.steps = loaded.steps;
-    const auto recording = std::make_shared<Recording>();
-    AttemptRunner runner(loaded, seed, options, std::make_unique<test::MemorySink>(recording));
-    runner.start();
-    runner.wait();
-    return std::move(*recording);
-}
-
 TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
     // In a long run 500 of all tasks, by three levels of operators, each to a time of its own.
     test::Bar bar("honest attempts that replay otherwise");
@@ -43,8 +27,8 @@ TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
     const int rounds = test::times(1, 1 + 500 / static_cast<int>(tasks.size()));
     for (int round = 0; round < rounds; ++round) {
         for (const std::string& id : tasks) {
-            const Recording honest =
-                attempt(id, 1.5 + round % 7, kLevels[round % 3], 3 + static_cast<uint64_t>(round));
+            const Recording honest = test::scripted_seconds(id, 1.5 + round % 7, kLevels[round % 3],
+                                                            3 + static_cast<uint64_t>(round));
             ASSERT_GT(honest.samples.size(), 100U) << id;
             const ReplayVerdict verdict = check_replay(honest, load_task(id), 2);
             EXPECT_TRUE(verdict.identical) << id << " " << round << ": " << verdict.difference;
@@ -54,14 +38,14 @@ TEST(ReplayCheck, AnHonestAttemptOfEveryTaskIsIdentical) {
 }
 
 TEST(ReplayCheck, AnAttemptThatCameToItsOwnEndIsIdentical) {
-    const Recording honest = attempt("touch_targets", 0);
+    const Recording honest = test::scripted_seconds("touch_targets", 0);
     ASSERT_EQ(honest.end.reason, sim::EndReason::kFinished);
     const ReplayVerdict verdict = check_replay(honest, load_task("touch_targets"), 1);
     EXPECT_TRUE(verdict.identical) << verdict.difference;
 }
 
 TEST(ReplayCheck, WhatWasChangedIsNamed) {
-    const Recording honest = attempt("diathermy_ring_small", 1.5);
+    const Recording honest = test::scripted_seconds("diathermy_ring_small", 1.5);
     const Task task = load_task("diathermy_ring_small");
     const size_t middle = honest.samples.size() / 2;
     struct Change {
@@ -111,7 +95,7 @@ TEST(ReplayCheck, WhatWasChangedIsNamed) {
 }
 
 TEST(ReplayCheck, TheTaskThatTheFileCarriesIsNotUsed) {
-    const Recording honest = attempt("touch_targets", 0.5);
+    const Recording honest = test::scripted_seconds("touch_targets", 0.5);
     Recording forged = honest;
     forged.header.task_json = load_task("diathermy_ring").json;
     EXPECT_TRUE(check_replay(forged, load_task("touch_targets"), 1).identical);

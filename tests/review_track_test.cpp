@@ -118,22 +118,6 @@ std::vector<Moment> moments_of(const std::string& packed) {
     return all;
 }
 
-sim::Recording some_seconds(const std::string& task, double seconds) {
-    curriculum::AttemptOptions options;
-    options.device = "script:expert";
-    options.fast = true;
-    options.threads = 1;
-    options.duration_s = seconds;
-    const curriculum::Task loaded = curriculum::load_task(task);
-    options.steps = loaded.steps;
-    const auto recording = std::make_shared<sim::Recording>();
-    curriculum::AttemptRunner runner(loaded, 3, options,
-                                     std::make_unique<test::MemorySink>(recording));
-    runner.start();
-    runner.wait();
-    return std::move(*recording);
-}
-
 void expect_near(const std::array<double, 3>& shown, const std::array<float, 3>& was) {
     // Half a step of rounding, and the float's own last bit at 65 mm.
     for (size_t i = 0; i < 3; ++i)
@@ -212,7 +196,7 @@ QJsonObject head_of(const ReviewTrack& track) {
 }
 
 TEST(ReviewTrack, ShowsARingAsTheSimulationDid) {
-    const sim::Recording recording = some_seconds("diathermy_ring_small", 9);
+    const sim::Recording recording = test::scripted_seconds("diathermy_ring_small", 9);
     const auto track = make_review_track(recording);
     ASSERT_TRUE(track);
     EXPECT_TRUE(track->identical);
@@ -229,7 +213,7 @@ TEST(ReviewTrack, ShowsARingAsTheSimulationDid) {
 }
 
 TEST(ReviewTrack, ShowsScissorsAsTheSimulationDid) {
-    const sim::Recording recording = some_seconds("scissors_resection", 14);
+    const sim::Recording recording = test::scripted_seconds("scissors_resection", 14);
     const auto track = make_review_track(recording);
     ASSERT_TRUE(track);
     const Looked looked = compare(recording, *track);
@@ -238,7 +222,7 @@ TEST(ReviewTrack, ShowsScissorsAsTheSimulationDid) {
 }
 
 TEST(ReviewTrack, SaysWhereTheSimulationDiffers) {
-    sim::Recording recording = some_seconds("touch_targets", 6);
+    sim::Recording recording = test::scripted_seconds("touch_targets", 6);
     bool changed = false;
     for (sim::Event& event : recording.events)
         if (!changed && event.kind == sim::EventKind::kStateHash && event.time_s > 2) {
@@ -254,7 +238,7 @@ TEST(ReviewTrack, SaysWhereTheSimulationDiffers) {
 }
 
 TEST(ReviewTrack, IsBrokenOffWhenNobodyWantsItAnyMore) {
-    const sim::Recording recording = some_seconds("touch_targets", 3);
+    const sim::Recording recording = test::scripted_seconds("touch_targets", 3);
     double last = -1;
     int asked = 0;
     EXPECT_FALSE(make_review_track(recording, [&](double share) {
@@ -267,7 +251,7 @@ TEST(ReviewTrack, IsBrokenOffWhenNobodyWantsItAnyMore) {
 }
 
 TEST(ReviewTrack, OfATaskThatCannotBeBuiltIsRefused) {
-    sim::Recording recording = some_seconds("touch_targets", 1);
+    sim::Recording recording = test::scripted_seconds("touch_targets", 1);
     recording.header.task_json = "{}";
     EXPECT_ANY_THROW((void)make_review_track(recording));
 }

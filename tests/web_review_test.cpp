@@ -20,7 +20,7 @@ namespace THIS_TEST {
 
 class WebReviewTest : public WebTest {
  protected:
-    /// Two seconds of an expert, stored for a person with its recording.
+    /// Five seconds of an expert, stored for a person with its recording.
     int64_t store_attempt(const std::string& login) {
         const std::string path = folder.file("seen.placode");
         curriculum::AttemptOptions options;
