@@ -18,7 +18,7 @@ using sim::as_index;
 static_assert(std::endian::native == std::endian::little, "parts are little-endian");
 
 constexpr uint8_t kOfMarkedTissue = 2;  // of a point of a line; 1: cut there
-constexpr int kZlibLevel = 6;           // 9 takes three times as long for some per cent.
+constexpr int kZlibLevel = 9;           // 6 makes places some 12 % larger.
 
 template <class Value>
 void put(std::string& to, const Value& value) {
