@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "interface/handles.h"
 
@@ -52,7 +53,9 @@ void write_outcome(const environment::StepOutcome& from, placode_outcome* to) {
     std::memcpy(to, &out, std::min(to->size, sizeof out));
 }
 
-constexpr const char* kToolKinds[] = {"scope", "needle", "hook", "grasper", "scissors", "probe"};
+constexpr const char* kToolKinds[] = {"scope",    "needle", "hook",         "grasper",
+                                      "scissors", "probe",  "needle_driver"};
+static_assert(std::size(kToolKinds) == sim::kToolKinds);
 constexpr const char* kHands[] = {"right", "left", "camera"};
 
 const sim::ToolSpec* tool_of(const placode_environment* e, size_t tool) {

@@ -233,6 +233,7 @@ namespace {
     QT_TRANSLATE_NOOP("Figure", "scissors"),
     QT_TRANSLATE_NOOP("Figure", "grasper"),
     QT_TRANSLATE_NOOP("Figure", "scope"),
+    QT_TRANSLATE_NOOP("Figure", "needle driver"),
     QT_TRANSLATE_NOOP("Figure", "instrument"),
     QT_TRANSLATE_NOOP("Figure", "min:s"),
     QT_TRANSLATE_NOOP("Figure", "No damage was recorded."),

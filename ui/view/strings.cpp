@@ -24,6 +24,7 @@ constexpr std::pair<std::string_view, std::string_view> kPolish[] = {
     {"grasper", "chwytak"},
     {"scissors", "nożyczki"},
     {"probe", "sonda"},
+    {"needle driver", "imadło"},
     {"Tab: back to the %1", "Tab: z powrotem %1"},
     {"ring", "obwód"},
     {"out", "wyjęto"},

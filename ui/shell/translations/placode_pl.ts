@@ -1513,6 +1513,10 @@
         <translation>fetoskop</translation>
     </message>
     <message>
+        <source>needle driver</source>
+        <translation>imadło</translation>
+    </message>
+    <message>
         <source>instrument</source>
         <translation>narzędzie</translation>
     </message>
