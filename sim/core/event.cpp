@@ -87,6 +87,10 @@ std::string_view event_name(EventKind kind) noexcept {
             return "traced";
         case EventKind::kTractionHeld:
             return "traction_held";
+        case EventKind::kBiteEntry:
+            return "bite_entry";
+        case EventKind::kBiteExit:
+            return "bite_exit";
         case EventKind::kTuned:
             return "tuned";
         case EventKind::kStretchSum:

@@ -63,6 +63,8 @@ enum class EventKind : uint16_t {
     kTargetMissed = 63,   ///< tissue touched beside it; as above
     kTraced = 64,         ///< value = bin of the contour, value2 = mean offset [m]
     kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
+    kBiteEntry = 66,      ///< value = step, value2 = distance of a needle's entry from its mark [m]
+    kBiteExit = 67,       ///< the same of its exit; distances along the tissue at rest
     // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done
@@ -95,10 +97,10 @@ enum class EventKind : uint16_t {
                         ///< the same as a share of the arc
     kNeedleReleased = 91,  ///< jaws let go of it: value = seconds held, value2 = peak pull [N]
     kNeedleSlipped = 92,   ///< it slid through the jaws (raised when it ends): value = seconds,
-                          ///< value2 = peak pull along the wire [N]
-    kNeedleTurned = 93,   ///< it turned in the jaws, likewise: value2 = peak torque [N m]
-    kNeedleEntered = 94,  ///< its point opened a surface: value = force [N], value2 = sine of the
-                          ///< angle between its way and the surface at rest
+                           ///< value2 = peak pull along the wire [N]
+    kNeedleTurned = 93,    ///< it turned in the jaws, likewise: value2 = peak torque [N m]
+    kNeedleEntered = 94,   ///< its point opened a surface: value = force [N], value2 = sine of the
+                           ///< angle between its way and the surface at rest
     kNeedleLeft = 95,  ///< it came out on the far side: value = force [N], value2 = deepest place
                        ///< of the channel below the surface at rest [m]
     kNeedleWithdrawn = 96,  ///< it was drawn back out of its entry

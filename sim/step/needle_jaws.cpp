@@ -60,6 +60,7 @@ void begin_hold(const Scene& scene, State& state, int t, double arc_m) noexcept 
     if (s.driver >= 0) end_hold(state);  // from jaws to jaws
     take_needle(*scene.suture, s.needle[0], state.tools[as_index(t)].proxy, arc_m);
     s.driver = static_cast<int8_t>(t);
+    ++s.taken;
     add_event(state, driver_event(state, EventKind::kNeedleTaken, t, static_cast<float>(arc_m),
                                   static_cast<float>(arc_m / scene.suture->needle().arc_m())));
 }
@@ -141,6 +142,16 @@ void tell_one(const Scene& scene, State& state, const SutureEvent& told) noexcep
     if (told.kind == SutureEventKind::kLeft)
         e.value2 = static_cast<float>(depth_of(scene, state, told.channel));
     place_at_rest(e, told.rest_place_m);
+    Suturing& s = state.suturing;
+    if (told.kind == SutureEventKind::kEntered) {
+        ++s.entered;
+        s.entry_m = e.rest_position_m;
+    } else if (told.kind == SutureEventKind::kLeft) {
+        ++s.left;
+        s.exit_m = e.rest_position_m;
+    } else if (told.kind == SutureEventKind::kRanOff) {
+        ++s.through;
+    }
     e.element = told.tet;
     e.hash = static_cast<uint64_t>(std::max(told.channel, 0));
     add_event(state, e);

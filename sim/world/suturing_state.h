@@ -34,13 +34,17 @@ struct Suturing {
     uint8_t locked = 0;               ///< As it began: the jaws let go once they have closed.
     float held_s = 0, peak_n = 0;     ///< Since it was taken; peak of its pull on the jaws.
     JawSlip slide, turn;              ///< Along the wire, about the grip.
-    float point_n = 0;                ///< Of the tissue on the point, largest of the last frame.
-    float thread_n = 0;               ///< Pull of the thread, largest of the last frame.
+    int32_t taken = 0, entered = 0, left = 0, through = 0;  ///< So far.
+    std::array<float, 3> entry_m{}, exit_m{};               ///< The last ones, at rest [m].
+    float point_n = 0;   ///< Of the tissue on the point, largest of the last frame.
+    float thread_n = 0;  ///< Pull of the thread, largest of the last frame.
 };
 template <class Visit>
 void fields(Of<Suturing> auto& s, Visit&& visit) {
-    auto& [needle, placed, driver, locked, held_s, peak_n, slide, turn, point_n, thread_n] = s;
-    visit.state(needle, placed, driver, locked, held_s, peak_n, slide, turn, point_n, thread_n);
+    auto& [needle, placed, driver, locked, held_s, peak_n, slide, turn, taken, entered, left,
+           through, entry_m, exit_m, point_n, thread_n] = s;
+    visit.state(needle, placed, driver, locked, held_s, peak_n, slide, turn, taken, entered, left,
+                through, entry_m, exit_m, point_n, thread_n);
 }
 
 /// What a needle in the jaws of a tool does to it, in the last substep: force of needle, tissue and
