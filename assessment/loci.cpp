@@ -57,6 +57,14 @@ constexpr EventSource kSources[]{
     {"steps_done_percent", sim::EventKind::kStepDone, Show::kLast, false},
     {"traction_held_s", sim::EventKind::kTractionHeld, Show::kLast, false},
     {"over_traction_count", EventKind::kOverTraction, Show::kStrongest, true},
+    {"bite_entry_offset_mm", EventKind::kBiteEntry, Show::kLast, false},
+    {"bite_exit_offset_mm", EventKind::kBiteExit, Show::kLast, false},
+    {"bite_depth_mm", EventKind::kNeedleLeft, Show::kLast, false},
+    {"bite_angle_deg", EventKind::kNeedleEntered, Show::kLast, false},
+    {"needle_entries", EventKind::kNeedleEntered, Show::kLast, false},
+    {"needle_regrasps", EventKind::kNeedleTaken, Show::kLast, false},
+    {"needle_slips", EventKind::kNeedleTurned, Show::kLast, false},
+    {"thread_cuts", EventKind::kThreadCut, Show::kFirst, false},
     {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
 };
 

@@ -7,6 +7,7 @@
 #include "assessment/motion_detail.h"
 #include "assessment/motion_metrics.h"
 #include "assessment/practice.h"
+#include "assessment/suture_metrics.h"
 #include "assessment/tissue_metrics.h"
 
 namespace placode::assessment {
@@ -24,6 +25,7 @@ MetricSet compute_metrics(const sim::Recording& recording) {
     add_motion_details(recording, found);
     add_tissue_metrics(recording, found);
     add_practice_metrics(recording, found);
+    add_suture_metrics(recording, found);
     // In the order of the definitions; what is not finite is not known.
     MetricSet set;
     for (const MetricDefinition& definition : metric_definitions()) {

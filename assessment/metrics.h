@@ -14,8 +14,8 @@
 
 namespace placode::assessment {
 
-/// 8: overheated placode counts places, not vertices.
-inline constexpr int kMetricSetVersion = 8;
+/// 9: bites of a needle.
+inline constexpr int kMetricSetVersion = 9;
 
 enum class Direction : uint8_t { kLowerIsBetter, kHigherIsBetter, kNeutral };
 

@@ -150,6 +150,12 @@ bool PracticeTracker::did(const PracticeSight& sight) noexcept {
             progress_ = done ? 1 : 0;
             break;
         }
+        case PracticeKind::kNeedleIn:
+        case PracticeKind::kNeedleOut:
+        case PracticeKind::kNeedleTake:
+        case PracticeKind::kNeedleThrough:
+            done = did_bite(sight, index);
+            break;
         case PracticeKind::kRelease:
             done = !sight.holds[i];
             break;
@@ -273,6 +279,26 @@ bool PracticeTracker::did_traction(const PracticeSight& sight) noexcept {
     if (held_s_ < step().hold_s) return false;
     close_traction(now_s_);
     return true;
+}
+
+/// Where the needle goes in and comes out; a needle that was drawn back may go in once more.
+bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
+    const NeedleSight& now = sight.needle;
+    const bool in = now.entered > needle_.entered, out = now.left > needle_.left;
+    const bool through = now.through > needle_.through, taken = now.taken > needle_.taken;
+    needle_ = now;
+    const auto away = [&](const sim::Vec3& place, size_t mark) {
+        return (place - now.mark_m[mark]).norm();
+    };
+    const PracticeKind kind = step().kind;
+    const bool bites = kind == PracticeKind::kNeedleIn || kind == PracticeKind::kNeedleOut;
+    if (in && bites)
+        emit(sim::EventKind::kBiteEntry, index_, away(now.entry_m, 0), tool, now.entry_m);
+    if (out && kind == PracticeKind::kNeedleOut)
+        emit(sim::EventKind::kBiteExit, index_, away(now.exit_m, 1), tool, now.exit_m);
+    if (kind == PracticeKind::kNeedleIn) return in;
+    if (kind == PracticeKind::kNeedleOut) return out;
+    return kind == PracticeKind::kNeedleTake ? taken : through;
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {

@@ -14,6 +14,14 @@
 
 namespace placode::assessment {
 
+/// What was done with a suture needle so far.
+struct NeedleSight {
+    int taken = 0, entered = 0, left = 0, through = 0;
+    sim::Vec3 entry_m = sim::Vec3::Zero(), exit_m = sim::Vec3::Zero();  ///< The last, at rest.
+    std::array<sim::Vec3, 2> mark_m{sim::Vec3::Zero(),
+                                    sim::Vec3::Zero()};  ///< Of the step, likewise.
+};
+
 /// What is there to see in one sample.
 struct PracticeSight {
     const sim::Sample& sample;
@@ -21,6 +29,7 @@ struct PracticeSight {
     std::array<bool, sim::kMaxTools> holds{};
     std::array<double, sim::kMaxTools> pull_n{};
     std::array<bool, sim::kMaxTools> engaged{};
+    NeedleSight needle{};
 };
 
 /// The target of a step on a planned contour at rest [m], in the plane; `second` = the left hand's.
@@ -61,6 +70,7 @@ class PracticeTracker {
     [[nodiscard]] bool did_touch(const PracticeSight& sight, int tool) noexcept;
     [[nodiscard]] bool did_trace(const sim::ToolSample& tool, int index, double time_s) noexcept;
     [[nodiscard]] bool did_traction(const PracticeSight& sight) noexcept;
+    [[nodiscard]] bool did_bite(const PracticeSight& sight, int tool) noexcept;
     void close_bin(int tool, double time_s) noexcept;
     void close_traction(double time_s) noexcept;
 
@@ -76,6 +86,7 @@ class PracticeTracker {
     std::array<uint8_t, sim::kTraceBins> traced_{};
     int bin_ = -1, bin_samples_ = 0, bins_done_ = 0;
     double bin_offset_ = 0;
+    NeedleSight needle_;  // of the last sample
     std::array<sim::Event, 8> events_{};
     size_t event_count_ = 0;
 };

@@ -178,6 +178,16 @@ haptics::Perception OperatorSight::seen(const sim::State& state) const noexcept 
                                 piece.volume_m3 > kPieceShare * scene_.marked_volume_m3);
     }
     seen.pieces_out = state.pieces.out;
+    const sim::Suturing& suturing = state.suturing;
+    if (suturing.placed != 0) {
+        seen.needle = true;
+        seen.needle_held = suturing.driver >= 0;
+        seen.X_WN = suturing.needle[0].needle;
+        seen.needle_arc_m = scene_.suture->needle().arc_m();
+        seen.bites = suturing.entered;
+        seen.exits = suturing.left;
+        seen.drawn_through = suturing.through;
+    }
     return seen;
 }
 

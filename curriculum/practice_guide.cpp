@@ -32,8 +32,16 @@ PracticeGuide::PracticeGuide(const std::vector<TaskStep>& steps, const sim::Scen
     std::vector<sim::PracticeStep> goals;
     for (const TaskStep& step : steps) goals.push_back(step.goal);
     tracker_.emplace(goals, scene.tools, scene.geometry);
-    for (const sim::PracticeStep& step : goals)
-        target_vertex_.push_back(find_targets(scene, settled, step));
+    for (const sim::PracticeStep& step : goals) {
+        const auto vertices = find_targets(scene, settled, step);
+        target_vertex_.push_back(vertices);
+        auto& marks = mark_m_.emplace_back();
+        for (size_t t = 0; t < marks.size(); ++t) {
+            marks[t].setZero();
+            if (vertices[t] >= 0)
+                marks[t] = scene.body.mesh().rest[static_cast<size_t>(vertices[t])];
+        }
+    }
     goal_.count = tracker_->count();
     look(settled);
 }
@@ -52,18 +60,34 @@ void PracticeGuide::look(const sim::State& state) noexcept {
     }
 }
 
+void PracticeGuide::look_at_needle(const sim::State& state,
+                                   assessment::NeedleSight& needle) const noexcept {
+    const sim::Suturing& s = state.suturing;
+    if (s.needle.empty() || tracker_->done()) return;
+    needle.taken = s.taken;
+    needle.entered = s.entered;
+    needle.left = s.left;
+    needle.through = s.through;
+    for (int k = 0; k < 3; ++k) {
+        needle.entry_m[k] = static_cast<double>(s.entry_m[static_cast<size_t>(k)]);
+        needle.exit_m[k] = static_cast<double>(s.exit_m[static_cast<size_t>(k)]);
+    }
+    needle.mark_m = mark_m_[static_cast<size_t>(goal_.index)];
+}
+
 std::span<const sim::Event> PracticeGuide::see(const sim::State& state,
                                                std::span<const sim::ToolInput> inputs,
                                                const sim::Sample& sample) noexcept {
     if (!tracker_) return {};
     look(state);
     assessment::PracticeSight sight{
-        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}};
+        sample, {goal_.target_m.data(), static_cast<size_t>(goal_.targets)}, {}, {}, {}, {}};
     for (size_t i = 0; i < inputs.size(); ++i) {
         sight.holds[i] = state.grasps[i].count > 0;
         sight.pull_n[i] = state.grasps[i].force_n.norm();
         sight.engaged[i] = inputs[i].engaged != 0;
     }
+    look_at_needle(state, sight.needle);
     const std::span<const sim::Event> events = tracker_->see(sight);
     look(state);
     return events;

@@ -35,9 +35,11 @@ class PracticeGuide {
 
  private:
     void look(const sim::State& state) noexcept;
+    void look_at_needle(const sim::State& state, assessment::NeedleSight& needle) const noexcept;
 
     std::optional<assessment::PracticeTracker> tracker_;
     std::vector<std::array<int32_t, 2>> target_vertex_;  // of every step, -1 = none
+    std::vector<std::array<sim::Vec3, 2>> mark_m_;       // the same at rest
     sim::PracticeGoal goal_;
 };
 

@@ -31,9 +31,10 @@ struct EnumName {
 constexpr EnumName<Method> kMethods[]{
     {Method::kXpbd, "xpbd"}, {Method::kXpbdPair, "xpbd_pair"}, {Method::kVbd, "vbd"}};
 constexpr EnumName<ToolKind> named(ToolKind kind) { return {kind, sim::tool_kind_name(kind)}; }
-constexpr EnumName<ToolKind> kKinds[]{named(ToolKind::kScope),    named(ToolKind::kNeedle),
-                                      named(ToolKind::kHook),     named(ToolKind::kGrasper),
-                                      named(ToolKind::kScissors), named(ToolKind::kProbe)};
+constexpr EnumName<ToolKind> kKinds[]{named(ToolKind::kScope),       named(ToolKind::kNeedle),
+                                      named(ToolKind::kHook),        named(ToolKind::kGrasper),
+                                      named(ToolKind::kScissors),    named(ToolKind::kProbe),
+                                      named(ToolKind::kNeedleDriver)};
 constexpr EnumName<Hand> kHands[]{
     {Hand::kRight, "right"}, {Hand::kLeft, "left"}, {Hand::kCamera, "camera"}};
 
@@ -124,6 +125,60 @@ void visit_sac(const V& v, S& s) {
     v("fluid_density_kg_m3", s.fluid_density_kg_m3);
     v("floor_n_m", s.floor_n_m);
     v("floor_drag_n_m", s.floor_drag_n_m);
+}
+
+template <class V, class N>
+void visit_needle(const V& v, N& n) {
+    v("arc_m", n.arc_m);
+    v("wire_radius_m", n.wire_radius_m);
+    v("density_kg_m3", n.density_kg_m3);
+}
+
+template <class V, class J>
+void visit_jaws(const V& v, J& j) {
+    v("force_n", j.force_n);
+    v("friction", j.friction);
+    v("width_m", j.width_m);
+    v("pull_n_m", j.pull_n_m);
+    v("turn_n_m_rad", j.turn_n_m_rad);
+}
+
+template <class V, class T>
+void visit_thread(const V& v, T& t) {
+    v("length_m", t.length_m);
+    v("stretch_n", t.stretch_n);
+    v("friction", t.friction.friction);
+    v("drag_n_m", t.friction.drag_n_m);
+    v("barb_n_m", t.friction.barb_n_m);
+    v("stopper", t.stopper);
+}
+
+template <class V, class S>
+void visit_strength(const V& v, S& s) {
+    v("puncture_n", s.puncture_n);
+    v("cutting_share", s.cutting_share);
+    v("wall_friction_n_m", s.wall_friction_n_m);
+    v("tear_n_m", s.tear_n_m);
+}
+
+template <class V, class S>
+void visit_needle_start(const V& v, S& s) {
+    v("in_jaws", s.in_jaws);
+    v("held_share", s.held_share);
+    v("plane_deg", s.plane_deg);
+    v("position_m", s.position_m);
+    v("yaw_deg", s.yaw_deg);
+}
+
+/// `section(key)` gives the visitor of a section, or nothing where the JSON has none.
+template <class Section, class V, class F>
+void visit_suture(const Section& section, const V& v, F& f) {
+    v("point_friction", f.suture.point_friction);
+    v("drag_per_s", f.suture.drag_per_s);
+    section("needle", [&](const V& in) { visit_needle(in, f.suture.needle); });
+    section("jaws", [&](const V& in) { visit_jaws(in, f.suture.jaws); });
+    section("thread", [&](const V& in) { visit_thread(in, f.suture.thread); });
+    section("start", [&](const V& in) { visit_needle_start(in, f); });
 }
 
 template <class V, class H>
@@ -219,6 +274,36 @@ void visit_field(const V& v, S& s) {
     v("tether_compliance_m_n", s.tether_compliance_m_n);
 }
 
+sim::FieldSuture suture_from_json(const Json& json) {
+    sim::FieldSuture out;
+    const auto section = [&](const char* key, auto&& visit) {
+        if (json.contains(key)) visit(Reader{json[key]});
+    };
+    visit_suture(section, Reader{json}, out);
+    for (int i = 0; i < sim::kTissueCount && json.contains("strength"); ++i) {
+        const std::string name(sim::tissue_name(static_cast<sim::Tissue>(i)));
+        if (json["strength"].contains(name))
+            visit_strength(Reader{json["strength"][name]},
+                           out.suture.strength[static_cast<size_t>(i)]);
+    }
+    return out;
+}
+
+Json suture_to_json(const sim::FieldSuture& suture) {
+    Json json;
+    const auto section = [&](const char* key, auto&& visit) {
+        json[key] = Json::object();
+        visit(Writer{json[key]});
+    };
+    visit_suture(section, Writer{json}, suture);
+    for (int i = 0; i < sim::kTissueCount; ++i) {
+        const std::string name(sim::tissue_name(static_cast<sim::Tissue>(i)));
+        visit_strength(Writer{json["strength"][name]},
+                       suture.suture.strength[static_cast<size_t>(i)]);
+    }
+    return json;
+}
+
 }  // namespace
 
 OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
@@ -237,6 +322,7 @@ OperativeFieldSpec scene_from_json(const Json& scene, const std::string& origin,
         }
         if (scene.contains("solver")) visit_solver(Reader{scene["solver"]}, spec.solver);
         if (scene.contains("sac")) visit_sac(Reader{scene["sac"]}, spec.sac);
+        if (scene.contains("suture")) spec.suture = suture_from_json(scene["suture"]);
         if (scene.contains("contact")) visit_contact(Reader{scene["contact"]}, spec.contact);
         spec.heat = scene.contains("heat") && scene["heat"].value("enabled", true);
         if (spec.heat) visit_heat(Reader{scene["heat"]}, spec.heat_settings);
@@ -259,6 +345,7 @@ Json scene_to_json(const OperativeFieldSpec& spec) {
     visit_solver(Writer{scene["solver"]}, spec.solver);
     visit_sac(Writer{scene["sac"]}, spec.sac);
     visit_contact(Writer{scene["contact"]}, spec.contact);
+    if (spec.suture) scene["suture"] = suture_to_json(*spec.suture);
     scene["heat"]["enabled"] = spec.heat;
     visit_heat(Writer{scene["heat"]}, spec.heat_settings);
     scene["tools"] = Json::array();

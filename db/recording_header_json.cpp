@@ -120,7 +120,7 @@ sim::ToolSpec tool_from_json(const Reader& json) {
     sim::ToolSpec tool;
     const int64_t kind = json.whole("kind");
     const int64_t hand = json.whole("hand");
-    if (kind < 0 || kind > static_cast<int>(sim::ToolKind::kProbe)) damaged("kind", "a known tool");
+    if (kind < 0 || kind >= sim::kToolKinds) damaged("kind", "a known tool");
     if (hand < 0 || hand > static_cast<int>(sim::Hand::kCamera)) damaged("hand", "a known hand");
     tool.kind = static_cast<sim::ToolKind>(kind);
     tool.hand = static_cast<sim::Hand>(hand);

@@ -41,7 +41,7 @@ void practice_goals(std::span<const sim::ToolSpec> tools, const haptics::Percept
             if (kind == sim::PracticeKind::kTrace)
                 goals.place_m[i] = nearest_untraced(seen, tips[i]);
             else if (practice.targets > 0)
-                goals.place_m[i] = practice.target_m[0];
+                goals.place_m[i] = practice.target_m[kind == sim::PracticeKind::kNeedleOut ? 1 : 0];
         }
     }
 }

@@ -14,6 +14,7 @@ namespace placode::haptics {
 struct HandAction {
     Vec3 tip_m = Vec3::Zero();    ///< Tip in W, with tremor.
     Vec3 opening = Vec3::Zero();  ///< Direction in which jaws open, in W; zero = as it comes.
+    Vec3 across = Vec3::Zero();  ///< Direction of the jaws' width (+x of T): says it without doubt.
     double jaw_rad = 0;
     uint8_t pedals = 0;
     bool engaged = false;  ///< False: this instrument is outside, its port is free.

@@ -62,7 +62,8 @@ WindowHands::WindowHands(const DeviceConfig& config, std::string model)
         hands_[i].out = (hands_[i].others_in_port & ((1U << i) - 1)) != 0;
         const bool scissors = kind == sim::ToolKind::kScissors;
         const bool grasper = kind == sim::ToolKind::kGrasper;
-        if (scissors || grasper)
+        const bool driver = kind == sim::ToolKind::kNeedleDriver;
+        if (scissors || grasper || driver)
             hands_[i].jaw_open_rad =
                 (scissors ? kBladeOpening : kGrasperOpening) * config.tools[i].jaw_open_rad;
         if (grasper) hands_[i].jaw_least_rad = (1 - kRatchet) * sim::grip_angle(config.tools[i]);

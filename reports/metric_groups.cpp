@@ -70,6 +70,9 @@ constexpr Rule kRules[]{
     {"target_", MetricGroup::kPractice},
     {"trace_", MetricGroup::kPractice},
     {"traction_held", MetricGroup::kPractice},
+    {"bite_", MetricGroup::kPractice},
+    {"needle_", MetricGroup::kPractice},
+    {"thread_", MetricGroup::kPractice},
 };
 
 bool contains(const std::vector<std::string>& list, std::string_view id) {

@@ -229,6 +229,8 @@ QString tool_words(sim::ToolKind kind) {
             return figure_word("grasper");
         case sim::ToolKind::kScope:
             return figure_word("scope");
+        case sim::ToolKind::kNeedleDriver:
+            return figure_word("needle driver");
         default:
             return figure_word("instrument");
     }

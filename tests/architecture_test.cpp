@@ -150,7 +150,8 @@ TEST(Architecture, EachRoomTouchesItsPartOfTheState) {
          "friction flags workers scratch"},
         {"cutting",
          "frame time_s substeps body sleep surface self_contact sac heat tools grasps scissors "
-         "release resection pieces splits slides slides_refused held_by progress removed_m3 "
+         "suturing release resection pieces splits slides slides_refused held_by progress "
+         "removed_m3 "
          "vapour_rate_m3_s separation flood over_stretch over_stretch_pause_s gone_by_heat "
          "stretch_count stretch_reported flags scratch"},
         {"ledger",

@@ -205,7 +205,7 @@ TEST(Mouse, NothingMovesBeforeThePersonDoes) {
     for (const char* name : {"mouse", "keyboard", "gamepad"})
         for (const sim::ToolKind kind :
              {sim::ToolKind::kNeedle, sim::ToolKind::kHook, sim::ToolKind::kGrasper,
-              sim::ToolKind::kScissors, sim::ToolKind::kProbe}) {
+              sim::ToolKind::kScissors, sim::ToolKind::kProbe, sim::ToolKind::kNeedleDriver}) {
             sim::Latest<sim::WindowInput> window;
             sim::WindowInput input;
             input.gamepad = true;

@@ -218,6 +218,38 @@ TEST_F(FetoscopeViewTest, FollowsTheTissueAndTheInstrument) {
     EXPECT_GT(difference(before, draw(f.snapshot, quiet())), 0.5);
 }
 
+/// Pixels that differ by more than noise.
+int differing_pixels(const Picture& a, const Picture& b) {
+    int count = 0;
+    for (size_t i = 0; i + 2 < a.rgb.size(); i += 3) {
+        int most = 0;
+        for (size_t k = 0; k < 3; ++k)
+            most = std::max(most, std::abs(int{a.rgb[i + k]} - int{b.rgb[i + k]}));
+        count += most > 12 ? 1 : 0;
+    }
+    return count;
+}
+
+TEST_F(FetoscopeViewTest, ShowsASutureNeedleAndItsThread) {
+    Field f = field();
+    f.snapshot.time_s = 3;
+    const Picture without = draw(f.snapshot, quiet());
+    f.snapshot.needle.present = 1;
+    f.snapshot.needle.arc_m = 0.017F;
+    f.snapshot.needle.wire_radius_m = 0.0002F;
+    f.snapshot.needle.pose.p = Vec3(0, 0.002, 0.004);
+    const Picture with = draw(f.snapshot, quiet());
+    const int needle = differing_pixels(without, with);
+    EXPECT_GT(needle, 60);
+    EXPECT_LT(needle, 2500) << "a wire, not a plate";
+    f.snapshot.needle.thread = {{-0.0054F, 0.002F, 0.004F}, {-0.006F, 0.006F, 0.001F}};
+    EXPECT_GT(differing_pixels(with, draw(f.snapshot, quiet())), 20);
+    // Below the tissue nothing is seen of it.
+    f.snapshot.needle.thread.clear();
+    f.snapshot.needle.pose.p = Vec3(0, 0, -0.004);
+    EXPECT_LT(differing_pixels(without, draw(f.snapshot, quiet())), 5);
+}
+
 TEST_F(FetoscopeViewTest, ShowsSmokeOfVaporisedTissue) {
     Field f = field();
     f.snapshot.tools[0].energised = 1;

@@ -93,11 +93,11 @@ class AttemptMaker {
             &AttemptMaker::tear,          &AttemptMaker::press,        &AttemptMaker::waste_energy,
             &AttemptMaker::bury,          &AttemptMaker::stretch,      &AttemptMaker::jaws,
             &AttemptMaker::snip_skin,     &AttemptMaker::miss,         &AttemptMaker::cut_astray,
-            &AttemptMaker::dawdle,        &AttemptMaker::look_away};
+            &AttemptMaker::dawdle,        &AttemptMaker::look_away,    &AttemptMaker::stitch};
         (this->*kinds[which])(recording);
         sort(recording);
     }
-    static constexpr size_t kHarms = 14;
+    static constexpr size_t kHarms = 15;
 
     /// Some of what is asked, some harm.
     sim::Recording some(const curriculum::Task& task) {
@@ -146,6 +146,15 @@ class AttemptMaker {
         for (int s = 0; s < static_cast<int>(share * steps + 1e-9); ++s) {
             put(recording, sim::EventKind::kStepDone, 2 + s, s, 1);
             put(recording, sim::EventKind::kTargetTouched, 2 + s, s, 0.0002, 0.006, 0.001);
+        }
+        const int done = static_cast<int>(share * steps + 1e-9);
+        if (done > 0) {
+            put(recording, EventKind::kNeedleEntered, 2, 0.025, 0.8, 0.006, 0.001);
+            put(recording, sim::EventKind::kBiteEntry, 2, 0, 0.0002, 0.006, 0.001);
+        }
+        if (done > 1) {
+            put(recording, EventKind::kNeedleLeft, 3, 0.025, 0.0012, 0.006, 0.003);
+            put(recording, sim::EventKind::kBiteExit, 3, 1, 0.0002, 0.006, 0.003);
         }
         for (int bin = 0; bin < static_cast<int>(std::lround(share * sim::kTraceBins)); ++bin)
             put(recording, sim::EventKind::kTraced, 3 + 0.3 * bin, bin, 0.0001);
@@ -200,6 +209,25 @@ class AttemptMaker {
         const std::vector<EventKind> all{EventKind::kCrushed, EventKind::kSlipped,
                                          EventKind::kOverTraction};
         anywhere(r, all[static_cast<size_t>(whole(0, 2))], number(0.3, 2), number(0.03, 0.4));
+    }
+    /// The needle where it should not be, or as it should not go.
+    void stitch(sim::Recording& r) {
+        switch (whole(0, 4)) {
+            case 0:
+                anywhere(r, sim::EventKind::kBiteEntry, 0, 0.02);
+                break;
+            case 1:
+                anywhere(r, EventKind::kNeedleEntered, 0.02, 0);
+                break;
+            case 2:
+                anywhere(r, EventKind::kNeedleTurned, 0.1, 0.01);
+                break;
+            case 3:
+                anywhere(r, EventKind::kThreadCut, 700, 0);
+                break;
+            default:
+                anywhere(r, EventKind::kNeedleTaken, 0.01, 0.7);
+        }
     }
     void snip_skin(sim::Recording& r) {
         anywhere(r, EventKind::kSnipped, number(1e-7, 6e-6), 0.001, sim::Tissue::kSkin);

@@ -46,7 +46,7 @@ class Attempt {
     void see(int samples = 1) {
         for (int i = 0; i < samples; ++i) {
             sample_.time_s += 0.01;
-            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}};
+            PracticeSight sight{sample_, targets, holds, pull_n, {true, true}, needle};
             for (const sim::Event& e : tracker_.see(sight)) recording.events.push_back(e);
         }
     }
@@ -61,6 +61,7 @@ class Attempt {
     std::vector<Vec3> targets{Vec3::Zero(), Vec3::Zero()};
     std::array<bool, sim::kMaxTools> holds{};
     std::array<double, sim::kMaxTools> pull_n{};
+    NeedleSight needle;
     sim::Recording recording;
 
  private:
@@ -197,6 +198,49 @@ TEST(Practice, TractionCountsWhileBothHandsPullWithinTheBand) {
     attempt.see(15);
     EXPECT_TRUE(attempt.tracker().done());
     EXPECT_NEAR(*attempt.metrics().find("traction_held_s"), 0.8, 0.02);  // two spells
+}
+
+TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleIn},
+                     {.kind = PracticeKind::kNeedleOut},
+                     {.kind = PracticeKind::kNeedleTake},
+                     {.kind = PracticeKind::kNeedleThrough}});
+    attempt.needle.taken = 1;
+    attempt.needle.mark_m = {Vec3(0.003, 0, 0), Vec3(-0.003, 0, 0)};
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 0);
+    attempt.needle.entered = 1;
+    attempt.needle.entry_m = Vec3(0.004, 0, 0);
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 1);
+    attempt.see(10);
+    EXPECT_EQ(attempt.tracker().index(), 1) << "an entry is no exit";
+    attempt.needle.entered = 2;  // drawn back, and in again nearer to the mark
+    attempt.needle.entry_m = Vec3(0.0033, 0, 0);
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.needle.exit_m = Vec3(-0.003, 0.0005, 0);
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 2);
+    attempt.see(10);
+    EXPECT_EQ(attempt.tracker().index(), 2) << "it has been held all the time, not taken again";
+    attempt.needle.taken = 2;
+    attempt.see();
+    EXPECT_EQ(attempt.tracker().index(), 3);
+    attempt.needle.through = 1;
+    attempt.see();
+    EXPECT_TRUE(attempt.tracker().done());
+    std::vector<float> entries, exits;
+    for (const sim::Event& e : attempt.recording.events) {
+        if (e.kind == sim::EventKind::kBiteEntry) entries.push_back(e.value2);
+        if (e.kind == sim::EventKind::kBiteExit) exits.push_back(e.value2);
+    }
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_NEAR(entries[0], 1e-3, 1e-9);
+    EXPECT_NEAR(entries[1], 0.3e-3, 1e-9);
+    ASSERT_EQ(exits.size(), 1U);
+    EXPECT_NEAR(exits[0], 0.5e-3, 1e-9);
+    EXPECT_EQ(*attempt.metrics().find("steps_done_percent"), 100);
 }
 
 TEST(Practice, RecordingsWithoutStepsHaveNoSuchMetrics) {

@@ -32,9 +32,10 @@ std::vector<Case> cases() {
     if (std::getenv("PLACODE_LONG_TESTS") == nullptr)
         return {{"diathermy_ring_small", 4, 5}, {"scissors_resection", 16, 16.5}};
     std::vector<Case> all;
-    for (const char* task : {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
-                             "two_handed_traction", "diathermy_ring_small", "diathermy_ring",
-                             "scissors_resection", "sb_dissection", "sb_dissection_cystic"})
+    for (const char* task :
+         {"familiarisation", "touch_targets", "trace_contour", "grasp_and_lift",
+          "two_handed_traction", "diathermy_ring_small", "diathermy_ring", "scissors_resection",
+          "sb_dissection", "sb_dissection_cystic", "suture_bite"})
         all.push_back({task, 6, 16});
     return all;
 }

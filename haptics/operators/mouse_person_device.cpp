@@ -47,7 +47,8 @@ class MousePersonDevice final : public DeviceGroup {
             homes.push_back(settings[i].home_tip_m);
             const sim::ToolKind kind = config.tools[i].kind;
             wants_[i].scope = kind == sim::ToolKind::kScope;
-            wants_[i].jaws = kind == sim::ToolKind::kGrasper || kind == sim::ToolKind::kScissors;
+            wants_[i].jaws = kind == sim::ToolKind::kGrasper || kind == sim::ToolKind::kScissors ||
+                             kind == sim::ToolKind::kNeedleDriver;
         }
         while (active_ + 1 < count_ && wants_[active_].scope) ++active_;
         operator_ = open_operator(config, OperatorLevel::kExpert, homes);

@@ -10,6 +10,7 @@
 #include "haptics/operators/operator_model.h"
 #include "haptics/operators/practice_operator.h"
 #include "haptics/operators/resection_operator.h"
+#include "haptics/operators/suture_operator.h"
 
 namespace placode::haptics {
 
@@ -51,6 +52,10 @@ std::unique_ptr<ScriptedOperator> open_operator(const DeviceConfig& config, Oper
     }
     if (tools.needle >= 0) first = tools.needle;
     const auto hand = static_cast<size_t>(std::max(first, 0));
+    for (size_t i = 0; i < config.tools.size(); ++i)
+        if (config.tools[i].kind == sim::ToolKind::kNeedleDriver)
+            return std::make_unique<SutureOperator>(level, config.seed, i, config.tools[i],
+                                                    homes_m[i]);
     if (config.practice) {
         return std::make_unique<PracticeOperator>(level, config.seed, config.tools, homes_m);
     }
@@ -76,6 +81,13 @@ double turn_to_open_along(const Vec3& opening, const sim::Pose& straight,
     while (turn > half / 2) turn -= half;
     while (turn < -half / 2) turn += half;
     return turn;
+}
+
+double turn_to_lie_along(const Vec3& across, const sim::Pose& straight, double roll_rad) noexcept {
+    const double x = across.dot(straight.q * Vec3::UnitX()),
+                 y = across.dot(straight.q * Vec3::UnitY());
+    if (x * x + y * y < 1e-12 * across.squaredNorm()) return 0;
+    return std::remainder(std::atan2(y, x) - roll_rad, 2 * std::numbers::pi);
 }
 
 }  // namespace placode::haptics

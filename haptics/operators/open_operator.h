@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which scripted operator a set of instruments asks for: a needle makes the ring, a grasper lifts,
-// grasper and scissors resect, all three do the whole dissection; a task with steps has its own.
+// a needle driver sutures, grasper and scissors resect, all three do the whole dissection; a task
+// with steps has its own.
 
 #include <memory>
 #include <span>
@@ -20,5 +21,9 @@ namespace placode::haptics {
 /// same), from `roll_rad`, at the pose that the instrument has without roll.
 [[nodiscard]] double turn_to_open_along(const Vec3& opening, const sim::Pose& straight,
                                         double roll_rad) noexcept;
+
+/// The same until the jaws' width (+x of T) lies along `across`: only one way round is right.
+[[nodiscard]] double turn_to_lie_along(const Vec3& across, const sim::Pose& straight,
+                                       double roll_rad) noexcept;
 
 }  // namespace placode::haptics

@@ -320,6 +320,10 @@ void PracticeOperator::do_step(double dt_s) noexcept {
                 do_trace(w, dt_s);
                 break;
             case PracticeKind::kTraction:
+            case PracticeKind::kNeedleIn:  // sutures have an operator of their own
+            case PracticeKind::kNeedleOut:
+            case PracticeKind::kNeedleTake:
+            case PracticeKind::kNeedleThrough:
                 break;
             case PracticeKind::kWithdraw:
                 static_cast<void>(w.motion.glide(w.motion.home_m(), 0.02, dt_s));

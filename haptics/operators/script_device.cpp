@@ -78,11 +78,13 @@ class ScriptDevice final : public DeviceGroup {
  private:
     /// Turns the handle until the jaws open in the wanted direction; either way round is the same.
     double roll(size_t i, const Vec3& position_m, double dt) noexcept {
-        if (hands_[i].opening.norm() < 1e-6) return rolls_[i];
+        const bool across = hands_[i].across.norm() > 1e-6;
+        if (!across && hands_[i].opening.norm() < 1e-6) return rolls_[i];
         DeviceState straight;
         straight.position_m = position_m;
-        const double turn =
-            turn_to_open_along(hands_[i].opening, trocars_[i].tip_pose(straight), rolls_[i]);
+        const sim::Pose pose = trocars_[i].tip_pose(straight);
+        const double turn = across ? turn_to_lie_along(hands_[i].across, pose, rolls_[i])
+                                   : turn_to_open_along(hands_[i].opening, pose, rolls_[i]);
         rolls_[i] += std::clamp(turn, -kRollRadS * dt, kRollRadS * dt);
         return rolls_[i];
     }

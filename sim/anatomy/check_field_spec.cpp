@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim/anatomy/field_shape.h"
@@ -102,11 +103,40 @@ class Checker {
         }
     }
 
+    void suture() const {
+        const bool driver =
+            std::any_of(spec_.tools.begin(), spec_.tools.end(),
+                        [](const ToolSpec& t) { return t.kind == ToolKind::kNeedleDriver; });
+        const std::string field = "operative field '" + spec_.id + "': ";
+        if (!spec_.suture) {
+            if (driver)
+                throw MeshError(field +
+                                "tools: a needle_driver without a needle; expected a section "
+                                "\"suture\"");
+            return;
+        }
+        const FieldSuture& s = *spec_.suture;
+        try {
+            const Suture suture(s.suture);
+        } catch (const SutureError& error) {
+            throw MeshError(field + "suture." + error.what());
+        }
+        range("suture.start.held_share", s.held_share, 0, 1);
+        range("suture.start.plane_deg", s.plane_deg, -90, 90);
+        range("suture.start.yaw_deg", s.yaw_deg, -360, 360);
+        for (int k = 0; k < 3; ++k) range("suture.start.position_m", s.position_m[k], -0.1, 0.1);
+        if (s.in_jaws && !driver)
+            throw MeshError(field +
+                            "suture.start.in_jaws: true, but none of the tools is a "
+                            "needle_driver");
+    }
+
     void mechanics() const {
         range("skin_prestretch", spec_.skin_prestretch, 1, 1.5);
         range("zone_prestretch", spec_.zone_prestretch, 1, 1.5);
         range("placode_prestretch", spec_.placode_prestretch, 1, 1.5);
         sac();
+        suture();
         range("bed_normal_pa_m", spec_.bed_normal_pa_m, 0, 1e12);
         range("bed_tangent_pa_m", spec_.bed_tangent_pa_m, 0, 1e12);
         range("side_pa_m", spec_.side_pa_m, 0, 1e12);

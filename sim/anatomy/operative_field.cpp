@@ -10,6 +10,7 @@
 
 #include "sim/anatomy/field_mesh.h"
 #include "sim/anatomy/field_sac.h"
+#include "sim/anatomy/field_suture.h"
 #include "sim/anatomy/resection.h"
 
 namespace placode::sim {
@@ -266,6 +267,7 @@ std::shared_ptr<const Scene> build_operative_field(const OperativeFieldSpec& spe
     scene->cut_snap = spec.cut_snap;
     scene->tear_radius_m = spec.tear_radius_m;
     scene->tools = spec.tools;
+    add_suture(spec, *scene);
     scene->colour_linear = kColourLinear;
     add_landmarks(spec, shape, field, *scene);
     mark_resection(spec, shape, field, *scene);

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "sim/world/scene.h"
@@ -17,6 +18,18 @@ namespace placode::sim {
 
 /// Clinically reasoned materials of the eight tissues (the defaults that scene files state again).
 [[nodiscard]] MaterialTable default_materials();
+
+/// Needle and thread of a scene, and where the needle is at the start. Planning values.
+struct FieldSuture {
+    SutureSpec suture;    ///< Gravity and floor are the field's.
+    bool in_jaws = true;  ///< Of the first needle driver; else it lies at `position_m`.
+    /// In jaws: where they hold it, as a share of the arc from the point, and how far its plane is
+    /// tipped from square to the shaft, about the wire there [degrees].
+    double held_share = 0.67, plane_deg = 0;
+    /// Lying flat: its circle's centre, and which way its point lies from there, from +x to +y.
+    Vec3 position_m = Vec3(0, 0, 0.005);
+    double yaw_deg = 0;
+};
 
 /// Parameters in SI. Defaults are those of the default preset.
 struct OperativeFieldSpec {
@@ -68,6 +81,7 @@ struct OperativeFieldSpec {
     ContactSettings contact;
     bool heat = true;
     HeatSettings heat_settings;
+    std::optional<FieldSuture> suture;
     std::vector<ToolSpec> tools;
 };
 

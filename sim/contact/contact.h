@@ -18,6 +18,7 @@ namespace placode::sim {
 
 struct Scene;
 struct State;
+struct VertexSystem;
 
 /// Start of a frame: refits the tree of the surface and collects the triangles that any instrument
 /// can reach before the frame's end.
@@ -37,6 +38,10 @@ bool add_tissue_contact(State& state, const Contact& contact) noexcept;
 /// One pass over the contact colour, there or back: the two together are symmetric, as sweeps that
 /// carry momentum must be to stay calm. h [s].
 void solve_contacts(const Scene& scene, State& state, double h, bool backward) noexcept;
+
+/// What instruments and other tissue ask of a vertex of the colour that needle or thread are bonded
+/// to as well: it is solved with these (sim/suture), not by solve_contacts(). Nothing for others.
+void add_contacts(State& state, int32_t vertex, VertexSystem& system) noexcept;
 
 /// End of a substep: forces on the instruments, friction's memory.
 void finish_contacts(State& state) noexcept;

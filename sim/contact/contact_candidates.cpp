@@ -104,7 +104,8 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         const Vec3 hand = hands[t] = from[t].p + share * (to[t].p - from[t].p);
         if (!tool.engaged) continue;
         tool.proxy.q = between(from[t].q, to[t].q, share);
-        if (!set.near[t]) {
+        const NeedlePull needle = needle_pull(scene, state, t);
+        if (!set.near[t] && needle.stiffness_n_m == 0) {
             Vec3 way = hand - tool.proxy.p;
             const double most = longest_step[t] = kFreeStep / state.substeps, length = way.norm();
             if (length > most) way *= most / length;
@@ -115,8 +116,10 @@ void move_tools(const Scene& scene, State& state, std::span<const Pose> from,
         // touched vertices show at once. kCaution keeps it calm while contacts come and go; at rest
         // the balance is exact whatever the stiffness.
         const double grip = scene.tools[t].grip_n_m;
-        Vec3 step = (grip * (hand - tool.proxy.p) + tool.substep_force_n) /
-                    (grip + kCaution * tool.substep_stiffness_n_m);
+        Vec3 force = tool.substep_force_n;
+        if (needle.stiffness_n_m > 0) force += needle.force_n;
+        Vec3 step = (grip * (hand - tool.proxy.p) + force) /
+                    (grip + kCaution * tool.substep_stiffness_n_m + needle.stiffness_n_m);
         double longest = kStepOfRadius * set.shapes[t].parts[0].near_radius_m;
         // Into tissue that has not given way yet only as far as the axis stays outside of it.
         if (step.dot(tool.substep_force_n) < 0) {

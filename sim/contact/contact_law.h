@@ -6,11 +6,7 @@
 // (contact_solve.cpp) and for spheres in verification scenes (verify/constrained_vertices.cpp), so
 // that what is verified is what is felt. Any one system of units.
 
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
-
-#include "sim/solver/soft_body.h"
+#include "sim/solver/vertex_step.h"
 
 namespace placode::sim {
 
@@ -19,8 +15,6 @@ namespace placode::sim {
 /// 25 and more burst, because a vertex with a small weight then overshoots before its neighbours
 /// answer.
 inline constexpr double kContactRatio = 6;
-/// Share of the shortest edge at a vertex that one solve of it may move it.
-inline constexpr double kLongestContactStep = 0.25;
 
 /// A spring along the normal acts on a vertex that carries share `b` of the touched point.
 /// @param gap negative: the overlap. @pre gap < 0
@@ -55,28 +49,6 @@ struct Friction {
 inline void add_friction(VertexSystem& system, const Friction& f) noexcept {
     system.gradient += f.stiffness_n_m * f.slide;
     system.hessian += f.stiffness_n_m * (Mat3::Identity() - f.normal * f.normal.transpose());
-}
-
-/// Newton's step of one vertex and how long it may be.
-struct VertexStep {
-    Vec3 step = Vec3::Zero();
-    bool finite = true;    ///< false: the step is nothing.
-    bool limited = false;  ///< It was longer than the elements allow, and was cut.
-};
-
-[[nodiscard]] inline VertexStep vertex_step(const VertexSystem& system, double relaxation,
-                                            double shortest_edge_m) noexcept {
-    VertexStep out;
-    out.step = -relaxation * system.hessian.llt().solve(system.gradient);
-    const double length = out.step.norm(), longest = kLongestContactStep * shortest_edge_m;
-    out.finite = std::isfinite(length);
-    if (!out.finite) {
-        out.step = Vec3::Zero();
-    } else if (length > longest) {
-        out.limited = true;
-        out.step *= longest / length;
-    }
-    return out;
 }
 
 }  // namespace placode::sim

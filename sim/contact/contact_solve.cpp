@@ -7,6 +7,7 @@
 
 #include "sim/contact/contact.h"
 #include "sim/contact/contact_law.h"
+#include "sim/core/as_index.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -81,33 +82,50 @@ void update_anchor(State& state, const ContactVertex& cv) noexcept {
     for (int i = 0; i < 3; ++i) anchor.anchor_T[i] = static_cast<float>(at_T[i]);
 }
 
+/// All that touches a vertex, and how it answers.
+void add_touch(State& state, ContactVertex& cv, VertexSystem& system) noexcept {
+    const ContactSet& set = state.scratch->contacts;
+    const Mat3 tissue = system.hessian;
+    Vec3 load = Vec3::Zero();
+    for (int n = cv.first; n < cv.first + cv.count; ++n) {
+        const Contact& c = set.contacts[set.incidence[n] / 4];
+        const double b = c.b[set.incidence[n] % 4], gap = gap_of(c, state.body);
+        const double k = c.stiffness_n_m;
+        if (gap >= 0) continue;
+        add_normal_contact(system, k, b, gap, c.n);
+        if (c.tool == kTissueSide)
+            rub(state.body, c, b, -k * gap, system);
+        else
+            load -= k * gap * b * c.n;
+    }
+    cv.normal_force_n = load;
+    const double size = load.norm();
+    cv.stiffness_n_m = size > 0 ? load.dot(tissue * load) / (size * size) : 0.0;
+    const Friction f = friction_of(state, cv);
+    if (f.stiffness_n_m > 0) add_friction(system, f);
+}
+
+bool is_bonded(const State& state, int vertex) noexcept {
+    const auto& suture = state.scratch->suture;
+    return !suture.empty() && suture[0].slot[as_index(vertex)] >= 0;
+}
+
 }  // namespace
+
+void add_contacts(State& state, int32_t vertex, VertexSystem& system) noexcept {
+    ContactSet& set = state.scratch->contacts;
+    const int32_t slot = set.slot[as_index(vertex)];
+    if (slot >= 0) add_touch(state, set.vertices[as_index(slot)], system);
+}
 
 void solve_contacts(const Scene& scene, State& state, double h, bool backward) noexcept {
     ContactSet& set = state.scratch->contacts;
     for (int turn = 0; turn < set.vertex_count; ++turn) {
         ContactVertex& cv = set.vertices[backward ? set.vertex_count - 1 - turn : turn];
         Float4& x = state.body.x[cv.vertex];
-        if (x.w == 0) continue;
+        if (x.w == 0 || is_bonded(state, cv.vertex)) continue;
         VertexSystem system = vertex_system(scene.body, state.body, cv.vertex, h);
-        const Mat3 tissue = system.hessian;
-        Vec3 load = Vec3::Zero();
-        for (int n = cv.first; n < cv.first + cv.count; ++n) {
-            const Contact& c = set.contacts[set.incidence[n] / 4];
-            const double b = c.b[set.incidence[n] % 4], gap = gap_of(c, state.body);
-            const double k = c.stiffness_n_m;
-            if (gap >= 0) continue;
-            add_normal_contact(system, k, b, gap, c.n);
-            if (c.tool == kTissueSide)
-                rub(state.body, c, b, -k * gap, system);
-            else
-                load -= k * gap * b * c.n;
-        }
-        cv.normal_force_n = load;
-        const double size = load.norm();
-        cv.stiffness_n_m = size > 0 ? load.dot(tissue * load) / (size * size) : 0.0;
-        const Friction f = friction_of(state, cv);
-        if (f.stiffness_n_m > 0) add_friction(system, f);
+        add_touch(state, cv, system);
         const VertexStep way =
             vertex_step(system, 1, scene.body.shortest_edge_m()[origin_of(state.body, cv.vertex)]);
         if (!way.finite) {

@@ -87,6 +87,10 @@ std::string_view event_name(EventKind kind) noexcept {
             return "traced";
         case EventKind::kTractionHeld:
             return "traction_held";
+        case EventKind::kBiteEntry:
+            return "bite_entry";
+        case EventKind::kBiteExit:
+            return "bite_exit";
         case EventKind::kTuned:
             return "tuned";
         case EventKind::kStretchSum:
@@ -101,6 +105,32 @@ std::string_view event_name(EventKind kind) noexcept {
             return "ring_gap";
         case EventKind::kLedgerWritten:
             return "ledger_written";
+        case EventKind::kNeedleTaken:
+            return "needle_taken";
+        case EventKind::kNeedleReleased:
+            return "needle_released";
+        case EventKind::kNeedleSlipped:
+            return "needle_slipped";
+        case EventKind::kNeedleTurned:
+            return "needle_turned";
+        case EventKind::kNeedleEntered:
+            return "needle_entered";
+        case EventKind::kNeedleLeft:
+            return "needle_left";
+        case EventKind::kNeedleWithdrawn:
+            return "needle_withdrawn";
+        case EventKind::kNeedleThrough:
+            return "needle_through";
+        case EventKind::kPassageLost:
+            return "passage_lost";
+        case EventKind::kThreaded:
+            return "threaded";
+        case EventKind::kThreadOut:
+            return "thread_out";
+        case EventKind::kThreadCut:
+            return "thread_cut";
+        case EventKind::kThreadToreOut:
+            return "thread_tore_out";
     }
     return "unknown";
 }

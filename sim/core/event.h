@@ -63,6 +63,8 @@ enum class EventKind : uint16_t {
     kTargetMissed = 63,   ///< tissue touched beside it; as above
     kTraced = 64,         ///< value = bin of the contour, value2 = mean offset [m]
     kTractionHeld = 65,   ///< value = seconds in the band, value2 = peak [N]
+    kBiteEntry = 66,      ///< value = step, value2 = distance of a needle's entry from its mark [m]
+    kBiteExit = 67,       ///< the same of its exit; distances along the tissue at rest
     // Live tuning (sim/step/live_tuning.h).
     kTuned = 70,  ///< value = the new value, element = TuneParameter, tissue = which one, hash =
                   ///< frame before which it was done
@@ -89,6 +91,25 @@ enum class EventKind : uint16_t {
                     ///< element -1, value = their number, value2 = ring_share()
     kLedgerWritten = 85,  ///< at the first frame: value = kLedgerVersion. What a ledger without it
                           ///< lacks is not known
+    // Needle and thread (sim/suture). Place: on the tissue at rest, or of the jaws for those of the
+    // hold. hash = number of the channel, 1 for the first bite.
+    kNeedleTaken = 90,  ///< jaws closed on the needle: value = where, from the point [m], value2 =
+                        ///< the same as a share of the arc
+    kNeedleReleased = 91,  ///< jaws let go of it: value = seconds held, value2 = peak pull [N]
+    kNeedleSlipped = 92,   ///< it slid through the jaws (raised when it ends): value = seconds,
+                           ///< value2 = peak pull along the wire [N]
+    kNeedleTurned = 93,    ///< it turned in the jaws, likewise: value2 = peak torque [N m]
+    kNeedleEntered = 94,   ///< its point opened a surface: value = force [N], value2 = sine of the
+                           ///< angle between its way and the surface at rest
+    kNeedleLeft = 95,  ///< it came out on the far side: value = force [N], value2 = deepest place
+                       ///< of the channel below the surface at rest [m]
+    kNeedleWithdrawn = 96,  ///< it was drawn back out of its entry
+    kNeedleThrough = 97,    ///< its swage has left the channel
+    kPassageLost = 98,      ///< tissue around needle or thread is gone (burned, torn)
+    kThreaded = 99,         ///< thread runs through the channel from end to end
+    kThreadOut = 100,       ///< an end of the thread has left a channel, which is empty
+    kThreadCut = 101,       ///< thread cut through the mouth of its channel: value = load [N/m]
+    kThreadToreOut = 102,   ///< and through the last of it, likewise
 };
 /// Why simulated time stood still.
 enum class PauseCause : uint8_t { kMenu = 0, kHelp, kClosing, kFocus };

@@ -24,9 +24,13 @@ enum class PracticeKind : uint8_t {
     kRelease,   ///< Let it go.
     kTrace,     ///< Follow the planned line with the tip at the surface, without energy.
     kTraction,  ///< Both hands hold tissue and pull with `low_n` to `high_n` for `hold_s`.
-    kWithdraw   ///< Take the instrument `distance_m` away from the tissue.
+    kWithdraw,  ///< Take the instrument `distance_m` away from the tissue.
+    kNeedleIn,  ///< The needle's point goes in at the first mark; the second is where it comes out.
+    kNeedleOut,     ///< It comes out at the second mark.
+    kNeedleTake,    ///< Jaws take it again.
+    kNeedleThrough  ///< All of the needle is drawn through.
 };
-inline constexpr int kPracticeKinds = 11;
+inline constexpr int kPracticeKinds = 15;
 inline constexpr int kMaxPracticeSteps = 24;
 inline constexpr int kTraceBins = 72;  ///< Of the planned contour, by arc length.
 
@@ -37,7 +41,7 @@ struct PracticeStep {
     double turn_rad = 1;         ///< Turn.
     double hold_s = 0;           ///< Touch, cut, coag, traction.
     double hour = 12;            ///< Target on the clock of the planned contour, 12 = cranial.
-    double hour_left = 12;       ///< Traction: target of the left hand.
+    double hour_left = 12;       ///< Traction: target of the left hand; needle: where it comes out.
     double outward_m = 0;        ///< Target this far outside the planned contour.
     double tolerance_m = 0.001;  ///< Distance from the target (or line) that still counts.
     double low_n = 0.01, high_n = 0.1;  ///< Traction of each hand.
@@ -61,6 +65,8 @@ struct PracticeGoal {
         case PracticeKind::kGrasp:
             return 1;
         case PracticeKind::kTraction:
+        case PracticeKind::kNeedleIn:
+        case PracticeKind::kNeedleOut:
             return 2;
         default:
             return 0;

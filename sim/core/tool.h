@@ -11,7 +11,18 @@
 
 namespace placode::sim {
 
-enum class ToolKind : uint8_t { kScope, kNeedle, kHook, kGrasper, kScissors, kProbe };
+/// Stored as a number in recordings: append only. kNeedle is that of diathermy; a suture needle is
+/// held by a kNeedleDriver.
+enum class ToolKind : uint8_t {
+    kScope,
+    kNeedle,
+    kHook,
+    kGrasper,
+    kScissors,
+    kProbe,
+    kNeedleDriver
+};
+inline constexpr int kToolKinds = 7;
 enum class Hand : uint8_t { kRight, kLeft, kCamera };
 
 inline constexpr int kMaxTools = 4;       ///< Two for the right hand, one for the left, the scope.

@@ -22,6 +22,8 @@ namespace placode::sim {
             return "scissors";
         case ToolKind::kProbe:
             return "probe";
+        case ToolKind::kNeedleDriver:
+            return "needle_driver";
     }
     return "";
 }

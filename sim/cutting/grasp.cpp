@@ -108,6 +108,13 @@ void take(const Scene& scene, State& state, int t) noexcept {
     }
 }
 
+/// What needle and thread pull at a held vertex.
+Vec3 needle_pull_on(const Scene& scene, State& state, int v) noexcept {
+    const SuturedTissue tissue{scene.body, state.body, scene.surface, state.surface};
+    return pull_on_vertex(*scene.suture, state.suturing.needle[0], tissue, state.scratch->suture[0],
+                          v);
+}
+
 void end_slip(State& state, int t) noexcept {
     Grasp& g = state.grasps[t];
     if (g.slip_m > kSlipNotice) {
@@ -252,6 +259,7 @@ void feel_grasped(const Scene& scene, State& state) noexcept {
             force += elastic_force(scene.body, state.body, v) +
                      mass * scene.body.spec().solver.gravity_m_s2;
             stiffness += s.hessian.trace() / 3 - inertia;
+            if (scene.suture) force += needle_pull_on(scene, state, v);
         }
         if (!force.allFinite()) continue;
         g.force_n += share * force;

@@ -65,6 +65,18 @@ void wake_roused(SoftBodyState& state, Sleep& sleep) noexcept {
     state.roused_count = 0;
 }
 
+/// What needle and thread hang on does not sleep.
+void wake_bonded(const Scene& scene, State& state, const SutureState& needle) noexcept {
+    const auto wake = [&](const TissuePoint& at) {
+        if (at.tet < 0) return;
+        for (const int32_t v : corners(scene.body, state.body, at.tet)) wake_vertex(state.sleep, v);
+    };
+    for (int i = 0; i < needle.passage_count; ++i) wake(needle.passages[as_index(i)].at);
+    for (int i = 0; i < needle.thread.passage_count; ++i)
+        wake(needle.thread.passages[as_index(i)].at);
+    if (needle.point.mode != PointMode::kFree) wake(needle.point.at);
+}
+
 /// True when a neighbour has moved since the block fell asleep.
 bool shaken(const SoftBodyState& state, const Sleep& sleep, int b) noexcept {
     for (int32_t i = sleep.border_start[as_index(b)]; i < sleep.border_start[as_index(b) + 1];
@@ -137,6 +149,7 @@ void wake_tissue(const Scene& scene, State& state) noexcept {
     for (const Grasp& grasp : state.grasps) {
         for (int i = 0; i < grasp.count; ++i) wake_vertex(sleep, grasp.held[as_index(i)].vertex);
     }
+    for (const SutureState& needle : state.suturing.needle) wake_bonded(scene, state, needle);
     for (int b = 0; b < sleep.blocks(); ++b) {
         if (sleep.beside[as_index(b)] != 0 && shaken(state.body, sleep, b)) wake_block(sleep, b);
     }

@@ -22,6 +22,15 @@ struct ToolSnapshot {
     Tissue touched = Tissue::kSkin;
 };
 
+/// A suture needle, and its thread from the needle to the tail: straight from the swage to where it
+/// goes into tissue, along its channels, and a stretch of its free end, which hangs.
+struct NeedleSnapshot {
+    uint8_t present = 0;
+    Pose pose;  ///< X_WN.
+    float arc_m = 0, wire_radius_m = 0;
+    std::vector<std::array<float, 3>> thread;  ///< [m]; empty = no thread.
+};
+
 struct Snapshot {
     int64_t frame = 0;
     double time_s = 0;
@@ -35,6 +44,7 @@ struct Snapshot {
     int32_t slides = 0;  ///< Changes with `rest`.
     std::array<ToolSnapshot, kMaxTools> tools{};
     int tool_count = 0;
+    NeedleSnapshot needle;
     std::vector<uint8_t> contour_cut;           ///< Per planned-contour point.
     std::vector<std::array<float, 3>> contour;  ///< Deformed planned contour [m].
     std::vector<int32_t> origin;  ///< Of the copies that cutting made: vertex of the field (V0 ..).

@@ -21,6 +21,7 @@
 #include "sim/mesh/box_distance.h"
 #include "sim/solver/restore_rest_shape.h"
 #include "sim/step/sleep_and_wake.h"
+#include "sim/step/suturing.h"
 #include "sim/world/scene.h"
 #include "sim/world/scratch.h"
 
@@ -56,7 +57,7 @@ void take_inputs(const Scene& scene, State& state, std::span<const ToolInput> in
         const bool engaged = sound && inputs[t].engaged != 0;
         if (sound) hand.q.coeffs() /= norm;
         tool.previous = tool.proxy;
-        tool.force_n = tool.steel_n = Vec3::Zero();
+        tool.force_n = tool.steel_n = tool.needle_n = Vec3::Zero();
         tool.stiffness_n_m = tool.placode_force_n = 0;
         state.grasps[t].force_n = Vec3::Zero();
         tool.gap_m = 1;
@@ -173,17 +174,21 @@ void run_substeps(const Scene& scene, State& state, const std::array<Pose, kMaxT
         begin_substep(scene.body, state.body, h, *state.workers);
         costs.charge(kSolve);
         find_contacts(scene, state);
+        begin_suture_substep(scene, state, h);
         costs.charge(kContact);
         for (int i = 0; i < solver.iterations; ++i) {
             solve_contacts(scene, state, h, false);
+            solve_suture_substep(scene, state, h, false);
             costs.charge(kContact);
             sweep(scene.body, state.body, h, *state.workers);
             costs.charge(kSolve);
+            solve_suture_substep(scene, state, h, true);
             solve_contacts(scene, state, h, true);
             costs.charge(kContact);
         }
         finish_contacts(state);
         feel_grasped(scene, state);
+        finish_suture_substep(scene, state, h);
         costs.charge(kContact);
         end_substep(scene.body, state.body, h, *state.workers);
         costs.charge(kSolve);
@@ -212,7 +217,7 @@ void give_feedback(const Scene& scene, State& state, std::span<ToolFeedback> fee
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
         tool.contact_share = contact_share_of(scene, state, t);
-        tool.in_contact = tool.force_n.norm() > kTouchForce ? 1 : 0;
+        tool.in_contact = (tool.force_n - tool.needle_n).norm() > kTouchForce ? 1 : 0;
         feedback[t] = {tool.proxy, tool.force_n + tool.steel_n, tool.stiffness_n_m, state.time_s};
     }
 }
@@ -247,6 +252,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
 
     std::array<Pose, kMaxTools> from, to;
     take_inputs(scene, state, inputs, from, to);
+    begin_suturing(scene, state);
     collect_candidates(scene, state);
     collect_tissue_pairs(scene, state);
     update_sac(scene, state, frame_s, false);
@@ -256,6 +262,7 @@ StepReport step(const Scene& scene, State& state, std::span<const ToolInput> inp
     measure_tips(scene, state);
     give_feedback(scene, state, feedback);
     update_grasps(scene, state, frame_s);
+    update_suturing(scene, state, frame_s);
     costs.charge(kContact);
     std::array<uint8_t, kMaxTools> active{};
     report.vaporised = run_diathermy(scene, state, inputs, active, frame_s);

@@ -56,7 +56,7 @@ class Needle {
     /// About the centre of mass; x, y and z of N are the principal axes [kg m^2].
     [[nodiscard]] const Vec3& inertia_kg_m2() const noexcept { return inertia_; }
 
-    /// @param s_m 0 to arc; beyond them the circle goes on. Not for the step.
+    /// @param s_m 0 to arc; beyond them the circle goes on, to half an arc at either side.
     [[nodiscard]] ArcPoint at(double s_m) const noexcept;
     /// Nearest place of the whole circle. On the circle's axis, where all are as near, s is that of
     /// the point.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/contact/contact_law.h"
 #include "sim/core/as_index.h"
 #include "sim/core/event.h"
 #include "sim/suture/thread_vertices.h"
@@ -97,6 +96,27 @@ void add_bond(SutureScratch& scratch, SoftBodyState& state, const NeedleBond& bo
 void add_entry(SutureScratch& scratch, int32_t vertex, int32_t entry) noexcept {
     SutureScratch::Colour& c = scratch.colour[as_index(scratch.slot[as_index(vertex)])];
     scratch.incidence[as_index(c.first + c.count++)] = entry;
+}
+
+std::span<const int32_t> entries_of(const SutureScratch& scratch,
+                                    const SutureScratch::Colour& c) noexcept {
+    return {&scratch.incidence[as_index(c.first)], as_index(c.count)};
+}
+
+/// The needle's bonds at a vertex. Returns the entries that are the thread's.
+std::span<const int32_t> add_bonds(const PosedNeedle& needle, const SuturedTissue& tissue,
+                                   const SutureScratch& scratch, std::span<const int32_t> entries,
+                                   VertexSystem& system) noexcept {
+    size_t bonds = 0;
+    for (; bonds < entries.size() && entries[bonds] >= 0; ++bonds) {
+        const NeedleBond& bond = scratch.bonds[as_index(entries[bonds] / 4)];
+        const double b = bond.b[as_index(entries[bonds] % 4)];
+        if (b == 0) continue;
+        const BondForce f = force_of(needle, bond, place_of(tissue.state, bond), false);
+        system.gradient += b * f.gradient;
+        system.hessian += b * b * f.stiffness;
+    }
+    return entries.subspan(bonds);
 }
 
 }  // namespace
@@ -218,20 +238,11 @@ void solve_bonded_vertices(const Suture& suture, const SutureState& state,
         Float4& x = tissue.state.x[as_index(c.vertex)];
         if (x.w == 0) continue;
         VertexSystem system = vertex_system(tissue.body, tissue.state, c.vertex, h_s);
-        const std::span<const int32_t> entries(&scratch.incidence[as_index(c.first)],
-                                               as_index(c.count));
-        size_t bonds = 0;
-        for (; bonds < entries.size() && entries[bonds] >= 0; ++bonds) {
-            const NeedleBond& bond = scratch.bonds[as_index(entries[bonds] / 4)];
-            const double b = bond.b[as_index(entries[bonds] % 4)];
-            if (b == 0) continue;
-            const BondForce f = force_of(needle, bond, place_of(tissue.state, bond), false);
-            system.gradient += b * f.gradient;
-            system.hessian += b * b * f.stiffness;
-        }
-        const auto threaded = entries.subspan(bonds);
+        const std::span<const int32_t> entries = entries_of(scratch, c);
+        const auto threaded = add_bonds(needle, tissue, scratch, entries, system);
         const bool pulled = scratch.thread.active() && !threaded.empty();
         if (pulled) add_thread(scratch.thread, state.thread, threaded, system);
+        if (tissue.others.add != nullptr) tissue.others.add(tissue.others.of, c.vertex, system);
         const int origin = origin_of(tissue.state, c.vertex);
         const VertexStep way = vertex_step(
             system, 1, static_cast<double>(tissue.body.shortest_edge_m()[as_index(origin)]));
@@ -246,6 +257,24 @@ void solve_bonded_vertices(const Suture& suture, const SutureState& state,
                         position(tissue.state, c.vertex) - before);
     }
     scratch.thread.slide();
+}
+
+Vec3 pull_on_vertex(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
+                    const SutureScratch& scratch, int32_t vertex) noexcept {
+    const int32_t slot = scratch.slot[as_index(vertex)];
+    if (slot < 0) return Vec3::Zero();
+    const PosedNeedle needle(suture.needle(), state.needle);
+    VertexSystem system;
+    const auto entries = entries_of(scratch, scratch.colour[as_index(slot)]);
+    const auto threaded = add_bonds(needle, tissue, scratch, entries, system);
+    if (scratch.thread.active() && !threaded.empty())
+        add_thread(scratch.thread, state.thread, threaded, system);
+    return -system.gradient;
+}
+
+void SutureScratch::forget() noexcept {
+    std::fill(slot.begin(), slot.end(), -1);
+    bond_count = colour_count = support_count = 0;
 }
 
 void release_bonds(const SuturedTissue& tissue, SutureScratch& scratch) noexcept {

@@ -15,6 +15,7 @@
 #include <array>
 #include <vector>
 
+#include "sim/solver/vertex_step.h"
 #include "sim/suture/thread_line.h"
 
 namespace placode::sim {
@@ -60,10 +61,20 @@ struct PosedNeedle {
 /// How far the point has pushed the tissue at p_W ahead of itself [m]; negative: it has drawn back.
 [[nodiscard]] double pushed_m(const PosedNeedle& needle, const Vec3& p_W) noexcept;
 
+/// Where a needle that nobody holds lies on a surface.
+struct NeedleSupport {
+    Vec3 at_N = Vec3::Zero();
+    Vec3 n = Vec3::UnitZ();  ///< Of the surface, in W.
+    double offset_m = 0;     ///< gap = n . place - offset
+};
+inline constexpr int kMostSupports = 2 * 9;
+
 /// Lists of a substep. Nothing in it decides the future.
 class SutureScratch {
  public:
     SutureScratch(const SoftBody& body, const Suture& suture);
+    /// As if built anew, between two frames.
+    void forget() noexcept;
 
     /// A vertex and its share of the bonds: entries bond * 4 + corner; then of the thread's
     /// passages: entries ~(passage * 4 + corner), in their order.
@@ -75,8 +86,9 @@ class SutureScratch {
     std::vector<int32_t> incidence;
     std::vector<int32_t> slot;  ///< (V) into colour, -1 = none.
     std::vector<Vec3> places;   ///< Of the bonds' points, while the needle is solved.
+    std::array<NeedleSupport, kMostSupports> supports{};  ///< First `support_count`.
     ThreadLine thread;
-    int bond_count = 0, colour_count = 0;
+    int bond_count = 0, colour_count = 0, support_count = 0;
     Pose start;        ///< The needle when the substep began.
     Pose hand_before;  ///< And the hand.
 };
@@ -98,6 +110,11 @@ void collect_bonds(const Suture& suture, const SutureState& state, const Sutured
 void solve_bonded_vertices(const Suture& suture, const SutureState& state,
                            const SuturedTissue& tissue, SutureScratch& scratch, double h_s,
                            bool backward) noexcept;
+/// What needle and thread pull at a bonded vertex, with all of them where they are: for one that a
+/// hand holds in place [N].
+[[nodiscard]] Vec3 pull_on_vertex(const Suture& suture, const SutureState& state,
+                                  const SuturedTissue& tissue, const SutureScratch& scratch,
+                                  int32_t vertex) noexcept;
 /// The vertices belong to the sweep again.
 void release_bonds(const SuturedTissue& tissue, SutureScratch& scratch) noexcept;
 

@@ -21,6 +21,11 @@ constexpr double kMostWay = 0.2;      // the same, in radii of its circle
 // for those whose way turns.
 constexpr int kMostSteps = 4;
 constexpr double kEnough = 1e-7;  // radians, or radii: less than a nanometre
+// Of a needle that lies: places along the arc, how far a surface is looked for, and what holds it,
+// in its own inertia over a substep. The drag lets it creep down a wall by 6 um a second.
+constexpr int kSupportPlaces = kMostSupports / 2;
+constexpr double kSupportSearchM = 2e-3, kSupportDeepestM = 0.3e-3;
+constexpr double kSupportHold = 0.5, kSupportDrag = 100;
 
 /// Small turn that takes `from` to `to` [rad].
 Vec3 turn_between(const Quat& from, const Quat& to) noexcept {
@@ -136,6 +141,24 @@ void begin_needle(const Suture& /*suture*/, SutureState& state, SutureScratch& s
     state.hold.hand.q.coeffs() *= 1 / std::sqrt(X_WH.q.squaredNorm());
 }
 
+void find_supports(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
+                   SutureScratch& scratch) noexcept {
+    scratch.support_count = 0;
+    if (state.hold.held != 0 || state.passage_count > 0) return;
+    const Needle& needle = suture.needle();
+    const double wire = needle.spec().wire_radius_m, floor = suture.spec().floor_m;
+    const auto add = [&](const Vec3& at_N, const Vec3& n, double offset) {
+        scratch.supports[as_index(scratch.support_count++)] = {at_N, n, offset};
+    };
+    for (int i = 0; i < kSupportPlaces; ++i) {
+        const Vec3 at_N = needle.at(needle.arc_m() * i / (kSupportPlaces - 1)).place_m;
+        const Vec3 p = state.needle * at_N;
+        if (p.z() < floor + kSupportSearchM) add(at_N, Vec3::UnitZ(), floor + wire);
+        const SurfacePlane plane = nearest_surface(tissue, p, kSupportSearchM);
+        if (plane.found) add(at_N, plane.n, plane.n.dot(p) - plane.gap_m + wire);
+    }
+}
+
 namespace {
 
 /// The thread at the swage, slid to where friction holds it: what it gives by sliding is in its
@@ -153,6 +176,22 @@ void add_thread(const Vec3& swage, const Vec3& centre, ThreadLine& line, Vec6& g
                (line.front_stiffness() * last.along * last.along.transpose() +
                 pull / last.way_m * across) *
                j;
+}
+
+/// What a needle lies on pushes it out and lets it neither slide nor bounce.
+void add_supports(const PosedNeedle& posed, const Vec3& centre, const SutureScratch& scratch,
+                  double inertia_n_m, Vec6& gradient, Mat6& hessian) noexcept {
+    for (int i = 0; i < scratch.support_count; ++i) {
+        const NeedleSupport& s = scratch.supports[as_index(i)];
+        const Vec3 p = posed.to_W(s.at_N);
+        const double gap = std::max(s.n.dot(p) - s.offset_m, -kSupportDeepestM);
+        if (gap >= 0) continue;
+        const Mat36 j = motion_of(p - centre);
+        const double hold = kSupportHold * inertia_n_m, drag = kSupportDrag * inertia_n_m;
+        const Vec3 way = p - scratch.start * s.at_N;
+        gradient += j.transpose() * (hold * gap * s.n + drag * way);
+        hessian += j.transpose() * (hold * s.n * s.n.transpose() + drag * Mat3::Identity()) * j;
+    }
 }
 
 /// One Newton step; returns how far it went, in radii and radians, or -1 where it is not finite.
@@ -192,6 +231,7 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     }
     if (scratch.thread.active() && state.thread.ends[1].mode == ThreadEndMode::kSwage)
         add_thread(swage_m(suture, state), centre, scratch.thread, gradient, hessian);
+    add_supports(posed, centre, scratch, m * per_h * per_h, gradient, hessian);
     Vec6 step = -hessian.llt().solve(gradient);
     const double far = step.head<3>().norm() / needle.radius_m(), turn = step.tail<3>().norm();
     const double over = std::max(far / kMostWay, turn / kMostTurnRad);

@@ -12,6 +12,10 @@ namespace placode::sim {
 /// Start of a substep: the hand is at X_WH from now on.
 void begin_needle(const Suture& suture, SutureState& state, SutureScratch& scratch,
                   const Pose& X_WH) noexcept;
+/// Where a needle that lies in the open, out of all hands and tissue, meets a surface or the floor.
+/// Its weight (0.2 mN) is nothing to the tissue, which is left alone.
+void find_supports(const Suture& suture, const SutureState& state, const SuturedTissue& tissue,
+                   SutureScratch& scratch) noexcept;
 /// Newton steps of the pose, with the tissue where it is, until bonds at their bounds have given
 /// way.
 void solve_needle(const Suture& suture, SutureState& state, const SuturedTissue& tissue,

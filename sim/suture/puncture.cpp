@@ -152,7 +152,26 @@ class Puncture {
     }
     void tell_of(SutureEventKind kind, const TissuePoint& at, int32_t channel,
                  double force_n) noexcept {
-        tell(report_, {kind, tissue_at(at.tet), force_n, rest_place_of(tissue_, at), channel});
+        SutureEvent event{kind, tissue_at(at.tet), force_n, rest_place_of(tissue_, at), channel};
+        event.tet = at.tet;
+        if (kind == SutureEventKind::kEntered || kind == SutureEventKind::kLeft)
+            event.sine = sine_to_surface(at);
+        tell(report_, event);
+    }
+    /// Of the angle between the point's way and the face that it goes through. At rest: where the
+    /// point presses, it turns the face towards itself.
+    [[nodiscard]] double sine_to_surface(const TissuePoint& at) const noexcept {
+        const auto& c = corners(tissue_.body, tissue_.state, at.tet);
+        for (int f = 0; f < 4; ++f) {
+            if (at.b[as_index(f)] != 0 || !tissue_.faces.on_surface(at.tet, f)) continue;
+            const auto& face = kTetFaces[as_index(f)];
+            std::array<Vec3, 3> x;
+            for (size_t k = 0; k < 3; ++k)
+                x[k] = rest_place(tissue_.body, tissue_.state, c[as_index(face[k])]);
+            const Vec3 normal = (x[1] - x[0]).cross(x[2] - x[0]);
+            return std::abs(normal.dot(forward_)) / normal.norm();
+        }
+        return 0;
     }
 
     void lift_off() noexcept { state_.point.mode = PointMode::kFree; }

@@ -28,6 +28,7 @@ void check(const SutureSpec& s) {
     need_within("point_friction", s.point_friction, 0, 5);
     need_within("gravity_m_s2", s.gravity_m_s2.norm(), 0, 100);
     need_within("drag_per_s", s.drag_per_s, 0, 1000);
+    need_within("floor_m", s.floor_m, -10, 10);
 }
 
 /// Every field by its list, as bytes.

@@ -45,6 +45,7 @@ struct SutureSpec {
     double point_friction = 1.0;
     Vec3 gravity_m_s2 = Vec3(0, 0, -9.81);  ///< On the needle.
     double drag_per_s = 20;  ///< Velocity that a free needle loses to the fluid: 0 to 1000.
+    double floor_m = -10;    ///< No free needle sinks below this height [m].
 };
 
 /// Constant part.
@@ -157,6 +158,9 @@ struct SutureEvent {
     double force_n = 0;
     Vec3 rest_place_m = Vec3::Zero();
     int32_t channel = -1;
+    int32_t tet = -1;  ///< There.
+    /// kEntered, kLeft: of the angle between the point's way and the surface as it is at rest.
+    double sine = 0;
 };
 
 /// What a substep tells.
@@ -175,7 +179,7 @@ struct SutureReport {
 [[nodiscard]] uint64_t state_hash(const SutureState& state) noexcept;
 
 /// The hand at X_WH takes the needle where it is.
-/// @param arc_m where the jaws hold it, cut to the arc. Not for the step.
+/// @param arc_m where the jaws hold it, cut to the arc.
 void take_needle(const Suture& suture, SutureState& state, const Pose& X_WH, double arc_m) noexcept;
 /// The hand lets go.
 void let_go_needle(SutureState& state) noexcept;

@@ -10,6 +10,7 @@ void begin_suture(const Suture& suture, SutureState& state, const SuturedTissue&
     scratch.hand_before = state.hold.hand;
     begin_point(suture, state, tissue, h_s, report);
     begin_needle(suture, state, scratch, X_WH);
+    find_supports(suture, state, tissue, scratch);
     // Passages whose tissue is gone must not be collected, and the line stands on vertices that are
     // back where they were.
     drop_lost_passages(suture, state, tissue, report);

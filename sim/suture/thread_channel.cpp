@@ -115,7 +115,7 @@ void thin_newest(const Suture& suture, SutureState& state, const SuturedTissue& 
 void tell_of(SutureReport& report, const SuturedTissue& tissue, SutureEventKind kind,
              const Passage& passage) noexcept {
     tell(report, {kind, tissue.body.mesh().tissue[as_index(passage.at.tet)], 0,
-                  rest_place_of(tissue, passage.at), passage.channel});
+                  rest_place_of(tissue, passage.at), passage.channel, passage.at.tet, 0});
 }
 
 const Passage* newest_open(const ThreadState& thread) noexcept {

@@ -36,7 +36,7 @@ void give_way(const Suture& suture, SutureState& state, const SuturedTissue& tis
     thread.work.made = made;
     tell(report, {channel.count == 1 ? SutureEventKind::kToreOut : SutureEventKind::kCutThrough,
                   tissue.body.mesh().tissue[as_index(gone.at.tet)], load_n,
-                  rest_place_of(tissue, gone.at), gone.channel});
+                  rest_place_of(tissue, gone.at), gone.channel, gone.at.tet, 0});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim/core/as_index.h"
+#include "sim/core/tool_shape.h"
 #include "sim/mesh/box_distance.h"
 
 namespace placode::sim {
@@ -135,6 +136,35 @@ SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from, const Vec
             }
         });
     return hit;
+}
+
+SurfacePlane nearest_surface(const SuturedTissue& tissue, const Vec3& p, double within_m) noexcept {
+    double best = within_m * within_m;
+    SurfacePlane plane;
+    tissue.faces.tree().walk(
+        [&](const SurfaceTree::Box& box) noexcept {
+            return squared_distance(box, p, kStaleM) >= best;
+        },
+        [&](int slot) noexcept {
+            const SurfaceTriangle& tri = tissue.faces.triangles()[as_index(slot)];
+            Triangle x;
+            for (size_t k = 0; k < 3; ++k) x[k] = position(tissue.state, tri.vertex[k]);
+            const Vec3 w = closest_on_triangle(p, x);
+            const Vec3 way = p - w.x() * x[0] - w.y() * x[1] - w.z() * x[2];
+            const double d2 = way.squaredNorm();
+            if (!(d2 < best)) return;
+            const Vec3 face = (x[1] - x[0]).cross(x[2] - x[0]);
+            const double size = face.norm();
+            if (!(size > 0)) return;
+            best = d2;
+            const double distance = std::sqrt(d2);
+            const bool inside = way.dot(face) < 0;
+            plane.found = true;
+            plane.gap_m = inside ? -distance : distance;
+            // Beside an edge the way itself is the direction; on the face it is the face's.
+            plane.n = inside || !(distance > 0) ? Vec3(face / size) : Vec3(way / distance);
+        });
+    return plane;
 }
 
 }  // namespace placode::sim

@@ -13,12 +13,20 @@
 
 namespace placode::sim {
 
+/// What else acts on a vertex that is bonded to needle or thread, as an instrument that touches it:
+/// adds its part to the vertex's system, so that both are solved together.
+struct OtherLoads {
+    void (*add)(void* of, int32_t vertex, VertexSystem& system) noexcept = nullptr;
+    void* of = nullptr;
+};
+
 /// What the suture knows of the tissue, and what it changes of it: vertices in `state`.
 struct SuturedTissue {
     const SoftBody& body;
     SoftBodyState& state;
     const Surface& surface;
-    const SurfaceState& faces;  ///< Its tree must have been refitted in this frame.
+    const SurfaceState& faces;  ///< Its tree must have been refitted in this frame or the last.
+    OtherLoads others{};
 };
 
 /// A place in a tetrahedron, or on one of its faces (weight 0).
@@ -68,5 +76,14 @@ struct SurfaceHit {
 };
 [[nodiscard]] SurfaceHit meet_surface(const SuturedTissue& tissue, const Vec3& from,
                                       const Vec3& way) noexcept;
+
+/// The surface next to a place, as a plane. false in `found`: farther than was asked for.
+struct SurfacePlane {
+    Vec3 n = Vec3::UnitZ();  ///< Outward.
+    double gap_m = 0;        ///< Of the place; negative inside.
+    bool found = false;
+};
+[[nodiscard]] SurfacePlane nearest_surface(const SuturedTissue& tissue, const Vec3& p,
+                                           double within_m) noexcept;
 
 }  // namespace placode::sim

@@ -163,7 +163,7 @@ uint64_t scene_mark(const Scene& scene) noexcept {
     hash.bytes(mesh.tets.data(), mesh.tets.size() * sizeof(mesh.tets[0]));
     const uint64_t counts[] = {scene.tools.size(),
                                static_cast<uint64_t>(scene.body.vertex_capacity()),
-                               scene.heat.has_value(), sizeof(State)};
+                               scene.heat.has_value(), scene.suture.has_value(), sizeof(State)};
     hash.bytes(counts, sizeof counts);
     return hash.value();
 }

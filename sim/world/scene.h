@@ -14,6 +14,7 @@
 #include "sim/heat/heat.h"
 #include "sim/mesh/surface.h"
 #include "sim/solver/soft_body.h"
+#include "sim/suture/suture.h"
 #include "sim/world/sac_state.h"
 
 namespace placode::sim {
@@ -64,6 +65,16 @@ struct ContactSettings {
     double warn_dose_cem43_min = 5, injury_dose_cem43_min = 20, injury_temperature_c = 60;
 };
 
+/// Where an attempt finds its needle.
+struct NeedleStart {
+    /// In the jaws of the first needle driver, from the frame in which a hand first has it; else it
+    /// lies at `X_WN` until somebody takes it.
+    bool in_jaws = true;
+    double held_arc_m = 0;  ///< Where the jaws hold it, from the point.
+    Pose X_TN;              ///< In the driver.
+    Pose X_WN;
+};
+
 /// Built once (sim/anatomy), then shared as `shared_ptr<const Scene>`.
 struct Scene {
     /// @throws MeshError for a body with a sheet: instruments, heat and cutting do not know it.
@@ -73,7 +84,9 @@ struct Scene {
     SoftBody body;
     Surface surface;
     std::optional<HeatModel> heat;  ///< Absent = costs nothing.
-    Sac sac;                        ///< Of the cystic variant; absent otherwise.
+    std::optional<Suture> suture;   ///< Needle and thread; absent = costs nothing.
+    NeedleStart needle_start;
+    Sac sac;  ///< Of the cystic variant; absent otherwise.
     ContactSettings contact;
     /// How far a vertex may slide to where blades pass, as a share of the way to its neighbours; 0
     /// = cuts follow the faces of the mesh, as in recordings of before.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/solver/slide_vertex.h"
+#include "sim/suture/needle_bonds.h"
 #include "sim/world/contact_state.h"
 #include "sim/world/cut_state.h"
 #include "sim/world/pieces_state.h"
@@ -34,6 +35,8 @@ struct State::Scratch {
     std::vector<int32_t> candidates;       // (V) vertices near a current
     std::vector<float> placode_volume_m3;  // (V) share of the placode, constant
     PieceSearch pieces;
+    std::vector<SutureScratch> suture;  // empty or one
+    SutureReport suture_report;         // of this frame
     std::vector<Vec3> sac_thirds;       // (triangles of the sac) of this frame
     std::vector<int32_t> sector_stack;  // (T)
     std::vector<uint32_t> tet_seen;     // (T) stamps of a search

@@ -25,6 +25,7 @@ State::Scratch::Scratch(const Scene& scene, CutProgress* untouched)
       sector_stack(scene.body.tet_count()),
       tet_seen(scene.body.tet_count(), 0),
       beside_blade(scene.body.spec().spare_vertices > 0 ? scene.body.vertex_capacity() : 0, 0) {
+    if (scene.suture) suture.emplace_back(scene.body, *scene.suture);
     choices.reserve(scene.body.spec().spare_vertices > 0 ? kMostChoices : 0);
     CutProgress nobodys;
     cut = make_cut_tables(scene, untouched != nullptr ? *untouched : nobodys);
@@ -47,6 +48,7 @@ void State::Scratch::forget() noexcept {
     contacts.candidate_count = contacts.contact_count = contacts.vertex_count = 0;
     contacts.feature_count = contacts.most_contacts = 0;
     for (PieceSearch::Path& path : pieces.path) path.count = 0;
+    for (SutureScratch& lists : suture) lists.forget();
     tip_triangle.fill(-1);
     heat_stepped = false;
 }
@@ -57,6 +59,7 @@ State::State(const Scene& scene, int threads)
       sleep(scene.body),
       surface(scene.surface, scene.body.mesh(), scene.body.spec().spare_vertices > 0),
       self_contact(scene),
+      suturing(scene),
       held_by(scene.body.vertex_capacity(), -1),
       separation(scene),
       over_stretch(scene.body.tet_count(), scene.body.spec().solver.frame_s),

@@ -21,6 +21,7 @@
 #include "sim/world/sac_state.h"
 #include "sim/world/scissors_state.h"
 #include "sim/world/separation_state.h"
+#include "sim/world/suturing_state.h"
 #include "sim/world/tool_state.h"
 
 namespace placode::sim {
@@ -49,6 +50,7 @@ struct State {
     std::array<std::array<Vec3, kMaxTools>, kMaxTools> tool_side;
     std::array<Grasp, kMaxTools> grasps{};
     std::array<Scissors, kMaxTools> scissors{};
+    Suturing suturing;
     ReleaseProgress release;
     ResectionProgress resection;
     Pieces pieces;
@@ -86,15 +88,15 @@ struct State {
 template <class Visit>
 void fields(Of<State> auto& s, Visit&& visit) {
     auto& [frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat, tools,
-           tool_side, grasps, scissors, release, resection, pieces, splits, slides, slides_refused,
-           held_by, progress, placode_peak_cem43_min, placode_peak_c, placode_burned_m3, removed_m3,
-           vapour_rate_m3_s, colour, separation, flood, over_stretch, gone_by_heat, tether_known,
-           friction, stretch_count, stretch_reported, dose_reported, over_stretch_pause_s,
-           overheat_pause_s, burn_pause_s, idle_s, placode_now_c, last_substeps, loose_version,
-           events, event_count, flags, workers, scratch] = s;
+           tool_side, grasps, scissors, suturing, release, resection, pieces, splits, slides,
+           slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
+           placode_burned_m3, removed_m3, vapour_rate_m3_s, colour, separation, flood, over_stretch,
+           gone_by_heat, tether_known, friction, stretch_count, stretch_reported, dose_reported,
+           over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s, placode_now_c,
+           last_substeps, loose_version, events, event_count, flags, workers, scratch] = s;
     visit.state(frame, time_s, substeps, phase, body, sleep, surface, self_contact, sac, heat,
-                tools, tool_side, grasps, scissors, release, resection, pieces, splits, slides,
-                slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
+                tools, tool_side, grasps, scissors, suturing, release, resection, pieces, splits,
+                slides, slides_refused, held_by, progress, placode_peak_cem43_min, placode_peak_c,
                 placode_burned_m3, removed_m3, vapour_rate_m3_s, colour, separation, flood,
                 over_stretch, gone_by_heat, tether_known, friction, stretch_count, stretch_reported,
                 dose_reported, over_stretch_pause_s, overheat_pause_s, burn_pause_s, idle_s,

@@ -99,6 +99,11 @@ uint64_t state_hash(const State& state) noexcept {
         hash.add(s.next);
         hash.add(s.closing);
     }
+    for (const SutureState& needle : state.suturing.needle) {
+        hash.add(state_hash(needle));
+        hash.add(state.suturing.placed);
+        hash.add(state.suturing.driver);
+    }
     hash.add(state.sac.pressure_pa);
     hash.add(state.sac.content_m3);
     hash.add(state.splits);

@@ -12,10 +12,11 @@ namespace placode::sim {
 
 /// Where a tool is and what it does, between frames.
 struct ToolState {
-    Pose proxy;                   ///< Real pose, pushed back by tissue.
-    Pose previous;                ///< Proxy at the end of the previous frame.
-    Vec3 force_n = Vec3::Zero();  ///< Force of tissue on the tool, mean over the frame [N].
-    Vec3 steel_n = Vec3::Zero();  ///< Force of other instruments on it, mean over the frame [N].
+    Pose proxy;                    ///< Real pose, pushed back by tissue.
+    Pose previous;                 ///< Proxy at the end of the previous frame.
+    Vec3 force_n = Vec3::Zero();   ///< Force of tissue on the tool, mean over the frame [N].
+    Vec3 steel_n = Vec3::Zero();   ///< Force of other instruments on it, mean over the frame [N].
+    Vec3 needle_n = Vec3::Zero();  ///< Share of force_n that comes through a needle in the jaws.
     Vec3 friction_anchor = Vec3::Zero();
     double tip_gap_m = 1;  ///< Signed distance of the tip to the surface, negative inside.
     Tissue touched = Tissue::kSkin;  ///< Tissue next to the tip, valid when in_contact.
@@ -49,15 +50,15 @@ struct ToolState {
 };
 template <class Visit>
 void fields(Of<ToolState> auto& s, Visit&& visit) {
-    auto& [proxy, previous, force_n, steel_n, friction_anchor, tip_gap_m, touched, in_contact,
-           energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s, dwell_s,
+    auto& [proxy, previous, force_n, steel_n, needle_n, friction_anchor, tip_gap_m, touched,
+           in_contact, energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s, dwell_s,
            placode_energised_s, over_force_s, dwell_centre, power_in_tissue_w, hand, stiffness_n_m,
            substep_force_n, substep_stiffness_n_m, substep_overlap_m, bare_gap_m, spot, rest_spot,
            spot_tet, placode_force_n, gap_m, contact_share, quiet_s, over_force_peak_n,
            energised_peak_c, jaw_rad, pedals, engaged, coagulating] = s;
-    visit.state(proxy, previous, force_n, steel_n, friction_anchor, tip_gap_m, touched, in_contact,
-                energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s, dwell_s,
-                placode_energised_s, over_force_s, dwell_centre, power_in_tissue_w, hand,
+    visit.state(proxy, previous, force_n, steel_n, needle_n, friction_anchor, tip_gap_m, touched,
+                in_contact, energised, contact_s, peak_force_n, energy_on_s, energy_j, air_s,
+                dwell_s, placode_energised_s, over_force_s, dwell_centre, power_in_tissue_w, hand,
                 stiffness_n_m, substep_force_n, substep_stiffness_n_m, substep_overlap_m,
                 bare_gap_m, spot, rest_spot, spot_tet, placode_force_n, gap_m, contact_share,
                 quiet_s, over_force_peak_n, energised_peak_c, jaw_rad, pedals, engaged,

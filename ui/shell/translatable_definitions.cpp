@@ -207,6 +207,24 @@ namespace {
                       "95th percentile of that distance, over stretches of 5 degrees."),
     QT_TRANSLATE_NOOP("MetricDefinition",
                       "Time during which both hands pulled within the task's limits."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times that the thread cut through the edge of its channel."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Times that the needle slid or turned in the jaws."),
+    QT_TRANSLATE_NOOP("MetricDefinition", "Times that jaws took the needle after the first."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Times that the needle's point opened a surface from outside."),
+    QT_TRANSLATE_NOOP("MetricDefinition",
+                      "Angle between the needle's way and the surface at rest where it last went "
+                      "in, 90 = upright."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Deepest place of the needle's channel below the surface at rest, last bite."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Distance of the needle's last exit from its mark, along the tissue at rest."),
+    QT_TRANSLATE_NOOP(
+        "MetricDefinition",
+        "Distance of the needle's last entry from its mark, along the tissue at rest."),
 };
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "ui/view/needle_renderer.h"
 #include "ui/view/overlay_colours.h"
 #include "ui/view/png.h"
 #include "ui/view/shadow_map.h"
@@ -64,6 +65,7 @@ struct FetoscopeView::Impl {
         mask{"screen_vertex", "mask"};
     GlMesh tissue_gl, skirt_gl, floor_gl, bed_gl, wall_gl, smoke_gl, guide_gl;
     ToolRenderer instruments;
+    NeedleRenderer needle;
     DepthCue depth_cue;
     PostProcess post;
     TextPainter painter;
@@ -211,6 +213,7 @@ void FetoscopeView::Impl::draw_world(const Snapshot& snapshot, const OverlayStat
     light(tool, snapshot);
     tool.set("tissue_bounce", Vec3(0.20, 0.082, 0.072));
     instruments.draw(snapshot, tool);
+    needle.draw(snapshot.needle, tool);
 
     draw_tissue(snapshot);
     draw_depth(snapshot, overlay);

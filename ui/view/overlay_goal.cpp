@@ -88,6 +88,15 @@ void Overlay::goals() {
                 label(px + Vec2(0, 2.6 * unit_), say("open the jaws"), kAccent);
             break;
         }
+        case PracticeKind::kNeedleTake:
+        case PracticeKind::kNeedleThrough: {
+            const bool take = goal.step.kind == PracticeKind::kNeedleTake;
+            Vec2 px;
+            if (place_of(1000 * pose.p, px))
+                label(px + Vec2(0, 2.6 * unit_),
+                      say(take ? "take the needle" : "draw the needle through"), kAccent);
+            break;
+        }
         default:
             targets();
             break;

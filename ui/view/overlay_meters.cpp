@@ -31,6 +31,8 @@ const char* tool_word(ToolKind kind) {
             return "scissors";
         case ToolKind::kProbe:
             return "probe";
+        case ToolKind::kNeedleDriver:
+            return "needle driver";
     }
     return "";
 }

@@ -42,6 +42,9 @@ void Overlay::exam_targets() {
 void Overlay::targets() {
     const PracticeGoal& goal = state_->practice.goal;
     const bool both = goal.step.kind == PracticeKind::kTraction;
+    // The needle's point has to come there, not the driver's tip.
+    const bool needle =
+        goal.step.kind == PracticeKind::kNeedleIn || goal.step.kind == PracticeKind::kNeedleOut;
     for (int t = 0; t < goal.targets; ++t) {
         const Vec3 mm = 1000 * goal.target_m[static_cast<size_t>(t)];
         Vec2 px, side;
@@ -50,8 +53,8 @@ void Overlay::targets() {
         const Vec3 away =
             tool < 0 ? Vec3(Vec3::Zero())
                      : Vec3(1000 * snapshot_->tools[static_cast<size_t>(tool)].pose.p - mm);
-        const bool above =
-            !state_->exam && tool >= 0 && away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
+        const bool above = !state_->exam && !needle && tool >= 0 &&
+                           away.head<2>().norm() <= 1000 * goal.step.tolerance_m;
         double radius = 0.7 * unit_;
         if (place_of(mm + 1000 * goal.step.tolerance_m * camera_->right, side))
             radius = std::max(radius, (side - px).norm());
@@ -63,7 +66,11 @@ void Overlay::targets() {
             paint_->ring(px.x(), px.y(), radius, 1 - std::min(1.0, goal.progress),
                          kAccent.faded(0.5F));
         labels_.push_back({px.x() - radius, px.y() - radius, 2 * radius, 2 * radius});
-        if (tool >= 0 && !state_->exam) target_text(tool, px, radius, away, above);
+        if (needle)
+            label(px + Vec2(0, radius + 1.5 * unit_), say(t == 0 ? "needle in" : "needle out"),
+                  kText);
+        else if (tool >= 0 && !state_->exam)
+            target_text(tool, px, radius, away, above);
     }
 }
 

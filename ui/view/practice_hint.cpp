@@ -42,6 +42,14 @@ Symbols with_mouse(PracticeKind kind, bool scope) {
             return {left, key("Tab"), left, move};
         case PracticeKind::kWithdraw:
             return {{Thing::kMouseWheel, Act::kOut}};
+        case PracticeKind::kNeedleIn:
+            return {move, down, key("Shift", true), move};
+        case PracticeKind::kNeedleOut:
+            return {key("Shift", true), move};
+        case PracticeKind::kNeedleThrough:
+            return {left, key("Shift", true), move};
+        case PracticeKind::kNeedleTake:
+            return {{Thing::kMouseLeft, Act::kRelease}, move, left};
     }
     return {};
 }
@@ -77,6 +85,14 @@ Symbols with_keyboard(PracticeKind kind, bool scope) {
             return {key("X"), key("Tab"), key("X")};
         case PracticeKind::kWithdraw:
             return {key("R")};
+        case PracticeKind::kNeedleIn:
+            return {key("F"), key("Q"), key("E")};
+        case PracticeKind::kNeedleOut:
+            return {key("Q"), key("E")};
+        case PracticeKind::kNeedleThrough:
+            return {key("X"), key("Q"), key("E")};
+        case PracticeKind::kNeedleTake:
+            return {key("X", false, Act::kRelease), key("X")};
     }
     return {};
 }
@@ -106,6 +122,14 @@ Symbols with_gamepad(PracticeKind kind) {
             return {key("A"), key("Tab"), key("A")};
         case PracticeKind::kWithdraw:
             return {key("LT")};
+        case PracticeKind::kNeedleIn:
+            return {stick, key("RT"), {Thing::kStick, Act::kSideways, "R"}};
+        case PracticeKind::kNeedleOut:
+            return {{Thing::kStick, Act::kSideways, "R"}};
+        case PracticeKind::kNeedleThrough:
+            return {key("A"), {Thing::kStick, Act::kSideways, "R"}};
+        case PracticeKind::kNeedleTake:
+            return {key("A", false, Act::kRelease), stick, key("A")};
     }
     return {};
 }
@@ -138,6 +162,17 @@ Symbols with_grip(PracticeKind kind, Thing grip, HintSymbol close) {
             return {close, move};
         case PracticeKind::kWithdraw:
             return {{grip, Act::kOut}};
+        case PracticeKind::kNeedleIn:
+            return {move, in, {grip, Act::kTurn}};
+        case PracticeKind::kNeedleOut:
+            return {{grip, Act::kTurn}};
+        case PracticeKind::kNeedleTake: {
+            HintSymbol open = close;
+            open.act = Act::kRelease;
+            return {open, move, close};
+        }
+        case PracticeKind::kNeedleThrough:
+            return {close, {grip, Act::kTurn}};
     }
     return {};
 }

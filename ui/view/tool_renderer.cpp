@@ -195,6 +195,7 @@ ToolModel tool_model(const ToolSpec& spec) {
             add_hook(shape, tip, std::max(mm(spec.tip_length_m), 1.0F), radius, length);
             break;
         case ToolKind::kGrasper:
+        case ToolKind::kNeedleDriver:
             add_grasper(shape, jaw, radius, length);
             break;
         case ToolKind::kScissors:

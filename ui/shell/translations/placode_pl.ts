@@ -1513,6 +1513,10 @@
         <translation>fetoskop</translation>
     </message>
     <message>
+        <source>needle driver</source>
+        <translation>imadło</translation>
+    </message>
+    <message>
         <source>instrument</source>
         <translation>narzędzie</translation>
     </message>
@@ -2033,6 +2037,38 @@
     <message>
         <source>Targets missed</source>
         <translation>Chybione cele</translation>
+    </message>
+    <message>
+        <source>Entry beside its mark</source>
+        <translation>Wkłucie obok znaku</translation>
+    </message>
+    <message>
+        <source>Exit beside its mark</source>
+        <translation>Wykłucie obok znaku</translation>
+    </message>
+    <message>
+        <source>Depth of the bite</source>
+        <translation>Głębokość przejścia igły</translation>
+    </message>
+    <message>
+        <source>Angle of the needle</source>
+        <translation>Kąt igły</translation>
+    </message>
+    <message>
+        <source>Entries of the needle</source>
+        <translation>Wkłucia igły</translation>
+    </message>
+    <message>
+        <source>Needle taken again</source>
+        <translation>Ponowne chwyty igły</translation>
+    </message>
+    <message>
+        <source>Slips of the needle</source>
+        <translation>Ześlizgi igły</translation>
+    </message>
+    <message>
+        <source>Thread cut through</source>
+        <translation>Przecięcia nicią</translation>
     </message>
     <message>
         <source>Contour followed</source>
@@ -2879,6 +2915,38 @@
     <message>
         <source>95th percentile of that distance, over stretches of 5 degrees.</source>
         <translation>95. percentyl tej odległości, na odcinkach po 5 stopni.</translation>
+    </message>
+    <message>
+        <source>Distance of the needle's last entry from its mark, along the tissue at rest.</source>
+        <translation>Odległość ostatniego wkłucia igły od znaku, wzdłuż tkanki w spoczynku.</translation>
+    </message>
+    <message>
+        <source>Distance of the needle's last exit from its mark, along the tissue at rest.</source>
+        <translation>Odległość ostatniego wykłucia igły od znaku, wzdłuż tkanki w spoczynku.</translation>
+    </message>
+    <message>
+        <source>Deepest place of the needle's channel below the surface at rest, last bite.</source>
+        <translation>Najgłębsze miejsce kanału igły pod powierzchnią w spoczynku, ostatnie przejście.</translation>
+    </message>
+    <message>
+        <source>Angle between the needle's way and the surface at rest where it last went in, 90 = upright.</source>
+        <translation>Kąt między drogą igły a powierzchnią w spoczynku w miejscu ostatniego wkłucia, 90 = prostopadle.</translation>
+    </message>
+    <message>
+        <source>Times that the needle's point opened a surface from outside.</source>
+        <translation>Ile razy ostrze igły przebiło powierzchnię od zewnątrz.</translation>
+    </message>
+    <message>
+        <source>Times that jaws took the needle after the first.</source>
+        <translation>Ile razy szczęki chwyciły igłę po pierwszym chwycie.</translation>
+    </message>
+    <message>
+        <source>Times that the needle slid or turned in the jaws.</source>
+        <translation>Ile razy igła przesunęła się lub obróciła w szczękach.</translation>
+    </message>
+    <message>
+        <source>Times that the thread cut through the edge of its channel.</source>
+        <translation>Ile razy nić przecięła brzeg swojego kanału.</translation>
     </message>
     <message>
         <source>Time during which both hands pulled within the task's limits.</source>

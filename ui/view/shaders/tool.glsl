@@ -1,4 +1,5 @@
-// Instruments: brushed steel, black insulation, pale ceramic, and a tip that glows faintly.
+// Instruments: brushed steel, black insulation, pale ceramic, and a tip that glows faintly; suture
+// thread.
 in vec3 v_position;
 in vec3 v_normal;
 in vec4 v_rest;    // material, along the shaft [mm], unused
@@ -43,6 +44,9 @@ void main() {
         // Laser-marked depth rings, every 10 mm.
         float ring = smoothstep(0.30, 0.15, abs(mod(v_rest.y, 10.0) - 9.0));
         result += ring * vec3(0.13, 0.13, 0.12) * nl * reach;
+    } else if (v_rest.x > 2.5) {  // suture thread: dyed monofilament, wet
+        vec3 base = vec3(0.035, 0.030, 0.150);
+        result = base * (0.20 + 0.80 * nl) * reach + highlight(n, v, l, 0.12, 0.05) * reach;
     } else {  // ceramic
         vec3 base = vec3(0.62, 0.55, 0.44);
         result = base * (0.15 + 0.85 * nl) * reach * 0.8 + highlight(n, v, l, 0.06, 0.04) * reach;

@@ -37,7 +37,7 @@ export const drawTool = (soup, spec, state, flags) => {
   const radius = 1000 * spec.tip_radius_m;
   const hot = flags & ENERGISED ? (flags & COAGULATES ? COAG : HOT) : STEEL;
   bar(soup, world([0, 0, -1000 * spec.length_m]), world([0, 0, -tip]), shaft, shaft, INSULATION);
-  if (spec.kind === "grasper" || spec.kind === "scissors") {
+  if (["grasper", "scissors", "needle_driver"].includes(spec.kind)) {
     for (const side of [-1, 1]) {
       const s = Math.sin(side * jaw / 2), c = Math.cos(side * jaw / 2);
       const width = 500 * spec.jaw_width_m;

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assessment/suture_metrics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace placode::assessment {
+namespace {
+
+using sim::Event;
+using sim::EventKind;
+
+const Event* last_of(const sim::Recording& recording, EventKind kind) {
+    const Event* last = nullptr;
+    for (const Event& e : recording.events)
+        if (e.kind == kind) last = &e;
+    return last;
+}
+
+double count_of(const sim::Recording& recording, std::initializer_list<EventKind> kinds) {
+    double count = 0;
+    for (const Event& e : recording.events)
+        count += std::find(kinds.begin(), kinds.end(), e.kind) != kinds.end() ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+void add_suture_metrics(const sim::Recording& recording, std::vector<Metric>& out) {
+    const auto& tools = recording.header.tools;
+    if (std::none_of(tools.begin(), tools.end(), [](const sim::ToolSpec& tool) {
+            return tool.kind == sim::ToolKind::kNeedleDriver;
+        }))
+        return;
+    if (const Event* e = last_of(recording, EventKind::kBiteEntry))
+        out.push_back({"bite_entry_offset_mm", 1e3 * static_cast<double>(e->value2)});
+    if (const Event* e = last_of(recording, EventKind::kBiteExit))
+        out.push_back({"bite_exit_offset_mm", 1e3 * static_cast<double>(e->value2)});
+    if (const Event* e = last_of(recording, EventKind::kNeedleLeft))
+        out.push_back({"bite_depth_mm", 1e3 * static_cast<double>(e->value2)});
+    if (const Event* e = last_of(recording, EventKind::kNeedleEntered)) {
+        const double sine = std::clamp(static_cast<double>(e->value2), 0.0, 1.0);
+        out.push_back({"bite_angle_deg", std::asin(sine) * 180 / std::numbers::pi});
+    }
+    out.push_back({"needle_entries", count_of(recording, {EventKind::kNeedleEntered})});
+    out.push_back(
+        {"needle_regrasps", std::max(0.0, count_of(recording, {EventKind::kNeedleTaken}) - 1)});
+    out.push_back({"needle_slips",
+                   count_of(recording, {EventKind::kNeedleSlipped, EventKind::kNeedleTurned})});
+    out.push_back(
+        {"thread_cuts", count_of(recording, {EventKind::kThreadCut, EventKind::kThreadToreOut})});
+}
+
+}  // namespace placode::assessment

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "haptics/operators/suture_operator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace placode::haptics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kHoverM = 0.008;       // of the circle's centre over where it shall be
+constexpr double kBeforeM = 0.0025;     // of the point, before it meets the tissue
+constexpr double kClearM = 0.007;       // back along the shaft, off the wire
+constexpr double kTakeM = 0.0013;       // behind the point, where it is taken again
+constexpr double kFalseM = 0.002;       // way in, before a false start is drawn back
+constexpr double kHeldShare = 1.0 / 3;  // of the jaws behind their tips
+constexpr double kOpenRad = 0.5, kJawRadS = 1.5, kPatienceS = 20;
+
+}  // namespace
+
+const SutureHabits& suture_habits(OperatorLevel level) noexcept {
+    static const std::array habits{SutureHabits{}, SutureHabits{5e-3, 4e-4, 0.06, 0, 2.6e-3},
+                                   SutureHabits{9e-3, 9e-4, 0.15, 1, 2.6e-3}};
+    return habits[static_cast<size_t>(level)];
+}
+
+SutureOperator::SutureOperator(OperatorLevel level, uint64_t seed, size_t tool,
+                               const sim::ToolSpec& spec, const Vec3& home_m)
+    : habits_(suture_habits(level)),
+      profile_(operator_profile(level)),
+      hand_(profile_, seed, home_m),
+      tool_(tool),
+      spec_(spec) {}
+
+void SutureOperator::see(const Perception& seen) { seen_ = seen; }
+
+void SutureOperator::stage(Stage next) noexcept {
+    stage_ = next;
+    stage_s_ = 0;
+}
+
+SutureOperator::Plane SutureOperator::plane() const noexcept {
+    Plane p;
+    p.shaft = (hand_.tip_m() - spec_.pivot_m).normalized();
+    p.up = (Vec3::UnitZ() - Vec3::UnitZ().dot(p.shaft) * p.shaft).normalized();
+    p.right = p.up.cross(p.shaft);
+    return p;
+}
+
+/// The circle through both marks, in the plane of the needle.
+void SutureOperator::plan() noexcept {
+    const Vec3 in = seen_.practice.target_m[0], out = seen_.practice.target_m[1];
+    radius_m_ = seen_.needle_arc_m / kPi;
+    const double half = std::min(0.5 * (out - in).norm(), 0.95 * radius_m_);
+    const Plane p = plane();
+    centre_ = 0.5 * (in + out) + std::sqrt(radius_m_ * radius_m_ - half * half) * p.up;
+    for (int k = 0; k < 3; ++k) centre_[k] += habits_.aim_error_m * hand_.random().normal();
+    entry_rad_ = kPi + std::acos(half / radius_m_);
+    point_rad_ = entry_rad_ - kBeforeM / radius_m_;
+}
+
+Vec3 SutureOperator::hold_at(const Plane& p, const Vec3& centre, double angle) noexcept {
+    const double c = std::cos(angle), s = std::sin(angle);
+    across_ = side_ * (s * p.right - c * p.up);
+    return centre + radius_m_ * (c * p.right + s * p.up) +
+           kHeldShare * spec_.tip_length_m * p.shaft;
+}
+
+void SutureOperator::drive(const Plane& p, double dt_s) noexcept {
+    const double way = habits_.speed_m_s * dt_s;
+    // Straight ahead, as the point goes, instead of round.
+    const Vec3 ahead = -std::sin(point_rad_) * p.right + std::cos(point_rad_) * p.up;
+    centre_ += habits_.push * way * ahead;
+    point_rad_ += (1 - habits_.push) * way / radius_m_;
+    static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
+    const bool wrong = starts_ < habits_.false_starts && seen_.bites > bites_ &&
+                       point_rad_ > entry_rad_ + kFalseM / radius_m_;
+    if (wrong) {
+        ++starts_;
+        stage(Stage::kDrawBack);
+        return;
+    }
+    if (seen_.exits > 0 && out_rad_ == 0) out_rad_ = point_rad_;
+    const bool out = out_rad_ > 0 && point_rad_ > out_rad_ + habits_.out_m / radius_m_;
+    // The jaws must not be pushed into the tissue.
+    const bool low = point_rad_ - held_rad_ > entry_rad_ - 0.15;
+    if (out || (low && seen_.exits > 0)) stage(Stage::kOpen);
+    if (low && seen_.exits == 0) stage(Stage::kOpen);
+}
+
+/// Behind the point, from behind the wire.
+void SutureOperator::take_again(const Plane& p, double dt_s) noexcept {
+    const double s = kTakeM / radius_m_;
+    const Vec3 radial = seen_.X_WN.q * Vec3(std::cos(s), std::sin(s), 0);
+    const Vec3 back = seen_.X_WN.q * Vec3(-std::sin(s), std::cos(s), 0);
+    const Vec3 wire = seen_.X_WN.p + radius_m_ * radial;
+    side_ = 1;
+    across_ = back;
+    goal_ = wire + kHeldShare * spec_.tip_length_m * p.shaft;
+    const double still = stage_ == Stage::kSwing ? kClearM : 0;
+    const bool there = hand_.glide(goal_ - still * p.shaft, 0.02, dt_s);
+    if (!there) return;
+    if (stage_ == Stage::kCome)
+        stage(Stage::kClose);
+    else if (stage_s_ > 1.2)  // the handle has been turned
+        stage(Stage::kCome);
+}
+
+bool SutureOperator::act(double dt_s, std::span<HandAction> hands) noexcept {
+    dt_s = std::clamp(dt_s, 0.0, 0.01);
+    time_s_ += dt_s;
+    stage_s_ += dt_s;
+    const Plane p = plane();
+    const bool marks = seen_.practice.targets == 2;
+    switch (stage_) {
+        case Stage::kLook:
+            if (stage_s_ < profile_.look_s || !seen_.needle || !marks) break;
+            plan();
+            // Held where it is held: the angle from the point to the jaws.
+            held_rad_ = kPi * 0.72;
+            stage(Stage::kReach);
+            hand_.reach(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_));
+            break;
+        case Stage::kReach:
+            if (hand_.reached(hold_at(p, centre_ + kHoverM * p.up, point_rad_ - held_rad_), dt_s) &&
+                stage_s_ > 1.5)
+                stage(Stage::kLower);
+            break;
+        case Stage::kLower:
+            if (hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), profile_.descend_m_s,
+                            dt_s))
+                stage(Stage::kDrive);
+            break;
+        case Stage::kDrive:
+            drive(p, dt_s);
+            break;
+        case Stage::kDrawBack:
+            point_rad_ -= habits_.speed_m_s * dt_s / radius_m_;
+            static_cast<void>(hand_.glide(hold_at(p, centre_, point_rad_ - held_rad_), 0.05, dt_s));
+            if (point_rad_ > entry_rad_ - kBeforeM / radius_m_) break;
+            bites_ = seen_.bites;
+            if (marks) plan();
+            stage(Stage::kLower);
+            break;
+        case Stage::kOpen:
+            if (hand_.jaw(kOpenRad, kJawRadS, dt_s)) {
+                goal_ = hand_.tip_m() - kClearM * p.shaft;
+                stage(Stage::kBack);
+            }
+            break;
+        case Stage::kBack:
+            if (hand_.glide(goal_, 0.02, dt_s)) stage(Stage::kSwing);
+            break;
+        case Stage::kSwing:
+        case Stage::kCome:
+            take_again(p, dt_s);
+            break;
+        case Stage::kClose: {
+            if (!hand_.jaw(0, kJawRadS, dt_s)) break;
+            if (!seen_.needle_held && stage_s_ > 0.6) {
+                stage(Stage::kOpen);  // beside it: once more
+                break;
+            }
+            if (!seen_.needle_held) break;
+            centre_ = seen_.X_WN.p;
+            const Vec3 from = goal_ - kHeldShare * spec_.tip_length_m * p.shaft - centre_;
+            grip_rad_ = std::atan2(from.dot(p.up), from.dot(p.right));
+            stage(Stage::kPull);
+            break;
+        }
+        case Stage::kPull:
+            grip_rad_ += habits_.speed_m_s * dt_s / radius_m_;
+            static_cast<void>(hand_.glide(hold_at(p, centre_, grip_rad_), 0.05, dt_s));
+            if (seen_.drawn_through > 0 || stage_s_ > kPatienceS) stage(Stage::kLeave);
+            break;
+        case Stage::kLeave:
+            static_cast<void>(hand_.glide(hand_.tip_m() + Vec3(0, 0, 0.01 * dt_s), 0.02, dt_s));
+            if (stage_s_ > 0.8) stage(Stage::kDone);
+            break;
+        case Stage::kDone:
+            break;
+    }
+    if (stage_s_ > kPatienceS && stage_ != Stage::kDone) stage(Stage::kDone);
+    hands[tool_] = hand_.action(time_s_);
+    hands[tool_].across = across_;
+    return stage_ == Stage::kDone;
+}
+
+}  // namespace placode::haptics

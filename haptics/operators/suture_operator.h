@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Scripted operator for one bite: the needle's point over the first mark, round on the needle's own
+// circle until it comes out, let go, taken behind the point, drawn through. The plane of the needle
+// stands across the shaft, so that the driver is turned and carried round the circle's centre.
+
+#include "haptics/hand_motion.h"
+
+namespace placode::haptics {
+
+/// Habits of one level. Chosen by trial on the suture pad.
+struct SutureHabits {
+    double speed_m_s = 4e-3;    ///< Of the point along its circle.
+    double aim_error_m = 1e-4;  ///< Of the circle's centre, rms in each direction.
+    double push = 0;            ///< Share of the way that goes straight ahead instead of round.
+    int false_starts = 0;       ///< Goes in, draws back, goes in elsewhere.
+    double out_m = 2.6e-3;      ///< Of the point, before it lets go.
+};
+[[nodiscard]] const SutureHabits& suture_habits(OperatorLevel level) noexcept;
+
+class SutureOperator final : public ScriptedOperator {
+ public:
+    SutureOperator(OperatorLevel level, uint64_t seed, size_t tool, const sim::ToolSpec& spec,
+                   const Vec3& home_m);
+    void see(const Perception& seen) override;
+    [[nodiscard]] bool act(double dt_s, std::span<HandAction> hands) noexcept override;
+
+ private:
+    enum class Stage : uint8_t {
+        kLook,
+        kReach,
+        kLower,
+        kDrive,
+        kDrawBack,
+        kOpen,
+        kBack,
+        kSwing,
+        kCome,
+        kClose,
+        kPull,
+        kLeave,
+        kDone
+    };
+    /// The needle's plane as the shaft stands: `right` x `up` = along the shaft.
+    struct Plane {
+        Vec3 right = Vec3::UnitX(), up = Vec3::UnitZ(), shaft = -Vec3::UnitY();
+    };
+    void stage(Stage next) noexcept;
+    [[nodiscard]] Plane plane() const noexcept;
+    void plan() noexcept;
+    /// Driver so that the wire in its jaws lies at `angle` on the circle about `centre`.
+    [[nodiscard]] Vec3 hold_at(const Plane& plane, const Vec3& centre, double angle) noexcept;
+    void drive(const Plane& plane, double dt_s) noexcept;
+    void take_again(const Plane& plane, double dt_s) noexcept;
+
+    const SutureHabits& habits_;
+    OperatorProfile profile_;
+    HandMotion hand_;
+    size_t tool_;
+    sim::ToolSpec spec_;
+    Perception seen_{};
+    Stage stage_ = Stage::kLook;
+    Vec3 centre_ = Vec3::Zero(), across_ = Vec3::Zero(), goal_ = Vec3::Zero();
+    double time_s_ = 0, stage_s_ = 0, radius_m_ = 0;
+    double entry_rad_ = 0;  ///< Where the circle meets the tissue, of the point.
+    double point_rad_ = 0;  ///< Where the point is.
+    double held_rad_ = 0;   ///< Held this far behind it.
+    double grip_rad_ = 0, side_ = 1, out_rad_ = 0;
+    int starts_ = 0, bites_ = 0;
+};
+
+}  // namespace placode::haptics

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/step/suturing.h"
+
+#include <algorithm>
+
+#include "sim/contact/contact.h"
+#include "sim/core/as_index.h"
+#include "sim/step/needle_jaws.h"
+#include "sim/suture/suture_step.h"
+#include "sim/world/scene.h"
+#include "sim/world/scratch.h"
+
+namespace placode::sim {
+namespace {
+
+/// The tissue as the needle sees it; a vertex that instruments touch is solved with both.
+SuturedTissue tissue_of(const Scene& scene, State& state) noexcept {
+    const auto touch = [](void* of, int32_t vertex, VertexSystem& system) noexcept {
+        add_contacts(*static_cast<State*>(of), vertex, system);
+    };
+    return {scene.body, state.body, scene.surface, state.surface, {touch, &state}};
+}
+
+bool works(const Scene& scene, const State& state) noexcept {
+    return scene.suture && state.suturing.placed != 0;
+}
+
+}  // namespace
+
+void begin_suturing(const Scene& scene, State& state) noexcept {
+    if (!scene.suture) return;
+    state.scratch->suture_report = {};
+    state.suturing.point_n = state.suturing.thread_n = 0;
+    if (state.suturing.placed == 0) place_in_jaws(scene, state);
+}
+
+void begin_suture_substep(const Scene& scene, State& state, double h_s) noexcept {
+    if (!works(scene, state)) return;
+    SutureState& needle = state.suturing.needle[0];
+    const int t = state.suturing.driver;
+    const Pose hand = t >= 0 ? state.tools[as_index(t)].proxy : needle.hold.hand;
+    begin_suture(*scene.suture, needle, tissue_of(scene, state), state.scratch->suture[0], hand,
+                 h_s, state.scratch->suture_report);
+}
+
+void solve_suture_substep(const Scene& scene, State& state, double h_s, bool backward) noexcept {
+    if (!works(scene, state)) return;
+    solve_suture(*scene.suture, state.suturing.needle[0], tissue_of(scene, state),
+                 state.scratch->suture[0], h_s, backward);
+}
+
+void finish_suture_substep(const Scene& scene, State& state, double h_s) noexcept {
+    if (!works(scene, state)) return;
+    Suturing& s = state.suturing;
+    SutureReport& report = state.scratch->suture_report;
+    finish_suture(*scene.suture, s.needle[0], tissue_of(scene, state), state.scratch->suture[0],
+                  h_s, report);
+    // What instruments touch stays out of the sweep until they are looked for anew.
+    const ContactSet& contacts = state.scratch->contacts;
+    for (int i = 0; i < contacts.vertex_count; ++i)
+        state.body.contact_vertex[as_index(contacts.vertices[as_index(i)].vertex)] = 1;
+    s.point_n = std::max(s.point_n, static_cast<float>(report.point_force_n));
+    s.thread_n = std::max(s.thread_n, static_cast<float>(report.thread_pull_n));
+    if (s.driver < 0) return;
+    ToolState& tool = state.tools[as_index(s.driver)];
+    const Vec3 pull = -s.needle[0].hold.force_n / state.substeps;
+    tool.force_n += pull;
+    tool.needle_n += pull;
+    tool.stiffness_n_m += needle_pull(scene, state, s.driver).stiffness_n_m / state.substeps;
+}
+
+void update_suturing(const Scene& scene, State& state, double dt) noexcept {
+    if (!scene.suture) return;
+    if (works(scene, state)) tell_of_suture(scene, state, dt);
+    update_needle_jaws(scene, state, dt);
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sim/world/suturing_state.h"
+
+#include "sim/world/scene.h"
+#include "sim/world/state.h"
+
+namespace placode::sim {
+
+Suturing::Suturing(const Scene& scene) {
+    if (!scene.suture) return;
+    const NeedleStart& start = scene.needle_start;
+    needle.emplace_back(*scene.suture, start.X_WN);
+    placed = start.in_jaws ? 0 : 1;
+}
+
+NeedlePull needle_pull(const Scene& scene, const State& state, int tool) noexcept {
+    const Suturing& s = state.suturing;
+    if (s.needle.empty() || s.driver != tool) return {};
+    const SutureState& needle = s.needle[0];
+    const bool open = needle.passage_count == 0 && needle.point.mode == PointMode::kFree &&
+                      needle.thread.channel_count == 0;
+    if (open) return {};
+    return {-needle.hold.force_n, scene.suture->spec().jaws.pull_n_m};
+}
+
+}  // namespace placode::sim

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Placode authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Needle and thread of an attempt, and whose jaws hold the needle.
+#include <array>
+#include <cstdint>
+#include <vector>
+#include "sim/core/fields.h"
+#include "sim/suture/suture.h"
+
+namespace placode::sim {
+
+struct Scene;
+struct State;
+
+/// Slip of the needle in the jaws that goes on.
+struct JawSlip {
+    float s = 0;        ///< So far.
+    float peak = 0;     ///< Pull [N], or torque [N m].
+    float pause_s = 0;  ///< Since it last slipped.
+};
+template <class Visit>
+void fields(Of<JawSlip> auto& s, Visit&& visit) {
+    auto& [so_far, peak, pause_s] = s;
+    visit.state(so_far, peak, pause_s);
+}
+
+struct Suturing {
+    explicit Suturing(const Scene& scene);
+
+    std::vector<SutureState> needle;  ///< Empty or one.
+    uint8_t placed = 0;               ///< The needle is in the field.
+    int8_t driver = -1;               ///< Tool whose jaws hold it, -1 = none.
+    uint8_t locked = 0;               ///< As it began: the jaws let go once they have closed.
+    float held_s = 0, peak_n = 0;     ///< Since it was taken; peak of its pull on the jaws.
+    JawSlip slide, turn;              ///< Along the wire, about the grip.
+    int32_t taken = 0, entered = 0, left = 0, through = 0;  ///< So far.
+    std::array<float, 3> entry_m{}, exit_m{};               ///< The last ones, at rest [m].
+    float point_n = 0;   ///< Of the tissue on the point, largest of the last frame.
+    float thread_n = 0;  ///< Pull of the thread, largest of the last frame.
+};
+template <class Visit>
+void fields(Of<Suturing> auto& s, Visit&& visit) {
+    auto& [needle, placed, driver, locked, held_s, peak_n, slide, turn, taken, entered, left,
+           through, entry_m, exit_m, point_n, thread_n] = s;
+    visit.state(needle, placed, driver, locked, held_s, peak_n, slide, turn, taken, entered, left,
+                through, entry_m, exit_m, point_n, thread_n);
+}
+
+/// What a needle in the jaws of a tool does to it, in the last substep: force of needle, tissue and
+/// thread on the tool [N] and how that grows with the tool's way [N/m]. Nothing for other tools,
+/// and nothing while the needle is in the open, where it follows.
+struct NeedlePull {
+    Vec3 force_n = Vec3::Zero();
+    double stiffness_n_m = 0;
+};
+[[nodiscard]] NeedlePull needle_pull(const Scene& scene, const State& state, int tool) noexcept;
+
+}  // namespace placode::sim
