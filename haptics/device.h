@@ -123,6 +123,10 @@ class DeviceGroup {
     virtual void read(int64_t t_ns, std::span<DeviceState> states) noexcept = 0;
     /// Sends the forces of this tick.
     virtual void write(std::span<const DeviceCommand> commands) noexcept = 0;
+    /// Before a tick is read: what turning tool `tool` shall turn about, from its tip, and along
+    /// which axis, in D; a zero arm is its own shaft. Devices whose hand turns by itself ignore it.
+    virtual void turn_about(size_t /*tool*/, const Vec3& /*arm_m*/, const Vec3& /*axis*/) noexcept {
+    }
     /// Only scripted operators look.
     virtual void perceive(const Perception&) noexcept {}
     /// A group with a scheduler of its own (`DeviceInfo::owns_servo`) begins to call `tick` on its

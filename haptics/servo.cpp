@@ -154,8 +154,13 @@ bool Servo::Impl::tick_all(int64_t now_ns) noexcept {
     note_time(now_ns);
     step_release();
     exchange.feedback.refresh();
-    devices->read(now_ns, states);
     const auto& feedback = exchange.feedback.front();
+    for (size_t i = 0; i < hands.size(); ++i) {
+        const Trocar& trocar = hands[i].trocar;
+        devices->turn_about(i, trocar.device_vector(feedback[i].turn_centre_m),
+                            trocar.device_vector(Vec3::UnitZ()).normalized());
+    }
+    devices->read(now_ns, states);
     for (size_t i = 0; i < hands.size(); ++i) tick_hand(i, now_ns, inputs[i], feedback[i]);
     devices->write(commands);
     exchange.inputs.publish(inputs);

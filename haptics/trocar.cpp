@@ -97,6 +97,10 @@ Vec3 Trocar::device_position(const Vec3& tip_m) const noexcept {
     return settings_.R_WD.transpose() * moved / settings_.scale;
 }
 
+Vec3 Trocar::device_vector(const Vec3& v_T) const noexcept {
+    return settings_.R_WD.transpose() * (last_.q * v_T) / settings_.scale;
+}
+
 Vec3 Trocar::device_force(const Vec3& tip_force_n) const noexcept {
     Mat3 map = tip_from_hand_;
     if (settings_.mapping == Mapping::kHandle) {

@@ -36,6 +36,8 @@ class Trocar {
     [[nodiscard]] sim::Pose tip_pose(const DeviceState& state) noexcept;
     /// Device position that puts the tip at `tip_m` (inverse of `tip_pose`).
     [[nodiscard]] Vec3 device_position(const Vec3& tip_m) const noexcept;
+    /// A vector of the tool's frame T at the last pose, in D, in the device's scale.
+    [[nodiscard]] Vec3 device_vector(const Vec3& v_T) const noexcept;
     /// Device force for a tip force in W, by the transpose of the motion map at the last pose.
     [[nodiscard]] Vec3 device_force(const Vec3& tip_force_n) const noexcept;
     [[nodiscard]] const TrocarSettings& settings() const noexcept { return settings_; }

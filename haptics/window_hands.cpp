@@ -17,6 +17,7 @@ constexpr double kSpeedCapMS = 0.150;
 constexpr double kLagLimitM = 0.020;     // A flick is not stored as motion to come.
 constexpr double kFollowS = 0.025;       // Bridges the 60 Hz of the window at 1 kHz.
 constexpr double kFollowDepthS = 0.050;  // A wheel notch is a step; 95 % of it in 0.15 s.
+constexpr double kTurnCapRadS = 4;       // of a needle: its point at 20 mm/s
 constexpr double kEaseS = 0.050;         // 95 % of the speed in 0.15 s.
 constexpr double kJawRadS = 1.2;         // A button is pressed at once, a hand closes in 0.2 s.
 // A button knows open and closed only: the working opening, not the widest, or jaws would gather
@@ -110,6 +111,27 @@ void WindowHands::follow(WindowHand& hand, double dt_s) noexcept {
     hand.velocity_m_s = dt_s > 0 ? Vec3(step / dt_s) : Vec3(Vec3::Zero());
 }
 
+void WindowHands::turn_about(size_t tool, const Vec3& arm_m, const Vec3& axis) noexcept {
+    if (tool >= hands_.size() || !arm_m.allFinite() || !axis.allFinite()) return;
+    hands_[tool].arm_m = arm_m;
+    hands_[tool].axis = axis;
+}
+
+/// Roll as the device has it; about a needle's own axis the tip goes round with it.
+void WindowHands::turn(WindowHand& hand, double dt_s) noexcept {
+    const double gap = hand.roll_rad - hand.turned_rad;
+    if (hand.arm_m.isZero()) {
+        hand.turned_rad = hand.roll_rad;
+        return;
+    }
+    const double most = kTurnCapRadS * dt_s;
+    const double step = std::clamp(gap * (1 - std::exp(-dt_s / kFollowS)), -most, most);
+    hand.turned_rad += step;
+    const Vec3 way = hand.arm_m - Eigen::AngleAxisd(step, hand.axis) * hand.arm_m;
+    hand.target_m += way;
+    hand.position_m += way;
+}
+
 void WindowHands::next_hand(uint32_t presses) noexcept {
     for (uint32_t k = 0; k < presses % (hands_.size() + 1); ++k) {
         size_t i = active_;
@@ -182,6 +204,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         for (auto& hand : hands_) {
             hand.target_m = hand.position_m;
             hand.rate_m_s.setZero();
+            hand.roll_rad = hand.turned_rad;
         }
     }
     uint8_t pressed = static_cast<uint8_t>(buttons(now) | feet_.poll(t_ns));
@@ -194,6 +217,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
     for (size_t i = 0; i < std::min(states.size(), hands_.size()); ++i) {
         WindowHand& hand = hands_[i];
         follow(hand, dt);
+        turn(hand, dt);
         if (i == active_ && !hand.energy) move_jaw(hand, (held & sim::kPedalCut) != 0, dt);
         DeviceState& out = states[i];
         out = {};
@@ -201,7 +225,7 @@ void WindowHands::read(int64_t t_ns, std::span<DeviceState> states) noexcept {
         out.t_ns = t_ns;
         out.position_m = hand.position_m;
         out.velocity_m_s = hand.velocity_m_s;
-        out.roll_rad = hand.roll_rad;
+        out.roll_rad = hand.turned_rad;
         out.jaw_rad = hand.energy || hand.scope ? 0 : hand.jaw_rad;
         out.pedals = i == active_ && hand.energy ? held : 0;
         out.finish = finished_;

@@ -38,6 +38,9 @@ struct WindowHand {
     Vec3 rate_m_s = Vec3::Zero();  ///< Eased velocity of rate-controlled variants.
     Vec3 position_m = Vec3::Zero(), velocity_m_s = Vec3::Zero();
     double roll_rad = 0, jaw_rad = 0;
+    double turned_rad = 0;      ///< Follows `roll_rad`: at once, with a needle smoothly.
+    Vec3 arm_m = Vec3::Zero();  ///< From the tip to what it turns about; zero = its shaft.
+    Vec3 axis = Vec3::UnitZ();
     bool scope = false, energy = false;
     uint32_t others_in_port = 0;  ///< By bits: they take turns.
     bool out = false;             ///< Waits outside.
@@ -51,6 +54,9 @@ class WindowHands : public DeviceGroup {
  public:
     WindowHands(const DeviceConfig& config, std::string model);
     [[nodiscard]] std::vector<DeviceInfo> info() const override;
+    /// A needle in the jaws is turned about its own axis, as a wrist would: one hand on a mouse
+    /// cannot turn and carry at once.
+    void turn_about(size_t tool, const Vec3& arm_m, const Vec3& axis) noexcept final;
     void read(int64_t t_ns, std::span<DeviceState> states) noexcept final;
     void write(std::span<const DeviceCommand>) noexcept override {}
 
@@ -70,6 +76,7 @@ class WindowHands : public DeviceGroup {
 
  private:
     void follow(WindowHand& hand, double dt_s) noexcept;
+    static void turn(WindowHand& hand, double dt_s) noexcept;
     void next_hand(uint32_t presses) noexcept;
     [[nodiscard]] uint8_t own_press(uint8_t held) noexcept;
     void move_jaw(WindowHand& hand, bool pressed, double dt_s) const noexcept;

@@ -174,6 +174,33 @@ TEST(Mouse, SteersTheScopeWithTheMiddleButton) {
     EXPECT_NEAR(bench.states[1].position_m.x(), 0.0025, 1e-6);
 }
 
+TEST(Mouse, TurnsANeedleAboutItsOwnAxisAndElseAboutTheShaft) {
+    Bench bench("mouse");
+    bench.hold(Key::kShift);
+    bench.input.mouse_x += 100;
+    EXPECT_NEAR(bench.read(1).roll_rad, 0.4, 1e-12) << "at once";
+    EXPECT_EQ(bench.read(500).position_m, Vec3::Zero());
+    // A needle whose centre lies 5 mm off the tip, seen tick by tick as the servo sees it.
+    const Vec3 axis = Vec3(1, 2, -4).normalized();
+    const Vec3 first = 0.005 * axis.unitOrthogonal();
+    const Vec3 centre = first;
+    double before = 0.4;
+    bench.input.mouse_x += 700;
+    for (int i = 0; i < 3000; ++i) {
+        const Vec3 arm = Eigen::AngleAxisd(bench.states[0].roll_rad - 0.4, axis) * first;
+        bench.device->turn_about(0, arm, axis);
+        const DeviceState& now = bench.read(1);
+        EXPECT_LE(now.roll_rad - before, 0.004 + 1e-12) << "no faster than 4 rad/s";
+        before = now.roll_rad;
+        const Vec3 turned = Eigen::AngleAxisd(now.roll_rad - 0.4, axis) * first;
+        EXPECT_LT((now.position_m + turned - centre).norm(), 1e-9);
+    }
+    EXPECT_NEAR(bench.states[0].roll_rad, 3.2, 1e-6);
+    EXPECT_NEAR(bench.states[0].position_m.norm(), 0.01 * std::sin(1.4), 1e-6) << "the chord";
+    bench.device->turn_about(0, Vec3(std::nan(""), 0, 0), axis);
+    EXPECT_TRUE(bench.read(10).position_m.allFinite());
+}
+
 TEST(Mouse, PressesThePedalsOfTheNeedleOnly) {
     Bench bench("mouse");
     bench.input.left = true;

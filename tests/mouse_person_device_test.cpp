@@ -41,6 +41,15 @@ TEST(MousePerson, DoesEveryStepOfTheTutorial) {
     EXPECT_EQ(tutorial.score.verdict, assessment::Verdict::kPassed) << tutorial.score.points;
 }
 
+TEST(MousePerson, TakesABite) {
+    const Task task = load_task("suture_bite");
+    const sim::Recording recording = test::scripted_attempt(task, "mouse");
+    const assessment::MetricSet metrics = assessment::compute_metrics(recording);
+    const assessment::Score score = assessment::score_attempt(task.rubric, metrics, recording);
+    EXPECT_EQ(metrics.find("steps_done_percent").value_or(-1), 100);
+    EXPECT_EQ(score.verdict, assessment::Verdict::kPassed) << score.points;
+}
+
 TEST(MousePerson, TakesThePieceOut) {
     const Outcome resection = by_mouse("scissors_resection");
     // On so coarse a field about half of it comes out whole: 49 % seen.

@@ -47,6 +47,7 @@ class MousePersonDevice final : public DeviceGroup {
             homes.push_back(settings[i].home_tip_m);
             const sim::ToolKind kind = config.tools[i].kind;
             wants_[i].scope = kind == sim::ToolKind::kScope;
+            wants_[i].begins_closed = kind == sim::ToolKind::kNeedleDriver;
             wants_[i].jaws = kind == sim::ToolKind::kGrasper || kind == sim::ToolKind::kScissors ||
                              kind == sim::ToolKind::kNeedleDriver;
         }
@@ -62,6 +63,10 @@ class MousePersonDevice final : public DeviceGroup {
         std::vector<DeviceInfo> out = mouse_->info();
         for (DeviceInfo& device : out) device.model = "script:mouse";
         return out;
+    }
+    void turn_about(size_t tool, const Vec3& arm_m, const Vec3& axis) noexcept override {
+        mouse_->turn_about(tool, arm_m, axis);
+        if (tool < carried_.size()) carried_[tool] = !arm_m.isZero();
     }
     void perceive(const Perception& seen) noexcept override {
         operator_->see(seen);
@@ -101,7 +106,8 @@ class MousePersonDevice final : public DeviceGroup {
     /// What the plan asks of one hand, as the device would say it.
     struct Want {
         bool scope = false, jaws = false, any = false, closed = false;
-        Vec3 position_m = Vec3::Zero(), opening = Vec3::Zero();
+        bool begins_closed = false;  // on a needle; other jaws wait for the plan to open them
+        Vec3 position_m = Vec3::Zero(), opening = Vec3::Zero(), across = Vec3::Zero();
         bool at_tissue = false;
         uint8_t pedals = 0;
         double widest_rad = 0.1;  // that the plan has opened the jaws
@@ -118,18 +124,21 @@ class MousePersonDevice final : public DeviceGroup {
         w.position_m = trocars_[i].device_position(hand.tip_m);
         w.at_tissue = hand.tip_m.z() < tissue_m_;
         w.opening = hand.opening;
+        w.across = hand.across;
         w.pedals = hand.pedals;
         if (hand.jaw_rad > w.widest_rad) w.widest_rad = hand.jaw_rad;
         const double share = hand.jaw_rad / w.widest_rad;
-        if (share < 0.5) w.closed = w.widest_rad > 0.1;
+        if (share < 0.5) w.closed = w.begins_closed || w.widest_rad > 0.1;
         if (share > 0.6) w.closed = false;
     }
 
     [[nodiscard]] double turn(size_t i) noexcept {
         DeviceState straight = states_[i];
         straight.roll_rad = 0;
-        return turn_to_open_along(wants_[i].opening, trocars_[i].tip_pose(straight),
-                                  states_[i].roll_rad);
+        const sim::Pose pose = trocars_[i].tip_pose(straight);
+        return wants_[i].across.isZero()
+                   ? turn_to_open_along(wants_[i].opening, pose, states_[i].roll_rad)
+                   : turn_to_lie_along(wants_[i].across, pose, states_[i].roll_rad);
     }
 
     /// The hand is not yet where and how the plan wants it.
@@ -217,6 +226,7 @@ class MousePersonDevice final : public DeviceGroup {
         if (twist) {
             input_.mouse_x += std::clamp(std::round(angle / (gain * kMouseRollRad)), -60.0, 60.0);
             busy_until_ns_ = t_ns + 2 * kPollNs;
+            swung_[hand] = carried_[hand];
             return;
         }
         if (t_ns >= notch_ns_ && std::abs(z) >= 0.6 * gain * kMouseNotchM) {
@@ -239,6 +249,9 @@ class MousePersonDevice final : public DeviceGroup {
     /// Where the device is going; an instrument that came in anew begins at its start.
     [[nodiscard]] Vec3 aimed(size_t hand) noexcept {
         if (!came_in_[hand] && states_[hand].engaged) aim_[hand] = states_[hand].position_m;
+        // The tip goes round with a needle that is turned.
+        if (swung_[hand]) aim_[hand] = states_[hand].position_m;
+        swung_[hand] = false;
         came_in_[hand] = states_[hand].engaged;
         return aim_[hand];
     }
@@ -248,7 +261,7 @@ class MousePersonDevice final : public DeviceGroup {
     std::vector<HandAction> hands_;
     std::vector<Want> wants_;
     std::vector<DeviceState> states_;
-    std::array<bool, sim::kMaxTools> closed_{}, came_in_{};
+    std::array<bool, sim::kMaxTools> closed_{}, came_in_{}, carried_{}, swung_{};
     std::array<Vec3, sim::kMaxTools> aim_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
     OperatorRandom random_;
     sim::Latest<sim::WindowInput> window_;

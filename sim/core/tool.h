@@ -79,6 +79,9 @@ struct ToolFeedback {
         Vec3::Zero();  ///< f_P_W, force of tissue on the tool, mean over the frame's substeps [N].
     double stiffness_n_m = 0;  ///< Contact stiffness felt at the tip [N/m].
     double time_s = 0;         ///< Simulated time.
+    /// Centre of a suture needle in these jaws, in P [m]: what turning it through tissue should
+    /// turn about. Zero where they hold none.
+    Vec3 turn_centre_m = Vec3::Zero();
 };
 
 }  // namespace placode::sim

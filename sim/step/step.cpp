@@ -213,12 +213,20 @@ float contact_share_of(const Scene& scene, const State& state, int t) noexcept {
     return std::min(1.0f, tool.contact_share + static_cast<float>(frame_s / kShareRecovery));
 }
 
+/// Of a needle in the jaws of tool `t`, in its frame; zero without one.
+Vec3 needle_centre(const State& state, int t) noexcept {
+    const Suturing& suturing = state.suturing;
+    if (suturing.placed == 0 || suturing.driver != t) return Vec3::Zero();
+    return state.tools[t].proxy.inverse() * suturing.needle[0].needle.p;
+}
+
 void give_feedback(const Scene& scene, State& state, std::span<ToolFeedback> feedback) noexcept {
     for (int t = 0; t < static_cast<int>(scene.tools.size()); ++t) {
         ToolState& tool = state.tools[t];
         tool.contact_share = contact_share_of(scene, state, t);
         tool.in_contact = (tool.force_n - tool.needle_n).norm() > kTouchForce ? 1 : 0;
-        feedback[t] = {tool.proxy, tool.force_n + tool.steel_n, tool.stiffness_n_m, state.time_s};
+        feedback[t] = {tool.proxy, tool.force_n + tool.steel_n, tool.stiffness_n_m, state.time_s,
+                       needle_centre(state, t)};
     }
 }
 
