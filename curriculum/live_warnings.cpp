@@ -27,6 +27,14 @@ const char* phrase_of(EventKind kind) {
             return "Grasp slips";
         case EventKind::kCrushed:
             return "Tissue crushed";
+        case EventKind::kNeedleSlipped:
+            return "Needle slips in the jaws";
+        case EventKind::kNeedleTurned:
+            return "Needle turns in the jaws";
+        case EventKind::kThreadCut:
+            return "Thread cuts through tissue";
+        case EventKind::kThreadToreOut:
+            return "Thread torn out";
         case EventKind::kOverTraction:
             return "Pulled too hard";
         case EventKind::kPlacodeCut:

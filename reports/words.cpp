@@ -66,6 +66,14 @@ const char* deed_of(const assessment::LedgerEntry& entry) {
             return "Crushed between the jaws";
         case EventKind::kSlipped:
             return "Slid out of the jaws";
+        case EventKind::kNeedleSlipped:
+            return "Needle slid in the jaws";
+        case EventKind::kNeedleTurned:
+            return "Needle turned in the jaws";
+        case EventKind::kThreadCut:
+            return "Thread cut through tissue";
+        case EventKind::kThreadToreOut:
+            return "Thread tore out of tissue";
         case EventKind::kBuried:
             return "Tip stuck in tissue";
         case EventKind::kTorn:
@@ -87,10 +95,12 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
         case EventKind::kPlacodeContact:
         case EventKind::kOverForce:
         case EventKind::kOverTraction:
+        case EventKind::kNeedleSlipped:
             return seconds(entry.value) + QStringLiteral(", ") + millinewton(entry.value2);
         case EventKind::kPlacodeEnergised:
         case EventKind::kEnergyInAir:
         case EventKind::kDwell:
+        case EventKind::kNeedleTurned:
             return seconds(entry.value);
         case EventKind::kBuried:
             return seconds(entry.value) +
@@ -103,6 +113,9 @@ QString numbers_of(const assessment::LedgerEntry& entry) {
             return square(entry.value);
         case EventKind::kCrushed:
             return QStringLiteral("%1 kPa").arg(local(entry.value / 1000, 0));
+        case EventKind::kThreadCut:
+        case EventKind::kThreadToreOut:
+            return QStringLiteral("%1 N/mm").arg(local(entry.value / 1000, 2));
         case EventKind::kSlipped:
             return QStringLiteral("%1 mm").arg(local(1000 * entry.value, 1));
         default:

@@ -119,6 +119,22 @@ TEST(Ledger, ABuriedTipIsHarmToTheTissueWhereItWas) {
     EXPECT_FLOAT_EQ(static_cast<float>(entries[0].value2), 0.0015F);
 }
 
+TEST(Ledger, NeedleAndThreadHaveTheirPlaces) {
+    const std::vector<Event> events{
+        event(EventKind::kNeedleTurned, 4, 0.5F, 0.009F, 0, Tissue::kSkin),
+        event(EventKind::kThreadCut, 6, 650, 0, 0.009F, Tissue::kSkin),
+        event(EventKind::kNeedleEntered, 7, 0.06F, 0.009F, 0, Tissue::kSkin),
+        event(EventKind::kThreadToreOut, 8, 650, 0, 0.009F, Tissue::kSkin)};
+    const auto entries = damage_ledger(events, field());
+    ASSERT_EQ(entries.size(), 3U) << "a bite is no harm";
+    EXPECT_EQ(entries[0].lane, HarmLane::kForce);
+    EXPECT_DOUBLE_EQ(entries[0].from_s, 3.5);
+    EXPECT_EQ(entries[1].lane, HarmLane::kTissue);
+    EXPECT_EQ(entries[1].hour, 9);  // left
+    EXPECT_EQ(entries[1].region, Region::kSkin);
+    EXPECT_EQ(entries[2].kind, EventKind::kThreadToreOut);
+}
+
 TEST(Ledger, EntriesAreInOrderOfTimeWhenTheyBegan) {
     const std::vector<Event> events{event(EventKind::kDwell, 8, 1, 0.005F, 0),
                                     event(EventKind::kOverForce, 9, 7, 0.005F, 0)};

@@ -1906,6 +1906,22 @@
         <translation>Wysunięcie ze szczęk</translation>
     </message>
     <message>
+        <source>Needle slid in the jaws</source>
+        <translation>Igła przesunęła się w szczękach</translation>
+    </message>
+    <message>
+        <source>Needle turned in the jaws</source>
+        <translation>Igła obróciła się w szczękach</translation>
+    </message>
+    <message>
+        <source>Thread cut through tissue</source>
+        <translation>Nić przecięła tkankę</translation>
+    </message>
+    <message>
+        <source>Thread tore out of tissue</source>
+        <translation>Nić wyrwała się z tkanki</translation>
+    </message>
+    <message>
         <source>Placode torn</source>
         <translation>Rozdarcie płytki</translation>
     </message>
