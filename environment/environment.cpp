@@ -48,7 +48,8 @@ Environment::Environment(std::shared_ptr<FieldCache> fields, const std::string& 
     task_ = curriculum::load_task(task);
     if (!options_.scene_changes_json.empty())
         task_ = curriculum::with_scene_changes(task_, options_.scene_changes_json);
-    names_ = environment::observation_names(task_.scene.tools.size());
+    names_ =
+        environment::observation_names(task_.scene.tools.size(), task_.scene.suture.has_value());
 }
 
 Environment::~Environment() = default;

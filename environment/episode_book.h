@@ -17,7 +17,9 @@ struct HarmKind {
     sim::EventKind event;
     double scale = 0;  ///< Of the event's value; 0 = events are counted.
 };
-inline constexpr std::array<HarmKind, 12> kHarms{{
+/// The first ones may happen in any scene, the rest with needle and thread.
+inline constexpr size_t kFieldHarms = 12;
+inline constexpr std::array<HarmKind, 15> kHarms{{
     {"torn_mm3", sim::EventKind::kTorn, 1e9},
     {"placode_contacts", sim::EventKind::kPlacodeContact, 0},
     {"placode_energised", sim::EventKind::kPlacodeEnergised, 0},
@@ -30,6 +32,9 @@ inline constexpr std::array<HarmKind, 12> kHarms{{
     {"slipped", sim::EventKind::kSlipped, 0},
     {"buried_s", sim::EventKind::kBuried, 1},
     {"energy_in_air_s", sim::EventKind::kEnergyInAir, 1},
+    {"needle_slips", sim::EventKind::kNeedleSlipped, 0},
+    {"needle_turns", sim::EventKind::kNeedleTurned, 0},
+    {"thread_cuts", sim::EventKind::kThreadCut, 0},
 }};
 
 class EpisodeBook final : public curriculum::AttemptBook {

@@ -3,6 +3,8 @@
 #include "environment/goals.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace placode::environment {
 
@@ -22,12 +24,51 @@ std::optional<Vec3> nearest_untraced(const haptics::Perception& seen, const Vec3
     return nearest;
 }
 
+/// Where the wire of the suture needle is taken, from its point [m]: to bite, and to be drawn out.
+constexpr double kTakeToBiteShare = 2.0 / 3, kTakeBehindPointM = 0.0013;
+
+/// Place on the needle's half circle, from its point (sim/suture/needle.h).
+Vec3 wire_place(const haptics::Perception& seen, double arc_m) {
+    const double radius = seen.needle_arc_m / std::numbers::pi, angle = arc_m / radius;
+    return seen.X_WN * Vec3(radius * std::cos(angle), radius * std::sin(angle), 0);
+}
+
+/// Of a driver in a step with the needle: its point to the mark, or the jaws to the wire.
+void needle_goal(const haptics::Perception& seen, size_t tool, ToolGoals& goals) {
+    const sim::PracticeGoal& practice = seen.practice;
+    const sim::PracticeKind kind = practice.step.kind;
+    if (!seen.needle || kind == sim::PracticeKind::kNeedleThrough) return;
+    if (kind == sim::PracticeKind::kNeedleTake) {
+        goals.place_m[tool] = wire_place(seen, kTakeBehindPointM);
+        return;
+    }
+    const int mark = kind == sim::PracticeKind::kNeedleOut ? 1 : 0;
+    if (mark >= practice.targets) return;
+    const Vec3 wanted = practice.target_m[static_cast<size_t>(mark)];
+    const Vec3 point = wire_place(seen, 0);
+    if (seen.needle_held) {
+        goals.place_m[tool] = wanted;
+        goals.from_m[tool] = point;
+    } else {
+        // Nothing is gained by dropping it: its own way is still to go.
+        goals.place_m[tool] = wire_place(seen, kTakeToBiteShare * seen.needle_arc_m);
+        goals.after_m[tool] = (wanted - point).norm();
+    }
+}
+
+bool is_needle_step(sim::PracticeKind kind) {
+    return kind == sim::PracticeKind::kNeedleIn || kind == sim::PracticeKind::kNeedleOut ||
+           kind == sim::PracticeKind::kNeedleTake || kind == sim::PracticeKind::kNeedleThrough;
+}
+
 /// Of a task with steps: only the hands of the present one have a goal.
 void practice_goals(std::span<const sim::ToolSpec> tools, const haptics::Perception& seen,
                     std::span<const Vec3> tips, ToolGoals& goals) {
     const sim::PracticeGoal& practice = seen.practice;
     goals.reached = practice.index * (sim::kTraceBins + 1) +
                     std::count(practice.traced.begin(), practice.traced.end(), 1);
+    // A needle that comes with the first frame brings its goal along.
+    if (seen.needle) ++goals.reached;
     if (practice.index >= practice.count) return;
     const sim::PracticeKind kind = practice.step.kind;
     for (size_t i = 0; i < tools.size(); ++i) {
@@ -38,10 +79,12 @@ void practice_goals(std::span<const sim::ToolSpec> tools, const haptics::Percept
                 continue;
             goals.place_m[i] = seen.holds[i] ? tips[i] : practice.target_m[target];
         } else if (tools[i].hand == practice.step.hand) {
-            if (kind == sim::PracticeKind::kTrace)
+            if (is_needle_step(kind))
+                needle_goal(seen, i, goals);
+            else if (kind == sim::PracticeKind::kTrace)
                 goals.place_m[i] = nearest_untraced(seen, tips[i]);
             else if (practice.targets > 0)
-                goals.place_m[i] = practice.target_m[kind == sim::PracticeKind::kNeedleOut ? 1 : 0];
+                goals.place_m[i] = practice.target_m[0];
         }
     }
 }
@@ -82,12 +125,14 @@ std::optional<Vec3> nearest_undone(std::span<const Vec3> points, std::span<const
 ToolGoals goals_of(std::span<const sim::ToolSpec> tools, const haptics::Perception& seen,
                    std::span<const Vec3> tips) {
     ToolGoals goals;
+    for (size_t i = 0; i < tools.size(); ++i) goals.from_m[i] = tips[i];
     if (seen.practice.count > 0)
         practice_goals(tools, seen, tips, goals);
     else
         field_goals(tools, seen, tips, goals);
     for (size_t i = 0; i < tools.size(); ++i)
-        if (goals.place_m[i]) goals.away_m[i] = (*goals.place_m[i] - tips[i]).norm();
+        if (goals.place_m[i])
+            goals.away_m[i] = goals.after_m[i] + (*goals.place_m[i] - goals.from_m[i]).norm();
     return goals;
 }
 

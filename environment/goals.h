@@ -15,7 +15,10 @@ namespace placode::environment {
 
 struct ToolGoals {
     std::array<std::optional<sim::Vec3>, sim::kMaxTools> place_m;  ///< By tool, in W; empty = none.
-    std::array<double, sim::kMaxTools> away_m{};  ///< Of the tip from there, where there is one.
+    /// What has to come there: the tip, or the point of the needle that it holds.
+    std::array<sim::Vec3, sim::kMaxTools> from_m;
+    std::array<double, sim::kMaxTools> after_m{};  ///< Way that is left once it is there.
+    std::array<double, sim::kMaxTools> away_m{};   ///< All of the way, where there is a goal.
     /// Changes when something was reached: distances before and after are not to be compared.
     int64_t reached = 0;
 };

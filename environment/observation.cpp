@@ -23,6 +23,9 @@ double to_line_m(std::span<const Vec3> line, const Vec3& from) {
     return nearest;
 }
 
+/// Only in scenes with a needle; before it is placed it lies nowhere, which is at the origin.
+sim::Pose needle_pose(const Sight& s) { return s.seen.needle ? s.seen.X_WN : sim::Pose(); }
+
 const Vec3& tip_of(const Sight& s, size_t i) { return s.poses[i].p; }
 
 /// Of the attempt. A name stands beside what it means.
@@ -66,7 +69,7 @@ constexpr ToolVector kToolVectors[] = {
     {"to_goal", "_mm",
      [](const Sight& s, size_t i) -> Vec3 {
          const auto& goal = s.goals.place_m[i];
-         return goal ? Vec3(kMm * (*goal - tip_of(s, i))) : Vec3(Vec3::Zero());
+         return goal ? Vec3(kMm * (*goal - s.goals.from_m[i])) : Vec3(Vec3::Zero());
      }},
 };
 
@@ -92,33 +95,74 @@ constexpr ToolNumber kToolNumbers[] = {
      [](const Sight& s, size_t i) { return kMm * to_line_m(s.seen.contour, tip_of(s, i)); }},
 };
 
+/// Of the suture needle, in scenes that have one: last, so that the others keep their places.
+constexpr ToolVector kNeedleVectors[] = {
+    {"point", "_mm",
+     [](const Sight& s, size_t) -> Vec3 {
+         return kMm * (needle_pose(s) * s.scene.suture->needle().tip_m());
+     }},
+    {"point_ahead", "",
+     [](const Sight& s, size_t) -> Vec3 { return needle_pose(s).q * sim::Needle::forward(); }},
+    {"swage", "_mm",
+     [](const Sight& s, size_t) -> Vec3 {
+         return kMm * (needle_pose(s) * Vec3(-s.scene.suture->needle().tip_m()));
+     }},
+};
+constexpr Number kNeedleNumbers[] = {
+    {"held", [](const Sight& s) { return s.seen.needle_held ? 1.0 : 0; }},
+    {"bites", [](const Sight& s) { return static_cast<double>(s.seen.bites); }},
+    {"exits", [](const Sight& s) { return static_cast<double>(s.seen.exits); }},
+    {"drawn_through", [](const Sight& s) { return static_cast<double>(s.seen.drawn_through); }},
+    {"point_n", [](const Sight& s) { return static_cast<double>(s.state.suturing.point_n); }},
+    {"thread_n", [](const Sight& s) { return static_cast<double>(s.state.suturing.thread_n); }},
+};
+
+constexpr const char* kAxes[] = {"_x", "_y", "_z"};
+
 }  // namespace
 
-std::vector<std::string> observation_names(size_t tools) {
+std::vector<std::string> observation_names(size_t tools, bool needle) {
     std::vector<std::string> names;
     for (const Number& number : kProgress) names.emplace_back(number.name);
-    for (const HarmKind& harm : kHarms) names.push_back("harm." + std::string(harm.name));
+    for (size_t i = 0; i < kFieldHarms; ++i) names.push_back("harm." + std::string(kHarms[i].name));
     for (size_t i = 0; i < tools; ++i) {
         const std::string tool = "tool" + std::to_string(i) + ".";
         for (const ToolVector& vector : kToolVectors)
-            for (const char* axis : {"_x", "_y", "_z"})
+            for (const char* axis : kAxes)
                 names.push_back(tool + std::string(vector.name) + axis + std::string(vector.unit));
         for (const ToolNumber& number : kToolNumbers)
             names.push_back(tool + std::string(number.name));
     }
+    if (!needle) return names;
+    for (const ToolVector& vector : kNeedleVectors)
+        for (const char* axis : kAxes)
+            names.push_back("needle." + std::string(vector.name) + axis + std::string(vector.unit));
+    for (const Number& number : kNeedleNumbers)
+        names.push_back("needle." + std::string(number.name));
+    for (size_t i = kFieldHarms; i < kHarms.size(); ++i)
+        names.push_back("harm." + std::string(kHarms[i].name));
     return names;
 }
 
 void observe(const Sight& sight, std::span<double> out) {
     size_t at = 0;
     for (const Number& number : kProgress) out[at++] = number.value(sight);
-    for (const double harm : sight.book.harms()) out[at++] = harm;
+    const auto harms = sight.book.harms();
+    for (const double harm : harms.first(kFieldHarms)) out[at++] = harm;
     for (size_t i = 0; i < sight.scene.tools.size(); ++i) {
         for (const ToolVector& vector : kToolVectors) {
             const Vec3 value = vector.value(sight, i);
             for (int k = 0; k < 3; ++k) out[at++] = value[k];
         }
         for (const ToolNumber& number : kToolNumbers) out[at++] = number.value(sight, i);
+    }
+    if (sight.scene.suture) {
+        for (const ToolVector& vector : kNeedleVectors) {
+            const Vec3 value = vector.value(sight, 0);
+            for (int k = 0; k < 3; ++k) out[at++] = value[k];
+        }
+        for (const Number& number : kNeedleNumbers) out[at++] = number.value(sight);
+        for (const double harm : harms.subspan(kFieldHarms)) out[at++] = harm;
     }
     assert(at == out.size());
 }

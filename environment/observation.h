@@ -29,7 +29,8 @@ struct Sight {
 
 /// One name per number, each ending in its unit; a number without one is a share, a count or 0/1.
 /// "tool0.tip_x_mm": tools in the order of the scene.
-[[nodiscard]] std::vector<std::string> observation_names(size_t tools);
+/// @param needle the scene has a suture needle: its numbers come last.
+[[nodiscard]] std::vector<std::string> observation_names(size_t tools, bool needle);
 /// As many numbers as there are names.
 void observe(const Sight& sight, std::span<double> out);
 

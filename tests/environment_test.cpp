@@ -230,6 +230,62 @@ TEST(Environment, AnObservationSaysWhereToGo) {
     for (const double number : observation_of(environment)) EXPECT_TRUE(std::isfinite(number));
 }
 
+TEST(Environment, ABiteIsSeenAndRewardedByTheNeedlesPoint) {
+    EnvironmentOptions options;
+    options.units = ActionUnits::kAbsolute;
+    options.fields = 1;
+    options.record = true;
+    Environment environment(fields(), "suture_bite", options);
+    environment.reset(1);
+    const auto& names = environment.observation_names();
+    EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
+    EXPECT_EQ(names.back(), "harm.thread_cuts") << "the needle's numbers come last";
+    const auto seen = [&](const char* name) { return test::seen(environment, name); };
+    Expert expert(environment, "expert", 1);
+    std::vector<double> action(environment.tools() * kActionSize);
+    double parts = 0;
+    bool held_at_first = false, goal_from_point = false, through_has_no_goal = false;
+    while (!environment.ended()) {
+        const bool done = expert.act(environment, 10, action);
+        parts += environment.step(action, 10, done).score_part;
+        if (seen("steps_done") == 0) {
+            held_at_first = held_at_first || seen("needle.held") == 1;
+            // The way to the mark begins where the needle's point is.
+            const sim::Vec3 mark = environment.look().practice.target_m[0];
+            goal_from_point = std::abs(seen("needle.point_x_mm") + seen("tool0.to_goal_x_mm") -
+                                       1000 * mark.x()) < 1e-6;
+        }
+        if (seen("steps_done") == 3) through_has_no_goal = seen("tool0.has_goal") == 0;
+    }
+    EXPECT_TRUE(held_at_first);
+    EXPECT_TRUE(goal_from_point);
+    EXPECT_TRUE(through_has_no_goal);
+    EXPECT_EQ(seen("needle.bites"), 1);
+    EXPECT_EQ(seen("needle.exits"), 1);
+    EXPECT_EQ(seen("needle.drawn_through"), 1);
+    EXPECT_EQ(environment.judged().score.verdict, assessment::Verdict::kPassed);
+    EXPECT_NEAR(100 * parts, environment.judged().score.points, 1e-9);
+    EXPECT_TRUE(curriculum::replay(environment.recording(), 1).identical);
+}
+
+TEST(Environment, DroppingTheNeedleBringsNoReward) {
+    EnvironmentOptions options;
+    options.fields = 1;
+    Environment environment(fields(), "suture_bite", options);
+    environment.reset(1);
+    std::vector<double> action(environment.tools() * kActionSize, 0.0);
+    // The needle comes with the first frame: its way to the mark is no loss.
+    EXPECT_EQ(environment.step(action, 1).approach_part, 0);
+    // Jaws closed once, then opened; nothing else moves.
+    double approach = 0;
+    action[4] = -1;
+    for (int i = 0; i < 20; ++i) approach += environment.step(action, 20).approach_part;
+    action[4] = 1;
+    for (int i = 0; i < 20; ++i) approach += environment.step(action, 20).approach_part;
+    EXPECT_EQ(test::seen(environment, "needle.held"), 0);
+    EXPECT_LE(approach, 1e-3);
+}
+
 TEST(Hands, MoveNoFasterThanHandsDoAndTakeTurnsInAPort) {
     const curriculum::Task task = curriculum::load_task("sb_dissection");
     Hands hands(task.scene.tools);

@@ -10,6 +10,7 @@ TASKS = {
     "Placode/Traction-v0": "two_handed_traction",
     "Placode/Ring-v0": "diathermy_ring_small",
     "Placode/Resection-v0": "scissors_resection",
+    "Placode/Bite-v0": "suture_bite",
     "Placode/Dissection-v0": "sb_dissection",
 }
 

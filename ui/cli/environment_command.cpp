@@ -24,6 +24,11 @@ struct EnvironmentOptions {
     int attempts = 3;
 };
 
+/// The tasks that come as environments (placode.tasks of the Python package).
+constexpr const char* kTasks[] = {
+    "touch_targets",        "trace_contour",      "grasp_and_lift", "two_handed_traction",
+    "diathermy_ring_small", "scissors_resection", "suture_bite",    "sb_dissection"};
+
 /// As placode.COARSE of the Python package.
 constexpr const char* kCoarse =
     R"({"edge_ring_m":0.0010,"edge_placode_m":0.0014,"edge_outer_m":0.003,"solver":{"substeps":2}})";
@@ -33,10 +38,7 @@ std::vector<bench::EnvironmentCase> cases(const EnvironmentOptions& options) {
     std::vector<bench::EnvironmentCase> all{
         {"coarse field", "touch_targets", kCoarse},
         {"coarse field, ring", "diathermy_ring_small", kCoarse}};
-    for (const char* task :
-         {"touch_targets", "trace_contour", "grasp_and_lift", "two_handed_traction",
-          "diathermy_ring_small", "scissors_resection", "sb_dissection"})
-        all.push_back({"as published", task, ""});
+    for (const char* task : kTasks) all.push_back({"as published", task, ""});
     if (options.quick) all.resize(2);
     return all;
 }
@@ -132,9 +134,7 @@ Rows speed(const EnvironmentOptions& options, Json& json) {
 
 Rows policies(const EnvironmentOptions& options, Json& json) {
     Rows rows{{"task", "policy", "attempts", "passed", "points", "dense reward", "duration, s"}};
-    for (const char* task :
-         {"touch_targets", "trace_contour", "grasp_and_lift", "two_handed_traction",
-          "diathermy_ring_small", "scissors_resection", "sb_dissection"}) {
+    for (const char* task : kTasks) {
         if (!options.task.empty() && options.task != task) continue;
         const int attempts = std::string(task) == "sb_dissection" ? 1 : options.attempts;
         (void)bench::measure_policies(
