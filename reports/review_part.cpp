@@ -49,6 +49,15 @@ bool same(const sim::SurfaceTriangle& a, const sim::SurfaceTriangle& b) {
     return a.vertex == b.vertex && a.tissue == b.tissue && a.fresh == b.fresh;
 }
 
+std::array<float, kReviewNeedleFloats> floats_of(const sim::Pose& pose) {
+    const std::array<double, kReviewNeedleFloats> values{
+        pose.p.x(), pose.p.y(), pose.p.z(), pose.q.w(), pose.q.x(), pose.q.y(), pose.q.z()};
+    std::array<float, kReviewNeedleFloats> floats{};
+    std::transform(values.begin(), values.end(), floats.begin(),
+                   [](double value) { return static_cast<float>(value); });
+    return floats;
+}
+
 }  // namespace
 
 void ReviewPart::add(const sim::Snapshot& moment) {
@@ -73,16 +82,18 @@ void ReviewPart::add(const sim::Snapshot& moment) {
     add_line(moment.resect_line, moment.resect_cut, kOfMarkedTissue);
     for (int i = 0; i < moment.tool_count; ++i) {
         const sim::ToolSnapshot& tool = moment.tools[as_index(i)];
-        const auto& q = tool.pose.q;
         const float force = std::hypot(tool.force_n[0], tool.force_n[1], tool.force_n[2]);
-        for (const double value :
-             {tool.pose.p.x(), tool.pose.p.y(), tool.pose.p.z(), q.w(), q.x(), q.y(), q.z(),
-              static_cast<double>(tool.jaw_rad), static_cast<double>(force)})
-            picture.tools.push_back(static_cast<float>(value));
+        const auto pose = floats_of(tool.pose);
+        picture.tools.insert(picture.tools.end(), pose.begin(), pose.end());
+        picture.tools.push_back(tool.jaw_rad);
+        picture.tools.push_back(force);
         picture.tool_flags.push_back(static_cast<uint8_t>(
             (tool.engaged != 0 ? 1 : 0) | (tool.energised != 0 ? 2 : 0) |
             ((tool.pedals & sim::kPedalCoag) != 0 ? 4 : 0) | (tool.in_contact != 0 ? 8 : 0)));
     }
+    if (moment.needle.present == 0) return;
+    picture.needle = floats_of(moment.needle.pose);
+    for (const auto& x : moment.needle.thread) picture.thread.push_back(place_of(x));
 }
 
 /// Vertices that any picture of the part shows, in rising order.
@@ -171,18 +182,46 @@ void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) cons
     bytes += low + high;
 }
 
+bool ReviewPart::has_needle() const {
+    const std::array<float, kReviewNeedleFloats> none{};
+    return std::any_of(pictures_.begin(), pictures_.end(),
+                       [&](const Picture& picture) { return picture.needle != none; });
+}
+
+/// As they are: from picture to picture a thread has more points or fewer.
+void ReviewPart::put_threads(std::string& bytes) const {
+    std::string low, high;
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (const Picture& picture : pictures_)
+            for (const Place& place : picture.thread) {
+                low.push_back(static_cast<char>(place[axis] & 0xff));
+                high.push_back(static_cast<char>(place[axis] >> 8));
+            }
+    bytes += low + high;
+}
+
 std::string ReviewPart::encoded() const {
     if (pictures_.empty()) return {};
     const Numbering vertices = numbering();
     const Picture& last = pictures_.back();
+    const bool needle = has_needle();
+    size_t thread_points = 0;
+    for (const Picture& picture : pictures_) thread_points += picture.thread.size();
     std::string words, bytes;
-    for (const size_t value : {size_t{kReviewPartVersion}, pictures_.size(), vertices.body.size(),
-                               surfaces_.size(), last.lines.size(), last.tool_flags.size()})
+    for (const size_t value :
+         {size_t{kReviewPartVersion}, pictures_.size(), vertices.body.size(), surfaces_.size(),
+          last.lines.size(), last.tool_flags.size(), size_t{needle}, thread_points})
         put(words, static_cast<uint32_t>(value));
     for (const Picture& picture : pictures_) put(words, picture.time_s);
     for (const Picture& picture : pictures_) put(words, picture.surface);
     for (const Picture& picture : pictures_)
         for (const float value : picture.tools) put(words, value);
+    if (needle) {
+        for (const Picture& picture : pictures_)
+            for (const float value : picture.needle) put(words, value);
+        for (const Picture& picture : pictures_)
+            put(words, static_cast<uint32_t>(picture.thread.size()));
+    }
     for (const Picture& picture : pictures_)
         bytes.append(picture.tool_flags.begin(), picture.tool_flags.end());
     put_surfaces(words, bytes, vertices);
@@ -190,6 +229,7 @@ std::string ReviewPart::encoded() const {
         bytes.append(picture.line_flags.begin(), picture.line_flags.end());
     put_damage(bytes, vertices);
     put_places(bytes, vertices);
+    put_threads(bytes);
     words += bytes;
     // Qt puts the length before the stream, most significant byte first.
     const QByteArray packed = qCompress(reinterpret_cast<const uchar*>(words.data()),

@@ -16,8 +16,9 @@ namespace placode::reports {
 
 inline constexpr double kReviewStepM = 8e-6;        ///< Of a place; a pixel shows some 40 um.
 inline constexpr double kReviewLeastM = -0.262144;  ///< Place 0: 16 bits reach 524 mm.
-inline constexpr uint32_t kReviewPartVersion = 1;
-inline constexpr int kReviewToolFloats = 9;  ///< Place, w x y z, jaw [rad], force [N].
+inline constexpr uint32_t kReviewPartVersion = 2;
+inline constexpr int kReviewToolFloats = 9;    ///< Place, w x y z, jaw [rad], force [N].
+inline constexpr int kReviewNeedleFloats = 7;  ///< Place, w x y z; all 0 = not in the field.
 
 /// What is drawn of a moment, as the part keeps it.
 class ReviewPart {
@@ -39,6 +40,8 @@ class ReviewPart {
         std::vector<uint8_t> line_flags;  ///< 1 = cut there; 2 = of the second line.
         std::vector<float> tools;         ///< kReviewToolFloats of each.
         std::vector<uint8_t> tool_flags;
+        std::array<float, kReviewNeedleFloats> needle{};  ///< Of a suture needle.
+        std::vector<Place> thread;                        ///< From its swage on.
     };
     struct Surface {
         uint32_t version = 0;
@@ -50,6 +53,8 @@ class ReviewPart {
     void put_surfaces(std::string& words, std::string& bytes, const Numbering& numbering) const;
     void put_damage(std::string& bytes, const Numbering& numbering) const;
     void put_places(std::string& bytes, const Numbering& numbering) const;
+    [[nodiscard]] bool has_needle() const;
+    void put_threads(std::string& bytes) const;
 
     std::vector<Picture> pictures_;
     std::vector<Surface> surfaces_;

@@ -42,6 +42,12 @@ QJsonArray tissues_of(const sim::Scene& scene) {
     return list;
 }
 
+QJsonValue needle_of(const sim::Scene& scene) {
+    if (!scene.suture) return QJsonValue::Null;
+    const sim::NeedleSpec& spec = scene.suture->needle().spec();
+    return QJsonObject{{"arc_m", spec.arc_m}, {"wire_radius_m", spec.wire_radius_m}};
+}
+
 std::string head_of(const sim::Scene& scene, const ReviewTrack& track, int pictures) {
     const QJsonObject head{{"version", static_cast<int>(kReviewPartVersion)},
                            {"pictures", pictures},
@@ -53,7 +59,8 @@ std::string head_of(const sim::Scene& scene, const ReviewTrack& track, int pictu
                            {"step_m", kReviewStepM},
                            {"least_m", kReviewLeastM},
                            {"tissues_linear_rgb", tissues_of(scene)},
-                           {"tools", tools_of(scene.tools)}};
+                           {"tools", tools_of(scene.tools)},
+                           {"needle", needle_of(scene)}};
     return QJsonDocument(head).toJson(QJsonDocument::Compact).toStdString();
 }
 

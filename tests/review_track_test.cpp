@@ -58,17 +58,22 @@ struct Moment {
     std::vector<float> tools;
     std::vector<uint8_t> flags, cut;
     size_t vertices = 0;
+    std::vector<float> needle;
+    std::vector<std::array<double, 3>> thread;  ///< [m]
 };
 
 std::vector<Moment> moments_of(const std::string& packed) {
     Bytes in(packed);
-    const auto head = in.take<uint32_t>(6);
+    const auto head = in.take<uint32_t>(8);
     EXPECT_EQ(head[0], kReviewPartVersion);
     const size_t pictures = head[1], vertices = head[2], surfaces = head[3], contour = head[4],
-                 tools = head[5], places = vertices + contour;
+                 tools = head[5], places = vertices + contour, needles = head[6],
+                 thread_points = head[7];
     const auto times = in.take<float>(pictures);
     const auto surface_of = in.take<uint32_t>(pictures);
     const auto states = in.take<float>(pictures * tools * kReviewToolFloats);
+    const auto needle = in.take<float>(pictures * needles * kReviewNeedleFloats);
+    const auto thread_counts = in.take<uint32_t>(pictures * needles);
     const auto heads = in.take<uint32_t>(2 * surfaces);
     size_t edits = 0;
     for (size_t s = 0; s < surfaces; ++s) edits += heads[2 * s + 1];
@@ -77,15 +82,17 @@ std::vector<Moment> moments_of(const std::string& packed) {
                cut = in.take<uint8_t>(pictures * contour),
                damage = in.take<uint8_t>(pictures * 3 * vertices),
                low = in.take<uint8_t>(pictures * 3 * places),
-               high = in.take<uint8_t>(pictures * 3 * places);
+               high = in.take<uint8_t>(pictures * 3 * places),
+               thread_low = in.take<uint8_t>(3 * thread_points),
+               thread_high = in.take<uint8_t>(3 * thread_points);
     EXPECT_TRUE(in.at_end());
     std::vector<Moment> all;
     std::vector<uint16_t> x(3 * places, 0);
     std::vector<uint8_t> now(3 * vertices, 0);
     std::vector<Triangle> triangles;
-    size_t edit = 0, shown = 0;
+    size_t edit = 0, shown = 0, thread_from = 0;
     for (size_t p = 0; p < pictures; ++p) {
-        Moment moment{times[p], {}, {}, {}, {}, {}, {}, vertices};
+        Moment moment{times[p], {}, {}, {}, {}, {}, {}, vertices, {}, {}};
         for (size_t i = 0; i < 3 * places; ++i) {
             const int value = low[i * pictures + p] | high[i * pictures + p] << 8;
             x[i] = static_cast<uint16_t>(p == 0 ? value : x[i] + ((value >> 1) ^ -(value & 1)));
@@ -113,6 +120,16 @@ std::vector<Moment> moments_of(const std::string& packed) {
         moment.tools = part(states, tools * kReviewToolFloats);
         moment.flags = part(flags, tools);
         moment.cut = part(cut, contour);
+        if (needles > 0) {
+            moment.needle = part(needle, kReviewNeedleFloats);
+            for (uint32_t i = 0; i < thread_counts[p]; ++i, ++thread_from) {
+                auto& place = moment.thread.emplace_back();
+                for (size_t k = 0; k < 3; ++k) {
+                    const size_t n = k * thread_points + thread_from;
+                    place[k] = kReviewLeastM + kReviewStepM * (thread_low[n] | thread_high[n] << 8);
+                }
+            }
+        }
         all.push_back(moment);
     }
     return all;
@@ -163,9 +180,24 @@ void expect_same(const Moment& shown, const sim::Snapshot& was) {
     }
 }
 
+void expect_same_needle(const Moment& shown, const sim::NeedleSnapshot& was) {
+    if (was.present == 0) {
+        ASSERT_TRUE(std::all_of(shown.needle.begin(), shown.needle.end(),
+                                [](float value) { return value == 0; }));
+        return;
+    }
+    ASSERT_EQ(shown.needle.size(), 7U);
+    for (int k = 0; k < 3; ++k)
+        ASSERT_FLOAT_EQ(shown.needle[as_index(k)], static_cast<float>(was.pose.p[k]));
+    ASSERT_FLOAT_EQ(shown.needle[3], static_cast<float>(was.pose.q.w()));
+    ASSERT_EQ(shown.thread.size(), was.thread.size());
+    for (size_t i = 0; i < was.thread.size(); ++i) expect_near(shown.thread[i], was.thread[i]);
+}
+
 struct Looked {
     size_t moments = 0, least_triangles = SIZE_MAX, most_triangles = 0;
     bool fresh = false, harmed = false;
+    size_t needles = 0, most_thread = 0;
 };
 
 /// The track of a recording against a replay of it.
@@ -181,6 +213,9 @@ Looked compare(const sim::Recording& recording, const ReviewTrack& track) {
             }
             sim::fill_snapshot(replay.scene(), replay.state(), was);
             expect_same(moment, was);
+            expect_same_needle(moment, was.needle);
+            looked.needles += was.needle.present;
+            looked.most_thread = std::max(looked.most_thread, moment.thread.size());
             if (testing::Test::HasFatalFailure()) return looked;
             ++looked.moments;
             looked.least_triangles = std::min(looked.least_triangles, moment.triangles.size());
@@ -219,6 +254,16 @@ TEST(ReviewTrack, ShowsScissorsAsTheSimulationDid) {
     const Looked looked = compare(recording, *track);
     EXPECT_GT(looked.most_triangles, looked.least_triangles) << "nothing was cut";
     EXPECT_TRUE(looked.fresh);
+}
+
+TEST(ReviewTrack, ShowsNeedleAndThreadAsTheSimulationDid) {
+    const sim::Recording recording = test::scripted_seconds("suture_bite", 9);
+    const auto track = make_review_track(recording);
+    ASSERT_TRUE(track);
+    EXPECT_NEAR(head_of(*track)["needle"].toObject()["arc_m"].toDouble(), 0.017, 1e-9);
+    const Looked looked = compare(recording, *track);
+    EXPECT_GT(looked.needles, 200U);
+    EXPECT_GT(looked.most_thread, 1U);
 }
 
 TEST(ReviewTrack, SaysWhereTheSimulationDiffers) {

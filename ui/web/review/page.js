@@ -4,6 +4,7 @@
 
 import {Camera, VIEWS} from "./camera.js";
 import {Painter} from "./painter.js";
+import {drawNeedle, drawThread} from "./needle.js";
 import {FLOATS_OF_TOOL, Part} from "./part.js";
 import {Soup} from "./soup.js";
 import {TissueSoup} from "./tissue.js";
@@ -166,17 +167,25 @@ class Review {
       if (spec.kind === "scope" || (spec.shares_hand && !(flags & ENGAGED))) return;
       drawTool(this.extra, spec, states[i], flags);
     });
+    const needle = part.needleAt(picture);
+    if (needle && this.head.needle) {
+      drawNeedle(this.extra, this.head.needle, needle);
+      drawThread(this.extra, part.threadAt(picture).map((p) => p.map((c) => this.placeMm(c))));
+    }
     this.painter.draw(this.extra, gl.TRIANGLES, 1);
     this.drawPlan(part, picture, camera);
   }
 
+  placeMm(steps) {
+    return 1000 * (this.head.least_m + this.head.step_m * steps);
+  }
+
   // The planned line and that around marked tissue, a little before what they lie on.
   drawPlan(part, picture, camera) {
-    const step = 1000 * this.head.step_m, least = 1000 * this.head.least_m;
     this.extra.clear();
     this.extra.room(part.points);
     for (let i = 0; i < part.points; ++i) {
-      const p = [0, 1, 2].map((a) => least + step * part.x[a * part.places + part.vertices + i]);
+      const p = [0, 1, 2].map((a) => this.placeMm(part.x[a * part.places + part.vertices + i]));
       const flags = part.pointFlags[picture * part.points + i];
       // Where it is cut the wound shows it, and a point may have gone with a piece.
       if (flags & CUT) continue;

@@ -3,14 +3,15 @@
 // A part of a track: some seconds of pictures, each as its difference to the one before. Written by
 // reports/review_part.cpp; the layout stands in docs/web.md.
 
-export const FLOATS_OF_TOOL = 9;
+export const FLOATS_OF_TOOL = 9, FLOATS_OF_NEEDLE = 7;
 
 export class Part {
   constructor(buffer) {
-    const [version, pictures, vertices, surfaces, points, tools] = new Uint32Array(buffer, 0, 6);
-    if (version !== 1) throw new Error("version " + version);
-    Object.assign(this, {pictures, vertices, points, tools});
-    let at = 24;
+    const [version, pictures, vertices, surfaces, points, tools, needles, threadPoints] =
+        new Uint32Array(buffer, 0, 8);
+    if (version !== 2) throw new Error("version " + version);
+    Object.assign(this, {pictures, vertices, points, tools, needles, threadPoints});
+    let at = 32;
     const take = (Kind, count) => {
       const array = new Kind(buffer, at, count);
       at += array.byteLength;
@@ -19,6 +20,8 @@ export class Part {
     this.times = take(Float32Array, pictures);
     this.surfaceOf = take(Uint32Array, pictures);
     this.toolStates = take(Float32Array, pictures * tools * FLOATS_OF_TOOL);
+    this.needleStates = take(Float32Array, pictures * needles * FLOATS_OF_NEEDLE);
+    this.threadCounts = take(Uint32Array, pictures * needles);
     this.heads = take(Uint32Array, 2 * surfaces);
     let edits = 0;
     for (let s = 0; s < surfaces; ++s) edits += this.heads[2 * s + 1];
@@ -31,12 +34,31 @@ export class Part {
     this.places = vertices + points;
     this.low = take(Uint8Array, pictures * 3 * this.places);
     this.high = take(Uint8Array, pictures * 3 * this.places);
+    this.threadLow = take(Uint8Array, 3 * threadPoints);
+    this.threadHigh = take(Uint8Array, 3 * threadPoints);
     const most = Math.max(0, ...Array.from({length: surfaces}, (_, s) => this.heads[2 * s]));
     this.x = new Uint16Array(3 * this.places);     // axis by axis
     this.damage = new Uint8Array(3 * vertices);    // kind by kind
     this.corners = new Uint32Array(3 * most);
     this.tissue = new Uint8Array(most);
     this.rewind();
+  }
+
+  // Of picture p: place and orientation of the suture needle, or null; steps of its thread's points.
+  needleAt(p) {
+    if (!this.needles) return null;
+    const state = Array.from(this.needleStates.subarray(p * FLOATS_OF_NEEDLE,
+                                                        (p + 1) * FLOATS_OF_NEEDLE));
+    return state.slice(3).some((c) => c !== 0) ? state : null;
+  }
+  threadAt(p) {
+    if (!this.needles) return [];
+    let first = 0;
+    for (let i = 0; i < p; ++i) first += this.threadCounts[i];
+    return Array.from({length: this.threadCounts[p]}, (_, i) => [0, 1, 2].map((axis) => {
+      const n = axis * this.threadPoints + first + i;
+      return this.threadLow[n] | (this.threadHigh[n] << 8);
+    }));
   }
 
   rewind() {

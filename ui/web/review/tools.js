@@ -11,7 +11,7 @@ const STEEL = [0.55, 0.56, 0.58], INSULATION = [0.02, 0.02, 0.025], HOT = [1.0, 
 const SIDES = 16;
 
 // A round bar from a to b, with radii there [mm]; flat ends.
-const bar = (soup, a, b, ra, rb, colour) => {
+export const bar = (soup, a, b, ra, rb, colour) => {
   const along = unit(add(b, a, -1));
   const right = unit(cross(along, Math.abs(along[2]) < 0.9 ? [0, 0, 1] : [1, 0, 0]));
   const up = cross(along, right);
