@@ -264,6 +264,7 @@ void ShellPicturesTest::picturesOfTheSimulatorAreTaken() {
     for (const char* language : kLanguages)
         for (const Shot& shot :
              {Shot{"diathermy_ring", "script:expert", "incision.jpg", 30},
+              Shot{"suture_bite", "script:expert", "suture.jpg", 6},
               Shot{"familiarisation", "script:expert", "familiarisation.jpg", 6}}) {
             const QString folder = shell_->path(QString("shots_%1_%2").arg(shot.task, language));
             QVERIFY(runProgram(
