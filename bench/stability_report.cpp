@@ -37,7 +37,10 @@ std::string stability_report(const std::vector<sim::StabilityResult>& results,
         ".\n\nA block of 6 mm, 1,296 tets of 1 mm, 5 kPa, nu 0.45; `vbd` with 4 substeps a frame "
         "of 1 ms, `xpbd` and `xpbd_pair` with 8. Verdicts: holds (never left its bounds), recovers "
         "(edges within 2 % and nothing inverted, from then to the end), re-seeded (an event says "
-        "so), refused at load (with the reason), FAILS.\n\n"
+        "so), refused at load (with the reason), FAILS.\n\nCases of needle and thread: the field "
+        "of "
+        "`suture_bite`; the scripted expert bites, then the hand does what no hand should. As many "
+        "frames without sense as random pokes.\n\n"
         "| case | method | verdict | after | detail |\n|---|---|---|---|---|\n";
     for (const sim::StabilityResult& r : results)
         text += "| " + r.name + " | `" + r.method + "` | " + sim::verdict_name(r.verdict) + " | " +

@@ -137,7 +137,7 @@ bool Replay::step() {
     tune();
     state_->substeps = input.substeps;
     std::array<sim::ToolFeedback, sim::kMaxTools> feedback{};
-    (void)sim::step(*scene_, *state_, {input.tools, tools}, {feedback.data(), tools});
+    report_ = sim::step(*scene_, *state_, {input.tools, tools}, {feedback.data(), tools});
     result_.frames = std::max(result_.frames, state_->frame);
     follow_practice({input.tools, tools});
     differs_ = !compare();

@@ -56,6 +56,8 @@ class Replay {
     void back_to(double time_s);
     [[nodiscard]] const sim::Scene& scene() const { return *scene_; }
     [[nodiscard]] const sim::State& state() const { return *state_; }
+    /// Of the last frame.
+    [[nodiscard]] const sim::StepReport& report() const { return report_; }
     /// For closing the attempt, which changes it: after that the replay is over.
     [[nodiscard]] sim::State& last_state() { return *state_; }
     /// Where the steps of a practice task stand, as the person saw them; count == 0: it has none.
@@ -84,6 +86,7 @@ class Replay {
     std::vector<sim::Event> hashes_, tunings_;
     size_t next_hash_ = 0, next_tuning_ = 0, compared_ = 0;
     double frame_s_ = 0;
+    sim::StepReport report_;
     ReplayResult result_;
     bool differs_ = false;
 };

@@ -7,9 +7,12 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "bench/frame_parts.h"
+#include "bench/recorded_frames.h"
 #include "curriculum/task.h"
+#include "db/recording_file.h"
 #include "reports/report.h"
 #include "sim/anatomy/operative_field.h"
 #include "ui/cli/cli.h"
@@ -27,7 +30,7 @@ using bench::sum;
 
 struct ContactBenchOptions {
     bool quick = false;
-    std::string out, task = "diathermy_ring";
+    std::string out, task = "diathermy_ring", recording;
 };
 
 Json to_json(const FrameParts& costs, double frame_s) {
@@ -96,13 +99,28 @@ void draw(const std::string& path, const std::vector<FrameParts>& all) {
     reports::write_chart_png(chart, path);
 }
 
+/// All cases with so many threads.
+std::vector<FrameParts> measure(const sim::Scene& scene, const sim::Recording* recording,
+                                int threads, int frames) {
+    if (recording != nullptr) return bench::measure_recording(*recording, threads);
+    std::vector<FrameParts> all;
+    for (const bench::WorkCase& what : bench::work_cases())
+        all.push_back(bench::measure_frames(scene, what, threads, frames));
+    return all;
+}
+
 int run(const Context& context, const ContactBenchOptions& options) {
-    const auto scene = sim::build_operative_field(curriculum::load_task(options.task).scene);
+    std::optional<sim::Recording> recording;
+    if (!options.recording.empty()) recording = db::read_recording_file(options.recording);
+    const curriculum::Task task =
+        recording ? curriculum::load_task_text(recording->header.task_json, "recording")
+                  : curriculum::load_task(options.task);
+    const auto scene = sim::build_operative_field(task.scene);
     const int frames = options.quick ? 300 : 5000;
     const double frame_s = scene->body.spec().solver.frame_s;
     Json json{{"benchmark", "contact"},
               {"machine", machine()},
-              {"task", options.task},
+              {"task", task.id},
               {"tets", scene->body.tet_count()},
               {"triangles", scene->surface.rest_triangles().size()},
               {"rows", Json::array()}};
@@ -111,8 +129,8 @@ int run(const Context& context, const ContactBenchOptions& options) {
          "recording", "frame", "p99", "p99.9", "all but solve", "of real time"}};
     std::vector<FrameParts> all;
     for (const int threads : {1, 2}) {
-        for (const bench::WorkCase& what : bench::work_cases()) {
-            const FrameParts costs = bench::measure_frames(*scene, what, threads, frames);
+        for (const FrameParts& costs :
+             measure(*scene, recording ? &*recording : nullptr, threads, frames)) {
             std::vector<std::string> row{costs.case_name, std::to_string(threads),
                                          fixed(costs.contacts, 1),
                                          fixed(100 * costs.awake, 0) + " %"};
@@ -140,7 +158,7 @@ int run(const Context& context, const ContactBenchOptions& options) {
     print(
         context, json,
         table(cells) + "Microseconds of wall clock, medians by part over " +
-            std::to_string(frames) +
+            (recording ? "the recorded" : std::to_string(frames)) +
             " frames of 1 ms; all but solve = share of the total time, and of the real time of the "
             "frames; " +
             std::to_string(scene->body.tet_count()) + " tets, " +
@@ -156,8 +174,13 @@ void add_contact_bench_command(CLI::App& bench, Context& context) {
         "contact", "What a frame costs by part: solve, contact, heat, cut, recording");
     command->add_flag("--quick", options->quick, "Fewer frames");
     command->add_option("--out", options->out, "Folder for bench_contact.csv, .json and .png");
-    command->add_option("--task", options->task, "Task whose field is measured")
-        ->capture_default_str();
+    CLI::Option* of_task =
+        command->add_option("--task", options->task, "Task whose field is measured")
+            ->capture_default_str();
+    command
+        ->add_option("--recording", options->recording,
+                     "Frames of a recorded attempt instead, step by step")
+        ->excludes(of_task);
     command->callback([&context, options] {
         context.run = [&context, options] { return run(context, *options); };
     });

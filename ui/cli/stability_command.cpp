@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "bench/stability_report.h"
+#include "bench/suture_cases.h"
 #include "sim/verify/stability_cases.h"
 #include "ui/cli/write_file.h"
 
@@ -47,23 +48,30 @@ std::string length_text(const StabilityCommandOptions& options) {
 /// Every case that was asked for, with every method. @throws InputError for an unknown one.
 std::vector<sim::StabilityResult> run_cases(const StabilityCommandOptions& options,
                                             const sim::StabilityOptions& cases) {
-    const auto names = sim::stability_case_names();
+    const auto names = sim::stability_case_names(), of_sutures = bench::suture_case_names();
+    auto every = names;
+    every.insert(every.end(), of_sutures.begin(), of_sutures.end());
     if (!options.only.empty() &&
-        std::find(names.begin(), names.end(), options.only) == names.end()) {
+        std::find(every.begin(), every.end(), options.only) == every.end()) {
         std::string known;
-        for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+        for (const std::string& name : every) known += (known.empty() ? "" : ", ") + name;
         throw InputError("--case " + options.only + ": no such case; one of: " + known);
     }
     std::vector<sim::StabilityResult> results;
-    for (const std::string& name : names) {
-        if (!options.only.empty() && name != options.only) continue;
+    const auto keep = [&](sim::StabilityResult result) {
+        std::cerr << result.name << ", " << result.method << ": "
+                  << sim::verdict_name(result.verdict) << '\n';
+        results.push_back(std::move(result));
+    };
+    const auto wanted = [&](const std::string& name) {
+        return options.only.empty() || name == options.only;
+    };
+    for (const std::string& name : names)
         for (const sim::Method method :
-             {sim::Method::kVbd, sim::Method::kXpbd, sim::Method::kXpbdPair}) {
-            results.push_back(sim::run_stability_case(name, method, cases));
-            std::cerr << name << ", " << results.back().method << ": "
-                      << sim::verdict_name(results.back().verdict) << '\n';
-        }
-    }
+             {sim::Method::kVbd, sim::Method::kXpbd, sim::Method::kXpbdPair})
+            if (wanted(name)) keep(sim::run_stability_case(name, method, cases));
+    for (const std::string& name : of_sutures)
+        if (wanted(name)) keep(bench::run_suture_case(name, cases));
     return results;
 }
 
