@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "assessment/motion_metrics.h"
 #include "assessment/tissue_metrics.h"
@@ -62,9 +63,6 @@ constexpr EventSource kSources[]{
     {"bite_depth_mm", EventKind::kNeedleLeft, Show::kLast, false},
     {"bite_angle_deg", EventKind::kNeedleEntered, Show::kLast, false},
     {"needle_entries", EventKind::kNeedleEntered, Show::kLast, false},
-    {"needle_regrasps", EventKind::kNeedleTaken, Show::kLast, false},
-    {"needle_slips", EventKind::kNeedleTurned, Show::kLast, false},
-    {"thread_cuts", EventKind::kThreadCut, Show::kFirst, false},
     {"placode_snip_mm2", EventKind::kPlacodeCut, Show::kLongest, false},
 };
 
@@ -298,12 +296,34 @@ std::optional<Locus> locate_tissue(std::string_view metric, const sim::Recording
     return std::nullopt;
 }
 
+/// Metrics of needle and thread that more than one kind of event counts, or not every event.
+std::optional<Locus> locate_suture(std::string_view metric, const sim::Recording& recording) {
+    if (metric == "needle_slips") {
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kNeedleSlipped || e.kind == EventKind::kNeedleTurned;
+        });
+    }
+    if (metric == "thread_cuts") {
+        return locate_first(recording, [](const Event& e) {
+            return e.kind == EventKind::kThreadCut || e.kind == EventKind::kThreadToreOut;
+        });
+    }
+    if (metric == "needle_regrasps") {  // whoever takes it first takes nothing again
+        bool first = true;
+        return locate_first(recording, [&](const Event& e) {
+            return e.kind == EventKind::kNeedleTaken && !std::exchange(first, false);
+        });
+    }
+    return std::nullopt;
+}
+
 }  // namespace
 
 Locus locate(std::string_view metric, double threshold, const sim::Recording& recording) {
     for (const EventSource& source : kSources)
         if (source.metric == metric) return locate_events(source, recording);
     if (const auto found = locate_tissue(metric, recording)) return *found;
+    if (const auto found = locate_suture(metric, recording)) return *found;
     if (metric == "ring_completeness_percent" || metric == "largest_gap_mm" ||
         metric == "gap_count")
         return locate_gap(recording);

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "assessment/loci.h"
+
 namespace placode::assessment {
 namespace THIS_TEST {
 
@@ -55,6 +57,10 @@ TEST(SutureMetrics, TheLastBiteCountsAndTroublesAreCounted) {
     EXPECT_EQ(*set.find("needle_regrasps"), 1);
     EXPECT_EQ(*set.find("needle_slips"), 2);
     EXPECT_EQ(*set.find("thread_cuts"), 1);
+    // A reason says as many times as the metric counts.
+    add(recording, EventKind::kThreadToreOut, 700);
+    for (const char* id : {"needle_entries", "needle_regrasps", "needle_slips", "thread_cuts"})
+        EXPECT_EQ(locate(id, 0, recording).count, *measured(recording).find(id)) << id;
 }
 
 TEST(SutureMetrics, WhatWasNotDoneHasNoValueAndNoDriverNoMetric) {
