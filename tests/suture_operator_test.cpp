@@ -53,6 +53,24 @@ TEST(SutureOperator, TheLevelsScoreInOrderAndTheExpertPasses) {
     EXPECT_TRUE(replay.result().identical) << replay.result().message;
 }
 
+// Let go in this bite, with little friction, the needle once went round its circle by itself: its
+// steps did not converge where the walls slip one way and the other (13 points).
+TEST(SutureOperator, ANeedleThatIsLetGoStaysInItsBite) {
+    const Task task = load_task("suture_bite");
+    const sim::Recording recording = test::recorded(task, 28, test::scripted("expert"));
+    double released_s = -1, through_s = -1, taken_again_s = -1;
+    for (const sim::Event& event : recording.events) {
+        if (event.kind == sim::EventKind::kNeedleReleased && released_s < 0)
+            released_s = event.time_s;
+        if (event.kind == sim::EventKind::kNeedleTaken && released_s > 0)
+            taken_again_s = event.time_s;
+        if (event.kind == sim::EventKind::kNeedleThrough) through_s = event.time_s;
+    }
+    ASSERT_GT(released_s, 0);
+    EXPECT_GT(taken_again_s, released_s);
+    EXPECT_GT(through_s, taken_again_s + 1) << "it is drawn through by a hand";
+}
+
 TEST(SutureOperator, WhoDoesNothingHasNotAttemptedIt) {
     const Outcome outcome = perform("expert", 0.5);  // still looking
     EXPECT_EQ(outcome.score.verdict, assessment::Verdict::kNotAttempted);

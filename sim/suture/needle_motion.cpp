@@ -17,9 +17,11 @@ using Mat36 = Eigen::Matrix<double, 3, 6>;
 
 constexpr double kMostTurnRad = 0.1;  // of the needle in one Newton step
 constexpr double kMostWay = 0.2;      // the same, in radii of its circle
-// A bond at its bound is a spring in the first step and none in the next: three do, the fourth is
-// for those whose way turns.
-constexpr int kMostSteps = 4;
+// A bond at its bound is a spring in the first step and none in the next: three do. Where a step
+// goes back on the last one, friction holds on the other side of its bound, and Newton's steps
+// would go to and fro for ever and drive the needle: from there on the secant of the bonds is
+// taken, which only ever lowers the energy.
+constexpr int kMostSteps = 4, kMostSecantSteps = 12;
 constexpr double kEnough = 1e-7;  // radians, or radii: less than a nanometre
 // Of a needle that lies: places along the arc, how far a surface is looked for, and what holds it,
 // in its own inertia over a substep. The drag lets it creep down a wall by 6 um a second.
@@ -194,9 +196,11 @@ void add_supports(const PosedNeedle& posed, const Vec3& centre, const SutureScra
     }
 }
 
-/// One Newton step; returns how far it went, in radii and radians, or -1 where it is not finite.
-double newton_step(const Suture& suture, SutureState& state, SutureScratch& scratch,
-                   double h_s) noexcept {
+/// One step, with the slope of what bonds do or with their secant.
+/// @param step what it did: way of the centre of mass, turn.
+/// @return how far it went, in radii and radians, or -1 where it is not finite.
+double newton_step(const Suture& suture, SutureState& state, SutureScratch& scratch, double h_s,
+                   bool slope, Vec6& step) noexcept {
     const Needle& needle = suture.needle();
     const SutureSpec& spec = suture.spec();
     const Vec3 centre = state.needle * needle.centre_m();
@@ -224,7 +228,7 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     const PosedNeedle posed(needle, state.needle);
     for (int n = 0; n < scratch.bond_count; ++n) {
         const Vec3& p = scratch.places[as_index(n)];
-        const BondForce f = force_of(posed, scratch.bonds[as_index(n)], p, true);
+        const BondForce f = force_of(posed, scratch.bonds[as_index(n)], p, slope);
         const Mat36 j = motion_of(p - centre);
         gradient -= j.transpose() * f.gradient;
         hessian += j.transpose() * f.stiffness * j;
@@ -232,7 +236,7 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     if (scratch.thread.active() && state.thread.ends[1].mode == ThreadEndMode::kSwage)
         add_thread(swage_m(suture, state), centre, scratch.thread, gradient, hessian);
     add_supports(posed, centre, scratch, m * per_h * per_h, gradient, hessian);
-    Vec6 step = -hessian.llt().solve(gradient);
+    step = -hessian.llt().solve(gradient);
     const double far = step.head<3>().norm() / needle.radius_m(), turn = step.tail<3>().norm();
     const double over = std::max(far / kMostWay, turn / kMostTurnRad);
     if (!std::isfinite(over)) return -1;
@@ -242,15 +246,26 @@ double newton_step(const Suture& suture, SutureState& state, SutureScratch& scra
     return std::max(far, turn);
 }
 
+/// False where a step turns back: compared in metres of the circle.
+bool goes_on(const Needle& needle, const Vec6& last, const Vec6& step) noexcept {
+    const double r = needle.radius_m();
+    return last.head<3>().dot(step.head<3>()) + r * r * last.tail<3>().dot(step.tail<3>()) >= 0;
+}
+
 }  // namespace
 
 void solve_needle(const Suture& suture, SutureState& state, const SuturedTissue& tissue,
                   SutureScratch& scratch, double h_s) noexcept {
     for (int n = 0; n < scratch.bond_count; ++n)
         scratch.places[as_index(n)] = place_of(tissue.state, scratch.bonds[as_index(n)]);
-    for (int i = 0; i < kMostSteps; ++i) {
-        const double gone = newton_step(suture, state, scratch, h_s);
+    Vec6 last = Vec6::Zero();
+    bool slope = true;
+    for (int i = 0; i < (slope ? kMostSteps : kMostSecantSteps); ++i) {
+        Vec6 step;
+        const double gone = newton_step(suture, state, scratch, h_s, slope, step);
         if (!(gone > kEnough)) break;
+        slope = slope && goes_on(suture.needle(), last, step);
+        last = step;
     }
     if (state.thread.ends[1].mode != ThreadEndMode::kSwage) return;
     scratch.thread.place_front(swage_m(suture, state));
