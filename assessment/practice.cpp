@@ -285,7 +285,7 @@ bool PracticeTracker::did_traction(const PracticeSight& sight) noexcept {
 bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
     const NeedleSight& now = sight.needle;
     const bool in = now.entered > needle_.entered, out = now.left > needle_.left;
-    const bool through = now.through > needle_.through, taken = now.taken > needle_.taken;
+    const bool taken = now.taken > needle_.taken;
     needle_ = now;
     const auto away = [&](const sim::Vec3& place, size_t mark) {
         return (place - now.mark_m[mark]).norm();
@@ -296,9 +296,12 @@ bool PracticeTracker::did_bite(const PracticeSight& sight, int tool) noexcept {
         emit(sim::EventKind::kBiteEntry, index_, away(now.entry_m, 0), tool, now.entry_m);
     if (out && kind == PracticeKind::kNeedleOut)
         emit(sim::EventKind::kBiteExit, index_, away(now.exit_m, 1), tool, now.exit_m);
+    if (bites) through_before_ = now.through;
     if (kind == PracticeKind::kNeedleIn) return in;
     if (kind == PracticeKind::kNeedleOut) return out;
-    return kind == PracticeKind::kNeedleTake ? taken : through;
+    // Pushed all the way through without being taken again: nothing is left to take.
+    const bool through = now.through > through_before_;
+    return through || (kind == PracticeKind::kNeedleTake && taken);
 }
 
 void add_practice_metrics(const sim::Recording& recording, std::vector<Metric>& out) {

@@ -86,7 +86,8 @@ class PracticeTracker {
     std::array<uint8_t, sim::kTraceBins> traced_{};
     int bin_ = -1, bin_samples_ = 0, bins_done_ = 0;
     double bin_offset_ = 0;
-    NeedleSight needle_;  // of the last sample
+    NeedleSight needle_;      // of the last sample
+    int through_before_ = 0;  // times it had been drawn through when it came out of this bite
     std::array<sim::Event, 8> events_{};
     size_t event_count_ = 0;
 };

@@ -200,6 +200,23 @@ TEST(Practice, TractionCountsWhileBothHandsPullWithinTheBand) {
     EXPECT_NEAR(*attempt.metrics().find("traction_held_s"), 0.8, 0.02);  // two spells
 }
 
+TEST(Practice, ANeedlePushedThroughInOneGoEndsTheBite) {
+    Attempt attempt({{.kind = PracticeKind::kNeedleIn},
+                     {.kind = PracticeKind::kNeedleOut},
+                     {.kind = PracticeKind::kNeedleTake},
+                     {.kind = PracticeKind::kNeedleThrough}});
+    attempt.needle.through = 1;  // of a bite before
+    attempt.see(5);
+    attempt.needle.entered = 1;
+    attempt.see();
+    attempt.needle.left = 1;
+    attempt.see(5);
+    EXPECT_EQ(attempt.tracker().index(), 2);
+    attempt.needle.through = 2;  // never let go
+    attempt.see(2);
+    EXPECT_TRUE(attempt.tracker().done());
+}
+
 TEST(Practice, ABiteIsMeasuredFromItsMarksAndMayBeginAnew) {
     Attempt attempt({{.kind = PracticeKind::kNeedleIn},
                      {.kind = PracticeKind::kNeedleOut},
