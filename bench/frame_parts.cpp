@@ -79,6 +79,24 @@ double other_of_frame(const FrameParts& costs, double frame_s) {
     return 1e-6 * (sum(costs.us[kParts]) - sum(costs.us[0])) / (costs.frames * frame_s);
 }
 
+void add_frame(FrameParts& costs, const sim::StepReport& report, const sim::State& state,
+               double recording_us, double frame_us) {
+    ++costs.frames;
+    costs.contacts += report.contacts;
+    costs.awake += state.sleep.enabled()
+                       ? 1 - static_cast<double>(state.sleep.asleep_count) / state.sleep.blocks()
+                       : 1;
+    for (size_t p = 0; p + 1 < kParts; ++p)
+        costs.us[p].push_back(1e-3 * static_cast<double>(report.cost_ns[p]));
+    costs.us[kParts - 1].push_back(recording_us);
+    costs.us[kParts].push_back(frame_us);
+}
+
+void close_frames(FrameParts& costs) {
+    costs.contacts /= costs.frames;
+    costs.awake /= costs.frames;
+}
+
 FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads, int frames) {
     FrameParts costs;
     costs.case_name = what.name;
@@ -119,26 +137,15 @@ FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int thr
         }
         const auto end = Clock::now();
         if (frame < kWarmUp) continue;
-        ++costs.frames;
-        costs.contacts += report.contacts;
-        costs.awake += state.sleep.enabled() ? 1 - static_cast<double>(state.sleep.asleep_count) /
-                                                       state.sleep.blocks()
-                                             : 1;
-        for (int p = 0; p < kParts - 1; ++p) {
-            costs.us[p].push_back(1e-3 *
-                                  static_cast<double>(report.cost_ns[static_cast<size_t>(p)]));
-        }
         const auto us = [](auto d) { return std::chrono::duration<double, std::micro>(d).count(); };
-        costs.us[kParts - 1].push_back(us(end - stepped));
-        costs.us[kParts].push_back(us(end - start));
+        add_frame(costs, report, state, us(end - stepped), us(end - start));
     }
     recorder.finish({sim::EndReason::kFinished, state.time_s, 0, dropped});
     std::error_code ignored;
     for (const char* tail : {"", "-wal", "-shm"}) {
         std::filesystem::remove(path.string() + tail, ignored);
     }
-    costs.contacts /= costs.frames;
-    costs.awake /= costs.frames;
+    close_frames(costs);
     return costs;
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/step/step.h"
 #include "sim/world/scene.h"
 
 namespace placode::bench {
@@ -40,6 +41,12 @@ struct FrameParts {
 [[nodiscard]] double other_share(const FrameParts& costs);
 /// The same against the time that a frame stands for: how much of real time it takes.
 [[nodiscard]] double other_of_frame(const FrameParts& costs, double frame_s);
+
+/// Adds a frame: `recording_us` of `frame_us` went into recording it.
+void add_frame(FrameParts& costs, const sim::StepReport& report, const sim::State& state,
+               double recording_us, double frame_us);
+/// After the last frame: sums of contacts and awake blocks become means.
+void close_frames(FrameParts& costs);
 
 [[nodiscard]] FrameParts measure_frames(const sim::Scene& scene, const WorkCase& what, int threads,
                                         int frames);

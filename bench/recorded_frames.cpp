@@ -19,19 +19,6 @@ std::string name_of(const sim::PracticeGoal& goal, const std::vector<curriculum:
     return at < steps.size() ? steps[at].text.en : "after the last step";
 }
 
-void add_frame(FrameParts& costs, const sim::StepReport& report, const sim::State& state,
-               double frame_us) {
-    ++costs.frames;
-    costs.contacts += report.contacts;
-    costs.awake += state.sleep.enabled()
-                       ? 1 - static_cast<double>(state.sleep.asleep_count) / state.sleep.blocks()
-                       : 1;
-    for (size_t p = 0; p + 1 < kParts; ++p)
-        costs.us[p].push_back(1e-3 * static_cast<double>(report.cost_ns[p]));
-    costs.us[kParts - 1].push_back(0);
-    costs.us[kParts].push_back(frame_us);
-}
-
 }  // namespace
 
 std::vector<FrameParts> measure_recording(const sim::Recording& recording, int threads) {
@@ -52,13 +39,10 @@ std::vector<FrameParts> measure_recording(const sim::Recording& recording, int t
             all.back().threads = threads;
             all.back().substeps = replay.state().substeps;
         }
-        add_frame(all.back(), replay.report(), replay.state(), spent.count());
+        add_frame(all.back(), replay.report(), replay.state(), 0, spent.count());
     }
     if (!replay.result().identical) throw std::runtime_error(replay.result().message);
-    for (FrameParts& costs : all) {
-        costs.contacts /= costs.frames;
-        costs.awake /= costs.frames;
-    }
+    for (FrameParts& costs : all) close_frames(costs);
     return all;
 }
 

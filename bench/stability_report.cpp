@@ -38,8 +38,8 @@ std::string stability_report(const std::vector<sim::StabilityResult>& results,
         "of 1 ms, `xpbd` and `xpbd_pair` with 8. Verdicts: holds (never left its bounds), recovers "
         "(edges within 2 % and nothing inverted, from then to the end), re-seeded (an event says "
         "so), refused at load (with the reason), FAILS.\n\nCases of needle and thread: the field "
-        "of "
-        "`suture_bite`; the scripted expert bites, then the hand does what no hand should. As many "
+        "of `suture_bite`; the scripted expert bites, then the hand does what no hand should. As "
+        "many "
         "frames without sense as random pokes.\n\n"
         "| case | method | verdict | after | detail |\n|---|---|---|---|---|\n";
     for (const sim::StabilityResult& r : results)

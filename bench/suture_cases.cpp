@@ -3,7 +3,6 @@
 #include "bench/suture_cases.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -127,9 +126,7 @@ class Stage {
                 // Copies that cuts and tears made began at another vertex's place.
                 const auto n = static_cast<size_t>(v);
                 if (n >= at_rest_.size() || body.free_vertex[n] != 0) continue;
-                const double way = (to_vec(body.x[static_cast<size_t>(v)]) -
-                                    to_vec(at_rest_[static_cast<size_t>(v)]))
-                                       .norm();
+                const double way = (to_vec(body.x[n]) - to_vec(at_rest_[n])).norm();
                 most = std::isfinite(way) ? std::max(most, way) : 1;
             }
         }
@@ -149,7 +146,6 @@ class Stage {
     [[nodiscard]] const sim::SutureState& needle() const { return state_->suturing.needle[0]; }
     [[nodiscard]] const sim::Suturing& suturing() const { return state_->suturing; }
     [[nodiscard]] Pose hand_pose() const { return inputs_[driver_].pose(); }
-    [[nodiscard]] const sim::ToolSpec& driver() const { return scene_->tools[driver_]; }
     [[nodiscard]] bool finite() const { return finite_; }
     [[nodiscard]] double farthest_ever() const { return farthest_m_; }
     [[nodiscard]] int cuts() const { return cuts_; }
