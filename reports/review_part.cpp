@@ -38,6 +38,15 @@ uint8_t share_of(float share) {
     return static_cast<uint8_t>(std::lround(255 * std::clamp(share, 0.0F, 1.0F)));
 }
 
+/// Numbers of 16 bits as their low bytes, then their high bytes: alike ones lie together.
+struct SplitNumbers {
+    std::string low, high;
+    void add(uint16_t value) {
+        low.push_back(static_cast<char>(value & 0xff));
+        high.push_back(static_cast<char>(value >> 8));
+    }
+};
+
 /// Small differences of both signs as small numbers: 0, -1, 1, -2, ...
 uint16_t zigzag(uint16_t now, uint16_t before) {
     const auto change = static_cast<int16_t>(static_cast<uint16_t>(now - before));
@@ -162,9 +171,9 @@ void ReviewPart::put_damage(std::string& bytes, const Numbering& numbering) cons
 /// then high bytes, which are nearly all zero.
 void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) const {
     const size_t count = numbering.body.size() + pictures_.back().lines.size();
-    std::string low, high;
-    low.reserve(3 * count * pictures_.size());
-    high.reserve(low.capacity());
+    SplitNumbers places;
+    places.low.reserve(3 * count * pictures_.size());
+    places.high.reserve(places.low.capacity());
     for (size_t axis = 0; axis < 3; ++axis)
         for (size_t n = 0; n < count; ++n) {
             const auto at = [&](size_t picture) {
@@ -173,13 +182,10 @@ void ReviewPart::put_places(std::string& bytes, const Numbering& numbering) cons
                 const size_t first = std::max<size_t>(picture, numbering.born[n]);
                 return pictures_[first].x[as_index(numbering.body[n])][axis];
             };
-            for (size_t p = 0; p < pictures_.size(); ++p) {
-                const uint16_t value = p == 0 ? at(0) : zigzag(at(p), at(p - 1));
-                low.push_back(static_cast<char>(value & 0xff));
-                high.push_back(static_cast<char>(value >> 8));
-            }
+            for (size_t p = 0; p < pictures_.size(); ++p)
+                places.add(p == 0 ? at(0) : zigzag(at(p), at(p - 1)));
         }
-    bytes += low + high;
+    bytes += places.low + places.high;
 }
 
 bool ReviewPart::has_needle() const {
@@ -190,14 +196,11 @@ bool ReviewPart::has_needle() const {
 
 /// As they are: from picture to picture a thread has more points or fewer.
 void ReviewPart::put_threads(std::string& bytes) const {
-    std::string low, high;
+    SplitNumbers places;
     for (size_t axis = 0; axis < 3; ++axis)
         for (const Picture& picture : pictures_)
-            for (const Place& place : picture.thread) {
-                low.push_back(static_cast<char>(place[axis] & 0xff));
-                high.push_back(static_cast<char>(place[axis] >> 8));
-            }
-    bytes += low + high;
+            for (const Place& place : picture.thread) places.add(place[axis]);
+    bytes += places.low + places.high;
 }
 
 std::string ReviewPart::encoded() const {
