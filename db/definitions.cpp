@@ -12,7 +12,7 @@
 #include "curriculum/standard.h"
 #include "curriculum/study.h"
 #include "curriculum/task.h"
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 #include "db/packing.h"
 #include "db/store_context.h"
 
@@ -45,7 +45,7 @@ void check_content(const DefinitionRecord& definition) {
         const auto read = curriculum::load_task_text(definition.json, origin);
         id = read.id, version = read.version;
     } else if (definition.kind == "consent_seal") {
-        const auto read = seal_of(definition.json);
+        const auto read = consent_key_of(definition.json);
         id = read.study_id, version = read.version;
     } else {
         const auto read = curriculum::load_study_text(definition.json, origin);
@@ -75,21 +75,21 @@ Action action_of(const std::string& kind) {
     return judges ? Action::kSetStandards : Action::kRunQuestionnaire;
 }
 
-/// What stands in clear is sealed; what was sealed for an earlier key stays as it is.
-void seal_signatures(StoreContext& context, const DefinitionRecord& definition) {
+/// What stands in clear is encrypted; what was encrypted for an earlier key stays as it is.
+void encrypt_signatures(StoreContext& context, const DefinitionRecord& definition) {
     Connection& connection = context.connection;
-    const std::string key = seal_of(definition.json).public_key;
+    const std::string key = consent_key_of(definition.json).public_key;
     std::vector<std::pair<std::string, std::string>> clear;
     Statement query(connection, "SELECT code, path FROM consent_signatures WHERE study_id = ?");
     query.run(definition.id);
     while (query.next())
-        if (!is_sealed(query.text("path")))
+        if (!is_encrypted(query.text("path")))
             clear.emplace_back(query.text("code"), query.text("path"));
     for (const auto& [code, path] : clear) {
         context.touch("participant", {definition.id, code});
         Statement(connection,
                   "UPDATE consent_signatures SET path = ? WHERE study_id = ? AND code = ?")
-            .run(sealed(path, key), definition.id, code);
+            .run(encrypted(path, key), definition.id, code);
     }
 }
 
@@ -138,7 +138,7 @@ void Definitions::publish(const DefinitionRecord& definition) {
             .run(definition.id, std::to_string(seed));
         context_.made("allocation", {definition.id});
     }
-    if (definition.kind == "consent_seal") seal_signatures(context_, definition);
+    if (definition.kind == "consent_seal") encrypt_signatures(context_, definition);
     context_.made("definition",
                   {definition.kind, definition.id, std::to_string(definition.version)});
     context_.append_audit(definition.kind + ".publish",

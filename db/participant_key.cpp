@@ -77,7 +77,7 @@ std::string text_of(const QJsonObject& json, const char* name) {
 
 ParticipantKey::~ParticipantKey() {
     sodium_memzero(passphrase_.data(), passphrase_.size());
-    sodium_memzero(seal_.secret_key.data(), seal_.secret_key.size());
+    sodium_memzero(consent_keys_.secret_key.data(), consent_keys_.secret_key.size());
     for (PersonEntry& entry : entries_)
         for (std::string* text : {&entry.name, &entry.contact, &entry.remark})
             sodium_memzero(text->data(), text->size());
@@ -94,7 +94,7 @@ ParticipantKey ParticipantKey::create(const std::string& path, const std::string
     key.study_id_ = study_id;
     key.passphrase_ = passphrase;
     key.cheap_ = cheap;
-    key.seal_ = make_seal_pair();
+    key.consent_keys_ = make_consent_keys();
     QDir().mkpath(QFileInfo(QString::fromStdString(path)).absolutePath());
     key.save();
     return key;
@@ -139,9 +139,9 @@ ParticipantKey ParticipantKey::open(const std::string& path, const std::string& 
                                 text_of(person, "contact"), text_of(person, "remark"),
                                 text_of(person, "added_utc")});
     }
-    key.seal_ = {text_of(content, "seal_public"), text_of(content, "seal_secret")};
-    if (key.seal_.secret_key.empty()) {
-        key.seal_ = make_seal_pair();
+    key.consent_keys_ = {text_of(content, "seal_public"), text_of(content, "seal_secret")};
+    if (key.consent_keys_.secret_key.empty()) {
+        key.consent_keys_ = make_consent_keys();
         key.save();
     }
     return key;
@@ -156,10 +156,11 @@ void ParticipantKey::save() const {
                                   {"remark", QString::fromStdString(each.remark)},
                                   {"added_utc", QString::fromStdString(each.added_utc)}});
     const QByteArray plain =
-        QJsonDocument(QJsonObject{{"study", QString::fromStdString(study_id_)},
-                                  {"people", people},
-                                  {"seal_public", QString::fromStdString(seal_.public_key)},
-                                  {"seal_secret", QString::fromStdString(seal_.secret_key)}})
+        QJsonDocument(
+            QJsonObject{{"study", QString::fromStdString(study_id_)},
+                        {"people", people},
+                        {"seal_public", QString::fromStdString(consent_keys_.public_key)},
+                        {"seal_secret", QString::fromStdString(consent_keys_.secret_key)}})
             .toJson(QJsonDocument::Compact);
     const QByteArray salt = random_bytes(crypto_pwhash_SALTBYTES),
                      nonce = random_bytes(crypto_secretbox_NONCEBYTES);

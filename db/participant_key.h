@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 
 namespace placode::db {
 
@@ -43,9 +43,9 @@ class ParticipantKey {
     [[nodiscard]] const std::vector<PersonEntry>& entries() const {
         return entries_;
     }  ///< By code.
-    /// Opens what consent_seal.h sealed. A file of an older version gets its pair when it is
-    /// opened.
-    [[nodiscard]] const SealPair& seal() const { return seal_; }
+    /// Reads what consent_encryption.h encrypted. A file of an older version gets its pair when it
+    /// is opened.
+    [[nodiscard]] const ConsentKeys& consent_keys() const { return consent_keys_; }
     /// Adds or replaces the entry of that code and saves. Throws kRefused for a code whose check
     /// letter does not fit or an entry without a name.
     void put(PersonEntry entry);
@@ -60,7 +60,7 @@ class ParticipantKey {
     std::string path_, study_id_, passphrase_;
     bool cheap_ = false;
     std::vector<PersonEntry> entries_;
-    SealPair seal_;
+    ConsentKeys consent_keys_;
 };
 
 /// "keys/STUDY.placode-key" beside an embedded store, else in the user's data folder.

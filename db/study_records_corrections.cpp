@@ -3,7 +3,7 @@
 // Answers after they were submitted: corrections with a reason, the second entry from paper, the
 // signature under a consent.
 
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 #include "db/store_context.h"
 #include "db/study_records.h"
 
@@ -165,11 +165,12 @@ void StudyRecords::save_consent_signature(const std::string& study_id, const std
                     "SELECT at_utc FROM consent_signatures WHERE study_id = ? AND code = ?");
     if (there.run(study_id, code).next())
         connection_.fail(Kind::kConflict, "the consent was signed at " + there.text(0));
-    const auto seal = context_.find_definition("consent_seal", study_id, 0);
+    const auto key = context_.find_definition("consent_seal", study_id, 0);
     context_.touch("participant", {study_id, code});
     Statement(connection_,
               "INSERT INTO consent_signatures (study_id, code, path, at_utc) VALUES (?, ?, ?, ?)")
-        .run(study_id, code, seal ? sealed(path, seal_of(seal->json).public_key) : path, utc_now());
+        .run(study_id, code, key ? encrypted(path, consent_key_of(key->json).public_key) : path,
+             utc_now());
     context_.append_audit("study.consent.signature", study_id + " " + code, "");
     work.commit();
 }

@@ -68,11 +68,12 @@ TEST_F(Key, TheSameContentNeverLooksTheSame) {
 }
 
 TEST_F(Key, KeepsTheSecretHalfOfTheSealUnderThePassphrase) {
-    const std::string open = ParticipantKey::create(path, "pilot", kPhrase, true).seal().public_key;
-    const std::string box = db::sealed("M1 2 L3 4", open);
+    const std::string open =
+        ParticipantKey::create(path, "pilot", kPhrase, true).consent_keys().public_key;
+    const std::string box = db::encrypted("M1 2 L3 4", open);
     const auto key = ParticipantKey::open(path, kPhrase);
-    EXPECT_EQ(db::unsealed(box, key.seal()), "M1 2 L3 4");
-    EXPECT_THAT(read_text(path), Not(HasSubstr(key.seal().secret_key)));
+    EXPECT_EQ(db::decrypted(box, key.consent_keys()), "M1 2 L3 4");
+    EXPECT_THAT(read_text(path), Not(HasSubstr(key.consent_keys().secret_key)));
 }
 
 TEST_F(Key, RefusesWrongPassphrasesChangedFilesAndWhatIsNone) {

@@ -4,7 +4,7 @@
 // rights_of_methods.h, for norms, groups, courses, reviews and published texts.
 
 #include "curriculum/standard.h"
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 #include "db/signature.h"
 #include "tests/rights_of_methods.h"
 
@@ -213,9 +213,9 @@ inline std::vector<Method> methods_of_definitions() {
         {"definitions.publish",
          runs,
          {},
-         publish(
-             definition("consent_seal", RightsWorld::kStudy, 1,
-                        db::seal_json(RightsWorld::kStudy, 1, db::make_seal_pair().public_key)))},
+         publish(definition(
+             "consent_seal", RightsWorld::kStudy, 1,
+             db::consent_key_json(RightsWorld::kStudy, 1, db::make_consent_keys().public_key)))},
         {"definitions.list", uses, {}, [](Call& c) { (void)c.store.definitions().list("course"); }},
         {"definitions.find",
          uses,

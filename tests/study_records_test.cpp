@@ -10,7 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "curriculum/questionnaire.h"
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 #include "db/study_conduct.h"
 #include "tests/store_fixture.h"
 
@@ -166,28 +166,29 @@ TEST_P(StudyRecordsTest, WithAKeyOnlyItsHolderReadsTheSignatures) {
     db::StudyRecords& records = store->records();
     const std::string early = "M11 22 L33 44", late = "M55 66 L77 88";
     records.save_consent_signature("pilot", code, early);
-    const db::SealPair pair = db::make_seal_pair(), other = db::make_seal_pair();
-    db::keep_seal(*store, "pilot", pair.public_key);
-    db::keep_seal(*store, "pilot", pair.public_key);  // The same again changes nothing.
+    const db::ConsentKeys pair = db::make_consent_keys(), other = db::make_consent_keys();
+    db::keep_consent_key(*store, "pilot", pair.public_key);
+    db::keep_consent_key(*store, "pilot", pair.public_key);  // The same again changes nothing.
     const std::string second = store->studies().new_participant("pilot");
     records.save_consent_signature("pilot", second, late);
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM consent_signatures WHERE path LIKE 'M%'"), "0");
     EXPECT_EQ(raw().value("SELECT COUNT(*) FROM definitions WHERE kind = 'consent_seal'"), "1");
     const std::string kept = records.consent_signature("pilot", code)->path;
-    EXPECT_TRUE(db::is_sealed(kept));
-    EXPECT_EQ(db::unsealed(kept, pair), early);
-    EXPECT_EQ(db::unsealed(records.consent_signature("pilot", second)->path, pair), late);
-    EXPECT_EQ(db::unsealed(kept, other), std::nullopt);
+    EXPECT_TRUE(db::is_encrypted(kept));
+    EXPECT_EQ(db::decrypted(kept, pair), early);
+    EXPECT_EQ(db::decrypted(records.consent_signature("pilot", second)->path, pair), late);
+    EXPECT_EQ(db::decrypted(kept, other), std::nullopt);
     std::string changed = kept;
     changed.back() = changed.back() == '0' ? '1' : '0';
-    EXPECT_EQ(db::unsealed(changed, pair), std::nullopt);
-    // Another key: what was sealed stays with the first, what comes next goes to the second.
-    db::keep_seal(*store, "pilot", other.public_key);
+    EXPECT_EQ(db::decrypted(changed, pair), std::nullopt);
+    // Another key: what was encrypted stays with the first, what comes next goes to the second.
+    db::keep_consent_key(*store, "pilot", other.public_key);
     EXPECT_EQ(records.consent_signature("pilot", code)->path, kept);
     const std::string third = store->studies().new_participant("pilot");
     records.save_consent_signature("pilot", third, late);
-    EXPECT_EQ(db::unsealed(records.consent_signature("pilot", third)->path, other), late);
-    EXPECT_EQ(failure_of([&] { db::keep_seal(*store, "pilot", "abc"); }).kind(), Kind::kDamaged);
+    EXPECT_EQ(db::decrypted(records.consent_signature("pilot", third)->path, other), late);
+    EXPECT_EQ(failure_of([&] { db::keep_consent_key(*store, "pilot", "abc"); }).kind(),
+              Kind::kDamaged);
     EXPECT_TRUE(store->check().empty());
 }
 

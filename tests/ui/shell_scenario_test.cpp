@@ -16,7 +16,7 @@
 #include <cmath>
 
 #include "assessment/statistics.h"
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 #include "db/study_records.h"
 #include "reports/export.h"
 #include "scripted_participants.h"
@@ -233,7 +233,7 @@ void ShellScenarioTest::theKeyHoldsTheNames() {
     }
     // With the key there is no signature in clear any more, but its holder can see each.
     for (const std::string& code : people_.codes)
-        QVERIFY(db::is_sealed(store().records().consent_signature(kStudy, code)->path));
+        QVERIFY(db::is_encrypted(store().records().consent_signature(kStudy, code)->path));
     QCOMPARE(shell.find<QComboBox>("signature_code")->count(),
              static_cast<int>(people_.codes.size()));
     QVERIFY(press("show_signature"));

@@ -36,7 +36,7 @@ ParticipantKey opened(Session& session, const Context& context, const StudyKeyOp
     if (key.study_id() != options.study)
         throw InputError(path + ": belongs to the study " + key.study_id() + ", not to " +
                          options.study);
-    db::keep_seal(session.store(), options.study, key.seal().public_key);
+    db::keep_consent_key(session.store(), options.study, key.consent_keys().public_key);
     session.store().audit().write(
         session.actor(), "study.key." + what,
         options.study + (options.entry.code.empty() ? "" : " ") + options.entry.code, path);
@@ -49,7 +49,7 @@ int make(const Context& context, const StudyKeyOptions& options) {
     const std::string phrase = read_password(kVariable, "Passphrase for " + path, true);
     as_input([&] {
         const auto key = ParticipantKey::create(path, options.study, phrase);
-        db::keep_seal(session.store(), options.study, key.seal().public_key);
+        db::keep_consent_key(session.store(), options.study, key.consent_keys().public_key);
     });
     session.store().audit().write(session.actor(), "study.key.make", options.study, path);
     print(context, {{"study", options.study}, {"path", path}},

@@ -73,7 +73,7 @@ class NamesCard : public QFrame {
                             : db::ParticipantKey::open(path, phrase);
             if (key.study_id() != study_)
                 throw Refusal(tr("These names belong to the study %1.").arg(qstr(key.study_id())));
-            db::keep_seal(context_.store(), study_, key.seal().public_key);
+            db::keep_consent_key(context_.store(), study_, key.consent_keys().public_key);
             key_ = std::make_unique<db::ParticipantKey>(std::move(key));
             context_.setStoreSetting("key/" + qstr(study_), path_->text().trimmed());
             context_.audit(make ? "study.key.make" : "study.key.open", qstr(study_),
@@ -133,7 +133,7 @@ class NamesCard : public QFrame {
         const auto show = [this, chooser, picture] {
             const auto kept = context_.store().records().consent_signature(
                 study_, chooser->currentText().toStdString());
-            const auto path = kept ? db::unsealed(kept->path, key_->seal()) : std::nullopt;
+            const auto path = kept ? db::decrypted(kept->path, key_->consent_keys()) : std::nullopt;
             picture->clear();
             if (path)
                 picture->setPixmap(signature_picture(qstr(*path), context_.colors().text));

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Placode authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "db/consent_seal.h"
+#include "db/consent_encryption.h"
 
 #include <sodium.h>
 
@@ -46,17 +46,17 @@ PublicKey need_public(const std::string& hex) {
 
 }  // namespace
 
-SealPair make_seal_pair() {
+ConsentKeys make_consent_keys() {
     need_sodium();
     PublicKey open{};
     SecretKey secret{};
     crypto_box_keypair(open.data(), secret.data());
-    SealPair pair{hex_of(open), hex_of(secret)};
+    ConsentKeys pair{hex_of(open), hex_of(secret)};
     sodium_memzero(secret.data(), secret.size());
     return pair;
 }
 
-std::string sealed(const std::string& text, const std::string& public_key) {
+std::string encrypted(const std::string& text, const std::string& public_key) {
     need_sodium();
     const PublicKey key = need_public(public_key);
     std::vector<unsigned char> box(text.size() + crypto_box_SEALBYTES);
@@ -65,10 +65,10 @@ std::string sealed(const std::string& text, const std::string& public_key) {
     return std::string(kMark) + hex_of(box);
 }
 
-bool is_sealed(const std::string& text) { return text.starts_with(kMark); }
+bool is_encrypted(const std::string& text) { return text.starts_with(kMark); }
 
-std::optional<std::string> unsealed(const std::string& text, const SealPair& pair) {
-    if (!is_sealed(text)) return text;
+std::optional<std::string> decrypted(const std::string& text, const ConsentKeys& pair) {
+    if (!is_encrypted(text)) return text;
     need_sodium();
     const std::string_view digits = std::string_view(text).substr(kMark.size());
     std::vector<unsigned char> box(digits.size() / 2);
@@ -85,7 +85,8 @@ std::optional<std::string> unsealed(const std::string& text, const SealPair& pai
     return plain;
 }
 
-std::string seal_json(const std::string& study_id, int version, const std::string& public_key) {
+std::string consent_key_json(const std::string& study_id, int version,
+                             const std::string& public_key) {
     return QJsonDocument(QJsonObject{{"study", QString::fromStdString(study_id)},
                                      {"version", version},
                                      {"public_key", QString::fromStdString(public_key)}})
@@ -93,22 +94,23 @@ std::string seal_json(const std::string& study_id, int version, const std::strin
         .toStdString();
 }
 
-SealDefinition seal_of(const std::string& json) {
+ConsentKeyDefinition consent_key_of(const std::string& json) {
     const QJsonObject object = QJsonDocument::fromJson(QByteArray::fromStdString(json)).object();
-    SealDefinition seal{object["study"].toString().toStdString(),
-                        object["public_key"].toString().toStdString(), object["version"].toInt()};
-    (void)need_public(seal.public_key);
-    return seal;
+    ConsentKeyDefinition read{object["study"].toString().toStdString(),
+                              object["public_key"].toString().toStdString(),
+                              object["version"].toInt()};
+    (void)need_public(read.public_key);
+    return read;
 }
 
-void keep_seal(Store& store, const std::string& study_id, const std::string& public_key) {
+void keep_consent_key(Store& store, const std::string& study_id, const std::string& public_key) {
     const auto newest = store.definitions().find("consent_seal", study_id);
-    if (newest && seal_of(newest->json).public_key == public_key) return;
+    if (newest && consent_key_of(newest->json).public_key == public_key) return;
     DefinitionRecord definition;
     definition.kind = "consent_seal";
     definition.id = study_id;
     definition.version = newest ? newest->version + 1 : 1;
-    definition.json = seal_json(study_id, definition.version, public_key);
+    definition.json = consent_key_json(study_id, definition.version, public_key);
     if (newest) definition.reason = "another participant key";
     store.definitions().publish(definition);
 }
