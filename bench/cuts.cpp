@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <set>
 
 #include "sim/cutting/blade_slides.h"
 #include "sim/cutting/cutting.h"
 #include "sim/solver/slide_vertex.h"
 #include "sim/solver/topology.h"
 #include "sim/step/step.h"
+#include "sim/verify/cut_rim.h"
 #include "sim/world/state.h"
 
 namespace placode::bench {
@@ -25,7 +25,6 @@ constexpr double kBladeM = 0.006, kOpenRad = 0.7, kPadM = 4e-4;
 
 struct Cut {
     Vec3 tip, ahead;
-    [[nodiscard]] Vec3 normal() const { return {-ahead.y(), ahead.x(), 0}; }
     [[nodiscard]] sim::Pose pose() const {
         sim::Mat3 axes;
         axes.col(2) = ahead;
@@ -101,30 +100,6 @@ void measure_slides(const Scene& scene, State& state, const Cut& cut, CutRow& ro
     s.met_count = 0;
 }
 
-/// Rim of the cut on the surface at rest, in mm along and across its line of best fit.
-std::vector<std::array<double, 2>> rim_of(const Scene& scene, const State& state, const Cut& cut) {
-    std::set<int32_t> seen;
-    std::vector<std::array<double, 2>> points;
-    for (const sim::SurfaceTriangle& t : state.surface.triangles()) {
-        if (t.fresh == 0) continue;
-        for (const int32_t v : t.vertex) {
-            const int32_t o = sim::origin_of(state.body, v);
-            if (scene.field.depth_m[static_cast<size_t>(o)] > 1e-9F || !seen.insert(o).second)
-                continue;
-            const Vec3 p = 1e3 * (sim::rest_place(scene.body, state.body, v) - cut.tip);
-            points.push_back({cut.ahead.dot(p), cut.normal().dot(p)});
-        }
-    }
-    std::sort(points.begin(), points.end());
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& p : points) {
-        n += 1, x += p[0], y += p[1], xx += p[0] * p[0], xy += p[0] * p[1];
-    }
-    const double slope = (n * xy - x * y) / (n * xx - x * x), offset = (y - slope * x) / n;
-    for (auto& p : points) p[1] -= offset + slope * p[0];
-    return points;
-}
-
 }  // namespace
 
 CutRow measure_cuts(sim::OperativeFieldSpec spec, double snap, int snips) {
@@ -149,7 +124,7 @@ CutRow measure_cuts(sim::OperativeFieldSpec spec, double snap, int snips) {
         for (int k = 0; k <= kFrames; ++k)
             run(*scene, state, cut.pose(), kOpenRad * (kFrames - k) / kFrames);
         for (int k = 0; k < 40; ++k) run(*scene, state, cut.pose(), 0);
-        const auto rim = rim_of(*scene, state, cut);
+        const auto rim = sim::cut_rim_mm(*scene, state, cut.tip, cut.ahead);
         for (size_t k = 0; k < rim.size(); ++k) {
             squares += rim[k][1] * rim[k][1];
             row.max_mm = std::max(row.max_mm, std::abs(rim[k][1]));

@@ -10,12 +10,12 @@
 #include <cmath>
 #include <numbers>
 #include <random>
-#include <set>
 
 #include "sim/anatomy/operative_field.h"
 #include "sim/cutting/cutting.h"
 #include "sim/cutting/tissue_stretch.h"
 #include "sim/solver/slide_vertex.h"
+#include "sim/verify/cut_rim.h"
 #include "sim/world/saved_state.h"
 #include "tests/box_scene.h"
 #include "tests/cut_checks.h"
@@ -161,39 +161,6 @@ TEST(SlideVertex, RefusesWhatWouldFlattenTurnOrLoosenATet) {
     EXPECT_FALSE(slide_vertex(scene.body, state.body, far, SlideLimits{}));
 }
 
-/// Rim of the cut on the surface against its line of best fit, at rest [mm].
-struct Rim {
-    double square_sum = 0;
-    int points = 0;
-};
-Rim rim_of(const Scene& scene, const State& state, const Vec3& tip, const Vec3& ahead) {
-    const Vec3 normal(-ahead.y(), ahead.x(), 0);
-    std::set<int> seen;
-    std::vector<std::array<double, 2>> points;
-    for (const SurfaceTriangle& t : state.surface.triangles()) {
-        if (t.fresh == 0) continue;
-        for (const int32_t v : t.vertex) {
-            const auto o = static_cast<size_t>(origin_of(state.body, v));
-            if (scene.field.depth_m[o] > 1e-9F || !seen.insert(static_cast<int>(o)).second)
-                continue;
-            const Vec3 p = 1e3 * (rest_place(scene.body, state.body, v) - tip);
-            points.push_back({ahead.dot(p), normal.dot(p)});
-        }
-    }
-    // Tissue had moved a little by the time at which the blades met it: the line is fitted.
-    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
-    for (const auto& p : points) {
-        n += 1, x += p[0], y += p[1], xx += p[0] * p[0], xy += p[0] * p[1];
-    }
-    const double slope = (n * xy - x * y) / (n * xx - x * x), offset = (y - slope * x) / n;
-    Rim rim;
-    for (const auto& p : points) {
-        rim.square_sum += std::pow(p[1] - offset - slope * p[0], 2);
-        ++rim.points;
-    }
-    return rim;
-}
-
 /// Snips along the planned incision of the default field; root mean square of their rims [mm].
 double rim_rms_mm(double snap, double* quality = nullptr) {
     OperativeFieldSpec spec;
@@ -202,7 +169,7 @@ double rim_rms_mm(double snap, double* quality = nullptr) {
     spec.tools.push_back(slab().tool);
     spec.tools[0].tip_length_m = 0.006;
     const auto scene = build_operative_field(spec);
-    Rim all;
+    double square_sum = 0, points = 0;
     for (int i = 0; i < 8; ++i) {
         State state(*scene, 2);
         const auto& contour = scene->geometry.planned_contour;
@@ -213,13 +180,14 @@ double rim_rms_mm(double snap, double* quality = nullptr) {
         const Vec3 tip = contour[k] + 0.003 * ahead - 0.0003 * Vec3::UnitZ();
         snip(*scene, state, blades(tip, ahead, Vec3::UnitZ()));
         EXPECT_GT(state.splits, 0);
-        const Rim rim = rim_of(*scene, state, tip, ahead);
-        all.square_sum += rim.square_sum;
-        all.points += rim.points;
+        for (const auto& point : cut_rim_mm(*scene, state, tip, ahead)) {
+            square_sum += point[1] * point[1];
+            ++points;
+        }
         if (quality != nullptr)
             *quality = std::min(*quality, least_quality(scene->body, state.body));
     }
-    return std::sqrt(all.square_sum / all.points);
+    return std::sqrt(square_sum / points);
 }
 
 TEST(BladeSlides, PutTheRimOfACutOntoTheBladesPath) {
